@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// What deserves to be known about a recording or an analysis but does not stop it.
+enum class DiagnosticKind {
+    time_uneven,  // args: largest deviation (s), the same in samples. Resampled to a uniform grid.
+    time_gap,     // args: missing samples, at time (s)
+    missing_samples,    // args: count of NaN and infinite samples. Windows over them are flagged.
+    file_ends_early,    // args: frames promised, frames present
+    filter_transients,  // args: seconds lost at each end
+    filter_colours_noise,  // standard deviations assume white noise
+    context_missing,       // args: samples that the algorithm needs beyond the window
+    not_converged,         // args: windows, of
+    text_lines_ignored,    // args: count; header and comment lines
+};
+
+// first_frame is -1 where the diagnostic has no place in the recording; count is in frames.
+struct Diagnostic {
+    DiagnosticKind kind{};
+    std::vector<std::string> args;
+    std::int64_t first_frame = -1;
+    std::int64_t count = 0;
+
+    friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
+};
+
+// The name of a kind as it stands in JSON, e.g. "time-gap".
+std::string kind_name(DiagnosticKind kind);
+
+}  // namespace vybeg

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// Everything that can go wrong. The English sentence of each stands in messages.cpp, in this order.
+enum class ErrorCode {
+    // The call itself is wrong: exit status 2.
+    setting_invalid,  // args: name of the setting, its value, what is allowed
+    // The input cannot be read: exit status 3.
+    file_missing,
+    file_permission,
+    file_is_directory,
+    file_empty,
+    file_read_failed,      // args: reason
+    format_unknown,        // neither a known binary format nor text
+    format_damaged,        // args: format, reason
+    text_not_a_number,     // args: line, column, the text found there
+    text_no_data,          // no line with at least two numbers
+    text_time_backwards,   // args: line, the time there, the time before it
+    too_few_channels,      // args: channels found, channels needed
+    channel_out_of_range,  // args: channel asked for, channels found
+    too_few_frames,        // args: frames found, frames needed
+    rate_unknown,
+    // The analysis is impossible: exit status 4.
+    window_too_long,          // args: window in samples, samples in the range
+    window_too_short,         // args: window in samples, least window at this frequency
+    range_empty,              // args: from, to, length of the recording (s)
+    carrier_above_half_rate,  // args: carrier (Hz), half the sample rate (Hz)
+    carrier_not_found,
+    band_invalid,     // args: low, high (Hz), half the sample rate (Hz)
+    filter_too_long,  // args: transient in samples, frames in the recording
+    no_valid_samples,
+    simulation_impossible,  // args: reason
+    // The output cannot be written: exit status 5.
+    output_failed,          // args: reason
+    output_format_unknown,  // args: ending
+    // Ctrl-C, SIGTERM or Cancel: exit status 130.
+    interrupted,
+};
+
+// A failure as a value: `where` is the file or setting it concerns; `args` fill the sentence of
+// `code`.
+struct Error {
+    ErrorCode code{};
+    std::string where;
+    std::vector<std::string> args;
+
+    friend bool operator==(const Error&, const Error&) = default;
+};
+
+// Exit status of the command line for an error (INTERFACE.md): 2, 3, 4, 5 or 130.
+int exit_status(ErrorCode code);
+
+}  // namespace vybeg

@@ -1,0 +1,205 @@
+#include "core/base/messages.h"
+
+// Marks a text for lupdate (see translations/CMakeLists or ui/CMakeLists: -tr-function-alias); core
+// itself has no translations.
+#define VYBEG_MESSAGE(context, text) text
+
+namespace vybeg {
+
+const char* message_template(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::setting_invalid:
+            return VYBEG_MESSAGE("Message", "%2 cannot be \"%3\": %4.");
+        case ErrorCode::file_missing:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: there is no such file. Check the name and the folder.");
+        case ErrorCode::file_permission:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: no permission to read this file. Change its permissions or copy it.");
+        case ErrorCode::file_is_directory:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 is a folder, not a recording. Name one file inside it.");
+        case ErrorCode::file_empty:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: the file is empty (0 bytes). Record or copy it again.");
+        case ErrorCode::file_read_failed:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: reading failed: %2. Check the disk and copy the file again.");
+        case ErrorCode::format_unknown:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: neither an audio file nor a table of numbers. Save the recording as "
+                "WAV or CSV, or give the layout of raw samples with --raw.");
+        case ErrorCode::format_damaged:
+            return VYBEG_MESSAGE("Message", "%1: the %2 file is damaged: %3. Copy it again.");
+        case ErrorCode::text_not_a_number:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1, line %2, column %3: \"%4\" is not a number. Correct it, or write nan "
+                "for a missing sample.");
+        case ErrorCode::text_no_data:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: no line with two or more numbers. The file needs one column for each "
+                "pick-off.");
+        case ErrorCode::text_time_backwards:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1, line %2: the time %3 does not follow %4. The time column must rise.");
+        case ErrorCode::too_few_channels:
+            return VYBEG_MESSAGE(
+                "Message", "%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D.");
+        case ErrorCode::channel_out_of_range:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: there is no channel %2; the file has %3. Choose other "
+                                 "channels with --channels.");
+        case ErrorCode::too_few_frames:
+            return VYBEG_MESSAGE("Message", "%1 holds %2 sample(s), and at least %3 are needed.");
+        case ErrorCode::rate_unknown:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the file does not tell its sample rate. Give it with --rate, in Hz.");
+        case ErrorCode::window_too_long:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the window of %2 samples is longer than the %3 samples to analyse. "
+                "Choose a shorter window or a longer range.");
+        case ErrorCode::window_too_short:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the window of %2 samples is too short; at this carrier it needs at "
+                "least %3 (5 samples and one period).");
+        case ErrorCode::range_empty:
+            return VYBEG_MESSAGE(
+                "Message", "%1: nothing lies between %2 s and %3 s; the recording is %4 s long.");
+        case ErrorCode::carrier_above_half_rate:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the carrier of %2 Hz is not below half the sample rate, %3 Hz. Check "
+                "the carrier and the rate.");
+        case ErrorCode::carrier_not_found:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: no carrier stands out of the spectrum. Give it with --f0, or the band "
+                "to look in with --band.");
+        case ErrorCode::band_invalid:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the band from %2 Hz to %3 Hz is impossible; it must rise and lie "
+                "between 0 and half the sample rate, %4 Hz.");
+        case ErrorCode::filter_too_long:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the filter needs %2 samples at each end, and the recording has only "
+                "%3. Choose a wider band or a longer recording.");
+        case ErrorCode::no_valid_samples:
+            return VYBEG_MESSAGE("Message", "%1: every sample of the range is missing (NaN).");
+        case ErrorCode::simulation_impossible:
+            return VYBEG_MESSAGE("Message", "This decay cannot be simulated: %2.");
+        case ErrorCode::output_failed:
+            return VYBEG_MESSAGE("Message", "%1 cannot be written: %2. Nothing was changed there.");
+        case ErrorCode::output_format_unknown:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: the ending \"%2\" is not one that can be written here.");
+        case ErrorCode::interrupted:
+            return VYBEG_MESSAGE("Message", "Interrupted; nothing was written.");
+    }
+    return "";
+}
+
+const char* message_template(DiagnosticKind kind) {
+    switch (kind) {
+        case DiagnosticKind::time_uneven:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The time column is uneven, by up to %1 s (%2 samples); the signals were "
+                "resampled to a uniform grid by local cubic interpolation.");
+        case DiagnosticKind::time_gap:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 samples are missing at %2 s; windows over them are flagged.");
+        case DiagnosticKind::missing_samples:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 samples are NaN or infinite; windows over them are flagged.");
+        case DiagnosticKind::file_ends_early:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The file ends early: its header promises %1 frames, %2 are there. Those "
+                "are used.");
+        case DiagnosticKind::filter_transients:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The band-pass takes %1 s at each end for its transient; those windows "
+                "are flagged.");
+        case DiagnosticKind::filter_colours_noise:
+            return VYBEG_MESSAGE("Message",
+                                 "Behind the band-pass the noise is no longer white: the standard "
+                                 "deviations are only indicative.");
+        case DiagnosticKind::context_missing:
+            return VYBEG_MESSAGE(
+                "Message",
+                "This algorithm needs %1 samples on both sides of a window; windows "
+                "without them are flagged.");
+        case DiagnosticKind::not_converged:
+            return VYBEG_MESSAGE("Message", "%1 of %2 windows did not converge; they are flagged.");
+        case DiagnosticKind::text_lines_ignored:
+            return VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.");
+    }
+    return "";
+}
+
+std::string kind_name(DiagnosticKind kind) {
+    switch (kind) {
+        case DiagnosticKind::time_uneven: return "time-uneven";
+        case DiagnosticKind::time_gap: return "time-gap";
+        case DiagnosticKind::missing_samples: return "missing-samples";
+        case DiagnosticKind::file_ends_early: return "file-ends-early";
+        case DiagnosticKind::filter_transients: return "filter-transients";
+        case DiagnosticKind::filter_colours_noise: return "filter-colours-noise";
+        case DiagnosticKind::context_missing: return "context-missing";
+        case DiagnosticKind::not_converged: return "not-converged";
+        case DiagnosticKind::text_lines_ignored: return "text-lines-ignored";
+    }
+    return "";
+}
+
+int exit_status(ErrorCode code) {
+    if (code == ErrorCode::interrupted) {
+        return 130;
+    }
+    if (code >= ErrorCode::output_failed) {
+        return 5;
+    }
+    if (code >= ErrorCode::window_too_long) {
+        return 4;
+    }
+    return code == ErrorCode::setting_invalid ? 2 : 3;
+}
+
+std::string fill_template(const std::string& text, const std::vector<std::string>& args) {
+    std::string filled;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::size_t number = text[i] == '%' && i + 1 < text.size()
+                                       ? static_cast<std::size_t>(text[i + 1] - '1')
+                                       : args.size();
+        if (number < args.size()) {
+            filled += args[number];
+            ++i;
+        } else {
+            filled += text[i];
+        }
+    }
+    return filled;
+}
+
+std::string english(const Error& error) {
+    std::vector<std::string> args{error.where};
+    args.insert(args.end(), error.args.begin(), error.args.end());
+    return fill_template(message_template(error.code), args);
+}
+
+std::string english(const Diagnostic& diagnostic) {
+    return fill_template(message_template(diagnostic.kind), diagnostic.args);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,43 @@
+#include "core/base/number_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace vybeg {
+namespace {
+
+template <class... Format>
+std::string to_text(double value, Format... format) {
+    if (std::isnan(value)) {
+        return "nan";  // to_chars may write "-nan"
+    }
+    std::array<char, 64> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format...);
+    return {buffer.data(), end.ptr};
+}
+
+}  // namespace
+
+std::string round_trip_text(double value) {
+    return to_text(value);
+}
+
+std::string short_text(double value, int digits) {
+    return to_text(value, std::chars_format::general, digits);
+}
+
+std::string integer_text(std::int64_t value) {
+    return std::to_string(value);
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    double value = 0;
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end.ec != std::errc{} || end.ptr != text.data() + text.size()) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+}  // namespace vybeg

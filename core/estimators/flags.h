@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace vybeg {
+
+// Why a window's value is missing or doubtful. A window may have several reasons.
+enum class Flag : std::uint8_t {
+    no_quadrature = 1,  // the algorithm does not estimate a_B
+    circular = 2,       // a_A = |a_B| within the noise: the angle is undefined
+    gap = 4,            // samples are missing inside the window or around it where they are needed
+    not_converged = 8,
+    at_bound = 16,  // the frequency ran to the edge of the main lobe
+};
+
+using Flags = std::uint8_t;  // any number of Flag, or-ed
+
+inline constexpr Flags operator|(Flag a, Flag b) {
+    return static_cast<Flags>(static_cast<Flags>(a) | static_cast<Flags>(b));
+}
+inline constexpr bool has(Flags flags, Flag flag) {
+    return (flags & static_cast<Flags>(flag)) != 0;
+}
+inline constexpr void set(Flags& flags, Flag flag) {
+    flags = static_cast<Flags>(flags | static_cast<Flags>(flag));
+}
+
+// The reasons as in the track CSV: joined by ';', e.g. "gap;not-converged"; empty where there is
+// none.
+std::string flags_text(Flags flags);
+
+}  // namespace vybeg

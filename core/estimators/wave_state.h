@@ -1,0 +1,38 @@
+#pragma once
+
+#include <complex>
+
+namespace vybeg {
+
+// Complex amplitudes of the pick-off signals: C = Re(c e^{i w t}), D = Re(d e^{i w t}) (METHOD
+// section 1).
+struct Phasors {
+    std::complex<double> c;
+    std::complex<double> d;
+
+    friend bool operator==(const Phasors&, const Phasors&) = default;
+};
+
+// The standing waves: amplitudes (a_A >= |a_B|, a_B signed) in recording units, angles in rad.
+struct WaveState {
+    double a_A = 0;
+    double a_B = 0;
+    double two_theta_A = 0;
+    double alpha = 0;
+
+    friend bool operator==(const WaveState&, const WaveState&) = default;
+};
+
+// The inversion of METHOD section 1. two_theta_A lies in (-pi/2, pi/2] and alpha in (-pi, pi],
+// chosen together. Where a_A = |a_B| the angles mean nothing; the caller knows from the amplitudes.
+WaveState to_wave_state(const Phasors& phasors);
+
+Phasors to_phasors(const WaveState& state);
+
+// The same motion with a_A >= |a_B|, two_theta_A in (-pi/2, pi/2] and alpha in (-pi, pi].
+WaveState canonical(const WaveState& state);
+
+// arg(d conj c) = phi_C - phi_D, in (-pi, pi]; its sine has the sign of -a_A a_B.
+double phase_difference(const Phasors& phasors);
+
+}  // namespace vybeg

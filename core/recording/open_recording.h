@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/recording.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace vybeg {
+
+enum class RawType { i16, i32, f32, f64 };
+
+// Layout of headerless interleaved samples (--raw and its companions).
+struct RawLayout {
+    RawType type = RawType::i16;
+    bool big_endian = false;
+    int channels = 2;
+    std::int64_t skip_bytes = 0;
+    double scale = 1;  // recording units per count
+
+    friend bool operator==(const RawLayout&, const RawLayout&) = default;
+};
+
+struct OpenOptions {
+    std::optional<double> rate_hz;  // used where the file has no rate
+    int channel_c = 1;              // from 1; a time column does not count
+    int channel_d = 2;
+    std::optional<RawLayout> raw;  // read the file as raw samples, whatever it looks like
+
+    friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
+};
+
+// Opens a recording by its content, never by its name. Text is read whole (progress and
+// cancellation through `job`); audio and raw files are read on demand. Errors: every ErrorCode of
+// the input group, setting_invalid, interrupted.
+Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
+                                 const JobControl& job);
+
+// Lower-case hexadecimal SHA-256 of a file's bytes.
+Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job);
+
+}  // namespace vybeg

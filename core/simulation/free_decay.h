@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/track/track.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vybeg {
+
+// A simulated free decay (METHOD section 8): two degenerate modes of a resonator, let go at t = 0.
+// Units in the names; angles in rad. The defaults are those of `simulate`; demo_decay() is the
+// article's case, with a split, a decay and a noise under which a_B visibly swings and 2theta_A
+// turns through an axis.
+struct FreeDecay {
+    double seconds = 28;
+    double rate_hz = 33333;
+    double f0_hz = 5300;
+    double a_A = 1;
+    double a_B = 0;
+    double two_theta_A = 0.3;
+    double alpha = 0.4;
+    double split_hz = 0;                  // f_p - f_q >= 0
+    double theta_w = 0;                   // axis of the faster mode
+    double tau_s = 1e300;                 // amplitude decay time; the default is no decay
+    double damping_anisotropy_per_s = 0;  // 1/tau_1 - 1/tau_2 >= 0
+    double theta_tau = 0;                 // axis of larger damping
+    double omega_rad_s = 0;               // rotation of the gyro
+    double bryan = 0.277;                 // d theta_A/dt = -bryan * omega
+    double noise = 0;                     // sd per sample and channel, recording units
+    double kappa = 1;                     // S_D = D / kappa
+    double offset_c = 0;
+    double offset_d = 0;
+    int bits = 0;           // 0: not quantised
+    double full_scale = 0;  // of the quantiser; 0: 1.25 times the largest sample
+    std::uint64_t seed = 1;
+
+    friend bool operator==(const FreeDecay&, const FreeDecay&) = default;
+};
+
+struct SimulatedDecay {
+    std::vector<double> c;
+    std::vector<double> d;
+};
+
+FreeDecay demo_decay();
+
+// The two signals, floor(seconds * rate) frames, by the exact matrix exponential of the slow
+// dynamics. The same seed gives the same samples on every machine. Errors: simulation_impossible,
+// interrupted.
+Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job);
+
+// The exact slow variables at the centres of windows of `window` samples, one after the other; sd
+// columns are zero, rms is the noise's sqrt(2) sigma.
+Result<Track> true_track(const FreeDecay& decay, std::int64_t window);
+
+}  // namespace vybeg

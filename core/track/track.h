@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/estimators/flags.h"
+#include "core/track/slow_variables.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// The slow variables over time, a row per window. Filled once, by analyse() or by the simulator,
+// then only read.
+//
+// Units: seconds from the start of the recording (window centres), recording units, rad, Hz.
+// two_theta_A is unwrapped modulo pi with alpha carried along, the first valid value in (-pi/2,
+// pi/2]; delta_phi_CD and alpha lie in (-pi, pi]. A value that does not exist is NaN and its row's
+// flags say why.
+class Track {
+public:
+    Track() = default;
+    explicit Track(std::size_t rows);
+
+    std::size_t rows() const { return time_s_.size(); }
+    std::span<const double> time_s() const { return time_s_; }
+    std::span<const double> values(SlowVariable variable) const { return values_[index(variable)]; }
+    // Standard deviations; empty where the variable has none (slow_variables.h).
+    std::span<const double> sds(SlowVariable variable) const { return sds_[index(variable)]; }
+    std::span<const Flags> flags() const { return flags_; }
+
+    // For those who fill the track.
+    std::span<double> time_s() { return time_s_; }
+    std::span<double> values(SlowVariable variable) { return values_[index(variable)]; }
+    std::span<double> sds(SlowVariable variable) { return sds_[index(variable)]; }
+    std::span<Flags> flags() { return flags_; }
+
+private:
+    static std::size_t index(SlowVariable variable) { return static_cast<std::size_t>(variable); }
+
+    std::vector<double> time_s_;
+    std::array<std::vector<double>, slow_variable_count> values_;
+    std::array<std::vector<double>, slow_variable_count> sds_;
+    std::vector<Flags> flags_;
+};
+
+}  // namespace vybeg

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+
+namespace vybeg {
+
+// Where the windows lie: `count` windows of `length` samples, the k-th from first + k hop.
+struct WindowPlan {
+    std::int64_t first = 0;
+    std::int64_t length = 0;
+    std::int64_t hop = 0;
+    std::int64_t count = 0;
+
+    std::int64_t start(std::int64_t window) const { return first + window * hop; }
+    // Time of a window's centre from the start of the recording, s.
+    double centre_s(std::int64_t window, double rate_hz) const {
+        return (static_cast<double>(start(window)) + 0.5 * static_cast<double>(length - 1)) /
+               rate_hz;
+    }
+
+    friend bool operator==(const WindowPlan&, const WindowPlan&) = default;
+};
+
+// All windows that fit into the frames [first, end). Precondition: length >= 1, hop >= 1.
+WindowPlan plan_windows(std::int64_t first, std::int64_t end, std::int64_t length,
+                        std::int64_t hop);
+
+// |<cos 2wt>| over n centred samples at the given frequency: |sin(n w dt) / (n sin(w dt))|, the
+// Dirichlet kernel of METHOD section 3, in [0, 1].
+double orthogonality_residual(std::int64_t n, double f_hz, double rate_hz);
+
+// The window length of smallest residual within half a period of `n`, at least least_window():
+// METHOD section 3.
+std::int64_t snap_window(std::int64_t n, double f_hz, double rate_hz);
+
+// The shortest window that identifies five parameters: 5 samples and one period.
+std::int64_t least_window(double f_hz, double rate_hz);
+
+// Samples nearest to a number of periods of the carrier.
+std::int64_t window_of_periods(double periods, double f_hz, double rate_hz);
+
+}  // namespace vybeg
