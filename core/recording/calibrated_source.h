@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/recording/calibration.h"
+#include "core/recording/sample_source.h"
+
+#include <memory>
+
+namespace vybeg {
+
+// The source with offsets, gain ratio and delay of D taken out (calibration.h), while reading. The
+// delay is a band-limited interpolation; the frames at both ends that it cannot reach are NaN in D
+// and in C. offset_auto must have been resolved into offsets before. Returns `source` itself where
+// there is nothing to do.
+std::shared_ptr<const SampleSource> calibrated(std::shared_ptr<const SampleSource> source,
+                                               const Calibration& calibration, double rate_hz);
+
+}  // namespace vybeg

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/analysis/analyse.h"
+
+#include <QColor>
+#include <QString>
+
+#include <memory>
+
+namespace vybeg::ui {
+
+// One analysis as the window shows it: a row of the run list, a curve in every plot. A value;
+// copies share the analysis.
+struct Run {
+    int id = 0;  // unique in a document
+    QString name;
+    QString recording;  // name of the file
+    QColor color;       // Okabe-Ito, see theme.h
+    Qt::PenStyle dash = Qt::SolidLine;
+    bool visible = true;
+    double rate_hz = 0;
+    double seconds_taken = 0;  // the estimators alone
+    std::shared_ptr<const Analysis> analysis;
+};
+
+}  // namespace vybeg::ui
