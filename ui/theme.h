@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+
+class QApplication;
+
+namespace vybeg::ui {
+
+enum class ThemeMode { system, light, dark };
+
+// Every colour that a view draws with, and the palette of the widgets around it.
+struct Theme {
+    bool dark = false;
+    QPalette palette;
+    QColor plotBackground;  // around the axes
+    QColor panelBackground;  // inside the axes
+    QColor axis;             // frame and ticks
+    QColor grid;
+    QColor text;
+    QColor mutedText;
+    QColor accent;   // handles, focus, the analysed range
+    QColor tracker;  // hair line under the mouse
+    QColor cursorA;
+    QColor cursorB;
+    QColor warning;  // missing samples and windows
+    QColor signalC;
+    QColor signalD;
+};
+
+// How the curve of a run is told apart: an Okabe-Ito colour and a dash of its own.
+struct RunStyle {
+    QColor color;
+    Qt::PenStyle dash = Qt::SolidLine;
+};
+
+Theme lightTheme();
+Theme darkTheme();
+
+// Whether a palette is a dark one: the luminance of its window against that of its text.
+bool isDark(const QPalette& palette);
+
+// Fusion style and the palette of the mode; `system` asks the desktop's own palette. Returns what
+// the views are to be given. Call it again on QEvent::ThemeChange to follow the desktop.
+Theme applyTheme(QApplication& app, ThemeMode mode);
+
+// Style of the index-th run of a document (any index >= 0): colours change fastest, then dashes.
+RunStyle runStyle(int index);
+
+// The run's colour moved in lightness until its contrast against the theme's panel is at least 3.2.
+QColor readable(const QColor& color, const Theme& theme);
+
+// Contrast of two opaque colours after WCAG 2, 1 to 21.
+double contrast(const QColor& a, const QColor& b);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,144 @@
+#pragma once
+
+#include "ui/display_units.h"
+#include "ui/plot_content.h"
+#include "ui/run.h"
+#include "ui/theme.h"
+#include "ui/zoom_stack.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QCustomPlot;
+
+namespace vybeg::ui {
+
+class PlotOverlay;
+class PlotStack;
+class PanelFocus;
+
+// The two measuring cursors of the view.
+enum class Cursor { a, b };
+
+// The stacked plots of the slow variables of all visible runs over one time axis.
+//
+// Wheel: time about the mouse; Ctrl+wheel: value axis of the plot under the mouse; drag: pan;
+// Shift+drag: zoom into a rectangle; double click or Home: fit; R or Alt+Left, Alt+Right: zoom
+// history; + and -: zoom time about the tracker or the centre; Left, Right: pan; Ctrl+Plus,
+// Ctrl+Minus, Up, Down: value axis of the focused plot; Tab: next plot; 1 and 2: cursor A and B to
+// the tracker, Shift+1 and Shift+2 take them away; cursors can be dragged.
+//
+// Times are seconds from the start of the recording. Setters emit no signals but timeRangeChanged.
+class TrackView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TrackView(QWidget* parent = nullptr);
+    ~TrackView() override;
+
+    // The visible time range is kept, unless there was nothing to see before or it lies outside the
+    // new runs.
+    void setRuns(std::vector<Run> runs);
+    const std::vector<Run>& runs() const { return content_.runs; }
+    void setShownVariables(std::vector<SlowVariable> variables);
+    const std::vector<SlowVariable>& shownVariables() const { return content_.variables; }
+    // Value ranges fixed by hand are given up where their unit changes.
+    void setUnits(const DisplayUnits& units);
+    const DisplayUnits& units() const { return content_.units; }
+    void setTheme(const Theme& theme);
+
+    AxisRange timeRange() const { return history_.current().time; }
+    // Clipped to the runs' range; goes into the zoom history.
+    void setTimeRange(AxisRange range);
+    // All that the visible runs cover; {0, 1} without any.
+    AxisRange fullTimeRange() const;
+    // A fixed value axis in displayed units, or one that follows the data.
+    void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
+    std::optional<AxisRange> valueRange(SlowVariable variable) const;
+
+    bool canZoomBack() const { return history_.canBack(); }
+    bool canZoomForward() const { return history_.canForward(); }
+
+    std::optional<double> tracker() const { return tracker_; }
+    void setTracker(std::optional<double> time_s);
+    std::optional<double> cursor(Cursor which) const;
+    void setCursor(Cursor which, std::optional<double> time_s);
+    // Instants marked by thin lines in all plots: axis crossings, for example.
+    void setMarks(std::vector<double> times_s);
+    // A fitted curve drawn over one plot, displayed units; nullopt takes it away.
+    void setTrend(std::optional<TrendCurve> trend);
+
+    // The variable whose plot lies at a position of the widget, for context menus.
+    std::optional<SlowVariable> variableAt(const QPoint& position) const;
+    // What is shown, with the time range: input of plot_export.h.
+    PlotContent content() const;
+
+    QSize sizeHint() const override { return {900, 700}; }
+    QSize minimumSizeHint() const override;
+
+public slots:
+    void fit();
+    void zoomBack();
+    void zoomForward();
+    void zoomIn();
+    void zoomOut();
+
+signals:
+    void timeRangeChanged(double from_s, double to_s);
+    void trackerMoved(double time_s);
+    void trackerLeft();
+    // The user moved, placed or removed a cursor.
+    void cursorsChanged();
+    void zoomHistoryChanged();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    enum class Drag { none, pan, rubberBand, cursorA, cursorB };
+
+    void mousePressed(QMouseEvent* event);
+    void mouseMoved(QMouseEvent* event);
+    void mouseReleased(QMouseEvent* event);
+    void wheelTurned(QWheelEvent* event);
+    void zoomTime(double factor, double about_s);
+    void zoomValue(SlowVariable variable, double factor, double about_fraction);
+    void panValue(SlowVariable variable, double fraction);
+    void zoomToBand(const QRectF& band);
+    // Goes to a view: clips it, draws it, remembers it and tells the others.
+    void visit(ZoomState state, bool same_gesture);
+    void show(const ZoomState& state);
+    void moveTracker(std::optional<double> time_s);
+    void moveCursor(Cursor which, std::optional<double> time_s);
+    bool continuesGesture(int kind);
+    void rebuild();
+    void redraw();
+    void refreshOverlay();
+    void placeFocusWidgets();
+    std::optional<SlowVariable> focusedVariable() const;
+
+    PlotContent content_;
+    ZoomStack history_;
+    QCustomPlot* plot_ = nullptr;
+    std::unique_ptr<PlotStack> stack_;
+    PlotOverlay* overlay_ = nullptr;
+    std::vector<PanelFocus*> focus_widgets_;
+    std::optional<double> tracker_;
+    std::array<std::optional<double>, 2> cursors_;
+    Drag drag_ = Drag::none;
+    QPointF press_;
+    ZoomState press_state_;
+    std::optional<SlowVariable> press_variable_;
+    QTimer gesture_;
+    int gesture_kind_ = 0;
+};
+
+}  // namespace vybeg::ui
