@@ -8,23 +8,25 @@ namespace vybeg {
 
 // Band-limited interpolation by a Kaiser-windowed sinc: x(t - delay) from the samples around t, for
 // any delay in samples. Error below 1e-6 of the amplitude for sinusoids up to 0.4 of the sample
-// rate (tested).
+// rate (tested); a whole delay is exact.
 class FractionalDelay {
 public:
+    // Precondition: |delay_samples| < 2^53.
     explicit FractionalDelay(double delay_samples);
 
-    // Samples before and after a point that the interpolation reaches.
-    std::int64_t reach_before() const { return reach_before_; }
-    std::int64_t reach_after() const { return reach_after_; }
+    // Samples before and after a point that the interpolation reaches, never negative: 0 where all
+    // that it needs lies on the other side.
+    std::int64_t reach_before() const;
+    std::int64_t reach_after() const;
 
     // out[i] = x(first + i - delay). Precondition: x covers [first - reach_before(),
-    // first + out.size() + reach_after()).
+    // first + out.size() + reach_after()). A sample of out has the same bits whatever else is asked
+    // for with it; it is NaN where a sample within reach is.
     void apply(std::span<const double> x, std::int64_t first, std::span<double> out) const;
 
 private:
     std::vector<double> taps_;
-    std::int64_t reach_before_ = 0;
-    std::int64_t reach_after_ = 0;
+    std::int64_t offset_ = 0;  // of the first tap's sample from the point
 };
 
 }  // namespace vybeg

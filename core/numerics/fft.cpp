@@ -1,0 +1,52 @@
+#include "core/numerics/fft.h"
+
+#include <fftw3.h>
+
+#include <mutex>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+// FFTW chooses its SIMD code by the alignment of the array it plans with; all arrays from new must
+// therefore share it.
+static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= 16);
+
+std::mutex& planner_mutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+fftw_complex* as_fftw(std::span<std::complex<double>> data) {
+    return reinterpret_cast<fftw_complex*>(data.data());  // the same layout, by both standards
+}
+
+}  // namespace
+
+Fft::Fft(std::size_t size) : size_(size) {
+    std::vector<std::complex<double>> scratch(size);
+    const auto plan = [&](int sign) {
+        // Measured plans differ from run to run, and with them the last bits.
+        return fftw_plan_dft_1d(static_cast<int>(size), as_fftw(scratch), as_fftw(scratch), sign,
+                                FFTW_ESTIMATE);
+    };
+    const std::lock_guard lock(planner_mutex());
+    forward_ = plan(FFTW_FORWARD);
+    inverse_ = plan(FFTW_BACKWARD);
+}
+
+Fft::~Fft() {
+    const std::lock_guard lock(planner_mutex());
+    fftw_destroy_plan(forward_);
+    fftw_destroy_plan(inverse_);
+}
+
+void Fft::forward(std::span<std::complex<double>> data) const {
+    fftw_execute_dft(forward_, as_fftw(data), as_fftw(data));
+}
+
+void Fft::inverse(std::span<std::complex<double>> data) const {
+    fftw_execute_dft(inverse_, as_fftw(data), as_fftw(data));
+}
+
+}  // namespace vybeg
