@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstdint>
+#include <span>
+
+namespace vybeg {
+
+// Everything that the estimators need of a window's samples, at one trial frequency.
+//
+// Time inside a window is counted in samples from its centre: u_j = j - (n - 1)/2. The trial
+// frequency w is in radians per sample, 0 < w < pi.
+
+// One window of both channels; equal lengths.
+struct Window {
+    std::span<const double> c;
+    std::span<const double> d;
+
+    std::int64_t length() const { return static_cast<std::int64_t>(c.size()); }
+};
+
+// Sums over one channel: z[k] = sum_j u_j^k s_j e^{-i w u_j}. In the notation of (31), z[0] = n/2
+// (C_x - i S_x).
+using ChannelMoments = std::array<std::complex<double>, 3>;
+
+struct Moments {
+    ChannelMoments c;
+    ChannelMoments d;
+};
+
+// One pass over the samples. Relative error about 1e-15 for any length: the phase is anchored every
+// 64 samples.
+Moments window_moments(const Window& window, double w);
+
+// Only z[0] of both channels, for searches that need no derivative.
+struct Projections {
+    std::complex<double> c;
+    std::complex<double> d;
+};
+Projections window_projections(const Window& window, double w);
+
+// Sums of the window alone, in closed form; they say how far cos and sin are from orthogonal and
+// equal.
+struct WindowKernel {
+    double gram_cos = 0;  // sum cos^2 w u = (n + D)/2, D = sin(n w)/sin w
+    double gram_sin = 0;  // sum sin^2 w u = (n - D)/2
+    double slope = 0;     // d gram_cos / dw = -sum u sin 2wu
+    double bend = 0;      // d^2 gram_cos / dw^2 = -2 sum u^2 cos 2wu
+    double spread = 0;    // sum u^2 = n (n^2 - 1)/12
+};
+
+WindowKernel window_kernel(std::int64_t n, double w);
+
+// sum (C^2 + D^2) of the residual after taking Re(c e^{iwu}), Re(d e^{iwu}) from the samples: n F.
+// By residuals, not by moments, so that it keeps its digits where the fit is almost perfect.
+double residual_sum(const Window& window, const Projections& phasors, double w);
+
+}  // namespace vybeg

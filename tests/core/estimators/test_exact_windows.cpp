@@ -1,0 +1,192 @@
+#include "core/estimators/estimator.h"
+#include "core/windows/window_plan.h"
+#include "tests/core/estimators/still_wave.h"
+
+#include <QtTest>
+
+#include <random>
+
+using namespace vybeg;
+using vybeg::test::describe;
+using vybeg::test::deviation;
+using vybeg::test::Deviation;
+using vybeg::test::StillWave;
+
+namespace {
+
+constexpr std::int64_t margin = 64;  // context for the quarter-period delay
+
+WaveEstimate estimate(Algorithm algorithm, const StillWave& wave, std::int64_t n, double f0_hz) {
+    std::vector<double> c;
+    std::vector<double> d;
+    const double centre = static_cast<double>(margin) + 0.5 * static_cast<double>(n - 1);
+    wave.samples(n + 2 * margin, centre, c, d);
+    EstimatorOptions options;
+    options.length = n;
+    options.rate_hz = wave.rate_hz;
+    options.f0_hz = f0_hz;
+    std::vector<WaveEstimate> out(1);
+    make_estimator(algorithm, options)->estimate({c, d, margin, n, n}, 0, out);
+    return out.front();
+}
+
+// Carriers of 4 to 9 kHz, commensurate and incommensurate with the rate; angles in every quadrant
+// and near every axis; quadrature of both signs.
+std::vector<StillWave> sweep() {
+    std::mt19937_64 random(20260);
+    std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);
+    std::vector<StillWave> waves;
+    for (const double f : {4000.0, 4321.987654321, 5300.0, 33333.0 / 6,
+                           33333.0 / std::numbers::pi / 2, 7071.0678118654755, 8999.99}) {
+        for (const double a_B : {-0.9, -0.5, -0.01, 0.0, 1e-6, 0.3, 0.9}) {
+            for (int quarter = -4; quarter <= 4; ++quarter) {
+                for (const double aside : {0.0, 1e-3, 0.4}) {
+                    StillWave wave;
+                    wave.state = {1, a_B, quarter * std::numbers::pi / 4 + aside, angle(random)};
+                    wave.f_hz = f;
+                    waves.push_back(wave);
+                }
+            }
+        }
+    }
+    return waves;
+}
+
+}  // namespace
+
+// The model of these tests: no noise, constant slow variables. What is left is rounding (algorithms
+// 5 and 6) or the window's residual of METHOD section 3 (algorithms 1 to 4).
+class ExactWindows : public QObject {
+    Q_OBJECT
+
+private slots:
+    void fitsOfAllParametersAreExactToRounding_data();
+    void fitsOfAllParametersAreExactToRounding();
+    void closedFormsAreExactWhereTheResidualVanishes_data();
+    void closedFormsAreExactWhereTheResidualVanishes();
+    void closedFormsErrByNoMoreThanTheLeakage_data();
+    void closedFormsErrByNoMoreThanTheLeakage();
+};
+
+void ExactWindows::fitsOfAllParametersAreExactToRounding_data() {
+    QTest::addColumn<Algorithm>("algorithm");
+    QTest::addColumn<double>("periods");
+    for (const Algorithm algorithm :
+         {Algorithm::conjugate_gradient, Algorithm::maximum_likelihood}) {
+        for (const double periods : {10.0, 31.7, 100.0, 1000.0}) {
+            QTest::addRow("%s, %g periods", algorithm_name(algorithm).data(), periods)
+                << algorithm << periods;
+        }
+    }
+}
+
+void ExactWindows::fitsOfAllParametersAreExactToRounding() {
+    QFETCH(Algorithm, algorithm);
+    QFETCH(double, periods);
+    // Relative to a_A, in rad, relative to f.
+    constexpr double tolerance = 1e-11;
+    for (const StillWave& wave : sweep()) {
+        const std::int64_t n = window_of_periods(periods, wave.f_hz, wave.rate_hz);
+        // The search for the carrier is never exact: up to a fifth of the main lobe aside.
+        const double aside =
+            0.2 * wave.rate_hz / static_cast<double>(n) * std::sin(wave.state.alpha);
+        const WaveEstimate found = estimate(algorithm, wave, n, wave.f_hz + aside);
+        const Deviation off = deviation(found.state, found.f_hz, wave.state, wave.f_hz);
+        const std::string where = describe(wave, n);
+        QVERIFY2(found.flags == 0, (where + " flags " + flags_text(found.flags)).c_str());
+        QVERIFY2(std::abs(off.a_A) < tolerance,
+                 (where + " a_A off " + std::to_string(off.a_A * 1e12)).c_str());
+        QVERIFY2(std::abs(off.a_B) < tolerance,
+                 (where + " a_B off " + std::to_string(off.a_B * 1e12)).c_str());
+        QVERIFY2(std::abs(off.two_theta_A) < tolerance,
+                 (where + " 2theta off e-12: " + std::to_string(off.two_theta_A * 1e12)).c_str());
+        QVERIFY2(std::abs(off.f_hz) < tolerance * wave.f_hz,
+                 (where + " f off e-12: " + std::to_string(off.f_hz / wave.f_hz * 1e12)).c_str());
+        QVERIFY2(std::abs(off.alpha) < 1e-10, where.c_str());
+    }
+}
+
+void ExactWindows::closedFormsAreExactWhereTheResidualVanishes_data() {
+    QTest::addColumn<Algorithm>("algorithm");
+    for (const Algorithm algorithm : {Algorithm::in_phase, Algorithm::phase_shift,
+                                      Algorithm::moving_axes, Algorithm::demodulation}) {
+        QTest::addRow("%s", algorithm_name(algorithm).data()) << algorithm;
+    }
+}
+
+void ExactWindows::closedFormsAreExactWhereTheResidualVanishes() {
+    QFETCH(Algorithm, algorithm);
+    constexpr double tolerance = 1e-6;
+    const bool in_phase = algorithm == Algorithm::in_phase;
+    int tried = 0;
+    for (StillWave wave : sweep()) {
+        if (in_phase) {
+            wave.state.a_B = 0;
+        }
+        // Move the carrier to the nearest one with whole half-periods in n samples.
+        for (const std::int64_t n : {63, 315, 3150}) {
+            const double half_periods =
+                std::round(2 * wave.f_hz / wave.rate_hz * static_cast<double>(n));
+            wave.f_hz = half_periods / 2 * wave.rate_hz / static_cast<double>(n);
+            QVERIFY(orthogonality_residual(n, wave.f_hz, wave.rate_hz) < 1e-8);
+            const double aside =
+                0.05 * wave.rate_hz / static_cast<double>(n) * std::sin(wave.state.alpha);
+            const WaveEstimate found = estimate(algorithm, wave, n, wave.f_hz + aside);
+            const Deviation off = deviation(found.state, found.f_hz, wave.state, wave.f_hz);
+            const std::string where = describe(wave, n);
+            QVERIFY2(std::abs(off.a_A) < tolerance, where.c_str());
+            if (in_phase) {
+                QVERIFY(std::isnan(found.state.a_B) && has(found.flags, Flag::no_quadrature));
+            } else {
+                QVERIFY2(std::abs(off.a_B) < tolerance,
+                         (where + " a_B " + std::to_string(found.state.a_B)).c_str());
+                QVERIFY2(wave.state.a_B == 0 ||
+                             std::signbit(found.state.a_B) == std::signbit(wave.state.a_B),
+                         where.c_str());
+            }
+            QVERIFY2(std::abs(off.two_theta_A) < tolerance,
+                     (where + " off " + std::to_string(off.two_theta_A)).c_str());
+            QVERIFY2(std::abs(off.alpha) < 10 * tolerance,
+                     (where + " alpha off " + std::to_string(off.alpha)).c_str());
+            QVERIFY2(std::abs(off.f_hz) < tolerance * wave.f_hz, where.c_str());
+            ++tried;
+        }
+    }
+    QVERIFY(tried > 1000);
+}
+
+void ExactWindows::closedFormsErrByNoMoreThanTheLeakage_data() {
+    closedFormsAreExactWhereTheResidualVanishes_data();
+}
+
+void ExactWindows::closedFormsErrByNoMoreThanTheLeakage() {
+    QFETCH(Algorithm, algorithm);
+    const bool in_phase = algorithm == Algorithm::in_phase;
+    for (StillWave wave : sweep()) {
+        if (in_phase) {
+            wave.state.a_B = 0;
+        }
+        // The smallest a_B of moving axes is the root of a difference of powers: leakage enters as
+        // its root.
+        for (const std::int64_t n : {22, 44, 60, 601}) {
+            const double residual = orthogonality_residual(n, wave.f_hz, wave.rate_hz);
+            const WaveEstimate found = estimate(algorithm, wave, n, wave.f_hz);
+            const Deviation off = deviation(found.state, found.f_hz, wave.state, wave.f_hz);
+            const std::string where = describe(wave, n) + " residual " + std::to_string(residual);
+            // Relative to a_A; powers carry half of the residual, amplitudes again half of it.
+            QVERIFY2(std::abs(off.a_A) < residual + 1e-6,
+                     (where + " a_A off " + std::to_string(off.a_A)).c_str());
+            const double separation = 1 - wave.state.a_B * wave.state.a_B;
+            QVERIFY2(has(found.flags, Flag::circular) ||
+                         std::abs(off.two_theta_A) < 3 * residual / separation + 1e-6,
+                     (where + " 2theta off " + std::to_string(off.two_theta_A)).c_str());
+            if (!in_phase && std::abs(wave.state.a_B) > 2 * std::sqrt(residual)) {
+                QVERIFY2(std::signbit(found.state.a_B) == std::signbit(wave.state.a_B),
+                         where.c_str());
+            }
+        }
+    }
+}
+
+QTEST_GUILESS_MAIN(ExactWindows)
+#include "test_exact_windows.moc"

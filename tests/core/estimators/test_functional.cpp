@@ -1,0 +1,145 @@
+#include "core/estimators/functional.h"
+
+#include <QtTest>
+
+#include <random>
+
+using namespace vybeg;
+
+namespace {
+
+struct Samples {
+    std::vector<double> c;
+    std::vector<double> d;
+};
+
+Samples noise(std::int64_t n, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> sample(-1, 1);
+    Samples samples;
+    for (std::int64_t j = 0; j < n; ++j) {
+        samples.c.push_back(sample(random));
+        samples.d.push_back(sample(random));
+    }
+    return samples;
+}
+
+// n F straight from (6) and the samples.
+double direct(const Samples& s, const WaveParameters& p) {
+    const auto n = static_cast<double>(s.c.size());
+    double sum = 0;
+    for (std::size_t j = 0; j < s.c.size(); ++j) {
+        const double tau = p.w * (static_cast<double>(j) - (n - 1) / 2) - p.state.alpha;
+        const double a = p.state.a_A * std::cos(tau);
+        const double b = p.state.a_B * std::sin(tau);
+        const double cosine = std::cos(p.state.two_theta_A);
+        const double sine = std::sin(p.state.two_theta_A);
+        const double c = s.c[j] - (a * cosine - b * sine);
+        const double d = s.d[j] - (a * sine + b * cosine);
+        sum += c * c + d * d;
+    }
+    return sum;
+}
+
+WaveParameters with(WaveParameters p, int k, double step) {
+    switch (k) {
+        case 0: p.state.a_A += step; break;
+        case 1: p.state.a_B += step; break;
+        case 2: p.state.two_theta_A += step; break;
+        case 3: p.state.alpha += step; break;
+        default: p.w += step;
+    }
+    return p;
+}
+
+Functional evaluate(const Samples& s, const WaveParameters& p) {
+    return evaluate_functional(p, window_moments({s.c, s.d}, p.w),
+                               window_kernel(static_cast<std::int64_t>(s.c.size()), p.w));
+}
+
+}  // namespace
+
+// Samples without any wave in them, random parameters: nothing cancels by luck.
+class TestFunctional : public QObject {
+    Q_OBJECT
+
+private slots:
+    void equalsTheSumOverTheSamples();
+    void gradientAndHessianMatchCentralDifferences();
+    void momentsMatchTheirSums();
+};
+
+void TestFunctional::equalsTheSumOverTheSamples() {
+    for (const std::int64_t n : {5, 6, 63, 64, 65, 1000, 100000}) {
+        const Samples s = noise(n, 7 + static_cast<std::uint64_t>(n));
+        double power = 0;
+        for (std::size_t j = 0; j < s.c.size(); ++j) {
+            power += s.c[j] * s.c[j] + s.d[j] * s.d[j];
+        }
+        const WaveParameters p{{0.9, -0.4, 1.1, 2.2}, 0.97};
+        const double expected = direct(s, p);
+        QVERIFY(std::abs(power + evaluate(s, p).value - expected) < 1e-12 * expected);
+    }
+}
+
+void TestFunctional::gradientAndHessianMatchCentralDifferences() {
+    std::mt19937_64 random(99);
+    std::uniform_real_distribution<double> angle(-3, 3);
+    for (const std::int64_t n : {5, 22, 130}) {
+        const Samples s = noise(n, static_cast<std::uint64_t>(n));
+        for (int trial = 0; trial < 20; ++trial) {
+            const WaveParameters p{{1.3, 0.3 * angle(random), angle(random), angle(random)},
+                                   1.4 + 0.3 * angle(random)};
+            const Functional f = evaluate(s, p);
+            // Errors of the differences: of second order in the step, relative to n times the
+            // power.
+            for (int k = 0; k < 5; ++k) {
+                const double step = k == 4 ? 1e-4 / static_cast<double>(n) : 1e-4;
+                const double scale = static_cast<double>(n) * (k == 4 ? static_cast<double>(n) : 1);
+                const double slope =
+                    (direct(s, with(p, k, step)) - direct(s, with(p, k, -step))) / (2 * step);
+                QVERIFY2(std::abs(slope - f.gradient[k]) < 1e-7 * scale,
+                         qPrintable(QString("gradient %1").arg(k)));
+                const Vector5 column = (evaluate(s, with(p, k, step)).gradient -
+                                        evaluate(s, with(p, k, -step)).gradient) /
+                                       (2 * step);
+                for (int m = 0; m < 5; ++m) {
+                    const double other = m == 4 ? static_cast<double>(n) : 1;
+                    QVERIFY2(std::abs(column[m] - f.hessian(m, k)) < 1e-7 * scale * other,
+                             qPrintable(QString("hessian %1 %2: %3 %4")
+                                            .arg(m)
+                                            .arg(k)
+                                            .arg(column[m])
+                                            .arg(f.hessian(m, k))));
+                }
+            }
+        }
+    }
+}
+
+void TestFunctional::momentsMatchTheirSums() {
+    for (const std::int64_t n : {5, 64, 129, 5000}) {
+        const Samples s = noise(n, 3);
+        for (const double w : {0.2, 0.999, 3.0}) {
+            const Moments m = window_moments({s.c, s.d}, w);
+            std::array<std::complex<long double>, 3> expected{};
+            double gram = 0;
+            for (std::size_t j = 0; j < s.c.size(); ++j) {
+                const long double u = static_cast<long double>(j) - 0.5L * (n - 1);
+                const auto wave = std::polar(1.0L, -static_cast<long double>(w) * u);
+                expected[0] += wave * static_cast<long double>(s.d[j]);
+                expected[1] += wave * (u * s.d[j]);
+                expected[2] += wave * (u * u * s.d[j]);
+                gram += static_cast<double>(std::cos(w * u) * std::cos(w * u));
+            }
+            double size = static_cast<double>(n);
+            for (std::size_t k = 0; k < 3; ++k, size *= static_cast<double>(n)) {
+                QVERIFY(std::abs(std::complex<double>(expected[k]) - m.d[k]) < 1e-13 * size);
+            }
+            QVERIFY(std::abs(window_kernel(n, w).gram_cos - gram) < 1e-12 * static_cast<double>(n));
+        }
+    }
+}
+
+QTEST_GUILESS_MAIN(TestFunctional)
+#include "test_functional.moc"
