@@ -42,17 +42,29 @@ struct FreeDecay {
 struct SimulatedDecay {
     std::vector<double> c;
     std::vector<double> d;
+    double full_scale = 0;  // of the quantiser, as used; 0: not quantised
 };
 
 FreeDecay demo_decay();
 
-// The two signals, floor(seconds * rate) frames, by the exact matrix exponential of the slow
-// dynamics. The same seed gives the same samples on every machine. Errors: simulation_impossible,
-// interrupted.
+// Whether the decay can be simulated at all: simulation_impossible with the reason.
+Status check(const FreeDecay& decay);
+
+// Frames of the record: floor(seconds * rate), a product within 1e-6 below a whole number counting
+// as whole. Precondition: check() passes.
+std::int64_t frame_count(const FreeDecay& decay);
+
+// The two signals by the exact matrix exponential of the slow dynamics: signal, D divided by
+// kappa, plus offset, plus noise, then the quantiser, which clips. The same seed gives the same
+// samples on every machine, to the rounding of its sin, cos, exp and log. Errors:
+// simulation_impossible, interrupted.
 Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job);
 
-// The exact slow variables at the centres of windows of `window` samples, one after the other; sd
-// columns are zero, rms is the noise's sqrt(2) sigma.
+// The exact slow variables at the centres of windows of `window` samples, one after the other, from
+// the axes of the ellipse that (C, D) runs through; sd columns are zero, rms is the noise's sqrt(2)
+// sigma. f is f0 plus the mean rate of phase of both signals, weighted with their power:
+// Im(z^H dz/dt) / (2 pi |z|^2). Angles are NaN where the wave is circular within 1e-12 (flag
+// circular), delta_phi_CD also where one of the signals vanishes. Errors: simulation_impossible.
 Result<Track> true_track(const FreeDecay& decay, std::int64_t window);
 
 }  // namespace vybeg
