@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# Builds, tests and shows Vybeg on Debian 12, from a fresh clone. See usage().
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+# What the program and its tests need from Debian, and why.
+packages=(
+    build-essential cmake ninja-build ccache pkg-config git # compile
+    qt6-base-dev qt6-svg-dev qt6-charts-dev libqcustomplot-dev libgl-dev libopengl-dev # window, plots
+    qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n # Russian
+    libeigen3-dev libtbb-dev libfftw3-dev   # numerics
+    libsndfile1-dev libmatio-dev libssl-dev libfast-float-dev nlohmann-json3-dev # files
+    libcli11-dev                            # command line
+    fonts-dejavu-core                       # text without a display
+)
+developer_packages=(clang-format clang-tidy)
+
+demo_folder=build/demo
+programs=build/release/bin
+
+usage() {
+    cat <<'TEXT'
+Usage: ./build.sh COMMAND
+
+  run           build, then open the program on a demonstration recording; without a display,
+                write its track (CSV) and its figure (PDF) to build/demo instead
+  test          build, then run all tests without a display; last line "N passed, M failed"
+  build         build everything into build/release
+  install-deps  only install what is missing from Debian (--dev: also clang-format, clang-tidy)
+
+run, test and build install what is missing first. Built programs: build/release/bin.
+TEXT
+}
+
+say() { printf '== %s\n' "$*"; }
+
+fail() {
+    printf 'build.sh: %s\n' "$*" >&2
+    exit 1
+}
+
+# Runs a command as root: directly, or through sudo.
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    else
+        sudo "$@"
+    fi
+}
+
+is_installed() {
+    [ "$(dpkg-query --show --showformat '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# Installs those of the named packages that are missing.
+install_packages() {
+    if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+        say "No apt here: going on with what is installed. On Debian 12 these would be needed: $*"
+        return
+    fi
+    local package missing=()
+    for package in "$@"; do
+        is_installed "$package" || missing+=("$package")
+    done
+    if [ ${#missing[@]} -eq 0 ]; then
+        return
+    fi
+    if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+        fail "these packages are missing, and installing them needs root or sudo. Run as root:
+    apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+    fi
+    say "Installing from Debian: ${missing[*]}"
+    as_root apt-get update --quiet || fail "apt-get could not reach Debian's packages (see above)."
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet \
+        --no-install-recommends "${missing[@]}" ||
+        fail "apt-get could not install: ${missing[*]}. The reason stands above."
+}
+
+# Configures and builds the release preset; arguments go to the build (--target ...).
+build() {
+    install_packages "${packages[@]}"
+    say "Building into build/release"
+    cmake --preset release && cmake --build --preset release --parallel "$(nproc)" "$@"
+}
+
+show() {
+    build --target vybeg vybeg-cli
+    mkdir -p "$demo_folder"
+    local recording=$demo_folder/demo.wav
+    say "Making the demonstration recording"
+    "$programs/vybeg-cli" simulate --demo -o "$recording"
+    if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+        say "Opening $PWD/$recording"
+        exec "$programs/vybeg" "$recording"
+    fi
+    say "No display: analysing into files"
+    "$programs/vybeg-cli" analyze "$recording" -o "$demo_folder/track.csv"
+    QT_QPA_PLATFORM=offscreen "$programs/vybeg" "$recording" \
+        --figure "$demo_folder/figure.pdf" --windows 6,60
+    printf 'Recording: %s\nTrack:     %s\nFigure:    %s\n' \
+        "$PWD/$recording" "$PWD/$demo_folder/track.csv" "$PWD/$demo_folder/figure.pdf"
+}
+
+# Prints the last line that scripts rely on and ends with the status it means.
+conclude() {
+    printf '%d passed, %d failed\n' "$1" "$2"
+    exit $(($2 > 0))
+}
+
+run_tests() {
+    if ! build; then
+        say "The build failed: no test was run."
+        conclude 0 1
+    fi
+    local log=build/release/ctest.log summary
+    say "Testing"
+    # A failing test shows in the summary; no summary at all is a failure, too.
+    ctest --preset release --parallel "$(nproc)" 2>&1 | tee "$log" || true
+    summary=$(sed -nE 's/^.*tests passed, ([0-9]+) tests failed out of ([0-9]+).*$/\1 \2/p' "$log")
+    if [ -z "$summary" ]; then
+        say "ctest gave no summary."
+        conclude 0 1
+    fi
+    read -r failed total <<<"$summary"
+    conclude $((total - failed)) "$failed"
+}
+
+case "${1:-}" in
+    run) show ;;
+    test) run_tests ;;
+    build) build ;;
+    install-deps)
+        install_packages "${packages[@]}"
+        if [ "${2:-}" = --dev ]; then
+            install_packages "${developer_packages[@]}"
+        fi
+        say "Everything needed is installed."
+        ;;
+    -h | --help | help) usage ;;
+    *)
+        usage >&2
+        exit 2
+        ;;
+esac
