@@ -45,8 +45,7 @@ Status validate(const Settings& settings) {
             return invalid("--initial", state.a_A, "the amplitude a_A must be above zero");
         }
         if (!(settings.initial->f_hz > 0)) {
-            return invalid("--initial", settings.initial->f_hz,
-                           "the frequency must be above zero");
+            return invalid("--initial", settings.initial->f_hz, "the frequency must be above zero");
         }
     }
     if (settings.from_s && !std::isfinite(*settings.from_s)) {

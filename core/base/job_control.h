@@ -6,12 +6,15 @@
 namespace vybeg {
 
 // How a long computation hears that it should stop and tells how far it has come.
-// `progress` takes 0..1 and may be called from any thread, never from two at once.
+// `progress` takes 0..1 and may be called from any thread, never from two at once. `clock` lends
+// the caller's monotonic clock, in seconds: core has none of its own, and only tells with it where
+// the time went; without one every duration is zero.
 class JobControl {
 public:
     JobControl() = default;
-    explicit JobControl(std::stop_token stop, std::function<void(double)> progress = {})
-        : stop_(std::move(stop)), progress_(std::move(progress)) {}
+    explicit JobControl(std::stop_token stop, std::function<void(double)> progress = {},
+                        std::function<double()> clock = {})
+        : stop_(std::move(stop)), progress_(std::move(progress)), clock_(std::move(clock)) {}
 
     bool cancelled() const { return stop_.stop_requested(); }
     void report(double fraction) const {
@@ -20,9 +23,12 @@ public:
         }
     }
 
+    double now() const { return clock_ ? clock_() : 0; }
+
 private:
     std::stop_token stop_;
     std::function<void(double)> progress_;
+    std::function<double()> clock_;
 };
 
 }  // namespace vybeg

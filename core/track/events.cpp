@@ -9,9 +9,9 @@ namespace {
 
 constexpr double half_pi = std::numbers::pi / 2;
 
-// Axis crossings with a dead band round each axis: the angle counts as beyond an axis only when it is three
-// standard deviations past it; the crossing itself is interpolated between the last window on the one
-// side and the first on the other.
+// Axis crossings with a dead band round each axis: the angle counts as beyond an axis only when it
+// is three standard deviations past it; the crossing itself is interpolated between the last window
+// on the one side and the first on the other.
 void find_crossings(const Track& track, std::vector<Event>& events) {
     const auto time = track.time_s();
     const auto angle = track.values(SlowVariable::two_theta_A);

@@ -1,0 +1,144 @@
+#include "core/analysis/prepare.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/calibrated_source.h"
+#include "core/recording/filtered_source.h"
+#include "core/windows/carrier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vybeg {
+namespace {
+
+// The carrier and the offsets are found in so many frames from the start of the range, where a free
+// decay is strongest: half a minute at 33333 Hz, a bin of 0.03 Hz.
+constexpr std::int64_t search_frames = std::int64_t{1} << 20;
+
+struct Stretch {
+    std::vector<double> c;
+    std::vector<double> d;
+};
+
+Result<Stretch> read_stretch(const SampleSource& source, std::int64_t first, std::int64_t end) {
+    const auto count = static_cast<std::size_t>(std::min(end - first, search_frames));
+    Stretch stretch{std::vector<double>(count), std::vector<double>(count)};
+    if (const Status read = source.read(first, stretch.c, stretch.d); !read) {
+        return read.error();
+    }
+    return stretch;
+}
+
+Result<double> carrier_of(const Stretch& stretch, const Settings& settings, double rate_hz) {
+    if (settings.f0_hz) {
+        if (*settings.f0_hz >= rate_hz / 2) {
+            return Error{ErrorCode::carrier_above_half_rate,
+                         "",
+                         {short_text(*settings.f0_hz), short_text(rate_hz / 2)}};
+        }
+        return *settings.f0_hz;
+    }
+    // Without a band: everything above the few lowest bins, which belong to drifts of the offset.
+    const double lowest = 4 * rate_hz / static_cast<double>(stretch.c.size());
+    Band band{lowest, rate_hz / 2};
+    if (settings.filter) {
+        band = *settings.filter;
+    }
+    if (settings.band) {
+        band = *settings.band;
+    }
+    return find_carrier(stretch.c, stretch.d, rate_hz, band.low_hz, band.high_hz);
+}
+
+// Mean over as many whole periods as the stretch holds; missing samples do not count.
+double mean_over_periods(std::span<const double> x, double f_hz, double rate_hz) {
+    const double period = rate_hz / f_hz;
+    const double periods = std::floor(static_cast<double>(x.size()) / period);
+    const auto count = std::min(x.size(), static_cast<std::size_t>(std::llround(periods * period)));
+    double sum = 0;
+    std::size_t valid = 0;
+    for (const double value : x.first(count == 0 ? x.size() : count)) {
+        if (std::isfinite(value)) {
+            sum += value;
+            ++valid;
+        }
+    }
+    return valid > 0 ? sum / static_cast<double>(valid) : 0;
+}
+
+}  // namespace
+
+std::string recording_name(const Recording& recording) {
+    return recording.path.filename().string();
+}
+
+Result<Prepared> prepare(const Recording& recording, const Settings& settings,
+                         const JobControl& job) {
+    const double rate = recording.rate_hz;
+    const auto named = [&recording](Error error) {
+        error.where = recording_name(recording);
+        return error;
+    };
+    Prepared prepared;
+    prepared.diagnostics = recording.diagnostics;
+    prepared.calibration = settings.calibration;
+
+    const std::int64_t frames = recording.frames();
+    const double from = settings.from_s.value_or(0);
+    const double to = settings.to_s.value_or(recording.seconds());
+    const auto frame_at = [&](double seconds) {
+        return static_cast<std::int64_t>(
+            std::clamp(std::ceil(seconds * rate - 1e-6), 0.0, static_cast<double>(frames)));
+    };
+    prepared.first = frame_at(from);
+    prepared.end = frame_at(to);
+    if (prepared.first >= prepared.end) {
+        return named({ErrorCode::range_empty,
+                      "",
+                      {short_text(from), short_text(to), short_text(recording.seconds())}});
+    }
+
+    const double begun = job.now();
+    if (settings.calibration.offset_auto) {
+        const Result<Stretch> raw = read_stretch(*recording.source, prepared.first, prepared.end);
+        if (!raw) {
+            return raw.error();
+        }
+        const Result<double> f0 = carrier_of(*raw, settings, rate);
+        if (!f0) {
+            return named(f0.error());
+        }
+        prepared.calibration.offset_c = mean_over_periods(raw->c, *f0, rate);
+        prepared.calibration.offset_d = mean_over_periods(raw->d, *f0, rate);
+        prepared.calibration.offset_auto = false;
+    }
+    prepared.source = calibrated(recording.source, prepared.calibration, rate);
+    if (settings.filter) {
+        const auto [low, high] = *settings.filter;
+        auto filtered = band_passed(prepared.source, low, high, rate);
+        if (!filtered) {
+            return named(filtered.error());
+        }
+        prepared.source = *filtered;
+        const double lost = static_cast<double>(band_pass_reach(low, high, rate)) / rate;
+        prepared.diagnostics.push_back({DiagnosticKind::filter_transients, {short_text(lost, 3)}});
+        prepared.diagnostics.push_back({DiagnosticKind::filter_colours_noise, {}});
+    }
+    if (job.cancelled()) {
+        return Error{ErrorCode::interrupted, "", {}};
+    }
+    const Result<Stretch> stretch = read_stretch(*prepared.source, prepared.first, prepared.end);
+    if (!stretch) {
+        return stretch.error();
+    }
+    const Result<double> f0 = carrier_of(*stretch, settings, rate);
+    if (!f0) {
+        return named(f0.error());
+    }
+    prepared.f0_hz = *f0;
+    prepared.carrier_s = job.now() - begun;
+    return prepared;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/analysis/settings.h"
+#include "core/base/diagnostic.h"
+#include "core/base/job_control.h"
+#include "core/recording/recording.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// A recording made ready for windows: what the samples are, where they lie, and what the carrier
+// is.
+struct Prepared {
+    std::shared_ptr<const SampleSource> source;  // calibrated and filtered
+    std::int64_t first = 0;                      // the range to analyse: frames [first, end)
+    std::int64_t end = 0;
+    double f0_hz = 0;
+    Calibration calibration;  // with the offsets that were found
+    std::vector<Diagnostic> diagnostics;
+    double carrier_s = 0;  // seconds that the search for the carrier took, reading included
+};
+
+// Calibration, band-pass, range and carrier. Precondition: validate(settings). Errors as of
+// analyse().
+Result<Prepared> prepare(const Recording& recording, const Settings& settings,
+                         const JobControl& job);
+
+// How a recording is called in messages.
+std::string recording_name(const Recording& recording);
+
+}  // namespace vybeg

@@ -1,0 +1,102 @@
+#include "core/windows/carrier.h"
+
+#include "core/base/number_text.h"
+#include "core/numerics/fft.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+double mean_of_finite(std::span<const double> x) {
+    double sum = 0;
+    double count = 0;
+    for (const double value : x) {
+        if (std::isfinite(value)) {
+            sum += value;
+            count += 1;
+        }
+    }
+    return count > 0 ? sum / count : std::nan("");
+}
+
+// |C_k|^2 + |D_k|^2 for k = 0 .. size/2, from one complex transform of C + iD.
+std::vector<double> summed_power(std::span<const double> c, std::span<const double> d,
+                                 double mean_c, double mean_d, std::size_t size) {
+    std::vector<std::complex<double>> data(size);
+    const double turn = 2 * std::numbers::pi / static_cast<double>(c.size());
+    for (std::size_t j = 0; j < c.size(); ++j) {
+        const double hann = 0.5 - 0.5 * std::cos(turn * (static_cast<double>(j) + 0.5));
+        const double real = std::isfinite(c[j]) ? c[j] - mean_c : 0;
+        const double imag = std::isfinite(d[j]) ? d[j] - mean_d : 0;
+        data[j] = hann * std::complex<double>{real, imag};
+    }
+    Fft(size).forward(data);
+    std::vector<double> power(size / 2 + 1);
+    for (std::size_t k = 0; k < power.size(); ++k) {
+        power[k] = 0.5 * (std::norm(data[k]) + std::norm(data[(size - k) % size]));
+    }
+    return power;
+}
+
+}  // namespace
+
+Result<double> find_carrier(std::span<const double> c, std::span<const double> d, double rate_hz,
+                            double low_hz, double high_hz) {
+    const double mean_c = mean_of_finite(c);
+    const double mean_d = mean_of_finite(d);
+    if (std::isnan(mean_c) || std::isnan(mean_d)) {
+        return Error{ErrorCode::no_valid_samples, "", {}};
+    }
+    // Padded to at least twice the length, so that the parabola through a peak's logarithms is a
+    // good one.
+    const std::size_t size = std::bit_ceil(std::max<std::size_t>(2 * c.size(), 1024));
+    const double bin_hz = rate_hz / static_cast<double>(size);
+    const auto last_bin = static_cast<double>(size / 2 - 1);
+    const auto low =
+        static_cast<std::size_t>(std::clamp(std::ceil(low_hz / bin_hz), 1.0, last_bin));
+    const auto high =
+        static_cast<std::size_t>(std::clamp(std::floor(high_hz / bin_hz), 1.0, last_bin));
+    if (!(low_hz < high_hz) || low_hz >= rate_hz / 2 || high < low) {
+        return Error{ErrorCode::band_invalid,
+                     "",
+                     {short_text(low_hz), short_text(high_hz), short_text(rate_hz / 2)}};
+    }
+
+    const std::vector<double> power = summed_power(c, d, mean_c, mean_d, size);
+    const auto begin = power.begin();
+    const auto peak =
+        static_cast<std::size_t>(std::max_element(begin + static_cast<std::ptrdiff_t>(low),
+                                                  begin + static_cast<std::ptrdiff_t>(high) + 1) -
+                                 begin);
+    if (!(power[peak] > 0)) {
+        return Error{ErrorCode::carrier_not_found, "", {}};
+    }
+    // White noise of a million bins has peaks of 10 dB over its median. A few periods fill the
+    // whole spectrum themselves and cannot be held to this.
+    constexpr std::size_t least_length = 256;
+    constexpr double least_ratio = 40;
+    if (c.size() >= least_length) {
+        std::vector<double> sorted(power.begin() + 1, power.end());
+        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+        std::nth_element(sorted.begin(), middle, sorted.end());
+        if (power[peak] < least_ratio * *middle) {
+            return Error{ErrorCode::carrier_not_found, "", {}};
+        }
+    }
+    const double left = std::log(power[peak - 1]);
+    const double here = std::log(power[peak]);
+    const double right = std::log(power[peak + 1]);
+    const double curvature = left - 2 * here + right;
+    // At the edge of a band the largest bin need not be a peak.
+    const double shift =
+        curvature < 0 ? std::clamp(0.5 * (left - right) / curvature, -0.5, 0.5) : 0;
+    return (static_cast<double>(peak) + shift) * bin_hz;
+}
+
+}  // namespace vybeg
