@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace vybeg {
 namespace {
@@ -31,7 +32,7 @@ void convolve(const std::vector<double>& taps, const double* x, double* y, Count
             sum[i] += taps[j] * x[i + j];
         }
     }
-    std::copy_n(sum.begin(), count + 0, y);
+    std::copy_n(sum.begin(), std::size_t{count}, y);
 }
 
 }  // namespace

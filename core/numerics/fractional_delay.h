@@ -21,7 +21,7 @@ public:
 
     // out[i] = x(first + i - delay). Precondition: x covers [first - reach_before(),
     // first + out.size() + reach_after()). A sample of out has the same bits whatever else is asked
-    // for with it; it is NaN where a sample within reach is.
+    // for with it; it is NaN where a sample that it takes in is.
     void apply(std::span<const double> x, std::int64_t first, std::span<double> out) const;
 
 private:

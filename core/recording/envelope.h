@@ -11,7 +11,8 @@
 namespace vybeg {
 
 // Lowest and highest sample of both channels in a bucket of frames, recording units. `missing`
-// where the bucket holds a NaN or an infinite sample; all four are NaN where it holds nothing else.
+// where the bucket holds a NaN or an infinite sample; a channel's two are NaN where it holds
+// nothing else.
 struct EnvelopeBucket {
     float c_min = 0;
     float c_max = 0;
@@ -31,12 +32,15 @@ public:
 
     std::int64_t frames() const { return frames_; }
 
-    // The frames [first, end), cut into `count` buckets of equal length (to the finest level's 16
-    // frames). Cost grows with count, not with the length. Preconditions: 0 <= first < end <=
-    // frames(), count >= 1.
+    // The frames [first, end), cut into `count` buckets of equal length, whose edges are moved
+    // outwards to whole multiples of the finest level's 16 frames. Cost grows with count, not with
+    // the length. Preconditions: 0 <= first < end <= frames(), count >= 1.
     std::vector<EnvelopeBucket> buckets(std::int64_t first, std::int64_t end, int count) const;
 
 private:
+    // The buckets [from, to) of the finest level in one.
+    EnvelopeBucket between(std::int64_t from, std::int64_t to) const;
+
     std::int64_t frames_ = 0;
     std::vector<std::vector<EnvelopeBucket>> levels_;
 };
