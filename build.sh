@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 # What the program and its tests need from Debian, and why.
 packages=(
     build-essential cmake ninja-build ccache pkg-config git # compile
-    qt6-base-dev qt6-svg-dev qt6-charts-dev libqcustomplot-dev libgl-dev libopengl-dev # window, plots
+    qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev libqcustomplot-dev # window, plots
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n # Russian
     libeigen3-dev libtbb-dev libfftw3-dev   # numerics
     libsndfile1-dev libmatio-dev libssl-dev libfast-float-dev nlohmann-json3-dev # files
