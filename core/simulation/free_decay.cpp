@@ -38,12 +38,12 @@ double largest(const std::vector<double>& samples) {
 
 FreeDecay demo_decay() {
     FreeDecay decay;
-    decay.split_hz = 0.02;
-    decay.theta_w = 0.08;
+    decay.split_hz = 0.012;
+    decay.theta_w = -0.2;
     decay.tau_s = 30;
     decay.damping_anisotropy_per_s = 0.002;
     decay.theta_tau = 0.3;
-    decay.omega_rad_s = 0.12;
+    decay.omega_rad_s = 0.08;
     decay.noise = 1e-3;
     return decay;
 }
