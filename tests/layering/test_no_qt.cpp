@@ -1,0 +1,78 @@
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace {
+
+struct Outcome {
+    int status = -1;
+    QString messages;
+};
+
+// Compiles a file of the given content as the build compiles core/: same compiler, same flags,
+// and with Qt's include directories on top.
+Outcome compileAsCore(const QByteArray& content) {
+    const QTemporaryDir dir;
+    const QString path = dir.filePath("sample.cpp");
+    QFile source(path);
+    if (!source.open(QIODevice::WriteOnly) || source.write(content) != content.size()) {
+        return {};
+    }
+    source.close();
+
+    QFile flags(VYBEG_CORE_FLAGS_FILE);
+    if (!flags.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    QStringList arguments = QString::fromUtf8(flags.readAll()).split('\n', Qt::SkipEmptyParts);
+    arguments << "-fPIC"
+              << "-fsyntax-only" << path;
+
+    QProcess compiler;
+    compiler.setProcessChannelMode(QProcess::MergedChannels);
+    compiler.start(VYBEG_COMPILER, arguments);
+    compiler.waitForFinished(120'000);
+    return {compiler.exitStatus() == QProcess::NormalExit ? compiler.exitCode() : -1,
+            QString::fromUtf8(compiler.readAll())};
+}
+
+QByteArray sample(const QByteArray& header) {
+    return "#include \"core/base/result.h\"\n\n" +
+           (header.isEmpty() ? "" : "#include <" + header + ">\n") +
+           "namespace vybeg { int sample(); int sample() { return 1; } }\n";
+}
+
+}  // namespace
+
+class TestNoQt : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFileWithoutQtCompilesInCore();
+    void aQtIncludeDoesNotCompileInCore_data();
+    void aQtIncludeDoesNotCompileInCore();
+};
+
+void TestNoQt::aFileWithoutQtCompilesInCore() {
+    const Outcome outcome = compileAsCore(sample(""));
+    QVERIFY2(outcome.status == 0, qPrintable(outcome.messages));
+}
+
+void TestNoQt::aQtIncludeDoesNotCompileInCore_data() {
+    QTest::addColumn<QByteArray>("header");
+    for (const char* header : {"QtGlobal", "qglobal.h", "QString", "QObject", "QList", "QtMath"}) {
+        QTest::newRow(header) << QByteArray(header);
+    }
+}
+
+void TestNoQt::aQtIncludeDoesNotCompileInCore() {
+    QFETCH(QByteArray, header);
+    const Outcome outcome = compileAsCore(sample(header));
+    QVERIFY(outcome.status > 0);
+    // For this reason and for no other, such as a header that was not found.
+    QVERIFY2(outcome.messages.contains("poisoned"), qPrintable(outcome.messages));
+    QVERIFY2(!outcome.messages.contains("No such file"), qPrintable(outcome.messages));
+}
+
+QTEST_GUILESS_MAIN(TestNoQt)
+#include "test_no_qt.moc"
