@@ -1,0 +1,173 @@
+#include "core/recording/audio_extent.h"
+
+#include "core/recording/byte_order.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+namespace vybeg {
+namespace {
+
+using namespace std::string_view_literals;
+
+// The 16 byte names of W64 chunks begin with the four letters of the WAV chunk.
+constexpr std::string_view w64_riff = "riff\x2E\x91\xCF\x11\xA5\xD6\x28\xDB\x04\xC1\x00\x00"sv;
+constexpr int most_chunks = 1000;
+constexpr std::size_t payload_head = 40;  // more than any field that is looked at
+
+enum class Container { wav, rf64, w64, aiff, caf };
+
+struct Chunk {
+    std::string_view id;  // four letters
+    std::int64_t size;    // of the payload, as it is written; -1 or all ones: not filled in
+    std::int64_t payload_at;
+    const char* payload;  // its first payload_head bytes, zeros behind the end of the file
+};
+
+// How a container writes the heads of its chunks.
+struct Layout {
+    std::int64_t first_chunk;
+    std::int64_t id_bytes;
+    std::int64_t size_bytes;
+    std::int64_t alignment;
+    bool big_endian;
+    bool size_counts_head;
+};
+
+Layout layout_of(Container container, bool big_endian) {
+    switch (container) {
+        case Container::wav:
+        case Container::rf64: return {12, 4, 4, 2, big_endian, false};
+        case Container::w64: return {40, 16, 8, 8, false, true};
+        case Container::aiff: return {12, 4, 4, 2, true, false};
+        case Container::caf: return {8, 4, 8, 1, true, false};
+    }
+    return {};
+}
+
+// Collects what is needed from the chunks of one file, until the samples begin.
+class ExtentReader {
+public:
+    ExtentReader(Container container, bool big_endian)
+        : container_(container), big_endian_(big_endian) {}
+
+    // False where nothing of interest can follow.
+    bool take(const Chunk& chunk) {
+        if (chunk.id == "fmt ") {
+            take_wav_format(chunk);
+        } else if (chunk.id == "ds64") {
+            long_data_size_ = load<std::int64_t>(chunk.payload + 8, false);
+        } else if (chunk.id == "COMM") {
+            extent_.promised_frames = load<std::uint32_t>(chunk.payload + 2, true);
+        } else if (chunk.id == "desc") {
+            const auto bytes = load<std::uint32_t>(chunk.payload + 16, true);
+            const auto frames = load<std::uint32_t>(chunk.payload + 20, true);
+            frame_bytes_ = frames == 1 ? bytes : 0;
+        } else if (chunk.id == "data") {
+            take_data(chunk);
+            return false;
+        }
+        return true;
+    }
+
+    const AudioExtent& extent() const { return extent_; }
+
+private:
+    void take_wav_format(const Chunk& chunk) {
+        constexpr std::array<std::uint16_t, 5> unpacked = {1, 3, 6, 7, 0xFFFE};
+        const auto tag = load<std::uint16_t>(chunk.payload, big_endian_);
+        const bool known = std::find(unpacked.begin(), unpacked.end(), tag) != unpacked.end();
+        frame_bytes_ = known ? load<std::uint16_t>(chunk.payload + 12, big_endian_) : 0;
+        if (load<std::uint32_t>(chunk.payload + 4, big_endian_) == 0) {
+            extent_.zero_rate_at = chunk.payload_at + 4;
+        }
+    }
+
+    void take_data(const Chunk& chunk) {
+        std::int64_t size = chunk.size;
+        if (container_ == Container::caf && size >= 0) {
+            size -= 4;  // an edit count stands before the samples
+        }
+        const bool not_filled_in = size == std::numeric_limits<std::uint32_t>::max();
+        if (container_ == Container::rf64 && not_filled_in) {
+            size = long_data_size_;
+        } else if (not_filled_in) {
+            size = 0;
+        }
+        if (size > 0 && frame_bytes_ > 0) {
+            extent_.promised_frames = size / frame_bytes_;
+        }
+    }
+
+    Container container_;
+    bool big_endian_;
+    std::int64_t frame_bytes_ = 0;  // 0: packed, or unknown
+    std::int64_t long_data_size_ = 0;
+    AudioExtent extent_;
+};
+
+std::optional<Container> container_of(std::string_view head) {
+    const std::string_view id = head.substr(0, 4);
+    const std::string_view form = head.size() < 12 ? ""sv : head.substr(8, 4);
+    if ((id == "RIFF" || id == "RIFX") && form == "WAVE") {
+        return Container::wav;
+    }
+    if (id == "RF64" && form == "WAVE") {
+        return Container::rf64;
+    }
+    if (head.starts_with(w64_riff)) {
+        return Container::w64;
+    }
+    if (id == "FORM" && (form == "AIFF" || form == "AIFC")) {
+        return Container::aiff;
+    }
+    if (id == "caff") {
+        return Container::caf;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool is_audio(std::string_view head) {
+    return container_of(head) || head.starts_with("fLaC") || head.starts_with(".snd");
+}
+
+Result<AudioExtent> audio_extent(const FileBytes& file) {
+    std::array<char, 16> head{};
+    if (const auto got = file.read(0, head); !got) {
+        return got.error();
+    }
+    const auto container = container_of({head.data(), head.size()});
+    if (!container) {
+        return AudioExtent{};
+    }
+    const Layout layout = layout_of(*container, head[3] == 'X');
+    const std::int64_t head_bytes = layout.id_bytes + layout.size_bytes;
+    ExtentReader reader(*container, layout.big_endian);
+    std::int64_t at = layout.first_chunk;
+    for (int i = 0; i < most_chunks && at <= file.size() - head_bytes; ++i) {
+        std::array<char, 24 + payload_head> bytes{};
+        if (const auto got = file.read(at, bytes); !got) {
+            return got.error();
+        }
+        const char* size_at = bytes.data() + layout.id_bytes;
+        std::int64_t size = layout.size_bytes == 8
+                                ? load<std::int64_t>(size_at, layout.big_endian)
+                                : load<std::uint32_t>(size_at, layout.big_endian);
+        if (layout.size_counts_head) {
+            size -= head_bytes;
+        }
+        const bool more =
+            reader.take({{bytes.data(), 4}, size, at + head_bytes, bytes.data() + head_bytes});
+        if (!more || size < 0 || size > file.size()) {
+            break;
+        }
+        at += (head_bytes + size + layout.alignment - 1) / layout.alignment * layout.alignment;
+    }
+    return reader.extent();
+}
+
+}  // namespace vybeg

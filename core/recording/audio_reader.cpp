@@ -1,0 +1,188 @@
+#include "core/recording/audio_reader.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/audio_decoder.h"
+#include "core/recording/audio_extent.h"
+#include "core/recording/selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr std::int64_t chunk_samples = std::int64_t{1} << 16;
+
+class AudioSource : public SampleSource {
+public:
+    AudioSource(std::shared_ptr<const FileBytes> file, std::optional<std::int64_t> zero_rate_at,
+                int channels, std::int64_t frames, const OpenOptions& options)
+        : file_(std::move(file)),
+          zero_rate_at_(zero_rate_at),
+          channels_(channels),
+          channel_c_(options.channel_c - 1),
+          channel_d_(options.channel_d - 1),
+          frames_(frames) {}
+
+    std::int64_t frames() const override { return frames_; }
+
+    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
+        const std::int64_t at_once = std::max<std::int64_t>(chunk_samples / channels_, 1);
+        const auto length = static_cast<std::int64_t>(c.size());
+        std::vector<double> samples(
+            static_cast<std::size_t>(std::min(at_once, length) * channels_));
+        for (std::int64_t done = 0; done < length; done += at_once) {
+            const std::int64_t count = std::min(at_once, length - done);
+            const std::span<double> chunk(samples.data(),
+                                          static_cast<std::size_t>(count * channels_));
+            if (const Status status = decode(first + done, chunk); !status) {
+                return status;
+            }
+            for (std::int64_t i = 0; i < count; ++i) {
+                const double* frame = chunk.data() + i * channels_;
+                c[static_cast<std::size_t>(done + i)] = present(frame[channel_c_]);
+                d[static_cast<std::size_t>(done + i)] = present(frame[channel_d_]);
+            }
+        }
+        return {};
+    }
+
+private:
+    static double present(double sample) {
+        return std::isfinite(sample) ? sample : std::numeric_limits<double>::quiet_NaN();
+    }
+
+    Status decode(std::int64_t first, std::span<double> samples) const {
+        const std::lock_guard lock(mutex_);
+        if (!decoder_) {
+            auto opened = AudioDecoder::open(file_, zero_rate_at_);
+            if (!opened) {
+                return opened.error();
+            }
+            decoder_ = std::move(*opened);
+        }
+        const Status status = decoder_->read(first, samples);
+        if (!status) {
+            decoder_.reset();  // libFLAC never recovers from a failed seek
+        }
+        return status;
+    }
+
+    std::shared_ptr<const FileBytes> file_;
+    std::optional<std::int64_t> zero_rate_at_;
+    int channels_;
+    int channel_c_;
+    int channel_d_;
+    std::int64_t frames_;
+    mutable std::mutex mutex_;
+    mutable std::unique_ptr<AudioDecoder> decoder_;
+};
+
+// Frames that can be decoded from the start on: where the last one of the header's cannot be had,
+// nothing but decoding tells how many there are.
+Result<std::int64_t> count_frames(const std::shared_ptr<const FileBytes>& file,
+                                  std::optional<std::int64_t> zero_rate_at, const JobControl& job) {
+    std::int64_t frames = 0;
+    // In large steps to the damage, then frame by frame up to it.
+    for (const std::int64_t step : {std::int64_t{4096}, std::int64_t{1}}) {
+        auto decoder = AudioDecoder::open(file, zero_rate_at);
+        if (!decoder) {
+            return decoder.error();
+        }
+        const SF_INFO& info = (*decoder)->info();
+        std::vector<double> samples(static_cast<std::size_t>(step * info.channels));
+        while (frames < info.frames) {
+            if (job.cancelled()) {
+                return file->error(ErrorCode::interrupted);
+            }
+            const std::int64_t count = std::min(step, info.frames - frames);
+            const std::span<double> chunk(samples.data(),
+                                          static_cast<std::size_t>(count * info.channels));
+            if (!(*decoder)->read(frames, chunk)) {
+                break;
+            }
+            frames += count;
+        }
+    }
+    return frames;
+}
+
+struct Extent {
+    std::int64_t promised = 0;
+    std::int64_t present = 0;
+};
+
+Result<Extent> find_extent(const std::shared_ptr<const FileBytes>& file, AudioDecoder& decoder,
+                           const AudioExtent& header, const JobControl& job) {
+    const std::int64_t frames = decoder.info().frames;
+    Extent extent{std::max(header.promised_frames.value_or(0), frames), frames};
+    std::vector<double> last(static_cast<std::size_t>(decoder.info().channels));
+    if (frames > 0 && !decoder.read(frames - 1, last)) {
+        const auto counted = count_frames(file, header.zero_rate_at, job);
+        if (!counted) {
+            return counted.error();
+        }
+        extent.present = *counted;
+    }
+    return extent;
+}
+
+}  // namespace
+
+Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                             const JobControl& job) {
+    const auto header = audio_extent(*file);
+    if (!header) {
+        return header.error();
+    }
+    auto opened = AudioDecoder::open(file, header->zero_rate_at);
+    if (!opened) {
+        return opened.error();
+    }
+    AudioDecoder& decoder = **opened;
+    const SF_INFO info = decoder.info();
+    if (const Status status = check_channels(*file, info.channels, options); !status) {
+        return status.error();
+    }
+    const SampleRate own{header->zero_rate_at ? 0.0 : static_cast<double>(info.samplerate),
+                         RateOrigin::file};
+    const auto rate = choose_rate(*file, own, options);
+    if (!rate) {
+        return rate.error();
+    }
+    Recording recording;
+    recording.path = file->path();
+    recording.format = decoder.container() + ", " + decoder.sample_type() + ", " +
+                       std::to_string(info.channels) + " channels";
+    recording.rate_hz = rate->hz;
+    recording.rate_from = rate->from;
+    for (int channel = 1; channel <= info.channels; ++channel) {
+        recording.channels.push_back({std::to_string(channel), ""});
+    }
+    recording.channel_c = options.channel_c;
+    recording.channel_d = options.channel_d;
+    recording.start = decoder.start();
+    const auto extent = find_extent(file, decoder, *header, job);
+    if (!extent) {
+        return extent.error();
+    }
+    if (const Status status = check_frames(*file, extent->present); !status) {
+        return status.error();
+    }
+    if (extent->present < extent->promised) {
+        recording.diagnostics.push_back(
+            {DiagnosticKind::file_ends_early,
+             {integer_text(extent->promised), integer_text(extent->present)},
+             extent->present,
+             extent->promised - extent->present});
+    }
+    recording.source = std::make_shared<AudioSource>(file, header->zero_rate_at, info.channels,
+                                                     extent->present, options);
+    return recording;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+
+namespace vybeg {
+
+// The number that stands at `bytes` in the given byte order, wherever it is aligned.
+template <class Number>
+Number load(const char* bytes, bool big_endian) {
+    std::array<char, sizeof(Number)> copy;
+    std::memcpy(copy.data(), bytes, copy.size());
+    if (big_endian != (std::endian::native == std::endian::big)) {
+        std::reverse(copy.begin(), copy.end());
+    }
+    return std::bit_cast<Number>(copy);
+}
+
+}  // namespace vybeg

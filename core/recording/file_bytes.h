@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+// A regular file that is open for reading at any position, from several threads at once. What the
+// path later names does not matter: a file that is replaced meanwhile is still read as it was.
+class FileBytes {
+public:
+    // Errors: file_missing, file_permission, file_is_directory, file_empty, file_read_failed.
+    static Result<std::shared_ptr<const FileBytes>> open(const std::filesystem::path& path);
+
+    FileBytes(const FileBytes&) = delete;
+    FileBytes& operator=(const FileBytes&) = delete;
+    ~FileBytes();
+
+    const std::filesystem::path& path() const { return path_; }
+    std::int64_t size() const { return size_; }  // bytes, when it was opened
+
+    // An error about this file.
+    Error error(ErrorCode code, std::vector<std::string> args = {}) const;
+
+    // Fills `out` with the bytes from `offset` on and returns how many there were: fewer than asked
+    // for only at the end of the file. Errors: file_read_failed.
+    Result<std::int64_t> read(std::int64_t offset, std::span<char> out) const;
+
+private:
+    FileBytes(std::filesystem::path path, int descriptor, std::int64_t size);
+
+    std::filesystem::path path_;
+    int descriptor_;
+    std::int64_t size_;
+};
+
+}  // namespace vybeg

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/file_bytes.h"
+#include "core/recording/open_recording.h"
+
+#include <memory>
+
+namespace vybeg {
+
+// Headerless interleaved samples by options.raw, read on demand; one count is `scale` recording
+// units. Bytes after the last whole frame are passed over. Precondition: options.raw is set.
+// Errors: setting_invalid, too_few_channels, channel_out_of_range, too_few_frames, rate_unknown.
+Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options);
+
+}  // namespace vybeg

@@ -1,0 +1,65 @@
+#include "core/recording/selection.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg {
+namespace {
+
+constexpr int channels_needed = 2;
+constexpr std::int64_t frames_needed = 5;
+
+}  // namespace
+
+Status check_options(const OpenOptions& options) {
+    if (options.rate_hz && !(std::isfinite(*options.rate_hz) && *options.rate_hz > 0)) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--rate", short_text(*options.rate_hz), "it must be positive, in Hz"}};
+    }
+    if (options.channel_c == options.channel_d) {
+        const std::string channel = std::to_string(options.channel_c);
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--channels", channel + "," + channel, "C and D must be two channels"}};
+    }
+    return {};
+}
+
+Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {
+    if (found < channels_needed) {
+        return file.error(ErrorCode::too_few_channels,
+                          {std::to_string(found), std::to_string(channels_needed)});
+    }
+    for (const int channel : {options.channel_c, options.channel_d}) {
+        if (channel < 1 || channel > found) {
+            return file.error(ErrorCode::channel_out_of_range,
+                              {std::to_string(channel), std::to_string(found)});
+        }
+    }
+    return {};
+}
+
+Status check_frames(const FileBytes& file, std::int64_t frames) {
+    if (frames < frames_needed) {
+        return file.error(
+            ErrorCode::too_few_frames,
+            {integer_text(std::max<std::int64_t>(frames, 0)), integer_text(frames_needed)});
+    }
+    return {};
+}
+
+Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
+                               const OpenOptions& options) {
+    if (own && own->hz > 0) {
+        return *own;
+    }
+    if (options.rate_hz) {
+        return SampleRate{*options.rate_hz, RateOrigin::option};
+    }
+    return file.error(ErrorCode::rate_unknown);
+}
+
+}  // namespace vybeg

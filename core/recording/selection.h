@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/file_bytes.h"
+#include "core/recording/open_recording.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace vybeg {
+
+// What every reader asks of a file before it hands out a recording.
+
+// The options by themselves: a positive rate, two different channels. Errors: setting_invalid.
+Status check_options(const OpenOptions& options);
+
+// Both chosen channels exist among the file's `found`. Errors: too_few_channels,
+// channel_out_of_range.
+Status check_channels(const FileBytes& file, int found, const OpenOptions& options);
+
+// At least 5 frames: the least that five parameters can be identified from. Errors: too_few_frames.
+Status check_frames(const FileBytes& file, std::int64_t frames);
+
+struct SampleRate {
+    double hz = 0;
+    RateOrigin from = RateOrigin::file;
+};
+
+// The file's own rate where it has one (> 0), else the option's. Errors: rate_unknown.
+Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
+                               const OpenOptions& options);
+
+}  // namespace vybeg

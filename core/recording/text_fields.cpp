@@ -1,0 +1,121 @@
+#include "core/recording/text_fields.h"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace vybeg {
+namespace {
+
+constexpr bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\x1A';
+}
+
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+std::string_view unquoted(std::string_view field) {
+    field = trimmed(field);
+    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+        field = trimmed(field.substr(1, field.size() - 2));
+    }
+    return field;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && is_blank(text.back())) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+bool is_comment(std::string_view line, char delimiter) {
+    line = trimmed(line);
+    return line.starts_with('#') || line.starts_with('%') || line.starts_with("//") ||
+           (delimiter != ';' && line.starts_with(';'));
+}
+
+void split_fields(std::string_view line, char delimiter, std::vector<std::string_view>& fields) {
+    fields.clear();
+    // A leading tab is an empty first field of a tab-separated line: only blanks may be trimmed.
+    if (delimiter != '\t') {
+        line = trimmed(line);
+    }
+    if (delimiter == '|' && line.starts_with('|')) {
+        line.remove_prefix(1);
+    }
+    const auto cuts = [delimiter](char c) {
+        return c == delimiter || (delimiter == ' ' && is_blank(c));
+    };
+    std::size_t begin = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        quoted = line[i] == '"' ? !quoted : quoted;
+        if (quoted || !cuts(line[i])) {
+            continue;
+        }
+        fields.push_back(unquoted(line.substr(begin, i - begin)));
+        while (delimiter == ' ' && i + 1 < line.size() && is_blank(line[i + 1])) {
+            ++i;
+        }
+        begin = i + 1;
+    }
+    if (!trimmed(line.substr(begin)).empty()) {
+        fields.push_back(unquoted(line.substr(begin)));
+    }
+}
+
+std::optional<double> parse_field(std::string_view field, bool decimal_comma) {
+    constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+    if (field.empty()) {
+        return missing;
+    }
+    if (field.front() == '+' && field.size() > 1 && field[1] != '-') {
+        field.remove_prefix(1);
+    }
+    // "1, 2" cut at the blank is no pair of numbers with decimal commas.
+    if (decimal_comma && field.back() == ',') {
+        return std::nullopt;
+    }
+    double value = 0;
+    const char* end = field.data() + field.size();
+    const auto parsed = fast_float::from_chars_advanced(
+        field.data(), end, value,
+        fast_float::parse_options(fast_float::chars_format::general, decimal_comma ? ',' : '.'));
+    if (parsed.ec == std::errc::invalid_argument || parsed.ptr != end) {
+        return std::nullopt;
+    }
+    return std::isfinite(value) ? value : missing;
+}
+
+NumberDigits digits_of(std::string_view field) {
+    NumberDigits digits;
+    bool behind_sign = false;
+    std::size_t i = 0;
+    for (; i < field.size() && field[i] != 'e' && field[i] != 'E'; ++i) {
+        if (!is_digit(field[i])) {
+            behind_sign = behind_sign || field[i] == '.' || field[i] == ',';
+            continue;
+        }
+        digits.decimals += behind_sign ? 1 : 0;
+        digits.significant += digits.significant > 0 || field[i] != '0' ? 1 : 0;
+    }
+    i += i + 1 < field.size() && field[i + 1] == '+' ? 2 : 1;
+    int exponent = 0;
+    if (i < field.size()) {
+        std::from_chars(field.data() + i, field.data() + field.size(), exponent);
+    }
+    digits.decimals -= exponent;
+    return digits;
+}
+
+}  // namespace vybeg

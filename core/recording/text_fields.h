@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace vybeg {
+
+// Without spaces and tabs at both ends.
+std::string_view trimmed(std::string_view text);
+
+// True for lines that begin with #, %, // or, where fields are not separated by it, ';'.
+bool is_comment(std::string_view line, char delimiter);
+
+// Cuts a line at the delimiter into `fields`, each without the spaces and the double quotes round
+// it; a delimiter inside of quotes does not cut. ' ' stands for any run of spaces and tabs. A
+// delimiter behind the last field, or a '|' at both ends, makes no field.
+void split_fields(std::string_view line, char delimiter, std::vector<std::string_view>& fields);
+
+// A whole field as a number; NaN where it is empty or infinite, or says "nan"; nothing where it is
+// anything else. The locale plays no part. With a decimal comma a point is no part of a number.
+std::optional<double> parse_field(std::string_view field, bool decimal_comma);
+
+// How finely the text of a number is written: 12.50e-3 has 5 decimals and 4 significant digits.
+struct NumberDigits {
+    int decimals = 0;     // digits behind the decimal sign, less the exponent
+    int significant = 0;  // digits from the first that is not 0 on
+};
+NumberDigits digits_of(std::string_view field);
+
+}  // namespace vybeg

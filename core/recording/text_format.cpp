@@ -1,0 +1,183 @@
+#include "core/recording/text_format.h"
+
+#include "core/recording/text_fields.h"
+#include "core/recording/text_header.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace vybeg {
+namespace {
+
+struct Dialect {
+    char delimiter;
+    bool decimal_comma;
+};
+
+// In the order of preference: where two explain equally many lines, the first is taken.
+constexpr std::array<Dialect, 9> dialects = {{{'\t', false},
+                                              {';', false},
+                                              {',', false},
+                                              {'|', false},
+                                              {' ', false},
+                                              {'\t', true},
+                                              {';', true},
+                                              {'|', true},
+                                              {' ', true}}};
+
+// Columns of a row of numbers, 0 where the line is anything else.
+int columns_of(std::string_view line, const Dialect& dialect,
+               std::vector<std::string_view>& fields) {
+    if (trimmed(line).empty() || is_comment(line, dialect.delimiter)) {
+        return 0;
+    }
+    split_fields(line, dialect.delimiter, fields);
+    const bool numbers = std::all_of(fields.begin(), fields.end(), [&](std::string_view field) {
+        return parse_field(field, dialect.decimal_comma).has_value();
+    });
+    const bool blank =
+        std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return f.empty(); });
+    return numbers && !blank ? static_cast<int>(fields.size()) : 0;
+}
+
+struct Score {
+    int columns = 0;
+    int rows = 0;
+};
+
+// The row length that most lines have, among those of two or more columns.
+Score score(std::span<const std::string> lines, const Dialect& dialect) {
+    std::map<int, int> rows;
+    std::vector<std::string_view> fields;
+    for (const std::string& line : lines) {
+        ++rows[columns_of(line, dialect, fields)];
+    }
+    Score best;
+    for (const auto& [columns, count] : rows) {
+        if (columns >= 2 && count >= best.rows) {
+            best = {columns, count};
+        }
+    }
+    return best;
+}
+
+std::vector<double> column_values(std::span<const std::string> rows, const TextFormat& format,
+                                  int column) {
+    std::vector<double> values;
+    std::vector<std::string_view> fields;
+    for (const std::string& row : rows) {
+        const int found = columns_of(row, {format.delimiter, format.decimal_comma}, fields);
+        if (found > column) {
+            values.push_back(
+                *parse_field(fields[static_cast<std::size_t>(column)], format.decimal_comma));
+        }
+    }
+    return values;
+}
+
+std::vector<double> steps_of(const std::vector<double>& values) {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        steps.push_back(values[i] - values[i - 1]);
+    }
+    return steps;
+}
+
+// Rises by steps of which nine in ten lie within a half of the median step: a clock with jitter,
+// gaps and perhaps an error that the reader will report, but no vibration.
+bool rises_evenly(const std::vector<double>& values) {
+    const std::vector<double> steps = steps_of(values);
+    if (steps.size() < 2) {
+        return false;
+    }
+    std::vector<double> sorted = steps;
+    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+    const double median = sorted[sorted.size() / 2];
+    const auto even = std::count_if(steps.begin(), steps.end(), [median](double step) {
+        return step >= 0.5 * median && step <= 1.5 * median;
+    });
+    return median > 0 && even * 10 >= static_cast<std::ptrdiff_t>(steps.size()) * 9;
+}
+
+bool is_whole(const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](double value) { return value == std::floor(value); });
+}
+
+void find_time(std::span<const std::string> rows, const std::vector<Channel>& columns,
+               TextFormat& format) {
+    int candidate = -1;
+    for (int i = 0; i < format.columns && candidate < 0; ++i) {
+        candidate = is_time_name(columns[static_cast<std::size_t>(i)].name) ? i : -1;
+    }
+    if (candidate != 0 && format.columns >= 3) {
+        const std::vector<double> first = column_values(rows, format, 0);
+        if (rises_evenly(first)) {
+            const bool counts = is_whole(first) && time_unit(columns[0]).empty();
+            if (counts) {
+                format.counter_column = 0;
+            } else if (candidate < 0) {
+                candidate = 0;
+            }
+        }
+    }
+    if (candidate < 0) {
+        return;
+    }
+    const std::string unit = time_unit(columns[static_cast<std::size_t>(candidate)]);
+    if (unit.empty() && is_whole(column_values(rows, format, candidate))) {
+        format.counter_column = candidate;
+        return;
+    }
+    format.time_column = candidate;
+    format.time_unit_s = seconds_per(unit).value_or(1);
+}
+
+}  // namespace
+
+std::optional<TextFormat> guess_text_format(std::span<const std::string> lines) {
+    Score best;
+    Dialect dialect{};
+    for (const Dialect& candidate : dialects) {
+        const Score found = score(lines, candidate);
+        if (found.rows > best.rows) {
+            best = found;
+            dialect = candidate;
+        }
+    }
+    if (best.rows == 0) {
+        return std::nullopt;
+    }
+    TextFormat format;
+    format.delimiter = dialect.delimiter;
+    format.decimal_comma = dialect.decimal_comma;
+    format.columns = best.columns;
+    std::vector<std::string_view> fields;
+    const auto first = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) {
+        return columns_of(line, dialect, fields) == best.columns;
+    });
+    format.lines_to_skip = first - lines.begin();
+    const auto skipped = static_cast<std::size_t>(format.lines_to_skip);
+    const TextHeader header = read_header(lines.first(skipped), format.delimiter, format.columns);
+    format.header_lines_used = header.lines_used;
+    find_time(lines.subspan(skipped), header.columns, format);
+    for (const Channel& column : header.columns) {
+        format.names.push_back(column.name);
+        format.units.push_back(column.unit);
+    }
+    return format;
+}
+
+std::string format_text(const TextFormat& format) {
+    const char* delimiter = format.delimiter == '\t'  ? "tab"
+                            : format.delimiter == ';' ? "semicolon"
+                            : format.delimiter == ',' ? "comma"
+                            : format.delimiter == '|' ? "bar"
+                                                      : "blanks";
+    return "text, " + std::to_string(format.columns) + " columns, " + delimiter +
+           (format.decimal_comma ? ", decimal comma" : "");
+}
+
+}  // namespace vybeg

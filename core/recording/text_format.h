@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// How a text file writes its table of numbers: what read_text_table() needs to know, whether it was
+// guessed or said in a dialog.
+struct TextFormat {
+    char delimiter = ',';  // ',' ';' '\t' '|' or ' ', which stands for any blanks
+    bool decimal_comma = false;
+    std::int64_t lines_to_skip = 0;  // lines above the first row of numbers
+    int columns = 0;
+    int time_column = -1;       // from 0; -1: none
+    int counter_column = -1;    // from 0: numbers of the rows, neither time nor channel; -1: none
+    double time_unit_s = 1;     // seconds per unit of the time column
+    int header_lines_used = 0;  // of the skipped lines, those that the names and units came from
+    std::vector<std::string> names;  // one per column, empty where the file does not tell
+    std::vector<std::string> units;
+
+    friend bool operator==(const TextFormat&, const TextFormat&) = default;
+};
+
+// Guesses the format from the first lines of a file: the separator and decimal sign under which
+// most of them are rows of numbers of the same length, at least two. Nothing where there is no such
+// row. Time is a column that is named so, or else the first of three or more if it rises evenly; a
+// column of whole numbers without a unit counts rows and is no time.
+std::optional<TextFormat> guess_text_format(std::span<const std::string> lines);
+
+// E.g. "text, 3 columns, semicolon, decimal comma".
+std::string format_text(const TextFormat& format);
+
+}  // namespace vybeg

@@ -1,0 +1,77 @@
+#include "core/recording/text_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t chunk_bytes = std::size_t{1} << 20;  // even, for UTF-16
+constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+}  // namespace
+
+TextLines::TextLines(std::shared_ptr<const FileBytes> file) : file_(std::move(file)) {}
+
+double TextLines::fraction() const {
+    return std::min(1.0, static_cast<double>(offset_) / static_cast<double>(file_->size()));
+}
+
+Status TextLines::fill() {
+    buffer_.erase(0, begin_);
+    begin_ = 0;
+    std::vector<char> bytes(chunk_bytes);
+    const auto got = file_->read(offset_, bytes);
+    if (!got) {
+        return got.error();
+    }
+    std::string_view chunk(bytes.data(), static_cast<std::size_t>(*got));
+    if (offset_ == 0) {
+        encoding_ = encoding_of(chunk);
+        chunk.remove_prefix(mark_length(chunk));
+    }
+    offset_ += *got;
+    if (encoding_ == TextEncoding::bytes) {
+        buffer_ += chunk;
+    } else {
+        append_utf16(chunk, encoding_, buffer_);
+    }
+    if (*got == 0) {
+        offset_ = std::max(offset_, file_->size());
+    }
+    return {};
+}
+
+Result<std::optional<std::string_view>> TextLines::next() {
+    std::size_t end = begin_;
+    for (;;) {
+        end = std::min(buffer_.find_first_of("\r\n", end), buffer_.size());
+        // A CR that is the last byte of the buffer may belong to a CRLF.
+        const bool whole = end + 1 < buffer_.size();
+        if (whole || offset_ >= file_->size()) {
+            break;
+        }
+        if (end - begin_ > longest_line) {
+            return file_->error(
+                ErrorCode::format_damaged,
+                {"text", "line " + std::to_string(number_ + 1) + " is longer than 1 MiB"});
+        }
+        end -= begin_;
+        if (const Status status = fill(); !status) {
+            return status.error();
+        }
+    }
+    if (begin_ >= buffer_.size()) {
+        return std::optional<std::string_view>{};
+    }
+    const std::string_view line(buffer_.data() + begin_, end - begin_);
+    ended_ = end < buffer_.size();
+    const bool crlf = std::string_view(buffer_).substr(end).starts_with("\r\n");
+    begin_ = end + (crlf ? 2 : ended_ ? 1 : 0);
+    ++number_;
+    return std::optional(line);
+}
+
+}  // namespace vybeg

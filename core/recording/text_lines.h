@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/file_bytes.h"
+#include "core/recording/text_encoding.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace vybeg {
+
+// The lines of a text file one after the other, as UTF-8 bytes without line ends (LF, CRLF, CR) and
+// without the byte order mark. Holds one chunk of the file in memory.
+class TextLines {
+public:
+    explicit TextLines(std::shared_ptr<const FileBytes> file);
+
+    // The next line, valid until the next call; nothing behind the last one. Errors:
+    // file_read_failed; format_damaged where a line is longer than 1 MiB.
+    Result<std::optional<std::string_view>> next();
+
+    std::int64_t number() const { return number_; }  // of the line last returned, from 1
+    bool ended() const { return ended_; }            // whether that line had a line end
+    double fraction() const;                         // of the file that has been read, 0 .. 1
+
+private:
+    Status fill();
+
+    std::shared_ptr<const FileBytes> file_;
+    TextEncoding encoding_ = TextEncoding::bytes;
+    std::string buffer_;  // decoded text that is not yet returned, from begin_ on
+    std::size_t begin_ = 0;
+    std::int64_t offset_ = 0;  // in the file
+    std::int64_t number_ = 0;
+    bool ended_ = true;
+};
+
+}  // namespace vybeg

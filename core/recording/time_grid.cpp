@@ -1,0 +1,258 @@
+#include "core/recording/time_grid.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/local_cubic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace vybeg {
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double gap_steps = 1.5;        // a longer step has lost samples
+constexpr double even_tolerance = 1e-3;  // of a sample period
+constexpr std::size_t most_gaps_listed = 20;
+constexpr double most_frames_per_row = 20;  // a grid beyond this and the next is no recording
+constexpr double frames_always_allowed = 1e7;
+constexpr double grid_slack = 1e-6;  // of a step: a frame this near to a row is there
+
+double median_step(std::span<const double> time) {
+    std::vector<double> steps(time.size() - 1);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        steps[i] = time[i + 1] - time[i];
+    }
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+// Rows without a gap between them: [first, end).
+struct Stretch {
+    std::size_t first;
+    std::size_t end;
+};
+
+std::vector<Stretch> find_stretches(const TimedSamples& samples, double step) {
+    const std::span<const double> time = samples.time_s;
+    std::vector<Stretch> stretches;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        // Rounding of the two times may lengthen a step by their resolution.
+        const double longest =
+            std::max(gap_steps * step, step + 1.25 * samples.resolution.at(time[i]));
+        if (time[i] - time[i - 1] > longest) {
+            stretches.push_back({first, i});
+            first = i;
+        }
+    }
+    stretches.push_back({first, time.size()});
+    return stretches;
+}
+
+// Seconds per sample: one slope of least squares for all stretches, each with its own offset.
+double fit_step(std::span<const double> time, std::span<const Stretch> stretches) {
+    double products = 0;
+    double squares = 0;
+    for (const Stretch& stretch : stretches) {
+        const double centre = 0.5 * static_cast<double>(stretch.end - stretch.first - 1);
+        for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+            const double k = static_cast<double>(i - stretch.first) - centre;
+            products += k * (time[i] - time[stretch.first]);
+            squares += k * k;
+        }
+    }
+    return products / squares;
+}
+
+// The grid's number for each row: the whole number of steps from the row before, at least one.
+std::vector<std::int64_t> number_rows(std::span<const double> time, double step) {
+    std::vector<std::int64_t> numbers(time.size(), 0);
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        const double steps = std::round((time[i] - time[i - 1]) / step);
+        numbers[i] = numbers[i - 1] + std::max<std::int64_t>(static_cast<std::int64_t>(steps), 1);
+    }
+    return numbers;
+}
+
+struct Line {
+    double start_s = 0;
+    double step_s = 0;
+};
+
+// The straight line of least squares through the times against their numbers.
+Line fit_line(std::span<const double> time, std::span<const std::int64_t> numbers) {
+    const auto n = static_cast<double>(time.size());
+    double mean_k = 0;
+    double mean_t = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        mean_k += static_cast<double>(numbers[i]) / n;
+        mean_t += (time[i] - time[0]) / n;
+    }
+    double products = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        const double k = static_cast<double>(numbers[i]) - mean_k;
+        products += k * (time[i] - time[0] - mean_t);
+        squares += k * k;
+    }
+    const double step = products / squares;
+    return {time[0] + mean_t - step * mean_k, step};
+}
+
+struct Unevenness {
+    double largest_s = 0;  // deviation from the line, magnitude
+    std::size_t row = 0;
+    bool explained = true;  // by the tolerance and the digits of the times
+};
+
+Unevenness compare(const TimedSamples& samples, std::span<const std::int64_t> numbers,
+                   const Line& line) {
+    Unevenness result;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const double time = samples.time_s[i];
+        const double deviation =
+            std::abs(time - line.start_s - line.step_s * static_cast<double>(numbers[i]));
+        // Half of the last digit from rounding, and half of that again for what it does to the
+        // line.
+        const double allowed = even_tolerance * line.step_s + 0.75 * samples.resolution.at(time);
+        result.explained = result.explained && deviation <= allowed;
+        if (deviation > result.largest_s) {
+            result.largest_s = deviation;
+            result.row = i;
+        }
+    }
+    return result;
+}
+
+UniformSamples place(const TimedSamples& samples, std::span<const std::int64_t> numbers) {
+    UniformSamples grid;
+    const auto frames = static_cast<std::size_t>(numbers.back() + 1);
+    grid.c.assign(frames, missing);
+    grid.d.assign(frames, missing);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        grid.c[static_cast<std::size_t>(numbers[i])] = samples.c[i];
+        grid.d[static_cast<std::size_t>(numbers[i])] = samples.d[i];
+    }
+    return grid;
+}
+
+UniformSamples interpolate(const TimedSamples& samples, std::span<const Stretch> stretches,
+                           double step) {
+    const std::span<const double> time = samples.time_s;
+    const auto frames =
+        static_cast<std::size_t>(std::floor((time.back() - time[0]) / step + grid_slack)) + 1;
+    UniformSamples grid;
+    grid.c.assign(frames, missing);
+    grid.d.assign(frames, missing);
+    for (const Stretch& stretch : stretches) {
+        const std::size_t rows = stretch.end - stretch.first;
+        const auto nodes = time.subspan(stretch.first, rows);
+        const double from = std::ceil((nodes.front() - time[0]) / step - grid_slack);
+        const double to = std::floor((nodes.back() - time[0]) / step + grid_slack);
+        if (to < from) {
+            continue;  // a few rows between two frames of the grid
+        }
+        const auto first = static_cast<std::size_t>(from);
+        const auto count = static_cast<std::size_t>(to) - first + 1;
+        const double start = time[0] + step * from;
+        interpolate_cubic(nodes, std::span(samples.c).subspan(stretch.first, rows), start, step,
+                          std::span(grid.c).subspan(first, count));
+        interpolate_cubic(nodes, std::span(samples.d).subspan(stretch.first, rows), start, step,
+                          std::span(grid.d).subspan(first, count));
+    }
+    return grid;
+}
+
+Diagnostic gap_diagnostic(std::int64_t first, std::int64_t count, double rate_hz) {
+    return {DiagnosticKind::time_gap,
+            {integer_text(count), short_text(static_cast<double>(first) / rate_hz, 9)},
+            first,
+            count};
+}
+
+// The frames between `before` and `after` are missing.
+struct Gap {
+    std::int64_t before;
+    std::int64_t after;
+};
+
+void report_gaps(std::span<const Gap> gaps, UniformSamples& grid) {
+    std::int64_t rest = 0;
+    std::int64_t rest_first = 0;
+    std::size_t listed = 0;
+    for (const Gap& gap : gaps) {
+        const std::int64_t count = gap.after - gap.before - 1;
+        if (++listed < most_gaps_listed || gaps.size() == most_gaps_listed) {
+            grid.diagnostics.push_back(gap_diagnostic(gap.before + 1, count, grid.rate_hz));
+        } else {
+            rest_first = rest == 0 ? gap.before + 1 : rest_first;
+            rest += count;
+        }
+    }
+    if (rest > 0) {
+        grid.diagnostics.push_back(gap_diagnostic(rest_first, rest, grid.rate_hz));
+    }
+}
+
+}  // namespace
+
+double TimeResolution::at(double time_s) const {
+    const double magnitude = std::abs(time_s);
+    const double relative =
+        magnitude > 0 ? std::pow(10.0, std::floor(std::log10(magnitude)) + 1 - significant_digits)
+                      : 0;
+    return std::max(absolute_s, relative);
+}
+
+Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::string& where) {
+    const std::span<const double> time = samples.time_s;
+    const std::vector<Stretch> stretches = find_stretches(samples, median_step(time));
+    const double step = fit_step(time, stretches);
+    const double frames = (time.back() - time[0]) / step;
+    if (!(frames <
+          most_frames_per_row * static_cast<double>(time.size()) + frames_always_allowed)) {
+        return Error{ErrorCode::format_damaged,
+                     where,
+                     {"text", "its " + std::to_string(time.size()) + " times reach over " +
+                                  short_text(frames) + " sample periods"}};
+    }
+    const std::vector<std::int64_t> numbers = number_rows(time, step);
+    const Line line = fit_line(time, numbers);
+    const Unevenness uneven = compare(samples, numbers, line);
+    std::vector<Gap> gaps;
+    UniformSamples grid;
+    if (uneven.explained) {
+        grid = place(samples, numbers);
+        grid.rate_hz = 1 / line.step_s;
+        for (std::size_t i = 1; i < numbers.size(); ++i) {
+            if (numbers[i] > numbers[i - 1] + 1) {
+                gaps.push_back({numbers[i - 1], numbers[i]});
+            }
+        }
+    } else {
+        grid = interpolate(samples, stretches, step);
+        grid.rate_hz = 1 / step;
+        grid.diagnostics.push_back(
+            {DiagnosticKind::time_uneven,
+             {short_text(uneven.largest_s, 3), short_text(uneven.largest_s / step, 3)},
+             static_cast<std::int64_t>((time[uneven.row] - time[0]) / step),
+             1});
+        for (std::size_t s = 1; s < stretches.size(); ++s) {
+            const auto frame_of = [&](std::size_t row) { return (time[row] - time[0]) / step; };
+            const Gap gap{
+                static_cast<std::int64_t>(
+                    std::floor(frame_of(stretches[s - 1].end - 1) + grid_slack)),
+                static_cast<std::int64_t>(std::ceil(frame_of(stretches[s].first) - grid_slack))};
+            if (gap.after > gap.before + 1) {
+                gaps.push_back(gap);
+            }
+        }
+    }
+    report_gaps(gaps, grid);
+    return grid;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/base/result.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// How finely a column of times is written: no time is known better than to the coarser of the two.
+struct TimeResolution {
+    double absolute_s = 0;        // one unit of the last decimal that any of them has
+    int significant_digits = 17;  // the most that any of them has
+
+    double at(double time_s) const;  // seconds
+};
+
+// Samples with a time for each, strictly rising.
+struct TimedSamples {
+    std::vector<double> time_s;
+    std::vector<double> c;
+    std::vector<double> d;
+    TimeResolution resolution;
+};
+
+struct UniformSamples {
+    double rate_hz = 0;
+    std::vector<double> c;  // NaN where samples are missing
+    std::vector<double> d;
+    std::vector<Diagnostic> diagnostics;  // time_uneven, time_gap
+};
+
+// The samples on a uniform grid from the first time on (METHOD section 3). The rate is that of the
+// straight line of least squares through the times between gaps. Where no time lies further from
+// the grid than a thousandth of a sample plus what its digits leave open, the samples are taken as
+// they are; else they are interpolated by a cubic through the 4 nearest of their times
+// (time_uneven). A step of more than 1.5 median steps is a gap: its frames are NaN (time_gap; from
+// the 20th gap on, one diagnostic for all).
+//
+// Precondition: two samples or more. Errors, about `where`: format_damaged, where the gaps are so
+// long that the grid would be absurdly larger than the file.
+Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::string& where);
+
+}  // namespace vybeg
