@@ -8,23 +8,32 @@ namespace vybeg {
 namespace {
 
 template <class... Format>
-std::string to_text(double value, Format... format) {
+void append(std::string& text, double value, Format... format) {
     if (std::isnan(value)) {
-        return "nan";  // to_chars may write "-nan"
+        text += "nan";  // to_chars may write "-nan"
+        return;
     }
     std::array<char, 64> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format...);
-    return {buffer.data(), end.ptr};
+    text.append(buffer.data(), end.ptr);
 }
 
 }  // namespace
 
 std::string round_trip_text(double value) {
-    return to_text(value);
+    std::string text;
+    append(text, value);
+    return text;
+}
+
+void append_round_trip(std::string& text, double value) {
+    append(text, value);
 }
 
 std::string short_text(double value, int digits) {
-    return to_text(value, std::chars_format::general, digits);
+    std::string text;
+    append(text, value, std::chars_format::general, digits);
+    return text;
 }
 
 std::string integer_text(std::int64_t value) {

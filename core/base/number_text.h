@@ -12,6 +12,8 @@ namespace vybeg {
 
 // Shortest text that reads back as the same double; "nan" where there is no value.
 std::string round_trip_text(double value);
+// The same, appended: for files of millions of numbers.
+void append_round_trip(std::string& text, double value);
 // `digits` significant digits.
 std::string short_text(double value, int digits = 6);
 std::string integer_text(std::int64_t value);
