@@ -69,7 +69,7 @@ const char* message_template(ErrorCode code) {
             return VYBEG_MESSAGE(
                 "Message",
                 "%1: the window of %2 samples is too short; at this carrier it needs at "
-                "least %3 (5 samples and one period).");
+                "least %3 (5 samples and three quarters of a period).");
         case ErrorCode::range_empty:
             return VYBEG_MESSAGE(
                 "Message", "%1: nothing lies between %2 s and %3 s; the recording is %4 s long.");

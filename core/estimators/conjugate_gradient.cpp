@@ -2,6 +2,7 @@
 
 #include "core/estimators/closed_form.h"
 #include "core/estimators/window_estimate.h"
+#include "core/numerics/phase.h"
 
 #include <Eigen/Cholesky>
 
@@ -121,7 +122,8 @@ private:
     // The same wave at another window's centre: tau = w u - alpha goes on.
     WaveParameters carried(const WaveParameters& from, double from_s, double to_s) const {
         WaveParameters to = from;
-        to.state.alpha -= from.w * options_.rate_hz * (to_s - from_s);
+        // Wrapped, or the phase of a long recording would lose its digits.
+        to.state.alpha = wrap(to.state.alpha - from.w * options_.rate_hz * (to_s - from_s));
         return to;
     }
 
@@ -165,6 +167,9 @@ Descent descend(const Window& window, const FrequencyBracket& bracket,
     WaveParameters at = start;
     at.w = std::clamp(at.w, bracket.low + 1e-6 * (bracket.high - bracket.low),
                       bracket.high - 1e-6 * (bracket.high - bracket.low));
+    // Relative to the wave, in every sample. The last digit of w moves the ends of a long window by
+    // more.
+    const double tolerance = 1e-13 + 6e-17 * at.w * static_cast<double>(n);
     Functional f = functional_at(window, at);
     Vector5 direction = Vector5::Zero();
     std::optional<Preconditioner> scale;
@@ -177,7 +182,7 @@ Descent descend(const Window& window, const FrequencyBracket& bracket,
         const Vector5 scaled = scale->apply(f.gradient);
         const double power = at.state.a_A * at.state.a_A + at.state.a_B * at.state.a_B;
         // g.M^-1.g / n is the mean squared change of the samples that is still to come.
-        if (f.gradient.dot(scaled) <= 1e-26 * power * static_cast<double>(n)) {
+        if (f.gradient.dot(scaled) <= tolerance * tolerance * power * static_cast<double>(n)) {
             const bool minimum = f.hessian.llt().info() == Eigen::Success;
             return {at, steps, minimum};
         }

@@ -24,7 +24,7 @@ double orthogonality_residual(std::int64_t n, double f_hz, double rate_hz) {
 }
 
 std::int64_t least_window(double f_hz, double rate_hz) {
-    return std::max<std::int64_t>(5, static_cast<std::int64_t>(std::floor(rate_hz / f_hz)) + 1);
+    return std::max<std::int64_t>(5, static_cast<std::int64_t>(std::ceil(0.75 * rate_hz / f_hz)));
 }
 
 std::int64_t snap_window(std::int64_t n, double f_hz, double rate_hz) {

@@ -33,7 +33,9 @@ double orthogonality_residual(std::int64_t n, double f_hz, double rate_hz);
 // METHOD section 3.
 std::int64_t snap_window(std::int64_t n, double f_hz, double rate_hz);
 
-// The shortest window that identifies five parameters: 5 samples and one period.
+// The shortest window that is let in: 5 samples and three quarters of a period. Five parameters
+// need 5 samples of two channels; the article's "one period" of 6 samples is 0.95 of one at 5300
+// Hz, and below about half a period cos and sin cannot be told apart.
 std::int64_t least_window(double f_hz, double rate_hz);
 
 // Samples nearest to a number of periods of the carrier.
