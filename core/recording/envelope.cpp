@@ -1,7 +1,6 @@
 #include "core/recording/envelope.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -24,43 +23,23 @@ struct Extent {
     bool missing = false;
 };
 
-void include(Extent& extent, double value) {
-    if (std::isfinite(value)) {
-        extent.min = std::min(extent.min, value);
-        extent.max = std::max(extent.max, value);
-    } else {
-        extent.missing = true;
-    }
-}
-
 Extent extent_of(std::span<const double> samples) {
     Extent extent;
-    if (std::ssize(samples) == leaf) {
-        // Eight independent lanes of plain comparisons, which the compiler turns into vectors; the
-        // difference of an infinite or NaN sample from itself is NaN, and stays in the sum.
-        std::array<double, 8> low;
-        std::array<double, 8> high;
-        std::array<double, 8> zero;
-        for (std::size_t k = 0; k < 8; ++k) {
-            const double a = samples[k];
-            const double b = samples[k + 8];
-            low[k] = a < b ? a : b;
-            high[k] = a < b ? b : a;
-            zero[k] = (a - a) + (b - b);
-        }
-        for (std::size_t half = 4; half > 0; half /= 2) {
-            for (std::size_t k = 0; k < half; ++k) {
-                low[k] = low[k] < low[k + half] ? low[k] : low[k + half];
-                high[k] = high[k] < high[k + half] ? high[k + half] : high[k];
-                zero[k] += zero[k + half];
-            }
-        }
-        if (zero[0] == 0) {
-            return {low[0], high[0], false};
-        }
-    }
+    double zero = 0;  // a NaN or infinite sample minus itself is NaN, which stays in the sum
     for (const double value : samples) {
-        include(extent, value);
+        extent.min = std::min(extent.min, value);
+        extent.max = std::max(extent.max, value);
+        zero += value - value;
+    }
+    if (zero == 0) {
+        return extent;
+    }
+    extent = {.missing = true};
+    for (const double value : samples) {
+        if (std::isfinite(value)) {
+            extent.min = std::min(extent.min, value);
+            extent.max = std::max(extent.max, value);
+        }
     }
     return extent;
 }
