@@ -25,10 +25,13 @@ Usage: ./build.sh COMMAND
   run           build, then open the program on a demonstration recording; without a display,
                 write its track (CSV) and its figure (PDF) to build/demo instead
   test          build, then run all tests without a display; last line "N passed, M failed"
+  test-sanitized
+                the same under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan,
+                without the long statistical tests
   build         build everything into build/release
   install-deps  only install what is missing from Debian (--dev: also clang-format, clang-tidy)
 
-run, test and build install what is missing first. Built programs: build/release/bin.
+All of them install what is missing first. Built programs: build/release/bin.
 TEXT
 }
 
@@ -76,15 +79,17 @@ install_packages() {
         fail "apt-get could not install: ${missing[*]}. The reason stands above."
 }
 
-# Configures and builds the release preset; arguments go to the build (--target ...).
+# build PRESET [ARGUMENTS...]: configures and builds; the arguments go to the build (--target ...).
 build() {
+    local preset=$1
+    shift
     install_packages "${packages[@]}"
-    say "Building into build/release"
-    cmake --preset release && cmake --build --preset release --parallel "$(nproc)" "$@"
+    say "Building into build/$preset"
+    cmake --preset "$preset" && cmake --build --preset "$preset" --parallel "$(nproc)" "$@"
 }
 
-show() {
-    build --target vybeg vybeg-cli
+run_program() {
+    build release --target vybeg vybeg-cli
     mkdir -p "$demo_folder"
     local recording=$demo_folder/demo.wav
     say "Making the demonstration recording"
@@ -107,15 +112,17 @@ conclude() {
     exit $(($2 > 0))
 }
 
+# run_tests PRESET [ARGUMENTS...]: builds everything and runs ctest; the arguments go to ctest.
 run_tests() {
-    if ! build; then
+    local preset=$1 log=build/$1/ctest.log summary failed total
+    shift
+    if ! build "$preset"; then
         say "The build failed: no test was run."
         conclude 0 1
     fi
-    local log=build/release/ctest.log summary
     say "Testing"
     # A failing test shows in the summary; no summary at all is a failure, too.
-    ctest --preset release --parallel "$(nproc)" 2>&1 | tee "$log" || true
+    ctest --preset "$preset" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" || true
     summary=$(sed -nE 's/^.*tests passed, ([0-9]+) tests failed out of ([0-9]+).*$/\1 \2/p' "$log")
     if [ -z "$summary" ]; then
         say "ctest gave no summary."
@@ -126,9 +133,10 @@ run_tests() {
 }
 
 case "${1:-}" in
-    run) show ;;
-    test) run_tests ;;
-    build) build ;;
+    run) run_program ;;
+    test) run_tests release ;;
+    test-sanitized) run_tests asan --label-exclude statistical ;;
+    build) build release ;;
     install-deps)
         install_packages "${packages[@]}"
         if [ "${2:-}" = --dev ]; then
