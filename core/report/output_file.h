@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace vybeg {
+
+// A file that appears complete or not at all: it is written beside its target under a temporary
+// name and renamed over it by commit(); without commit() the temporary is removed and the target
+// stays as it was. A target that is no regular file (a device, a pipe) is written to directly.
+// Every write hears the stop token, also while a pipe's reader stands still. Errors:
+// output_failed, interrupted.
+class OutputFile {
+public:
+    // Opens the temporary, so that a missing folder or permission shows before the work is done. A
+    // target that exists keeps its permissions; a link is followed.
+    static Result<OutputFile> create(const std::filesystem::path& target, const JobControl& job);
+
+    // Writes to an open descriptor, which stays open; `name` is for error messages.
+    static OutputFile onto(int descriptor, std::string name, const JobControl& job);
+
+    OutputFile(OutputFile&& other) noexcept;
+    OutputFile& operator=(OutputFile&&) = delete;
+    ~OutputFile();
+
+    // Bytes are gathered to about 1 MiB before they go out.
+    Status write(std::string_view bytes);
+    Status flush();
+
+    // Flushes, waits for the disk (fsync) and puts the file in its place.
+    Status commit();
+
+    // For libraries that write by themselves, after flush(); only where seekable() says that they
+    // may go back and forth.
+    int descriptor() const { return descriptor_; }
+    bool seekable() const { return !temporary_.empty(); }
+    const std::string& name() const { return name_; }
+
+    // output_failed for this file with a reason in words.
+    Error failure(std::string reason) const;
+
+private:
+    OutputFile(int descriptor, std::string name, const JobControl& job)
+        : descriptor_(descriptor), name_(std::move(name)), job_(job) {}
+
+    Status wait_until_writable() const;
+    void discard() noexcept;
+
+    int descriptor_ = -1;
+    bool owned_ = false;  // closed by this object
+    std::string name_;
+    std::filesystem::path target_;
+    std::filesystem::path temporary_;  // empty: written to directly, or already in its place
+    std::string buffer_;
+    JobControl job_;
+};
+
+}  // namespace vybeg

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/report/output_file.h"
+
+#include <span>
+
+namespace vybeg {
+
+enum class SampleFormat { wav, csv, npy, mat };
+
+// By the ending of the name (.wav, .csv, .npy, .mat; large letters too). output_format_unknown
+// otherwise.
+Result<SampleFormat> sample_format(const std::filesystem::path& target);
+
+// Two signals of equal length to be written.
+struct Samples {
+    std::span<const double> c;
+    std::span<const double> d;
+    double rate_hz = 0;
+    int bits = 0;           // 0: double precision; else the quantiser that made the samples
+    double full_scale = 0;  // of that quantiser
+};
+
+// wav: 64-bit float; with bits, PCM of the next larger of 8, 16, 24, 32 bits, full scale 1 (the
+//      samples' values are then fractions of full_scale); RF64 above 4 GiB.
+// csv: t_s,C,D, numbers that round-trip.   npy: float64, shape (n, 2).
+// mat: MATLAB level 5, vectors S_C, S_D (n x 1) and the scalar fs.
+// Errors: output_failed, interrupted. commit() is left to the caller.
+Status write_samples(OutputFile& file, SampleFormat format, const Samples& samples,
+                     const JobControl& job);
+
+}  // namespace vybeg

@@ -1,0 +1,95 @@
+#include "core/report/track_csv.h"
+
+#include "core/base/messages.h"
+#include "core/base/number_text.h"
+
+#include <array>
+#include <cstddef>
+
+namespace vybeg {
+namespace {
+
+constexpr std::array value_columns{
+    SlowVariable::a_A, SlowVariable::a_B,          SlowVariable::two_theta_A, SlowVariable::alpha,
+    SlowVariable::f,   SlowVariable::delta_phi_CD, SlowVariable::rms};
+constexpr std::array sd_columns{SlowVariable::a_A, SlowVariable::a_B, SlowVariable::two_theta_A,
+                                SlowVariable::alpha, SlowVariable::f};
+
+constexpr std::size_t rows_per_block = 4096;  // about 1 MB of text between two looks at the token
+
+// A file's name may hold a line feed; a header line may not.
+std::string one_line(std::string text) {
+    for (char& character : text) {
+        if (static_cast<unsigned char>(character) < ' ') {
+            character = ' ';
+        }
+    }
+    return text;
+}
+
+std::string column_names() {
+    std::string names = "t_s";
+    for (const SlowVariable variable : value_columns) {
+        names += std::string(",") + info(variable).column;
+    }
+    for (const SlowVariable variable : sd_columns) {
+        names += std::string(",sd_") + info(variable).column;
+    }
+    return names + ",flag\n";
+}
+
+}  // namespace
+
+std::vector<std::string> track_header(const std::string& program, const Recording& recording,
+                                      const std::string& sha256, const Analysis& analysis) {
+    std::vector<std::string> lines{
+        program,
+        "input: " + recording.path.filename().string(),
+        "sha256: " + sha256,
+        "rate: " + round_trip_text(recording.rate_hz) + " (" +
+            rate_origin_name(recording.rate_from) + ")",
+        "channels: " + integer_text(recording.channel_c) + "," + integer_text(recording.channel_d),
+    };
+    for (const auto& [name, value] : settings_list(analysis.settings)) {
+        lines.push_back(name + ": " + value);
+    }
+    lines.push_back("f0_Hz: " + round_trip_text(analysis.f0_hz()));
+    lines.push_back("residual: " + round_trip_text(analysis.residual));
+    for (const Diagnostic& diagnostic : analysis.diagnostics) {
+        lines.push_back("warning: " + english(diagnostic));
+    }
+    return lines;
+}
+
+Status write_track_csv(OutputFile& file, const Track& track, std::span<const std::string> header,
+                       const JobControl& job) {
+    std::string text;
+    for (const std::string& line : header) {
+        text += "# " + one_line(line) + "\n";
+    }
+    text += column_names();
+    for (std::size_t row = 0; row < track.rows(); ++row) {
+        append_round_trip(text, track.time_s()[row]);
+        for (const SlowVariable variable : value_columns) {
+            text += ',';
+            append_round_trip(text, track.values(variable)[row]);
+        }
+        for (const SlowVariable variable : sd_columns) {
+            text += ',';
+            append_round_trip(text, track.sds(variable)[row]);
+        }
+        text += ',';
+        text += flags_text(track.flags()[row]);
+        text += '\n';
+        if (row % rows_per_block == rows_per_block - 1) {
+            if (const Status written = file.write(text); !written) {
+                return written;
+            }
+            text.clear();
+            job.report(static_cast<double>(row) / static_cast<double>(track.rows()));
+        }
+    }
+    return file.write(text);
+}
+
+}  // namespace vybeg
