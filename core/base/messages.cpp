@@ -163,6 +163,39 @@ std::string kind_name(DiagnosticKind kind) {
     return "";
 }
 
+std::string code_name(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::setting_invalid: return "setting-invalid";
+        case ErrorCode::file_missing: return "file-missing";
+        case ErrorCode::file_permission: return "file-permission";
+        case ErrorCode::file_is_directory: return "file-is-directory";
+        case ErrorCode::file_empty: return "file-empty";
+        case ErrorCode::file_read_failed: return "file-read-failed";
+        case ErrorCode::format_unknown: return "format-unknown";
+        case ErrorCode::format_damaged: return "format-damaged";
+        case ErrorCode::text_not_a_number: return "text-not-a-number";
+        case ErrorCode::text_no_data: return "text-no-data";
+        case ErrorCode::text_time_backwards: return "text-time-backwards";
+        case ErrorCode::too_few_channels: return "too-few-channels";
+        case ErrorCode::channel_out_of_range: return "channel-out-of-range";
+        case ErrorCode::too_few_frames: return "too-few-frames";
+        case ErrorCode::rate_unknown: return "rate-unknown";
+        case ErrorCode::window_too_long: return "window-too-long";
+        case ErrorCode::window_too_short: return "window-too-short";
+        case ErrorCode::range_empty: return "range-empty";
+        case ErrorCode::carrier_above_half_rate: return "carrier-above-half-rate";
+        case ErrorCode::carrier_not_found: return "carrier-not-found";
+        case ErrorCode::band_invalid: return "band-invalid";
+        case ErrorCode::filter_too_long: return "filter-too-long";
+        case ErrorCode::no_valid_samples: return "no-valid-samples";
+        case ErrorCode::simulation_impossible: return "simulation-impossible";
+        case ErrorCode::output_failed: return "output-failed";
+        case ErrorCode::output_format_unknown: return "output-format-unknown";
+        case ErrorCode::interrupted: return "interrupted";
+    }
+    return "";
+}
+
 int exit_status(ErrorCode code) {
     if (code == ErrorCode::interrupted) {
         return 130;
