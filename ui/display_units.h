@@ -54,8 +54,8 @@ QString displayMeaning(SlowVariable variable);
 // Angles of which only the value modulo one turn is stored: no curve joins pi to -pi.
 bool isWrapped(SlowVariable variable);
 
-// "0.99987 ± 0.00012" in displayed units and the default locale, the value rounded to two digits of
-// its standard deviation (six significant digits where that is NaN or zero); "—" for NaN.
+// "0.99987 ± 0.00012": core/report/quantity_text.h with the default locale's decimal sign and a
+// true minus; "—" for NaN.
 QString valueText(double value, double sd);
 
 }  // namespace vybeg::ui

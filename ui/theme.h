@@ -13,7 +13,7 @@ enum class ThemeMode { system, light, dark };
 struct Theme {
     bool dark = false;
     QPalette palette;
-    QColor plotBackground;  // around the axes
+    QColor plotBackground;   // around the axes
     QColor panelBackground;  // inside the axes
     QColor axis;             // frame and ticks
     QColor grid;

@@ -31,7 +31,7 @@ enum class Cursor { a, b };
 // Shift+drag: zoom into a rectangle; double click or Home: fit; R or Alt+Left, Alt+Right: zoom
 // history; + and -: zoom time about the tracker or the centre; Left, Right: pan; Ctrl+Plus,
 // Ctrl+Minus, Up, Down: value axis of the focused plot; Tab: next plot; 1 and 2: cursor A and B to
-// the tracker, Shift+1 and Shift+2 take them away; cursors can be dragged.
+// the tracker, 0 takes both away; cursors can be dragged.
 //
 // Times are seconds from the start of the recording. Setters emit no signals but timeRangeChanged.
 class TrackView : public QWidget {
@@ -100,30 +100,42 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
     enum class Drag { none, pan, rubberBand, cursorA, cursorB };
+    // What one entry of the zoom history is made of.
+    enum class Gesture { none, wheelTime, wheelValue, drag, keyTime, keyValue, outside };
 
-    void mousePressed(QMouseEvent* event);
-    void mouseMoved(QMouseEvent* event);
-    void mouseReleased(QMouseEvent* event);
-    void wheelTurned(QWheelEvent* event);
-    void zoomTime(double factor, double about_s);
-    void zoomValue(SlowVariable variable, double factor, double about_fraction);
-    void panValue(SlowVariable variable, double fraction);
+    // The instant and, in the plot with the mouse, the value at a position.
+    double timeAt(const QPointF& position) const;
+    std::optional<Cursor> cursorAt(const QPointF& position) const;
+    void pan(const QPointF& position);
+    void zoomTime(double factor, double about_s, Gesture gesture);
+    void panTime(double fraction);
+    // Scales the value axis about a fraction of its height from below and shifts it by a fraction.
+    void changeValues(SlowVariable variable, double factor, double about, double shift,
+                      Gesture gesture);
     void zoomToBand(const QRectF& band);
+    bool keyMoves(QKeyEvent* event);
+
     // Goes to a view: clips it, draws it, remembers it and tells the others.
-    void visit(ZoomState state, bool same_gesture);
-    void show(const ZoomState& state);
+    void visit(ZoomState state, Gesture gesture);
+    void goTo(const ZoomState& state);
+    ZoomState clipped(ZoomState state) const;
     void moveTracker(std::optional<double> time_s);
     void moveCursor(Cursor which, std::optional<double> time_s);
-    bool continuesGesture(int kind);
     void rebuild();
     void redraw();
     void refreshOverlay();
+    void matchFocusWidgets();
     void placeFocusWidgets();
-    std::optional<SlowVariable> focusedVariable() const;
+    SlowVariable focusedVariable() const;
 
     PlotContent content_;
     ZoomStack history_;
@@ -137,8 +149,9 @@ private:
     QPointF press_;
     ZoomState press_state_;
     std::optional<SlowVariable> press_variable_;
-    QTimer gesture_;
-    int gesture_kind_ = 0;
+    AxisRange press_values_;
+    QTimer pause_;  // runs while the next step belongs to the same gesture
+    Gesture gesture_ = Gesture::none;
 };
 
 }  // namespace vybeg::ui

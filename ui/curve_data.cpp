@@ -1,0 +1,138 @@
+#include "ui/curve_data.h"
+
+#include "ui/display_units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vybeg::ui {
+namespace {
+
+// What follows in time is added to what is there.
+void append(CurveColumn& column, const CurveColumn& next) {
+    column.missing = column.missing || next.missing;
+    if (next.empty()) {
+        return;
+    }
+    if (column.empty()) {
+        column.time_first = next.time_first;
+        column.first = next.first;
+    } else {
+        column.wraps = column.wraps || std::abs(next.first - column.last) > std::numbers::pi;
+    }
+    column.wraps = column.wraps || next.wraps;
+    column.time_last = next.time_last;
+    column.last = next.last;
+    column.min = std::min(column.min, next.min);
+    column.max = std::max(column.max, next.max);
+    column.band_min = std::min(column.band_min, next.band_min);
+    column.band_max = std::max(column.band_max, next.band_max);
+    column.negative_max = std::max(column.negative_max, next.negative_max);
+    column.positive_min = std::min(column.positive_min, next.positive_min);
+}
+
+}  // namespace
+
+CurveData::CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable)
+    : analysis_(std::move(analysis)),
+      variable_(variable),
+      time_(analysis_->track.time_s()),
+      value_(analysis_->track.values(variable)),
+      sd_(analysis_->track.sds(variable)),
+      wrapped_(isWrapped(variable)) {
+    blocks_.reserve(rows() / block);
+    for (std::size_t begin = 0; begin + block <= rows(); begin += block) {
+        CurveColumn summary;
+        for (std::size_t row = begin; row < begin + block; ++row) {
+            addRow(summary, row);
+        }
+        blocks_.push_back(summary);
+    }
+    empty_ = std::none_of(value_.begin(), value_.end(), [](double v) { return std::isfinite(v); });
+}
+
+double CurveData::sd(std::size_t row) const {
+    return sd_.empty() ? std::numeric_limits<double>::quiet_NaN() : sd_[row];
+}
+
+void CurveData::addRow(CurveColumn& column, std::size_t row) const {
+    CurveColumn one;
+    const double value = value_[row];
+    one.missing = !std::isfinite(value);
+    if (!one.missing) {
+        one.time_first = one.time_last = time_[row];
+        one.first = one.last = one.min = one.max = value;
+        const double sd = sd_.empty() || !std::isfinite(sd_[row]) ? 0 : sd_[row];
+        one.band_min = value - sd;
+        one.band_max = value + sd;
+        (value < 0 ? one.negative_max : one.positive_min) = value;
+    }
+    append(column, one);
+    column.wraps = column.wraps && wrapped_;
+}
+
+CurveColumn CurveData::summarise(std::size_t begin, std::size_t end) const {
+    CurveColumn column;
+    std::size_t row = begin;
+    while (row < end) {
+        if (row % block == 0 && row + block <= end) {
+            append(column, blocks_[row / block]);
+            column.wraps = column.wraps && wrapped_;
+            row += block;
+        } else {
+            addRow(column, row++);
+        }
+    }
+    return column;
+}
+
+std::vector<CurveColumn> CurveData::columns(const AxisRange& time, int count) const {
+    std::vector<CurveColumn> result;
+    const auto row_at = [&](double t) {
+        return static_cast<std::size_t>(std::lower_bound(time_.begin(), time_.end(), t) -
+                                        time_.begin());
+    };
+    std::size_t row = row_at(time.lower);
+    row -= std::min<std::size_t>(row, 1);
+    const std::size_t stop = std::min(rows(), row_at(time.upper) + 1);
+    const double width = time.span() / count;
+    // Fewer than two windows in a column: each is drawn for itself.
+    const bool single = stop - std::min(stop, row) < 2 * static_cast<std::size_t>(count);
+    bool before_has_value = false;
+    double before = 0;
+    while (row < stop) {
+        std::size_t end = row + 1;
+        if (!single) {
+            const double next = (std::floor(time_[row] / width) + 1) * width;
+            end = std::clamp(row_at(next), row + 1, stop);
+        }
+        CurveColumn column = summarise(row, end);
+        column.joined = before_has_value && std::isfinite(value_[row]) &&
+                        !(wrapped_ && std::abs(value_[row] - before) > std::numbers::pi);
+        if (column.empty()) {
+            column.time_first = time_[row];
+            column.time_last = time_[end - 1];
+        }
+        before_has_value = std::isfinite(value_[end - 1]);
+        before = value_[end - 1];
+        result.push_back(column);
+        row = end;
+    }
+    return result;
+}
+
+std::size_t CurveData::nearest(double time_s) const {
+    const auto after = std::lower_bound(time_.begin(), time_.end(), time_s);
+    if (after == time_.begin()) {
+        return 0;
+    }
+    if (after == time_.end()) {
+        return rows() - 1;
+    }
+    const auto before = after - 1;
+    return static_cast<std::size_t>((time_s - *before <= *after - time_s ? before : after) -
+                                    time_.begin());
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// One entry of a strip: a text, with a sample of a curve before it where `line` is set.
+struct StripEntry {
+    QString text;
+    bool literal = false;  // else an underscore introduces an index
+    bool line = false;
+    QColor color;
+    Qt::PenStyle dash = Qt::SolidLine;
+};
+
+// A row of texts of fixed height among the plots: the names of the runs, the title of a column, the
+// name of the time axis. Entries that have no room are left out behind an ellipsis.
+class PlotStrip : public QCPLayoutElement {
+    Q_OBJECT
+
+public:
+    PlotStrip(QCustomPlot* plot, int height);
+
+    void setEntries(std::vector<StripEntry> entries, Qt::Alignment alignment);
+    void setLook(const QFont& font, const QColor& text);
+    // Space kept free at both ends and above the text.
+    void setInset(int left, int right, int above);
+    int height() const { return maximumSize().height(); }
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    double width(const StripEntry& entry) const;
+
+    std::vector<StripEntry> entries_;
+    Qt::Alignment alignment_ = Qt::AlignLeft;
+    QFont font_;
+    QColor text_;
+    int left_ = 0;
+    int right_ = 0;
+    int above_ = 0;
+};
+
+// Draws a sample of a curve as a legend shows it.
+void drawSample(QCPPainter& painter, QPointF from, double length, const QColor& color,
+                Qt::PenStyle dash);
+
+}  // namespace vybeg::ui
