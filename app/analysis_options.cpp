@@ -1,0 +1,180 @@
+#include "app/analysis_options.h"
+
+#include "app/option_values.h"
+
+#include <limits>
+#include <string>
+
+namespace vybeg::cli {
+namespace {
+
+int small_whole_value(const std::string& option, const std::string& text, int least,
+                      const std::string& allowed) {
+    const std::int64_t number = whole_value(option, text);
+    if (number < least || number > std::numeric_limits<int>::max()) {
+        reject(option, text, allowed);
+    }
+    return static_cast<int>(number);
+}
+
+RawLayout raw_layout(const std::string& option, const std::string& text) {
+    RawLayout layout;
+    std::string type = text;
+    if (const std::size_t colon = text.find(':'); colon != std::string::npos) {
+        const std::string order = text.substr(colon + 1);
+        layout.big_endian = order == "be";
+        type = order == "be" || order == "le" ? text.substr(0, colon) : text;
+    }
+    if (type == "i16") {
+        layout.type = RawType::i16;
+    } else if (type == "i32") {
+        layout.type = RawType::i32;
+    } else if (type == "f32") {
+        layout.type = RawType::f32;
+    } else if (type == "f64") {
+        layout.type = RawType::f64;
+    } else {
+        reject(option, text, "it is i16, i32, f32 or f64, with :be for big-endian");
+    }
+    return layout;
+}
+
+// The companions of --raw, which stands before them in the order of parsing.
+RawLayout& raw_of(OpenOptions& options, const std::string& option) {
+    if (!options.raw) {
+        throw CLI::ValidationError(option + " needs --raw.");
+    }
+    return *options.raw;
+}
+
+void add_band(CLI::App& app, const std::string& name, std::optional<Band>& target,
+              const std::string& help) {
+    add_value(app, name, "LO,HI", help, [&target](const auto& option, const auto& text) {
+        const auto edges = list_value(option, text, 2, "it must be two frequencies in Hz, LO,HI");
+        target = Band{edges[0], edges[1]};
+    });
+}
+
+void add_window_options(CLI::App& app, Settings& settings) {
+    auto* const window = add_value(app, "--window", "N", "Window length, samples (default 60)",
+                                   [&settings](const auto& option, const auto& text) {
+                                       settings.window = whole_value(option, text);
+                                   });
+    add_number(app, "--periods", settings.periods, "P",
+               "Window length in periods of the carrier; may be fractional")
+        ->excludes(window);
+    app.add_flag("--snap", settings.snap,
+                 "Move the window to whole half-periods, where the averages are orthogonal");
+    add_value(app, "--hop", "N", "Samples between window starts (default: the window)",
+              [&settings](const auto& option, const auto& text) {
+                  settings.hop = whole_value(option, text);
+                  if (settings.hop < 1) {
+                      reject(option, text, "it must be at least 1 sample");
+                  }
+              });
+}
+
+void add_start_options(CLI::App& app, Settings& settings) {
+    add_value(app, "--initial", "aA,aB,2thetaA,alpha,f",
+              "Start values of conjugate-gradient: recording units, rad, Hz; alpha at the centre "
+              "of the first window",
+              [&settings](const auto& option, const auto& text) {
+                  const auto v = list_value(option, text, 5, "it must be five numbers with commas");
+                  settings.initial = StartValues{{v[0], v[1], v[2], v[3]}, v[4]};
+              });
+    add_value(app, "--start", "first|previous",
+              "conjugate-gradient starts each window from in-phase or from the window before "
+              "(default first)",
+              [&settings](const auto& option, const auto& text) {
+                  if (text != "first" && text != "previous") {
+                      reject(option, text, "it is first or previous");
+                  }
+                  settings.start = text == "first" ? StartRule::first : StartRule::previous;
+              });
+}
+
+void add_calibration_options(CLI::App& app, Calibration& calibration) {
+    add_number(app, "--kappa", calibration.kappa, "K",
+               "Gain ratio of the channels: S_D = D / K (default 1)");
+    add_value(app, "--offset", "C,D|auto",
+              "Offsets of the channels, recording units; auto: the mean of each over whole periods "
+              "(default 0,0)",
+              [&calibration](const auto& option, const auto& text) {
+                  calibration.offset_auto = text == "auto";
+                  if (!calibration.offset_auto) {
+                      const auto offsets =
+                          list_value(option, text, 2, "it is two numbers C,D or auto");
+                      calibration.offset_c = offsets[0];
+                      calibration.offset_d = offsets[1];
+                  }
+              });
+    add_number(app, "--delay", calibration.delay_d_s, "S",
+               "By how much channel D comes late, s (default 0)");
+    add_number(app, "--angle-zero", calibration.angle_zero_deg, "DEG",
+               "Angle of the first electrode, degrees; subtracted from theta_A (default 0)");
+}
+
+}  // namespace
+
+void add_open_options(CLI::App& app, OpenOptions& options) {
+    add_number(app, "--rate", options.rate_hz, "HZ", "Sample rate where the file has none, Hz");
+    add_value(app, "--channels", "I,J",
+              "Which two channels or columns are C and D, from 1; a time column does not count "
+              "(default 1,2)",
+              [&options](const auto& option, const auto& text) {
+                  const std::string allowed = "it must be two channel numbers from 1, as in 1,2";
+                  const std::size_t comma = std::min(text.find(','), text.size() - 1);
+                  options.channel_c = small_whole_value(option, text.substr(0, comma), 1, allowed);
+                  options.channel_d = small_whole_value(option, text.substr(comma + 1), 1, allowed);
+              });
+    add_value(app, "--raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]",
+              [&options](const auto& option, const auto& text) {
+                  options.raw = raw_layout(option, text);
+              });
+    add_value(app, "--raw-channels", "N", "Channels of --raw (default 2)",
+              [&options](const auto& option, const auto& text) {
+                  raw_of(options, option).channels =
+                      small_whole_value(option, text, 1, "it must be at least 1");
+              });
+    add_value(app, "--skip", "BYTES", "Bytes before the first sample of --raw (default 0)",
+              [&options](const auto& option, const auto& text) {
+                  const std::int64_t bytes = whole_value(option, text);
+                  if (bytes < 0) {
+                      reject(option, text, "it cannot be negative");
+                  }
+                  raw_of(options, option).skip_bytes = bytes;
+              });
+    add_value(app, "--scale", "X", "Recording units per count of --raw (default 1)",
+              [&options](const auto& option, const auto& text) {
+                  raw_of(options, option).scale = number_value(option, text);
+              });
+}
+
+void add_analysis_options(CLI::App& app, Settings& settings) {
+    add_value(app, "--algorithm", "NAME",
+              "in-phase, phase-shift, moving-axes, demodulation, conjugate-gradient or "
+              "maximum-likelihood (default)",
+              [&settings](const auto& option, const auto& text) {
+                  const std::optional<Algorithm> algorithm = algorithm_from_name(text);
+                  if (!algorithm) {
+                      reject(option, text,
+                             "it is in-phase, phase-shift, moving-axes, demodulation, "
+                             "conjugate-gradient or maximum-likelihood");
+                  }
+                  settings.algorithm = *algorithm;
+              });
+    add_window_options(app, settings);
+    add_number(app, "--f0", settings.f0_hz, "HZ", "The carrier, Hz; skips the search for it");
+    add_start_options(app, settings);
+    add_number(app, "--from", settings.from_s, "S", "Start of the part to analyse, s");
+    add_number(app, "--to", settings.to_s, "S", "End of the part to analyse, s");
+    add_band(app, "--band", settings.band, "Look for the carrier between two frequencies, Hz");
+    add_band(app, "--filter", settings.filter, "Zero-phase band-pass before everything, Hz");
+    add_calibration_options(app, settings.calibration);
+    add_value(app, "--threads", "N", "Threads (default: as many as the machine has)",
+              [&settings](const auto& option, const auto& text) {
+                  settings.threads = small_whole_value(option, text, 1, "it must be at least 1");
+              });
+}
+
+}  // namespace vybeg::cli

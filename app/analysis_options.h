@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/analysis/settings.h"
+#include "core/recording/open_recording.h"
+
+#include <CLI/CLI.hpp>
+
+namespace vybeg::cli {
+
+// The options of INTERFACE.md that say how a recording is opened: --rate, --channels, --raw and its
+// companions. `options` must outlive the parse.
+void add_open_options(CLI::App& app, OpenOptions& options);
+
+// The options of INTERFACE.md that say how it is analysed: --algorithm to --angle-zero, --threads.
+// `settings` must outlive the parse. Their values are checked one by one here and together by
+// validate().
+void add_analysis_options(CLI::App& app, Settings& settings);
+
+}  // namespace vybeg::cli

@@ -1,0 +1,216 @@
+#include "app/cli_commands.h"
+
+#include "app/cli_simulate_options.h"
+#include "core/analysis/analyse.h"
+#include "core/base/messages.h"
+#include "core/base/number_text.h"
+#include "core/report/recording_json.h"
+#include "core/report/sample_files.h"
+#include "core/report/track_csv.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace vybeg::cli {
+namespace {
+
+double seconds_now() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+JobControl job_of(std::stop_token stop, Log& log) {
+    return JobControl(
+        std::move(stop), [&log](double fraction) { log.progress(fraction); }, seconds_now);
+}
+
+// Everything but the longest part of the work: heard when it is to stop, without its own progress.
+JobControl silent(std::stop_token stop) {
+    return JobControl(std::move(stop), {}, seconds_now);
+}
+
+Result<OutputFile> open_output(const std::string& name, const JobControl& job) {
+    if (name == "-") {
+        return OutputFile::onto(STDOUT_FILENO, "standard output", job);
+    }
+    return OutputFile::create(name, job);
+}
+
+Status write_text(const std::string& text, const JobControl& job) {
+    OutputFile output = OutputFile::onto(STDOUT_FILENO, "standard output", job);
+    if (const Status written = output.write(text); !written) {
+        return written;
+    }
+    return output.commit();
+}
+
+std::string described(const Recording& recording, const std::string& sha256) {
+    std::string text = "file      " + recording.path.string() + "\nformat    " + recording.format +
+                       "\nlength    " + round_trip_text(recording.seconds()) + " s, " +
+                       integer_text(recording.frames()) + " frames\nrate      " +
+                       round_trip_text(recording.rate_hz) + " Hz (" +
+                       rate_origin_name(recording.rate_from) + ")\n";
+    for (std::size_t i = 0; i < recording.channels.size(); ++i) {
+        const Channel& channel = recording.channels[i];
+        text += "channel   " + std::to_string(i + 1) + ": " + channel.name;
+        text += channel.unit.empty() ? "\n" : ", " + channel.unit + "\n";
+    }
+    if (!recording.start.empty()) {
+        text += "start     " + recording.start + "\n";
+    }
+    text += "sha256    " + sha256 + "\n";
+    for (const Diagnostic& diagnostic : recording.diagnostics) {
+        text += "check     " + english(diagnostic) + "\n";
+    }
+    return text;
+}
+
+// The recording must not be replaced by its own track.
+bool same_file(const std::string& input, const std::string& output) {
+    std::error_code missing;
+    return output != "-" && std::filesystem::equivalent(input, output, missing) && !missing;
+}
+
+std::string timing_line(const Analysis& analysis, double open_s, double write_s) {
+    const Timing& timing = analysis.timing;
+    const nlohmann::ordered_json line{
+        {"read_s", open_s + timing.read_s}, {"carrier_s", timing.carrier_s},
+        {"estimate_s", timing.estimate_s},  {"write_s", write_s},
+        {"windows", analysis.plan.count},   {"threads", timing.threads}};
+    return line.dump() + "\n";
+}
+
+// The amplitudes of a truth in other units.
+void scale_amplitudes(Track& track, double factor) {
+    for (const SlowVariable variable : all_slow_variables) {
+        if (info(variable).quantity == Quantity::amplitude) {
+            for (double& value : track.values(variable)) {
+                value *= factor;
+            }
+        }
+    }
+}
+
+Status write_truth(OutputFile& file, const SimulateRequest& request, const SimulatedDecay& samples,
+                   bool fractions_of_full_scale, const JobControl& job) {
+    Result<Track> truth = true_track(request.decay, request.window);
+    if (!truth) {
+        return truth.error();
+    }
+    std::vector<std::string> header{program, "truth of a simulated decay"};
+    for (const auto& [name, value] : decay_list(request.decay)) {
+        header.push_back(name + ": " + value);
+    }
+    if (fractions_of_full_scale) {
+        // The samples read back from PCM are fractions of full scale, and so is their truth.
+        scale_amplitudes(*truth, 1 / samples.full_scale);
+        header.push_back("amplitudes: fractions of the full scale " +
+                         round_trip_text(samples.full_scale));
+    }
+    if (const Status written = write_track_csv(file, *truth, header, job); !written) {
+        return written;
+    }
+    return file.commit();
+}
+
+}  // namespace
+
+int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
+    const JobControl job = job_of(stop, log);
+    const Result<Recording> recording = open_recording(request.input, request.open, job);
+    if (!recording) {
+        return log.fail(recording.error());
+    }
+    const Result<std::string> sha256 = file_sha256(request.input, silent(stop));
+    if (!sha256) {
+        return log.fail(sha256.error());
+    }
+    const Status written = write_text(
+        request.json ? recording_json(*recording, *sha256) : described(*recording, *sha256),
+        silent(stop));
+    return written ? 0 : log.fail(written.error());
+}
+
+int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
+    if (const Status valid = validate(request.settings); !valid) {
+        return log.fail(valid.error());
+    }
+    const double begun = seconds_now();
+    const Result<Recording> recording = open_recording(request.input, request.open, silent(stop));
+    if (!recording) {
+        return log.fail(recording.error());
+    }
+    const Result<std::string> sha256 = file_sha256(request.input, silent(stop));
+    if (!sha256) {
+        return log.fail(sha256.error());
+    }
+    if (same_file(request.input, request.output)) {
+        return log.fail(
+            {ErrorCode::setting_invalid, "", {"-o", request.output, "it is the recording itself"}});
+    }
+    const double opened = seconds_now();
+    Result<OutputFile> output = open_output(request.output, silent(stop));
+    if (!output) {
+        return log.fail(output.error());
+    }
+    const Result<Analysis> analysis = analyse(*recording, request.settings, job_of(stop, log));
+    if (!analysis) {
+        log.warnings(recording->diagnostics);
+        return log.fail(analysis.error());
+    }
+    log.warnings(analysis->diagnostics);
+    const double analysed = seconds_now();
+    Status written =
+        write_track_csv(*output, analysis->track,
+                        track_header(program, *recording, *sha256, *analysis), silent(stop));
+    if (written) {
+        written = output->commit();
+    }
+    if (!written) {
+        return log.fail(written.error());
+    }
+    if (request.timing) {
+        std::fputs(timing_line(*analysis, opened - begun, seconds_now() - analysed).c_str(),
+                   stderr);
+    }
+    return 0;
+}
+
+int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop) {
+    const Result<SampleFormat> format =
+        request.output == "-" ? SampleFormat::csv : sample_format(request.output);
+    if (!format) {
+        return log.fail(format.error());
+    }
+    Result<OutputFile> output = open_output(request.output, silent(stop));
+    if (!output) {
+        return log.fail(output.error());
+    }
+    const Result<SimulatedDecay> samples = simulate(request.decay, job_of(stop, log));
+    if (!samples) {
+        return log.fail(samples.error());
+    }
+    const bool pcm = *format == SampleFormat::wav && request.decay.bits > 0;
+    Status written = write_samples(
+        *output, *format,
+        {samples->c, samples->d, request.decay.rate_hz, request.decay.bits, samples->full_scale},
+        silent(stop));
+    if (written && !request.truth.empty()) {
+        Result<OutputFile> truth = open_output(request.truth, silent(stop));
+        written = truth ? write_truth(*truth, request, *samples, pcm, silent(stop))
+                        : Status(truth.error());
+    }
+    if (written) {
+        written = output->commit();
+    }
+    return written ? 0 : log.fail(written.error());
+}
+
+}  // namespace vybeg::cli

@@ -1,0 +1,95 @@
+#include "app/cli_log.h"
+
+#include "core/base/messages.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace vybeg::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const Json& object) {
+    return object.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+Log::Log(bool json, bool quiet) : json_(json), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
+
+Log::~Log() {
+    clear_progress();
+}
+
+// One write for one line: lines of several programs on one terminal stay whole.
+void Log::line(const std::string& text) {
+    clear_progress();
+    std::fputs((text + "\n").c_str(), stderr);
+}
+
+void Log::clear_progress() {
+    if (percent_ >= 0 && !json_) {
+        std::fputs("\r      \r", stderr);
+        percent_ = -1;
+    }
+}
+
+void Log::warnings(std::span<const Diagnostic> diagnostics) {
+    if (quiet_) {
+        return;
+    }
+    for (const Diagnostic& diagnostic : diagnostics) {
+        const std::string text = english(diagnostic);
+        line(json_ ? text_of({{"level", "warning"},
+                              {"code", kind_name(diagnostic.kind)},
+                              {"text", text},
+                              {"first_frame", diagnostic.first_frame},
+                              {"count", diagnostic.count}})
+                   : "vybeg-cli: warning: " + text);
+    }
+}
+
+int Log::fail(const Error& error) {
+    const std::string text = english(error);
+    const int status = exit_status(error.code);
+    line(json_ ? text_of({{"level", "error"},
+                          {"code", code_name(error.code)},
+                          {"text", text},
+                          {"status", status}})
+               : "vybeg-cli: " + text);
+    return status;
+}
+
+int Log::fail_usage(const std::string& sentence) {
+    const int status = exit_status(ErrorCode::setting_invalid);
+    line(json_ ? text_of({{"level", "error"},
+                          {"code", code_name(ErrorCode::setting_invalid)},
+                          {"text", sentence},
+                          {"status", status}})
+               : "vybeg-cli: " + sentence + " See vybeg-cli --help.");
+    return status;
+}
+
+void Log::progress(double fraction) {
+    const int percent = static_cast<int>(100 * fraction);
+    if (quiet_ || percent == percent_ || !(json_ || terminal_)) {
+        return;
+    }
+    if (json_) {
+        if (percent / 10 == percent_ / 10 && percent_ >= 0) {
+            return;  // ten lines are enough for a log
+        }
+        line(text_of({{"level", "progress"},
+                      {"code", "progress"},
+                      {"text", std::to_string(percent) + " %"},
+                      {"percent", percent}}));
+    } else {
+        std::fprintf(stderr, "\r%3d %% ", percent);
+    }
+    percent_ = percent;
+}
+
+}  // namespace vybeg::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vybeg::cli {
+
+// Values of command-line options, read without regard to the locale (CLI11 itself would follow it).
+// What cannot be read throws a CLI::ValidationError with the sentence of setting_invalid.
+
+[[noreturn]] void reject(const std::string& option, const std::string& text,
+                         const std::string& allowed);
+
+double number_value(const std::string& option, const std::string& text);
+std::int64_t whole_value(const std::string& option, const std::string& text);
+// Exactly `count` numbers with commas between them.
+std::vector<double> list_value(const std::string& option, const std::string& text,
+                               std::size_t count, const std::string& allowed);
+
+// Adds an option of one value. `placeholder` stands for the value in the help, e.g. "HZ"; `take`
+// gets the option's name and the text.
+CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& placeholder,
+                       const std::string& help,
+                       std::function<void(const std::string&, const std::string&)> take);
+
+// The same for a number.
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target,
+                        const std::string& placeholder, const std::string& help);
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
+                        const std::string& placeholder, const std::string& help);
+
+}  // namespace vybeg::cli
