@@ -90,6 +90,9 @@ Minimum minimise(const std::function<double(double)>& f, double low, double star
             return {here.at, here.value, true};
         }
         if (ahead.value > here.value) {
+            if (here.at == before.at) {
+                return {here.at, here.value, true};  // began at a bound, and rises from there
+            }
             const double left = std::min(before.at, ahead.at);
             const double right = std::max(before.at, ahead.at);
             const Point best = brent(f, left, here, right, tolerance);

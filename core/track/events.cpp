@@ -1,5 +1,7 @@
 #include "core/track/events.h"
 
+#include "core/numerics/line_fit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,18 +11,51 @@ namespace {
 
 constexpr double half_pi = std::numbers::pi / 2;
 
-// Axis crossings with a dead band round each axis: the angle counts as beyond an axis only when it
-// is three standard deviations past it; the crossing itself is interpolated between the last window
-// on the one side and the first on the other.
-void find_crossings(const Track& track, std::vector<Event>& events) {
+// When 2theta_A is at `level`, where it lies to one side of it at window `before` and to the other
+// at `after`.
+double time_at(const Track& track, std::size_t before, std::size_t after, double level) {
     const auto time = track.time_s();
     const auto angle = track.values(SlowVariable::two_theta_A);
-    const auto sd = track.sds(SlowVariable::two_theta_A);
+    const std::size_t width = after - before;
+    const std::size_t from = before - std::min(before, width - 1);
+    const std::size_t count = std::min(after + width, track.rows()) - from;
+    const LineFit line = fit_line(time.subspan(from, count), angle.subspan(from, count));
+    const double at = line.mean_x + (level - line.mean_y) / line.slope;
+    // A fast turn is no line over its neighbours; it never lies outside the two windows.
+    return std::clamp(at, time[before], time[after]);
+}
+
+// Standard deviations of 2theta_A, each averaged over its neighbours: in a short window the
+// deviation itself is known to no more than a third.
+std::vector<double> local_sds(std::span<const double> sds) {
+    constexpr std::size_t reach = 50;
+    std::vector<double> sum(sds.size() + 1);
+    std::vector<double> count(sds.size() + 1);
+    for (std::size_t k = 0; k < sds.size(); ++k) {
+        const bool valid = std::isfinite(sds[k]);
+        sum[k + 1] = sum[k] + (valid ? sds[k] : 0);
+        count[k + 1] = count[k] + (valid ? 1 : 0);
+    }
+    std::vector<double> local(sds.size());
+    for (std::size_t k = 0; k < sds.size(); ++k) {
+        const std::size_t from = k - std::min(k, reach);
+        const std::size_t to = std::min(k + reach + 1, sds.size());
+        local[k] = (sum[to] - sum[from]) / std::max(count[to] - count[from], 1.0);
+    }
+    return local;
+}
+
+// Axis crossings with a dead band round each axis: the angle counts as beyond an axis only when it
+// is six standard deviations past it, which noise reaches once in 10^9 windows. The crossing itself
+// is where a line through the windows between, and as many as those on either side, meets the axis.
+void find_crossings(const Track& track, std::vector<Event>& events) {
+    const auto angle = track.values(SlowVariable::two_theta_A);
+    const std::vector<double> sd = local_sds(track.sds(SlowVariable::two_theta_A));
     bool known = false;
     std::size_t last = 0;  // the last window that was clear of every axis
     for (std::size_t k = 0; k < track.rows(); ++k) {
         const double position = angle[k] / half_pi;
-        const double clear = std::min(3 * sd[k] / half_pi, 0.4);
+        const double clear = std::min(6 * sd[k] / half_pi, 0.4);
         if (std::isnan(position) || std::abs(position - std::round(position)) <= clear) {
             continue;
         }
@@ -32,9 +67,8 @@ void find_crossings(const Track& track, std::vector<Event>& events) {
             const int end_axis =
                 static_cast<int>(direction > 0 ? std::floor(position) : std::ceil(position));
             for (int axis = first_axis; direction * (end_axis - axis) >= 0; axis += direction) {
-                const double part = (axis - before) / (position - before);
-                events.push_back({EventKind::axis_crossing,
-                                  time[last] + part * (time[k] - time[last]), 0, axis, direction});
+                events.push_back({EventKind::axis_crossing, time_at(track, last, k, axis * half_pi),
+                                  0, axis, direction});
             }
         }
         last = k;

@@ -22,7 +22,7 @@ struct Event {
 };
 
 // All events of a track in the order of time. Crossings inside the noise of the angle count once:
-// the angle has to leave the axis by more than three standard deviations on both sides.
+// the angle has to leave the axis by more than six standard deviations on both sides.
 std::vector<Event> find_events(const Track& track);
 
 }  // namespace vybeg

@@ -1,0 +1,84 @@
+#include "core/estimators/wave_state.h"
+#include "core/numerics/phase.h"
+#include "core/track/unwrap.h"
+
+#include <QtTest>
+
+#include <numbers>
+
+using namespace vybeg;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A wave that turns by `rate` rad of 2theta_A per row, as an estimator would give it, row by row.
+Track turning(std::size_t rows, double start, double rate) {
+    Track track(rows);
+    for (std::size_t k = 0; k < rows; ++k) {
+        const WaveState row = canonical({1, 0.2, start + rate * static_cast<double>(k), 0.3});
+        track.time_s()[k] = static_cast<double>(k);
+        track.values(SlowVariable::two_theta_A)[k] = row.two_theta_A;
+        track.values(SlowVariable::alpha)[k] = row.alpha;
+    }
+    return track;
+}
+
+}  // namespace
+
+class TestUnwrap : public QObject {
+    Q_OBJECT
+
+private slots:
+    void angleRunsOnThroughEveryAxisAndAlphaStaysOfTheSameMotion();
+    void missingRowsAreStepped();
+    void electrodeAngleIsTakenOff();
+};
+
+void TestUnwrap::angleRunsOnThroughEveryAxisAndAlphaStaysOfTheSameMotion() {
+    for (const double rate : {-0.7, -0.01, 0.0, 0.3, 1.4}) {
+        for (double start = -1.5; start <= 1.57; start += 0.3) {
+            Track track = turning(50, start, rate);
+            unwrap_angle(track, 0);
+            for (std::size_t k = 0; k < track.rows(); ++k) {
+                // The start lies in (-pi/2, pi/2], so that no half turn is left open.
+                QVERIFY(std::abs(track.values(SlowVariable::two_theta_A)[k] -
+                                 (start + rate * static_cast<double>(k))) < 1e-12);
+                QVERIFY(std::abs(wrap(track.values(SlowVariable::alpha)[k] - 0.3)) < 1e-12);
+            }
+        }
+    }
+}
+
+void TestUnwrap::missingRowsAreStepped() {
+    Track track = turning(40, 1.2, 0.1);
+    for (const std::size_t k : {0UL, 1UL, 10UL, 11UL, 12UL}) {
+        track.values(SlowVariable::two_theta_A)[k] = std::nan("");
+        track.values(SlowVariable::alpha)[k] = std::nan("");
+    }
+    unwrap_angle(track, 0);
+    QVERIFY(std::isnan(track.values(SlowVariable::two_theta_A)[11]));
+    // The first valid row is the third: 1.4, inside (-pi/2, pi/2].
+    QVERIFY(std::abs(track.values(SlowVariable::two_theta_A)[39] - (1.2 + 3.9)) < 1e-12);
+}
+
+void TestUnwrap::electrodeAngleIsTakenOff() {
+    for (const double zero : {-2.0, 0.1, 1.0, 3.0}) {
+        Track track = turning(50, 0.2, 0.2);
+        unwrap_angle(track, zero);
+        const double first = track.values(SlowVariable::two_theta_A)[0];
+        QVERIFY(first > -pi / 2 && first <= pi / 2);
+        const double half_turns = (first - (0.2 - zero)) / pi;
+        QVERIFY(std::abs(half_turns - std::round(half_turns)) < 1e-12);
+        for (std::size_t k = 0; k < track.rows(); ++k) {
+            QVERIFY(std::abs(track.values(SlowVariable::two_theta_A)[k] - first -
+                             0.2 * static_cast<double>(k)) < 1e-12);
+            // A half turn of the angle goes with a half turn of the phase.
+            QVERIFY(std::abs(wrap(track.values(SlowVariable::alpha)[k] - 0.3 -
+                                  pi * std::round(half_turns))) < 1e-12);
+        }
+    }
+}
+
+QTEST_GUILESS_MAIN(TestUnwrap)
+#include "test_unwrap.moc"

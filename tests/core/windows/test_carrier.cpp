@@ -1,0 +1,123 @@
+#include "core/windows/carrier.h"
+
+#include <QtTest>
+
+#include <numbers>
+#include <random>
+#include <vector>
+
+using namespace vybeg;
+
+namespace {
+
+struct Pair {
+    std::vector<double> c;
+    std::vector<double> d;
+};
+
+// Two sinusoids of one frequency with amplitudes a_c and a_d in white noise.
+Pair tones(std::size_t count, double f, double rate, double a_c, double a_d, double noise) {
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> gauss(0, 1);
+    Pair pair;
+    for (std::size_t j = 0; j < count; ++j) {
+        const double phase = 2 * std::numbers::pi * f / rate * static_cast<double>(j);
+        pair.c.push_back(a_c * std::cos(phase + 0.4) + noise * gauss(random));
+        pair.d.push_back(a_d * std::sin(phase) + noise * gauss(random));
+    }
+    return pair;
+}
+
+}  // namespace
+
+class TestCarrier : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isFoundToAHundredthOfABin();
+    void isFoundInEitherChannelAlone();
+    void ofSeveralTonesTheBandDecides();
+    void offsetsAndMissingSamplesDoNotMislead();
+    void noiseAloneHasNone();
+    void fewSamplesAreEnough();
+    void impossibleBandsAreNamed();
+};
+
+void TestCarrier::isFoundToAHundredthOfABin() {
+    for (const std::size_t count : {1000UL, 33333UL, 200000UL}) {
+        const double bin = 33333.0 / static_cast<double>(count);
+        for (double f = 4000; f < 9000; f += 371.123) {
+            const Pair pair = tones(count, f, 33333, 1, 0.7, 1e-3);
+            const Result<double> found = find_carrier(pair.c, pair.d, 33333, 1000, 16666);
+            QVERIFY(found);
+            QVERIFY2(std::abs(*found - f) < 0.01 * bin,
+                     qPrintable(QString("%1: off %2 bins").arg(f).arg((*found - f) / bin)));
+        }
+    }
+}
+
+void TestCarrier::isFoundInEitherChannelAlone() {
+    for (const bool first : {true, false}) {
+        const Pair pair = tones(20000, 5300.3, 33333, first ? 1 : 0, first ? 0 : 1, 0.01);
+        const Result<double> found = find_carrier(pair.c, pair.d, 33333, 100, 16666);
+        QVERIFY(found && std::abs(*found - 5300.3) < 0.05);
+    }
+}
+
+void TestCarrier::ofSeveralTonesTheBandDecides() {
+    Pair pair = tones(50000, 5300, 33333, 1, 1, 0.01);
+    const Pair hum = tones(50000, 3000, 33333, 3, 3, 0);
+    for (std::size_t j = 0; j < pair.c.size(); ++j) {
+        pair.c[j] += hum.c[j];
+        pair.d[j] += hum.d[j];
+    }
+    QVERIFY(std::abs(*find_carrier(pair.c, pair.d, 33333, 10, 16666) - 3000) < 0.1);
+    QVERIFY(std::abs(*find_carrier(pair.c, pair.d, 33333, 5000, 6000) - 5300) < 0.1);
+}
+
+void TestCarrier::offsetsAndMissingSamplesDoNotMislead() {
+    Pair pair = tones(50000, 5300, 33333, 1, 1, 0.01);
+    for (std::size_t j = 0; j < pair.c.size(); ++j) {
+        pair.c[j] += 100;
+        pair.d[j] -= 30;
+        if (j % 1000 < 20) {
+            pair.c[j] = std::nan("");
+        }
+    }
+    const Result<double> found = find_carrier(pair.c, pair.d, 33333, 10, 16666);
+    QVERIFY(found && std::abs(*found - 5300) < 0.1);
+}
+
+void TestCarrier::noiseAloneHasNone() {
+    for (const std::size_t count : {300UL, 5000UL, 200000UL}) {
+        const Pair pair = tones(count, 5300, 33333, 0, 0, 1);
+        const Result<double> found = find_carrier(pair.c, pair.d, 33333, 10, 16666);
+        QVERIFY(!found);
+        QVERIFY(found.error().code == ErrorCode::carrier_not_found);
+    }
+    const std::vector<double> silence(1000, 0.25);
+    QVERIFY(find_carrier(silence, silence, 33333, 10, 16666).error().code ==
+            ErrorCode::carrier_not_found);
+    const std::vector<double> nothing(1000, std::nan(""));
+    QVERIFY(find_carrier(nothing, nothing, 33333, 10, 16666).error().code ==
+            ErrorCode::no_valid_samples);
+}
+
+void TestCarrier::fewSamplesAreEnough() {
+    // Ten periods: within a tenth of a main lobe, so that the search in the windows starts inside
+    // it.
+    const Pair pair = tones(63, 5300, 33333, 1, 0.5, 0);
+    const Result<double> found = find_carrier(pair.c, pair.d, 33333, 1500, 16666);
+    QVERIFY(found && std::abs(*found - 5300) < 0.1 * 33333 / 63);
+}
+
+void TestCarrier::impossibleBandsAreNamed() {
+    const Pair pair = tones(1000, 5300, 33333, 1, 1, 0);
+    QVERIFY(find_carrier(pair.c, pair.d, 33333, 6000, 5000).error().code ==
+            ErrorCode::band_invalid);
+    QVERIFY(find_carrier(pair.c, pair.d, 33333, 17000, 20000).error().code ==
+            ErrorCode::band_invalid);
+}
+
+QTEST_GUILESS_MAIN(TestCarrier)
+#include "test_carrier.moc"

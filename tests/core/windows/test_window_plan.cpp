@@ -1,0 +1,82 @@
+#include "core/windows/window_plan.h"
+
+#include <QtTest>
+
+#include <numbers>
+
+using namespace vybeg;
+
+class TestWindowPlan : public QObject {
+    Q_OBJECT
+
+private slots:
+    void residualIsTheAverageOfTheDoubledCarrier();
+    void residualsAreThoseOfTheMethod();
+    void snapFindsTheWindowsOfTheMethod();
+    void snapNeverMakesTheResidualWorseNorMovesFartherThanHalfAPeriod();
+    void planHoldsEveryWindowThatFits();
+};
+
+void TestWindowPlan::residualIsTheAverageOfTheDoubledCarrier() {
+    for (const double f : {4000.0, 5300.0, 7071.0678, 16000.0}) {
+        for (const std::int64_t n : {5, 6, 22, 60, 601, 10000}) {
+            long double sum = 0;
+            for (std::int64_t j = 0; j < n; ++j) {
+                const long double u =
+                    static_cast<long double>(j) - 0.5L * static_cast<long double>(n - 1);
+                sum += std::cos(4 * std::numbers::pi_v<long double> * f / 33333 * u);
+            }
+            const double expected =
+                static_cast<double>(std::abs(sum) / static_cast<long double>(n));
+            QVERIFY(std::abs(orthogonality_residual(n, f, 33333) - expected) < 1e-13);
+        }
+    }
+}
+
+void TestWindowPlan::residualsAreThoseOfTheMethod() {
+    // METHOD section 3: f = 5300, fs = 33333: n = 6 leaves 5.7 %, n = 60 leaves 0.5 %.
+    QVERIFY(std::abs(orthogonality_residual(6, 5300, 33333) - 0.057) < 1e-3);
+    QVERIFY(std::abs(orthogonality_residual(60, 5300, 33333) - 0.005) < 5e-4);
+}
+
+void TestWindowPlan::snapFindsTheWindowsOfTheMethod() {
+    QCOMPARE(snap_window(22, 5300, 33333), 22);
+    QCOMPARE(snap_window(24, 5300, 33333), 22);
+    QCOMPARE(snap_window(44, 5300, 33333), 44);
+    QCOMPARE(snap_window(60, 5300, 33333), 63);
+}
+
+void TestWindowPlan::snapNeverMakesTheResidualWorseNorMovesFartherThanHalfAPeriod() {
+    for (const double f : {4000.0, 4321.98, 5300.0, 8999.9}) {
+        const double half_period = 33333 / (2 * f);
+        for (std::int64_t n = least_window(f, 33333); n < 700; n += 7) {
+            const std::int64_t snapped = snap_window(n, f, 33333);
+            QVERIFY(std::abs(static_cast<double>(snapped - n)) <= half_period);
+            QVERIFY(orthogonality_residual(snapped, f, 33333) <=
+                    orthogonality_residual(n, f, 33333));
+            QVERIFY(snapped >= least_window(f, 33333));
+        }
+    }
+}
+
+void TestWindowPlan::planHoldsEveryWindowThatFits() {
+    for (const std::int64_t frames : {5, 59, 60, 61, 119, 120, 1000}) {
+        for (const std::int64_t length : {5, 60}) {
+            for (const std::int64_t hop : {1, 7, 60, 200}) {
+                const WindowPlan plan = plan_windows(10, 10 + frames, length, hop);
+                if (plan.count == 0) {
+                    QVERIFY(frames < length);
+                    continue;
+                }
+                QCOMPARE(plan.start(0), 10);
+                QVERIFY(plan.start(plan.count - 1) + length <= 10 + frames);
+                QVERIFY(plan.start(plan.count) + length > 10 + frames);
+            }
+        }
+    }
+    // Centre of the first window of 6: 2.5 samples after its first.
+    QCOMPARE(plan_windows(0, 100, 6, 6).centre_s(1, 10), 0.85);
+}
+
+QTEST_GUILESS_MAIN(TestWindowPlan)
+#include "test_window_plan.moc"
