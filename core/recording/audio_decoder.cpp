@@ -8,7 +8,7 @@ namespace vybeg {
 
 struct AudioDecoder::Bytes {
     std::shared_ptr<const FileBytes> file;
-    std::optional<std::int64_t> zero_rate_at;
+    std::vector<HeaderPatch> patches;
     sf_count_t position = 0;
 
     sf_count_t seek(sf_count_t offset, int whence) {
@@ -25,9 +25,13 @@ struct AudioDecoder::Bytes {
         if (!got) {
             return 0;
         }
-        const std::int64_t mark = zero_rate_at.value_or(-1) - position;
-        if (zero_rate_at && mark >= 0 && mark < *got) {
-            out[mark] = 1;
+        for (const HeaderPatch& patch : patches) {
+            for (std::size_t i = 0; i < patch.bytes.size(); ++i) {
+                const std::int64_t at = patch.at + static_cast<std::int64_t>(i) - position;
+                if (at >= 0 && at < *got) {
+                    out[at] = patch.bytes[i];
+                }
+            }
         }
         position += *got;
         return *got;
@@ -52,7 +56,7 @@ AudioDecoder::~AudioDecoder() {
 }
 
 Result<std::unique_ptr<AudioDecoder>> AudioDecoder::open(std::shared_ptr<const FileBytes> file,
-                                                         std::optional<std::int64_t> zero_rate_at) {
+                                                         const std::vector<HeaderPatch>& patches) {
     static SF_VIRTUAL_IO calls = {
         [](void* data) -> sf_count_t { return static_cast<Bytes*>(data)->file->size(); },
         [](sf_count_t offset, int whence, void* data) {
@@ -66,7 +70,7 @@ Result<std::unique_ptr<AudioDecoder>> AudioDecoder::open(std::shared_ptr<const F
 
     std::unique_ptr<AudioDecoder> decoder(new AudioDecoder);
     decoder->bytes_->file = std::move(file);
-    decoder->bytes_->zero_rate_at = zero_rate_at;
+    decoder->bytes_->patches = patches;
     decoder->handle_ = sf_open_virtual(&calls, SFM_READ, &decoder->info_, decoder->bytes_.get());
     if (!decoder->handle_) {
         return decoder->damaged(sf_strerror(nullptr));

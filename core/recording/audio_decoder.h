@@ -1,25 +1,25 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/recording/audio_extent.h"
 #include "core/recording/file_bytes.h"
 
 #include <sndfile.h>
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace vybeg {
 
 // One libsndfile handle on a file's bytes. Not for several threads at once.
 class AudioDecoder {
 public:
-    // `zero_rate_at`: where four bytes of the header give the rate 0, which libsndfile refuses;
-    // they are read as 1. Errors: format_damaged.
+    // Errors: format_damaged.
     static Result<std::unique_ptr<AudioDecoder>> open(std::shared_ptr<const FileBytes> file,
-                                                      std::optional<std::int64_t> zero_rate_at);
+                                                      const std::vector<HeaderPatch>& patches);
 
     AudioDecoder(const AudioDecoder&) = delete;
     AudioDecoder& operator=(const AudioDecoder&) = delete;

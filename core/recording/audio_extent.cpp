@@ -50,8 +50,8 @@ Layout layout_of(Container container, bool big_endian) {
 // Collects what is needed from the chunks of one file, until the samples begin.
 class ExtentReader {
 public:
-    ExtentReader(Container container, bool big_endian)
-        : container_(container), big_endian_(big_endian) {}
+    ExtentReader(Container container, bool big_endian, std::int64_t file_size)
+        : container_(container), big_endian_(big_endian), file_size_(file_size) {}
 
     // False where nothing of interest can follow.
     bool take(const Chunk& chunk) {
@@ -81,12 +81,17 @@ private:
         const bool known = std::find(unpacked.begin(), unpacked.end(), tag) != unpacked.end();
         frame_bytes_ = known ? load<std::uint16_t>(chunk.payload + 12, big_endian_) : 0;
         if (load<std::uint32_t>(chunk.payload + 4, big_endian_) == 0) {
-            extent_.zero_rate_at = chunk.payload_at + 4;
+            extent_.rate_is_zero = true;
+            extent_.patches.push_back({chunk.payload_at + 4, store(std::uint32_t{1}, big_endian_)});
         }
     }
 
     void take_data(const Chunk& chunk) {
         std::int64_t size = chunk.size;
+        const std::int64_t present = file_size_ - chunk.payload_at;
+        if (container_ == Container::caf && size > present) {
+            extent_.patches.push_back({chunk.payload_at - 8, store(present, true)});
+        }
         if (container_ == Container::caf && size >= 0) {
             size -= 4;  // an edit count stands before the samples
         }
@@ -103,6 +108,7 @@ private:
 
     Container container_;
     bool big_endian_;
+    std::int64_t file_size_;
     std::int64_t frame_bytes_ = 0;  // 0: packed, or unknown
     std::int64_t long_data_size_ = 0;
     AudioExtent extent_;
@@ -146,7 +152,7 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
     }
     const Layout layout = layout_of(*container, head[3] == 'X');
     const std::int64_t head_bytes = layout.id_bytes + layout.size_bytes;
-    ExtentReader reader(*container, layout.big_endian);
+    ExtentReader reader(*container, layout.big_endian, file.size());
     std::int64_t at = layout.first_chunk;
     for (int i = 0; i < most_chunks && at <= file.size() - head_bytes; ++i) {
         std::array<char, 24 + payload_head> bytes{};

@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace vybeg {
 
@@ -13,13 +15,19 @@ namespace vybeg {
 // that the audio reader knows: WAV (RIFF, RIFX), RF64, W64, AIFF, AIFF-C, CAF, AU or FLAC.
 bool is_audio(std::string_view head);
 
+// Bytes that the decoder is to see instead of the file's, because it refuses those.
+struct HeaderPatch {
+    std::int64_t at = 0;
+    std::string bytes;
+};
+
 // What the chunks of an audio file say before anybody decodes it.
 struct AudioExtent {
     // Frames that the header promises, whatever the file really holds; nothing where it does not
     // tell (a streamed file whose length was never filled in, a packed format, AU, FLAC).
     std::optional<std::int64_t> promised_frames;
-    // Where a WAV or W64 file's sample rate stands (4 bytes), if it is 0.
-    std::optional<std::int64_t> zero_rate_at;
+    bool rate_is_zero = false;         // in a WAV, RF64 or W64 file; patched to 1 Hz
+    std::vector<HeaderPatch> patches;  // also a CAF file's length, where the file ends before
 };
 
 // Walks the chunks up to the samples. Never fails on what the chunks say: that is the decoder's

@@ -19,10 +19,10 @@ constexpr std::int64_t chunk_samples = std::int64_t{1} << 16;
 
 class AudioSource : public SampleSource {
 public:
-    AudioSource(std::shared_ptr<const FileBytes> file, std::optional<std::int64_t> zero_rate_at,
+    AudioSource(std::shared_ptr<const FileBytes> file, std::vector<HeaderPatch> patches,
                 int channels, std::int64_t frames, const OpenOptions& options)
         : file_(std::move(file)),
-          zero_rate_at_(zero_rate_at),
+          patches_(std::move(patches)),
           channels_(channels),
           channel_c_(options.channel_c - 1),
           channel_d_(options.channel_d - 1),
@@ -59,7 +59,7 @@ private:
     Status decode(std::int64_t first, std::span<double> samples) const {
         const std::lock_guard lock(mutex_);
         if (!decoder_) {
-            auto opened = AudioDecoder::open(file_, zero_rate_at_);
+            auto opened = AudioDecoder::open(file_, patches_);
             if (!opened) {
                 return opened.error();
             }
@@ -73,7 +73,7 @@ private:
     }
 
     std::shared_ptr<const FileBytes> file_;
-    std::optional<std::int64_t> zero_rate_at_;
+    std::vector<HeaderPatch> patches_;
     int channels_;
     int channel_c_;
     int channel_d_;
@@ -85,11 +85,11 @@ private:
 // Frames that can be decoded from the start on: where the last one of the header's cannot be had,
 // nothing but decoding tells how many there are.
 Result<std::int64_t> count_frames(const std::shared_ptr<const FileBytes>& file,
-                                  std::optional<std::int64_t> zero_rate_at, const JobControl& job) {
+                                  const std::vector<HeaderPatch>& patches, const JobControl& job) {
     std::int64_t frames = 0;
     // In large steps to the damage, then frame by frame up to it.
     for (const std::int64_t step : {std::int64_t{4096}, std::int64_t{1}}) {
-        auto decoder = AudioDecoder::open(file, zero_rate_at);
+        auto decoder = AudioDecoder::open(file, patches);
         if (!decoder) {
             return decoder.error();
         }
@@ -122,7 +122,7 @@ Result<Extent> find_extent(const std::shared_ptr<const FileBytes>& file, AudioDe
     Extent extent{std::max(header.promised_frames.value_or(0), frames), frames};
     std::vector<double> last(static_cast<std::size_t>(decoder.info().channels));
     if (frames > 0 && !decoder.read(frames - 1, last)) {
-        const auto counted = count_frames(file, header.zero_rate_at, job);
+        const auto counted = count_frames(file, header.patches, job);
         if (!counted) {
             return counted.error();
         }
@@ -139,7 +139,7 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
     if (!header) {
         return header.error();
     }
-    auto opened = AudioDecoder::open(file, header->zero_rate_at);
+    auto opened = AudioDecoder::open(file, header->patches);
     if (!opened) {
         return opened.error();
     }
@@ -148,7 +148,7 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
     if (const Status status = check_channels(*file, info.channels, options); !status) {
         return status.error();
     }
-    const SampleRate own{header->zero_rate_at ? 0.0 : static_cast<double>(info.samplerate),
+    const SampleRate own{header->rate_is_zero ? 0.0 : static_cast<double>(info.samplerate),
                          RateOrigin::file};
     const auto rate = choose_rate(*file, own, options);
     if (!rate) {
@@ -180,7 +180,7 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
              extent->present,
              extent->promised - extent->present});
     }
-    recording.source = std::make_shared<AudioSource>(file, header->zero_rate_at, info.channels,
+    recording.source = std::make_shared<AudioSource>(file, header->patches, info.channels,
                                                      extent->present, options);
     return recording;
 }

@@ -69,7 +69,7 @@ std::vector<double> column_values(std::span<const std::string> rows, const TextF
     std::vector<std::string_view> fields;
     for (const std::string& row : rows) {
         const int found = columns_of(row, {format.delimiter, format.decimal_comma}, fields);
-        if (found > column) {
+        if (found == format.columns) {
             values.push_back(
                 *parse_field(fields[static_cast<std::size_t>(column)], format.decimal_comma));
         }
@@ -85,8 +85,8 @@ std::vector<double> steps_of(const std::vector<double>& values) {
     return steps;
 }
 
-// Rises by steps of which nine in ten lie within a half of the median step: a clock with jitter,
-// gaps and perhaps an error that the reader will report, but no vibration.
+// Rises by steps of which nine in ten, or all but one, lie within a half of the median step: a
+// clock with jitter, gaps and perhaps an error that the reader will report, but no vibration.
 bool rises_evenly(const std::vector<double>& values) {
     const std::vector<double> steps = steps_of(values);
     if (steps.size() < 2) {
@@ -95,10 +95,11 @@ bool rises_evenly(const std::vector<double>& values) {
     std::vector<double> sorted = steps;
     std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
     const double median = sorted[sorted.size() / 2];
-    const auto even = std::count_if(steps.begin(), steps.end(), [median](double step) {
-        return step >= 0.5 * median && step <= 1.5 * median;
+    const auto odd = std::count_if(steps.begin(), steps.end(), [median](double step) {
+        return !(step >= 0.5 * median && step <= 1.5 * median);
     });
-    return median > 0 && even * 10 >= static_cast<std::ptrdiff_t>(steps.size()) * 9;
+    const auto count = static_cast<std::ptrdiff_t>(steps.size());
+    return median > 0 && odd <= std::max<std::ptrdiff_t>(count / 10, count >= 4 ? 1 : 0);
 }
 
 bool is_whole(const std::vector<double>& values) {
@@ -116,9 +117,9 @@ void find_time(std::span<const std::string> rows, const std::vector<Channel>& co
         const std::vector<double> first = column_values(rows, format, 0);
         if (rises_evenly(first)) {
             const bool counts = is_whole(first) && time_unit(columns[0]).empty();
-            if (counts) {
+            if (counts && is_counter_name(columns[0].name)) {
                 format.counter_column = 0;
-            } else if (candidate < 0) {
+            } else if (!counts && candidate < 0) {
                 candidate = 0;
             }
         }

@@ -28,7 +28,8 @@ struct TextFormat {
 // Guesses the format from the first lines of a file: the separator and decimal sign under which
 // most of them are rows of numbers of the same length, at least two. Nothing where there is no such
 // row. Time is a column that is named so, or else the first of three or more if it rises evenly; a
-// column of whole numbers without a unit counts rows and is no time.
+// column of whole numbers without a unit and with no name, or one like "n", counts rows and is
+// neither time nor channel.
 std::optional<TextFormat> guess_text_format(std::span<const std::string> lines);
 
 // E.g. "text, 3 columns, semicolon, decimal comma".

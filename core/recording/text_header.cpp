@@ -40,6 +40,10 @@ constexpr std::array<std::string_view, 15> time_names = {
     "t",       "time",   "times",   "timestamp", "elapsed", "sec", "secs",   "second",
     "seconds", "x-axis", "x_value", "т",         "время",   "сек", "секунды"};
 
+constexpr std::array<std::string_view, 15> counter_names = {
+    "",      "#",      "n",       "i",     "k",   "no",    "no.",  "№",
+    "index", "sample", "samples", "frame", "row", "count", "номер"};
+
 constexpr std::array<std::string_view, 13> other_units = {
     "v", "mv", "uv", "в", "мв", "мкв", "volt", "volts", "a", "ma", "counts", "lsb", "g"};
 
@@ -145,6 +149,11 @@ bool is_time_name(std::string_view name) {
     };
     return known(small) || (stem.size() + 1 < small.size() && known(stem) &&
                             seconds_per(small.substr(stem.size() + 1)));
+}
+
+bool is_counter_name(std::string_view name) {
+    const std::string small = lower(name);
+    return std::find(counter_names.begin(), counter_names.end(), small) != counter_names.end();
 }
 
 std::optional<double> seconds_per(std::string_view unit) {

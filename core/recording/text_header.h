@@ -26,6 +26,9 @@ Channel name_and_unit(std::string_view field);
 // Whether a column of this name is the time: t, time, sec, "t_ms", "Время", ...
 bool is_time_name(std::string_view name);
 
+// Whether a column of this name may number the rows: it has no name, or n, i, #, No, index, ...
+bool is_counter_name(std::string_view name);
+
 // Seconds per unit of time ("ms", "us", "мкс", ...), or nothing where it is none.
 std::optional<double> seconds_per(std::string_view unit);
 
