@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/analysis/analyse.h"
+#include "core/recording/envelope.h"
+#include "core/recording/open_recording.h"
+#include "core/track/events.h"
+#include "core/track/track_summary.h"
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <stop_token>
+
+namespace vybeg::ui {
+
+// What an analysis gives the window: the track, what one line says about it, and its events. Made
+// in the background, so that nothing is left to compute where the window draws.
+struct AnalysisOutcome {
+    std::shared_ptr<const Analysis> analysis;
+    TrackSummary summary;
+    std::vector<Event> events;
+};
+
+// The only file with threads. Every job works in the background on values and returns its result by
+// value to the thread of this object; `done` is called there. Jobs are told apart by kind and key:
+// a new job of the same kind and key stops the one before it, and whatever that still delivers is
+// dropped by its generation number. Analyses run one after the other, each on all processors;
+// everything else runs beside them.
+class AnalysisJob : public QObject {
+    Q_OBJECT
+
+public:
+    explicit AnalysisJob(QObject* parent = nullptr);
+    // Stops every job and waits until the last has heard it.
+    ~AnalysisJob() override;
+
+    void open(int key, const QString& path, const OpenOptions& options,
+              std::function<void(Result<Recording>)> done);
+    void buildEnvelope(int key, const Recording& recording,
+                       std::function<void(Result<std::shared_ptr<const Envelope>>)> done);
+    void hash(int key, const QString& path, std::function<void(Result<std::string>)> done);
+    void findCarrier(int key, const Recording& recording, const Settings& settings,
+                     std::function<void(Result<double>)> done);
+    void analyse(int key, const Recording& recording, const Settings& settings,
+                 std::function<void(Result<AnalysisOutcome>)> done);
+
+    // Writes the track CSV of INTERFACE.md; hashes the recording first.
+    void writeTrack(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
+                    const QString& program, const QString& path, std::function<void(Status)> done);
+
+    // Stops all jobs about a key without a result.
+    void forget(int key);
+    // Stops all analyses; each delivers ErrorCode::interrupted.
+    void cancelAnalyses();
+
+signals:
+    // 0..1 of the analysis with that key.
+    void analysisProgress(int key, double fraction);
+    // The analysis with that key has begun to compute.
+    void analysisStarted(int key);
+
+private:
+    enum class Kind { open, envelope, hash, carrier, analysis, write };
+    struct Task {
+        quint64 generation = 0;
+        std::stop_source stop;
+    };
+    using TaskId = std::pair<Kind, int>;
+
+    template <class Value>
+    void start(QThreadPool& pool, TaskId id, std::function<Result<Value>(std::stop_token)> work,
+               std::function<void(Result<Value>)> done);
+    JobControl reporting(int key, std::stop_token stop);
+
+    quint64 generation_ = 0;
+    std::map<TaskId, Task> tasks_;
+    QThreadPool analyses_;
+    QThreadPool others_;
+};
+
+}  // namespace vybeg::ui

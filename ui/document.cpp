@@ -1,0 +1,284 @@
+#include "ui/document.h"
+
+#include "ui/error_text.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+// One change of the settings.
+class SettingsCommand : public QUndoCommand {
+public:
+    SettingsCommand(Document& document, Settings after, int gesture)
+        : document_(document),
+          before_(document.settings_),
+          after_(std::move(after)),
+          gesture_(gesture) {}
+
+    void undo() override { document_.apply(before_); }
+    void redo() override { document_.apply(after_); }
+    int id() const override { return gesture_; }
+    bool mergeWith(const QUndoCommand* other) override {
+        after_ = static_cast<const SettingsCommand*>(other)->after_;
+        return true;
+    }
+
+private:
+    Document& document_;
+    Settings before_;
+    Settings after_;
+    int gesture_;
+};
+
+Document::Document(QObject* parent) : QObject(parent) {
+    undo_.setUndoLimit(200);
+    connect(&job_, &AnalysisJob::analysisProgress, this, [this](int key, double fraction) {
+        if (requests_.contains(key)) {
+            fraction_ = fraction;
+            emit progressChanged();
+        }
+    });
+    connect(&job_, &AnalysisJob::analysisStarted, this, [this] {
+        fraction_ = 0;
+        emit progressChanged();
+    });
+}
+
+RecordingEntry* Document::find(int id) {
+    const auto found = std::ranges::find(recordings_, id, &RecordingEntry::id);
+    return found == recordings_.end() ? nullptr : &*found;
+}
+
+const RecordingEntry* Document::recording(int id) const {
+    const auto found = std::ranges::find(recordings_, id, &RecordingEntry::id);
+    return found == recordings_.end() ? nullptr : &*found;
+}
+
+const RunEntry* Document::run(int id) const {
+    const auto found =
+        std::ranges::find_if(runs_, [id](const RunEntry& entry) { return entry.run.id == id; });
+    return found == runs_.end() ? nullptr : &*found;
+}
+
+void Document::reportError(const Error& error) {
+    emit reported({Severity::error, [error] { return errorText(error); }, {}, {}});
+}
+
+void Document::open(const QStringList& paths, const OpenOptions& options) {
+    for (const QString& path : paths) {
+        const int id = ++last_id_;
+        RecordingEntry entry;
+        entry.id = id;
+        entry.path = path;
+        entry.name = QFileInfo(path).fileName();
+        entry.options = options;
+        recordings_.push_back(std::move(entry));
+        job_.open(id, path, options,
+                  [this, id](Result<Recording> result) { whenOpened(id, std::move(result)); });
+    }
+    if (!paths.isEmpty()) {
+        emit recordingsChanged();
+    }
+}
+
+void Document::reopen(int id, const OpenOptions& options) {
+    RecordingEntry* entry = find(id);
+    if (!entry) {
+        return;
+    }
+    const QString path = entry->path;
+    closeRecording(id);
+    open({path}, options);
+}
+
+void Document::whenOpened(int id, Result<Recording> result) {
+    RecordingEntry* entry = find(id);
+    if (!entry) {
+        return;
+    }
+    if (!result) {
+        const Error error = result.error();
+        Message message{Severity::error, [error] { return errorText(error); }, {}, {}};
+        if (error.code == ErrorCode::rate_unknown || error.code == ErrorCode::format_unknown ||
+            error.code == ErrorCode::channel_out_of_range ||
+            error.code == ErrorCode::setting_invalid) {
+            message.reopen_path = entry->path;
+            message.reopen_options = entry->options;
+        }
+        closeRecording(id);
+        emit reported(message);
+        return;
+    }
+    entry->recording = std::move(*result);
+    const QString path = entry->path;
+    job_.hash(id, path, [this, id](Result<std::string> hash) {
+        RecordingEntry* hashed = find(id);
+        if (hashed && hash) {
+            hashed->sha256 = QString::fromStdString(*hash);
+            emit recordingChanged(id);
+        }
+    });
+    job_.buildEnvelope(id, *entry->recording,
+                       [this, id](Result<std::shared_ptr<const Envelope>> envelope) {
+                           RecordingEntry* drawn = find(id);
+                           if (!drawn) {
+                               return;
+                           }
+                           if (envelope) {
+                               drawn->envelope = *envelope;
+                               emit recordingChanged(id);
+                           } else {
+                               reportError(envelope.error());
+                           }
+                       });
+    searchCarrier(id);
+    for (const Diagnostic& diagnostic : entry->recording->diagnostics) {
+        if (diagnostic.kind != DiagnosticKind::text_lines_ignored) {
+            emit reported({Severity::warning,
+                           [name = entry->name, diagnostic] {
+                               return QStringLiteral("%1: %2").arg(name,
+                                                                   diagnosticText(diagnostic));
+                           },
+                           {},
+                           {}});
+        }
+    }
+    setCurrentRecording(id);
+    emit recordingChanged(id);
+    emit opened(path);
+    ask(id, settings_, 0);
+}
+
+void Document::closeRecording(int id) {
+    const bool was_current = current_ == id;
+    job_.forget(id);
+    std::vector<int> keys;
+    for (const auto& [key, request] : requests_) {
+        if (request.recording_id == id) {
+            keys.push_back(key);
+        }
+    }
+    for (const int key : keys) {
+        job_.forget(key);
+        requestDone(key);
+    }
+    std::erase_if(recordings_, [id](const RecordingEntry& entry) { return entry.id == id; });
+    const auto gone =
+        std::erase_if(runs_, [id](const RunEntry& entry) { return entry.recording_id == id; });
+    if (was_current) {
+        current_ = recordings_.empty() ? 0 : recordings_.back().id;
+    }
+    emit recordingsChanged();
+    if (was_current) {
+        emit currentRecordingChanged();
+        emit carrierChanged();
+    }
+    if (gone > 0) {
+        emit runsChanged();
+    }
+}
+
+void Document::setCurrentRecording(int id) {
+    if (id != current_ && recording(id)) {
+        current_ = id;
+        emit currentRecordingChanged();
+        emit carrierChanged();
+    }
+}
+
+void Document::searchCarrier(int id) {
+    RecordingEntry* entry = find(id);
+    entry->f0_hz.reset();
+    job_.findCarrier(id, *entry->recording, settings_, [this, id](Result<double> f0) {
+        RecordingEntry* searched = find(id);
+        if (searched && f0) {
+            searched->f0_hz = *f0;
+            emit recordingChanged(id);
+            if (id == current_) {
+                emit carrierChanged();
+            }
+        }
+    });
+}
+
+std::optional<double> Document::carrier() const {
+    if (settings_.f0_hz) {
+        return settings_.f0_hz;
+    }
+    const RecordingEntry* entry = currentRecording();
+    return entry ? entry->f0_hz : std::nullopt;
+}
+
+void Document::setSettings(const Settings& settings, int gesture) {
+    if (!(settings == settings_)) {
+        undo_.push(new SettingsCommand(*this, settings, gesture));
+    }
+}
+
+void Document::startWith(const Settings& settings) {
+    undo_.clear();
+    apply(settings);
+}
+
+void Document::apply(const Settings& settings) {
+    const Settings before = std::exchange(settings_, settings);
+    emit settingsChanged();
+    const bool search_differs = before.band != settings.band || before.filter != settings.filter ||
+                                before.from_s != settings.from_s || before.to_s != settings.to_s ||
+                                before.f0_hz != settings.f0_hz;
+    if (search_differs) {
+        for (const RecordingEntry& entry : recordings_) {
+            if (entry.recording && !settings_.f0_hz) {
+                searchCarrier(entry.id);
+            }
+        }
+        emit carrierChanged();
+    }
+}
+
+std::vector<Run> Document::plottedRuns() const {
+    std::vector<Run> plotted;
+    plotted.reserve(runs_.size());
+    for (const RunEntry& entry : runs_) {
+        plotted.push_back(entry.run);
+    }
+    return plotted;
+}
+
+void Document::setRunVisible(int id, bool visible) {
+    for (RunEntry& entry : runs_) {
+        if (entry.run.id == id && entry.run.visible != visible) {
+            entry.run.visible = visible;
+            emit runsChanged();
+        }
+    }
+}
+
+void Document::renameRun(int id, const QString& name) {
+    for (RunEntry& entry : runs_) {
+        if (entry.run.id == id && entry.run.name != name && !name.trimmed().isEmpty()) {
+            entry.run.name = name.trimmed();
+            emit runsChanged();
+        }
+    }
+}
+
+void Document::removeRun(int id) {
+    if (std::erase_if(runs_, [id](const RunEntry& entry) { return entry.run.id == id; }) > 0) {
+        emit runsChanged();
+    }
+}
+
+void Document::exportTrack(int id, const QString& path, std::function<void(const Status&)> done) {
+    const RunEntry* entry = run(id);
+    if (entry) {
+        job_.writeTrack(id, *recording(entry->recording_id)->recording, entry->run.analysis,
+                        QStringLiteral("vybeg ") + QCoreApplication::applicationVersion(), path,
+                        std::move(done));
+    }
+}
+
+}  // namespace vybeg::ui

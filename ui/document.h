@@ -1,0 +1,152 @@
+#pragma once
+
+#include "ui/analysis_job.h"
+#include "ui/run.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QStringList>
+#include <QUndoStack>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vybeg::ui {
+
+// A recording in the window's list. `recording` is empty while the file is being opened.
+struct RecordingEntry {
+    int id = 0;
+    QString path;
+    QString name;
+    OpenOptions options;
+    std::optional<Recording> recording;
+    std::optional<double> f0_hz;  // once the search has found it
+    QString sha256;               // once it is computed
+    std::shared_ptr<const Envelope> envelope;
+};
+
+// A run, where it comes from, and what was made of it in the background.
+struct RunEntry {
+    Run run;
+    int recording_id = 0;
+    Settings requested;  // as asked for; run.analysis->settings is as used
+    TrackSummary summary;
+    std::vector<Event> events;
+};
+
+enum class Severity { info, warning, error };
+
+// What the window tells the engineer. The text is a function, so that a change of language reaches
+// what is already on the screen.
+struct Message {
+    Severity severity = Severity::info;
+    std::function<QString()> text;
+    // A file that could be opened if the engineer said how (rate, channels, raw layout).
+    QString reopen_path;
+    OpenOptions reopen_options;
+};
+
+// Open recordings, the settings being edited, and the runs: the only source of change signals in
+// the window. Widgets change it through these functions and listen; nobody else holds state.
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Document(QObject* parent = nullptr);
+
+    // Recordings. Each is analysed with the current settings as soon as it is open.
+    void open(const QStringList& paths, const OpenOptions& options = {});
+    void reopen(int id, const OpenOptions& options);
+    void closeRecording(int id);  // its runs go with it
+    void setCurrentRecording(int id);
+    const std::vector<RecordingEntry>& recordings() const { return recordings_; }
+    const RecordingEntry* recording(int id) const;
+    const RecordingEntry* currentRecording() const { return recording(current_); }
+
+    // Settings, with undo and redo. Changes with the same gesture (>= 0) in a row, a drag, are one
+    // step.
+    const Settings& settings() const { return settings_; }
+    void setSettings(const Settings& settings, int gesture = -1);
+    // What the program was started with: no undo step.
+    void startWith(const Settings& settings);
+    QUndoStack& undoStack() { return undo_; }
+    // The carrier that windows are counted in: typed, else found in the current recording.
+    std::optional<double> carrier() const;
+
+    // Analyses, in the background.
+    void analyse();
+    void rerun(int run_id);
+    // One run of the current recording per window length; comparisonReady() when all are done.
+    void compareWindows(const std::vector<std::int64_t>& lengths);
+    void cancel();
+    bool busy() const { return !requests_.empty(); }
+    double progress() const;
+    std::optional<double> secondsLeft() const;
+
+    // Runs.
+    const std::vector<RunEntry>& runs() const { return runs_; }
+    const RunEntry* run(int id) const;
+    std::vector<Run> plottedRuns() const;
+    void setRunVisible(int id, bool visible);
+    void renameRun(int id, const QString& name);
+    void removeRun(int id);
+    // Track CSV in the background; `done` hears how it went.
+    void exportTrack(int id, const QString& path, std::function<void(const Status&)> done);
+
+    void report(const Message& message) { emit reported(message); }
+    void reportError(const Error& error);
+
+signals:
+    void recordingsChanged();       // the list
+    void recordingChanged(int id);  // something became known about one
+    void currentRecordingChanged();
+    void settingsChanged();
+    void carrierChanged();
+    void runsChanged();
+    void runAdded(int id);
+    void busyChanged();
+    void progressChanged();
+    void finished(int run_id, double seconds);
+    void opened(const QString& path);
+    void comparisonReady(const QList<int>& run_ids);
+    void reported(const Message& message);
+
+private:
+    struct Request {
+        int recording_id = 0;
+        Settings settings;
+        int batch = 0;  // 0: a run of its own
+    };
+
+    RecordingEntry* find(int id);
+    void whenOpened(int id, Result<Recording> result);
+    void searchCarrier(int id);
+    void ask(int recording_id, const Settings& settings, int batch);
+    void whenAnalysed(int key, Result<AnalysisOutcome> result);
+    int addRun(const Request& request, const AnalysisOutcome& outcome);
+    void apply(const Settings& settings);
+    void requestDone(int key);
+    QString freeName(const QString& wish) const;
+    int freeStyle() const;
+
+    AnalysisJob job_;
+    QUndoStack undo_;
+    std::vector<RecordingEntry> recordings_;
+    std::vector<RunEntry> runs_;
+    Settings settings_;
+    int current_ = 0;
+    int last_id_ = 0;
+    std::map<int, Request> requests_;  // by key, in the order of asking
+    std::map<int, QList<int>> batches_;
+    int requests_asked_ = 0;  // since the window was last idle
+    double fraction_ = 0;     // of the analysis that computes now
+    QElapsedTimer busy_since_;
+
+    friend class SettingsCommand;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,197 @@
+// The part of the document that asks for analyses and takes their runs in.
+#include "ui/document.h"
+#include "ui/theme.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+void Document::analyse() {
+    if (const RecordingEntry* entry = currentRecording(); entry && entry->recording) {
+        ask(entry->id, settings_, 0);
+    }
+}
+
+void Document::rerun(int run_id) {
+    const RunEntry* entry = run(run_id);
+    if (!entry) {
+        return;
+    }
+    const int recording_id = entry->recording_id;
+    const Settings requested = entry->requested;
+    setCurrentRecording(recording_id);
+    setSettings(requested);
+    ask(recording_id, requested, 0);
+}
+
+void Document::compareWindows(const std::vector<std::int64_t>& lengths) {
+    const RecordingEntry* entry = currentRecording();
+    if (!entry || !entry->recording || lengths.empty()) {
+        return;
+    }
+    const int id = entry->id;
+    const int batch = ++last_id_;
+    batches_[batch] = {};
+    for (const std::int64_t length : lengths) {
+        Settings settings = settings_;
+        settings.window = length;
+        settings.periods.reset();
+        settings.snap = false;
+        settings.hop = 0;
+        ask(id, settings, batch);
+    }
+}
+
+void Document::ask(int recording_id, const Settings& settings, int batch) {
+    if (batch == 0) {
+        // A new run of a recording takes the place of one that is still computing.
+        const auto older = std::ranges::find_if(requests_, [&](const auto& request) {
+            return request.second.recording_id == recording_id && request.second.batch == 0;
+        });
+        if (older != requests_.end()) {
+            job_.forget(older->first);
+            requests_.erase(older);
+            --requests_asked_;
+        }
+    }
+    const bool was_busy = busy();
+    if (!was_busy) {
+        requests_asked_ = 0;
+        fraction_ = 0;
+        busy_since_.start();
+    }
+    const int key = ++last_id_;
+    requests_[key] = {recording_id, settings, batch};
+    ++requests_asked_;
+    job_.analyse(
+        key, *recording(recording_id)->recording, settings,
+        [this, key](Result<AnalysisOutcome> result) { whenAnalysed(key, std::move(result)); });
+    emit busyChanged();
+}
+
+void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
+    const auto found = requests_.find(key);
+    if (found == requests_.end()) {
+        return;
+    }
+    const Request request = found->second;
+    if (result) {
+        const int id = addRun(request, *result);
+        if (request.batch != 0) {
+            batches_[request.batch].push_back(id);
+        }
+        emit finished(id, result->analysis->timing.estimate_s);
+    } else if (result.error().code != ErrorCode::interrupted) {
+        reportError(result.error());
+    }
+    requestDone(key);
+}
+
+void Document::requestDone(int key) {
+    const int batch = requests_[key].batch;
+    requests_.erase(key);
+    fraction_ = 0;
+    const bool batch_done =
+        batch != 0 && std::ranges::none_of(requests_, [batch](const auto& request) {
+            return request.second.batch == batch;
+        });
+    if (batch_done) {
+        const QList<int> ids = batches_[batch];
+        batches_.erase(batch);
+        if (!ids.isEmpty()) {
+            emit comparisonReady(ids);
+        }
+    }
+    emit busyChanged();
+}
+
+int Document::addRun(const Request& request, const AnalysisOutcome& outcome) {
+    const RecordingEntry& entry = *recording(request.recording_id);
+    RunEntry added;
+    added.recording_id = entry.id;
+    added.requested = request.settings;
+    added.summary = outcome.summary;
+    added.events = outcome.events;
+    const auto same = std::ranges::find_if(runs_, [&](const RunEntry& other) {
+        return other.recording_id == entry.id && other.requested == request.settings;
+    });
+    if (same != runs_.end()) {
+        added.run = same->run;
+        added.run.visible = true;
+    } else {
+        const RunStyle style = runStyle(freeStyle());
+        added.run.id = ++last_id_;
+        added.run.name = freeName(QStringLiteral("%1, n = %2")
+                                      .arg(QFileInfo(entry.path).completeBaseName())
+                                      .arg(outcome.analysis->plan.length));
+        added.run.recording = entry.name;
+        added.run.color = style.color;
+        added.run.dash = style.dash;
+        added.run.rate_hz = entry.recording->rate_hz;
+    }
+    added.run.seconds_taken = outcome.analysis->timing.estimate_s;
+    added.run.analysis = outcome.analysis;
+    const int id = added.run.id;
+    if (same != runs_.end()) {
+        *same = std::move(added);
+    } else {
+        runs_.push_back(std::move(added));
+    }
+    emit runsChanged();
+    emit runAdded(id);
+    return id;
+}
+
+QString Document::freeName(const QString& wish) const {
+    QString name = wish;
+    const auto taken = [&] {
+        return std::ranges::any_of(runs_,
+                                   [&](const RunEntry& entry) { return entry.run.name == name; });
+    };
+    for (int count = 2; taken(); ++count) {
+        name = QStringLiteral("%1 (%2)").arg(wish).arg(count);
+    }
+    return name;
+}
+
+int Document::freeStyle() const {
+    int index = 0;
+    const auto taken = [&](int candidate) {
+        const RunStyle style = runStyle(candidate);
+        return std::ranges::any_of(runs_, [&](const RunEntry& entry) {
+            return entry.run.color == style.color && entry.run.dash == style.dash;
+        });
+    };
+    // Styles repeat after a while; with more runs than styles the first free index is as good.
+    while (index < static_cast<int>(runs_.size()) && taken(index)) {
+        ++index;
+    }
+    return index;
+}
+
+void Document::cancel() {
+    batches_.clear();  // half a comparison is not shown
+    job_.cancelAnalyses();
+}
+
+double Document::progress() const {
+    if (requests_.empty()) {
+        return 1;
+    }
+    const double done = requests_asked_ - static_cast<double>(requests_.size());
+    return std::clamp((done + fraction_) / requests_asked_, 0.0, 1.0);
+}
+
+std::optional<double> Document::secondsLeft() const {
+    const double share = progress();
+    const double elapsed = static_cast<double>(busy_since_.elapsed()) / 1000;
+    // The first half second says too little about the rest.
+    if (!busy() || elapsed < 0.5 || share < 0.01) {
+        return std::nullopt;
+    }
+    return elapsed * (1 - share) / share;
+}
+
+}  // namespace vybeg::ui

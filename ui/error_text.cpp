@@ -1,0 +1,74 @@
+#include "ui/error_text.h"
+
+#include "core/base/messages.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <cstdlib>
+
+namespace vybeg::ui {
+
+namespace {
+
+QString filled(const char* text, const std::vector<std::string>& args) {
+    const QString translated = QCoreApplication::translate("Message", text);
+    return QString::fromStdString(fill_template(translated.toStdString(), args));
+}
+
+}  // namespace
+
+QString errorText(const Error& error) {
+    std::vector<std::string> args{error.where};
+    args.insert(args.end(), error.args.begin(), error.args.end());
+    return filled(message_template(error.code), args);
+}
+
+QString diagnosticText(const Diagnostic& diagnostic) {
+    return filled(message_template(diagnostic.kind), diagnostic.args);
+}
+
+QString flagsText(Flags flags) {
+    QStringList reasons;
+    const auto add = [&](Flag flag, const QString& text) {
+        if (has(flags, flag)) {
+            reasons << text;
+        }
+    };
+    add(Flag::no_quadrature, QCoreApplication::translate("Flag", "a_B is not estimated"));
+    add(Flag::circular, QCoreApplication::translate("Flag", "circular wave: no angle"));
+    add(Flag::gap, QCoreApplication::translate("Flag", "samples are missing"));
+    add(Flag::not_converged, QCoreApplication::translate("Flag", "not converged"));
+    add(Flag::at_bound, QCoreApplication::translate("Flag", "frequency at its bound"));
+    return reasons.join(QStringLiteral("; "));
+}
+
+QString eventText(const Event& event) {
+    const auto seconds = [&] { return QLocale().toString(event.seconds, 'g', 4); };
+    switch (event.kind) {
+        case EventKind::axis_crossing: {
+            const int k = event.multiple_of_half_pi;
+            const QString sign = k < 0 ? QStringLiteral("−") : QString();
+            const int halves = std::abs(k);
+            QString angle = QStringLiteral("0");
+            if (halves % 2 == 1) {
+                angle = halves == 1 ? sign + QStringLiteral("π/2")
+                                    : sign + QStringLiteral("%1π/2").arg(halves);
+            } else if (halves > 0) {
+                angle = halves == 2 ? sign + QStringLiteral("π")
+                                    : sign + QStringLiteral("%1π").arg(halves / 2);
+            }
+            return event.direction > 0
+                       ? QCoreApplication::translate("Event", "2θ_A passes %1, rising").arg(angle)
+                       : QCoreApplication::translate("Event", "2θ_A passes %1, falling").arg(angle);
+        }
+        case EventKind::gap:
+            return QCoreApplication::translate("Event", "Samples are missing, %1 s").arg(seconds());
+        case EventKind::not_converged:
+            return QCoreApplication::translate("Event", "Not converged, %1 s").arg(seconds());
+    }
+    return {};
+}
+
+}  // namespace vybeg::ui

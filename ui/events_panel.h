@@ -1,0 +1,38 @@
+#pragma once
+
+#include "ui/document.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTreeWidget;
+
+namespace vybeg::ui {
+
+// The events of one run in the order of time. Choosing one goes there.
+class EventsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit EventsPanel(Document& document, QWidget* parent = nullptr);
+
+    void setRun(int run_id);
+    int run() const { return run_id_; }
+
+signals:
+    void eventChosen(double time_s, double seconds);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+    void retranslate();
+
+    Document& document_;
+    QLabel* title_;
+    QTreeWidget* list_;
+    int run_id_ = 0;
+};
+
+}  // namespace vybeg::ui

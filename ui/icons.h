@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QIcon>
+#include <QString>
+
+class QPalette;
+
+namespace vybeg::ui {
+
+// An icon of resources/icons in the text colours of a palette, so that it reads on light and dark.
+QIcon themedIcon(const QString& name, const QPalette& palette);
+
+}  // namespace vybeg::ui

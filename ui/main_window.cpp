@@ -1,0 +1,260 @@
+#include "ui/main_window.h"
+
+#include "ui/compare_dialog.h"
+#include "ui/cursor_panel.h"
+#include "ui/error_text.h"
+#include "ui/events_panel.h"
+#include "ui/message_bar.h"
+#include "ui/recent_files.h"
+#include "ui/recording_panel.h"
+#include "ui/run_list.h"
+#include "ui/settings_panel.h"
+#include "ui/signal_view.h"
+#include "ui/track_view.h"
+#include "ui/welcome_page.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Edits of the analysed range closer together than this are one drag, and one step of undo.
+constexpr qint64 one_gesture_ms = 700;
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+    setObjectName(QStringLiteral("main_window"));
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    buildViews();
+    buildDocks();
+    buildStatusBar();
+    buildActions();
+    buildMenus();
+    buildToolBar();
+    connectDocument();
+    connectViews();
+    restoreState();
+    retranslate();
+    showCurrentRecording();
+    showRuns();
+    showProgress();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildViews() {
+    pages_ = new QStackedWidget(this);
+    welcome_ = new WelcomePage(pages_);
+    auto* plots = new QWidget(pages_);
+    signal_ = new SignalView(plots);
+    tracks_ = new TrackView(plots);
+    auto* layout = new QVBoxLayout(plots);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(signal_);
+    layout->addWidget(tracks_, 1);
+    pages_->addWidget(welcome_);
+    pages_->addWidget(plots);
+
+    messages_ = new MessageBar(this);
+    auto* center = new QWidget(this);
+    auto* column = new QVBoxLayout(center);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(messages_);
+    column->addWidget(pages_, 1);
+    setCentralWidget(center);
+}
+
+void MainWindow::buildDocks() {
+    recordings_ = new RecordingPanel(document_, this);
+    settings_ = new SettingsPanel(document_, this);
+    cursor_ = new CursorPanel(document_, this);
+    events_ = new EventsPanel(document_, this);
+    runs_ = new RunList(document_, this);
+    const auto dock = [this](QWidget* panel, const char* name, const char* title,
+                             Qt::DockWidgetArea area) {
+        auto* widget = new QDockWidget(this);
+        widget->setObjectName(QLatin1String(name));
+        widget->setWidget(panel);
+        addDockWidget(area, widget);
+        docks_[widget] = title;
+        return widget;
+    };
+    auto* recordings =
+        dock(recordings_, "recordings", QT_TR_NOOP("Recordings"), Qt::LeftDockWidgetArea);
+    auto* settings = dock(settings_, "analysis", QT_TR_NOOP("Analysis"), Qt::LeftDockWidgetArea);
+    auto* cursor = dock(cursor_, "cursor", QT_TR_NOOP("At the cursor"), Qt::RightDockWidgetArea);
+    auto* events = dock(events_, "events", QT_TR_NOOP("Events"), Qt::RightDockWidgetArea);
+    auto* runs = dock(runs_, "runs", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea);
+    tabifyDockWidget(cursor, events);
+    cursor->raise();
+    resizeDocks({recordings, settings}, {220, 480}, Qt::Vertical);
+    resizeDocks({settings, cursor}, {300, 250}, Qt::Horizontal);
+    resizeDocks({runs}, {130}, Qt::Vertical);
+}
+
+void MainWindow::buildStatusBar() {
+    status_ = new QLabel(this);
+    time_left_ = new QLabel(this);
+    progress_ = new QProgressBar(this);
+    progress_->setRange(0, 1000);
+    progress_->setFixedWidth(180);
+    progress_->setTextVisible(false);
+    cancel_ = new QPushButton(this);
+    cancel_->setObjectName(QStringLiteral("cancel"));
+    statusBar()->addWidget(status_, 1);
+    statusBar()->addPermanentWidget(time_left_);
+    statusBar()->addPermanentWidget(progress_);
+    statusBar()->addPermanentWidget(cancel_);
+    connect(cancel_, &QPushButton::clicked, &document_, &Document::cancel);
+}
+
+void MainWindow::connectDocument() {
+    connect(&document_, &Document::recordingsChanged, this, &MainWindow::showCurrentRecording);
+    connect(&document_, &Document::recordingChanged, this, &MainWindow::showCurrentRecording);
+    connect(&document_, &Document::currentRecordingChanged, this,
+            &MainWindow::showCurrentRecording);
+    connect(&document_, &Document::settingsChanged, this, &MainWindow::showCurrentRecording);
+    connect(&document_, &Document::runsChanged, this, &MainWindow::showRuns);
+    connect(&document_, &Document::busyChanged, this, &MainWindow::showProgress);
+    connect(&document_, &Document::progressChanged, this, &MainWindow::showProgress);
+    connect(&document_, &Document::opened, recent_, &RecentFiles::add);
+    connect(&document_, &Document::comparisonReady, this, &MainWindow::showComparison);
+    connect(&document_, &Document::reported, messages_, &MessageBar::add);
+    connect(&document_, &Document::finished, this, [this](int run_id, double seconds) {
+        const RunEntry* entry = document_.run(run_id);
+        const auto windows = static_cast<int>(entry->summary.windows);
+        status_text_ = [windows, seconds] {
+            return tr("%n window(s) in %1 s", nullptr, windows)
+                .arg(QLocale().toString(seconds, 'f', 2));
+        };
+        status_->setText(status_text_());
+    });
+}
+
+void MainWindow::connectViews() {
+    connect(welcome_, &WelcomePage::openWanted, this, &MainWindow::askForFiles);
+    connect(messages_, &MessageBar::reopenWanted, this, &MainWindow::askForOptions);
+    connect(recordings_, &RecordingPanel::reopenWanted, this, &MainWindow::askForOptions);
+    connect(settings_, &SettingsPanel::visibleRangeWanted, this, [this] {
+        const AxisRange range = tracks_->timeRange();
+        editAnalysedRange(range.lower, range.upper);
+    });
+    connect(signal_, &SignalView::visibleRangeEdited, this, [this](double from_s, double to_s) {
+        tracks_->setTimeRange({from_s, to_s});
+    });
+    connect(signal_, &SignalView::analysedRangeEdited, this, &MainWindow::editAnalysedRange);
+    connect(tracks_, &TrackView::timeRangeChanged, this, [this](double from_s, double to_s) {
+        signal_->setVisibleRange({from_s, to_s});
+    });
+    connect(tracks_, &TrackView::trackerMoved, this,
+            [this](double time_s) { cursor_->setTime(time_s); });
+    connect(tracks_, &TrackView::zoomHistoryChanged, this, &MainWindow::refreshActions);
+    connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
+    connect(events_, &EventsPanel::eventChosen, this, &MainWindow::goToEvent);
+}
+
+void MainWindow::showCurrentRecording() {
+    const RecordingEntry* entry = document_.currentRecording();
+    const bool any = !document_.recordings().empty();
+    pages_->setCurrentIndex(any ? 1 : 0);
+    QString title = QStringLiteral("Vybeg");
+    if (entry && entry->recording) {
+        const Recording& recording = *entry->recording;
+        title = entry->name + QStringLiteral(" — ") + title;
+        if (entry->envelope) {
+            signal_->setEnvelope(entry->envelope, recording.rate_hz);
+        } else {
+            signal_->setReading(recording.seconds());
+        }
+        const Settings& settings = document_.settings();
+        signal_->setAnalysedRange(
+            {settings.from_s.value_or(0), settings.to_s.value_or(recording.seconds())});
+        signal_->setVisibleRange(tracks_->timeRange());
+    } else {
+        signal_->clear();
+    }
+    setWindowTitle(title);
+    refreshActions();
+}
+
+void MainWindow::showRuns() {
+    tracks_->setRuns(document_.plottedRuns());
+    signal_->setVisibleRange(tracks_->timeRange());
+    showRun(runs_->currentRun());
+    refreshActions();
+}
+
+void MainWindow::showRun(int id) {
+    events_->setRun(id);
+    std::vector<double> crossings;
+    const RunEntry* entry = document_.run(id);
+    if (entry && entry->run.visible) {
+        for (const Event& event : entry->events) {
+            if (event.kind == EventKind::axis_crossing) {
+                crossings.push_back(event.time_s);
+            }
+        }
+    }
+    tracks_->setMarks(std::move(crossings));
+}
+
+void MainWindow::showProgress() {
+    const bool busy = document_.busy();
+    progress_->setVisible(busy);
+    cancel_->setVisible(busy);
+    time_left_->setVisible(busy);
+    progress_->setValue(static_cast<int>(1000 * document_.progress()));
+    const auto left = document_.secondsLeft();
+    time_left_->setText(left ? tr("%1 s left").arg(std::ceil(*left)) : QString());
+    if (busy) {
+        status_text_ = [] { return tr("Analysing…"); };
+        status_->setText(status_text_());
+    }
+    if (compare_) {
+        compare_->setBusy(busy);
+    }
+    refreshActions();
+}
+
+void MainWindow::editAnalysedRange(double from_s, double to_s) {
+    const RecordingEntry* entry = document_.currentRecording();
+    if (!entry || !entry->recording) {
+        return;
+    }
+    if (!last_range_edit_.isValid() || last_range_edit_.elapsed() > one_gesture_ms) {
+        ++range_gesture_;
+    }
+    last_range_edit_.start();
+    Settings settings = document_.settings();
+    settings.from_s = from_s > 0 ? std::optional(from_s) : std::nullopt;
+    settings.to_s = to_s < entry->recording->seconds() ? std::optional(to_s) : std::nullopt;
+    document_.setSettings(settings, range_gesture_);
+}
+
+void MainWindow::goToEvent(double time_s, double seconds) {
+    // The present zoom, centred on the event, and wide enough to see it from both sides.
+    const double span = std::max(tracks_->timeRange().span(), 3 * seconds);
+    const double middle = time_s + seconds / 2;
+    tracks_->setTimeRange({middle - span / 2, middle + span / 2});
+    tracks_->setTracker(time_s);
+    cursor_->setTime(time_s);
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,366 @@
+// Menus, tool bar, shortcuts and their texts.
+#include "ui/compare_dialog.h"
+#include "ui/cursor_panel.h"
+#include "ui/main_window.h"
+#include "ui/plot_export.h"
+#include "ui/recent_files.h"
+#include "ui/signal_view.h"
+#include "ui/track_view.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolBar>
+
+namespace vybeg::ui {
+
+namespace {
+
+struct CommandTexts {
+    const char* text;
+    const char* tip;
+};
+
+// In the order of Command.
+constexpr std::array<CommandTexts, static_cast<std::size_t>(Command::count)> command_texts{{
+    {QT_TRANSLATE_NOOP("Command", "&Open…"),
+     QT_TRANSLATE_NOOP("Command", "Open recordings of a free decay")},
+    {QT_TRANSLATE_NOOP("Command", "Open &with options…"),
+     QT_TRANSLATE_NOOP("Command",
+                       "Read the current recording with another rate or other channels")},
+    {QT_TRANSLATE_NOOP("Command", "&Close recording"),
+     QT_TRANSLATE_NOOP("Command", "Close the current recording and its runs")},
+    {QT_TRANSLATE_NOOP("Command", "&Export plots…"),
+     QT_TRANSLATE_NOOP("Command", "Save the plots as PNG, SVG or PDF")},
+    {QT_TRANSLATE_NOOP("Command", "Export &track…"),
+     QT_TRANSLATE_NOOP("Command", "Save the slow variables of the chosen run as CSV")},
+    {QT_TRANSLATE_NOOP("Command", "&Quit"), ""},
+    {QT_TRANSLATE_NOOP("Command", "&Undo"),
+     QT_TRANSLATE_NOOP("Command", "Take back the last change of the settings")},
+    {QT_TRANSLATE_NOOP("Command", "&Redo"),
+     QT_TRANSLATE_NOOP("Command", "Make the change of the settings again")},
+    {QT_TRANSLATE_NOOP("Command", "&Copy plots"),
+     QT_TRANSLATE_NOOP("Command", "The plots as an image to the clipboard")},
+    {QT_TRANSLATE_NOOP("Command", "Copy &table"),
+     QT_TRANSLATE_NOOP("Command", "The values at the cursor to the clipboard, for a spreadsheet")},
+    {QT_TRANSLATE_NOOP("Command", "Zoom &in"), ""},
+    {QT_TRANSLATE_NOOP("Command", "Zoom &out"), ""},
+    {QT_TRANSLATE_NOOP("Command", "&Fit"),
+     QT_TRANSLATE_NOOP("Command", "Show the whole time range (double click, Home)")},
+    {QT_TRANSLATE_NOOP("Command", "Zoom &back"),
+     QT_TRANSLATE_NOOP("Command", "Back in the zoom history (R)")},
+    {QT_TRANSLATE_NOOP("Command", "Zoom fo&rward"),
+     QT_TRANSLATE_NOOP("Command", "Forward in the zoom history")},
+    {QT_TRANSLATE_NOOP("Command", "One-&sigma bands"), ""},
+    {QT_TRANSLATE_NOOP("Command", "&Logarithmic working amplitude"), ""},
+    {QT_TRANSLATE_NOOP("Command", "&Run"),
+     QT_TRANSLATE_NOOP("Command", "Analyse the current recording with the settings of the panel")},
+    {QT_TRANSLATE_NOOP("Command", "&Cancel"),
+     QT_TRANSLATE_NOOP("Command", "Stop the analyses that are under way")},
+    {QT_TRANSLATE_NOOP("Command", "Compare &windows…"),
+     QT_TRANSLATE_NOOP("Command", "The article's figure: one column per window length")},
+    {QT_TRANSLATE_NOOP("Command", "&Help"),
+     QT_TRANSLATE_NOOP("Command", "How to use the program, the method and its formulas")},
+    {QT_TRANSLATE_NOOP("Command", "Copy &diagnostics"),
+     QT_TRANSLATE_NOOP("Command",
+                       "Versions and settings to the clipboard, for a report of a fault")},
+    {QT_TRANSLATE_NOOP("Command", "&About Vybeg"), ""},
+}};
+
+QList<QKeySequence> shortcutsOf(Command command) {
+    switch (command) {
+        case Command::open: return {QKeySequence::Open};
+        case Command::open_with: return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_O)};
+        case Command::close_recording: return {QKeyCombination(Qt::CTRL, Qt::Key_W)};
+        case Command::export_plots: return {QKeyCombination(Qt::CTRL, Qt::Key_E)};
+        case Command::export_track: return {QKeyCombination(Qt::CTRL, Qt::Key_S)};
+        case Command::quit: return {QKeyCombination(Qt::CTRL, Qt::Key_Q)};
+        case Command::undo: return {QKeyCombination(Qt::CTRL, Qt::Key_Z)};
+        case Command::redo:
+            return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_Z),
+                    QKeyCombination(Qt::CTRL, Qt::Key_Y)};
+        case Command::copy_plot: return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_C)};
+        case Command::copy_table: return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_T)};
+        case Command::zoom_fit: return {QKeyCombination(Qt::CTRL, Qt::Key_0)};
+        case Command::zoom_back: return {QKeyCombination(Qt::ALT, Qt::Key_Left)};
+        case Command::zoom_forward: return {QKeyCombination(Qt::ALT, Qt::Key_Right)};
+        case Command::run: return {QKeySequence(Qt::Key_F5)};
+        case Command::cancel: return {QKeyCombination(Qt::SHIFT, Qt::Key_F5)};
+        case Command::compare: return {QKeySequence(Qt::Key_F6)};
+        case Command::help: return {QKeySequence(Qt::Key_F1)};
+        default: return {};
+    }
+}
+
+}  // namespace
+
+void MainWindow::buildActions() {
+    for (std::size_t i = 0; i < actions_.size(); ++i) {
+        actions_[i] = new QAction(this);
+        actions_[i]->setShortcuts(shortcutsOf(static_cast<Command>(i)));
+    }
+    const auto on = [this](Command command, auto&& act) {
+        connect(action(command), &QAction::triggered, this, std::forward<decltype(act)>(act));
+    };
+    on(Command::open, [this] { askForFiles(); });
+    on(Command::open_with, [this] {
+        const RecordingEntry* entry = document_.currentRecording();
+        askForOptions(entry->path, entry->options);
+    });
+    on(Command::close_recording,
+       [this] { document_.closeRecording(document_.currentRecording()->id); });
+    on(Command::export_plots, [this] {
+        askWhereTo(tr("Export plots"), QStringLiteral("vybeg.png"),
+                   {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
+                   &MainWindow::exportPlotsTo);
+    });
+    on(Command::export_track, [this] {
+        askWhereTo(tr("Export track"), QStringLiteral("track.csv"), {tr("Track (*.csv)")},
+                   &MainWindow::exportTrackTo);
+    });
+    on(Command::quit, [this] { close(); });
+    on(Command::undo, [this] { document_.undoStack().undo(); });
+    on(Command::redo, [this] { document_.undoStack().redo(); });
+    on(Command::copy_plot, [this] { copyPlots(tracks_->content(), tracks_->size()); });
+    on(Command::copy_table, [this] { QApplication::clipboard()->setText(cursor_->tableText()); });
+    on(Command::zoom_in, [this] { tracks_->zoomIn(); });
+    on(Command::zoom_out, [this] { tracks_->zoomOut(); });
+    on(Command::zoom_fit, [this] { tracks_->fit(); });
+    on(Command::zoom_back, [this] { tracks_->zoomBack(); });
+    on(Command::zoom_forward, [this] { tracks_->zoomForward(); });
+    on(Command::run, [this] { document_.analyse(); });
+    on(Command::cancel, [this] { document_.cancel(); });
+    on(Command::compare, [this] { openCompare(); });
+    on(Command::help, [this] { showHelp(); });
+    on(Command::copy_diagnostics,
+       [this] { QApplication::clipboard()->setText(diagnosticsText()); });
+    on(Command::about, [this] { showAbout(); });
+    action(Command::quit)->setMenuRole(QAction::QuitRole);
+    action(Command::about)->setMenuRole(QAction::AboutRole);
+    connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::refreshActions);
+
+    for (const Command command : {Command::sigma_bands, Command::log_a_A}) {
+        action(command)->setCheckable(true);
+    }
+    action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
+    on(Command::sigma_bands, [this](bool on_now) {
+        changeUnits([on_now](DisplayUnits& units) { units.sigma_bands = on_now; });
+    });
+    on(Command::log_a_A, [this](bool on_now) {
+        changeUnits([on_now](DisplayUnits& units) { units.log_a_A = on_now; });
+    });
+}
+
+void MainWindow::changeUnits(const std::function<void(DisplayUnits&)>& change) {
+    DisplayUnits units = tracks_->units();
+    change(units);
+    tracks_->setUnits(units);
+    cursor_->setUnits(units);
+}
+
+QMenu* MainWindow::choiceMenu(QMenu* parent, const std::vector<const char*>& texts, int chosen,
+                              const std::function<void(int)>& choose) {
+    QMenu* menu = parent->addMenu(QString());
+    auto* group = new QActionGroup(menu);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        QAction* entry = menu->addAction(QString());
+        entry->setCheckable(true);
+        entry->setChecked(static_cast<int>(i) == chosen);
+        group->addAction(entry);
+        choices_.push_back({entry, texts[i]});
+        connect(entry, &QAction::triggered, this, [choose, i] { choose(static_cast<int>(i)); });
+    }
+    return menu;
+}
+
+void MainWindow::buildMenus() {
+    const auto top = [this](const char* title) {
+        QMenu* menu = menuBar()->addMenu(QString());
+        menu->setToolTipsVisible(true);
+        menus_[menu] = title;
+        return menu;
+    };
+    const auto add = [this](QMenu* menu, std::initializer_list<Command> commands) {
+        for (const Command command : commands) {
+            menu->addAction(action(command));
+        }
+    };
+    QMenu* file = top(QT_TR_NOOP("&File"));
+    add(file, {Command::open});
+    recent_ = new RecentFiles(this);
+    menus_[recent_] = QT_TR_NOOP("Open &recent");
+    file->addMenu(recent_);
+    connect(recent_, &RecentFiles::chosen, this,
+            [this](const QString& path) { document_.open({path}); });
+    add(file, {Command::open_with, Command::close_recording});
+    file->addSeparator();
+    add(file, {Command::export_plots, Command::export_track});
+    file->addSeparator();
+    add(file, {Command::quit});
+
+    QMenu* edit = top(QT_TR_NOOP("&Edit"));
+    add(edit, {Command::undo, Command::redo});
+    edit->addSeparator();
+    add(edit, {Command::copy_plot, Command::copy_table});
+
+    QMenu* view = top(QT_TR_NOOP("&View"));
+    add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
+               Command::zoom_forward});
+    view->addSeparator();
+    QMenu* variables = view->addMenu(QString());
+    menus_[variables] = QT_TR_NOOP("&Plots");
+    for (const SlowVariable variable : all_slow_variables) {
+        QAction* shown = variables->addAction(QString());
+        shown->setCheckable(true);
+        shown->setData(static_cast<int>(variable));
+        const auto& now = tracks_->shownVariables();
+        shown->setChecked(std::ranges::find(now, variable) != now.end());
+        choices_.push_back({shown, nullptr});
+        connect(shown, &QAction::triggered, this, [this, variables] {
+            std::vector<SlowVariable> wanted;
+            for (const QAction* each : variables->actions()) {
+                if (each->isChecked()) {
+                    wanted.push_back(static_cast<SlowVariable>(each->data().toInt()));
+                }
+            }
+            tracks_->setShownVariables(std::move(wanted));
+        });
+    }
+    menus_[choiceMenu(view,
+                      {QT_TR_NOOP("Hz"), QT_TR_NOOP("rad/s"), QT_TR_NOOP("Deviation from f₀, Hz"),
+                       QT_TR_NOOP("Deviation from f₀, ppm")},
+                      static_cast<int>(tracks_->units().frequency), [this](int unit) {
+                          changeUnits([unit](DisplayUnits& units) {
+                              units.frequency = static_cast<FrequencyUnit>(unit);
+                          });
+                      })] = QT_TR_NOOP("&Frequency in");
+    menus_[choiceMenu(view, {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")},
+                      static_cast<int>(tracks_->units().angle), [this](int unit) {
+                          changeUnits([unit](DisplayUnits& units) {
+                              units.angle = static_cast<AngleUnit>(unit);
+                          });
+                      })] = QT_TR_NOOP("&Angles in");
+    menus_[choiceMenu(
+        view, {QT_TR_NOOP("Recording units"), QT_TR_NOOP("Decibels")},
+        tracks_->units().amplitude == AmplitudeUnit::decibels ? 1 : 0, [this](int unit) {
+            changeUnits([unit](DisplayUnits& units) {
+                units.amplitude = unit == 1 ? AmplitudeUnit::decibels : AmplitudeUnit::recording;
+            });
+        })] = QT_TR_NOOP("A&mplitudes in");
+    add(view, {Command::log_a_A, Command::sigma_bands});
+    view->addSeparator();
+    QMenu* panels = view->addMenu(QString());
+    menus_[panels] = QT_TR_NOOP("Pa&nels");
+    for (const auto& [dock, title] : docks_) {
+        panels->addAction(dock->toggleViewAction());
+    }
+    menus_[choiceMenu(view, {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")},
+                      QSettings().value(QStringLiteral("theme"), 0).toInt(), [this](int mode) {
+                          setThemeMode(static_cast<ThemeMode>(mode));
+                      })] = QT_TR_NOOP("&Theme");
+    QMenu* language = view->addMenu(QString());
+    menus_[language] = QT_TR_NOOP("Lan&guage");
+    languages_ = new QActionGroup(this);
+    for (const auto& [code, name] : {std::pair{"en", "English"}, std::pair{"ru", "Русский"}}) {
+        // A language is named in itself, so that its speakers find it.
+        QAction* entry = language->addAction(QString::fromUtf8(name));
+        entry->setData(QString::fromLatin1(code));
+        entry->setCheckable(true);
+        languages_->addAction(entry);
+        connect(entry, &QAction::triggered, this,
+                [this, entry] { setLanguage(entry->data().toString()); });
+    }
+
+    QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
+    add(analysis, {Command::run, Command::cancel, Command::compare});
+    QMenu* help = top(QT_TR_NOOP("&Help"));
+    add(help, {Command::help, Command::copy_diagnostics, Command::about});
+}
+
+void MainWindow::buildToolBar() {
+    tools_ = addToolBar(QString());
+    tools_->setObjectName(QStringLiteral("tools"));
+    tools_->setMovable(false);
+    tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    tools_->setIconSize({20, 20});
+    for (const Command command :
+         {Command::open, Command::run, Command::compare, Command::export_plots}) {
+        tools_->addAction(action(command));
+    }
+    tools_->addSeparator();
+    for (const Command command : {Command::zoom_fit, Command::zoom_back}) {
+        tools_->addAction(action(command));
+    }
+    auto* gap = new QWidget(tools_);
+    gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    tools_->addWidget(gap);
+    for (QAction* language : languages_->actions()) {
+        tools_->addAction(language);
+    }
+}
+
+void MainWindow::refreshActions() {
+    const RecordingEntry* entry = document_.currentRecording();
+    const bool open = entry && entry->recording;
+    const auto enable = [this](std::initializer_list<Command> commands, bool enabled) {
+        for (const Command command : commands) {
+            action(command)->setEnabled(enabled);
+        }
+    };
+    const bool plots = !document_.runs().empty();
+    enable({Command::open_with, Command::close_recording, Command::run, Command::compare}, open);
+    enable({Command::export_plots, Command::export_track, Command::copy_plot, Command::copy_table,
+            Command::zoom_in, Command::zoom_out, Command::zoom_fit},
+           plots);
+    enable({Command::zoom_back}, tracks_->canZoomBack());
+    enable({Command::zoom_forward}, tracks_->canZoomForward());
+    enable({Command::undo}, document_.undoStack().canUndo());
+    enable({Command::redo}, document_.undoStack().canRedo());
+    enable({Command::cancel}, document_.busy());
+}
+
+void MainWindow::retranslate() {
+    for (std::size_t i = 0; i < actions_.size(); ++i) {
+        const CommandTexts& texts = command_texts[i];
+        QAction& command = *actions_[i];
+        command.setText(QCoreApplication::translate("Command", texts.text));
+        QString tip = *texts.tip ? QCoreApplication::translate("Command", texts.tip)
+                                 : command.text().remove(QLatin1Char('&'));
+        if (!command.shortcut().isEmpty()) {
+            tip +=
+                QStringLiteral(" (%1)").arg(command.shortcut().toString(QKeySequence::NativeText));
+        }
+        command.setToolTip(tip);
+    }
+    for (const auto& [menu, title] : menus_) {
+        menu->setTitle(tr(title));
+    }
+    for (const auto& [dock, title] : docks_) {
+        dock->setWindowTitle(tr(title));
+    }
+    for (const Choice& choice : choices_) {
+        if (choice.text) {
+            choice.action->setText(tr(choice.text));
+        } else {
+            const auto variable = static_cast<SlowVariable>(choice.action->data().toInt());
+            choice.action->setText(displayMeaning(variable));
+        }
+    }
+    tools_->setWindowTitle(tr("Tools"));
+    cancel_->setText(tr("Cancel"));
+    progress_->setAccessibleName(tr("Progress of the analysis"));
+    signal_->setAccessibleName(tr("Overview of the recording"));
+    if (status_text_) {
+        status_->setText(status_text_());
+    }
+    showProgress();
+}
+
+}  // namespace vybeg::ui

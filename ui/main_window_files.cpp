@@ -1,0 +1,207 @@
+// Everything that goes in or out: opening, dropping, exporting, and the windows beside the main
+// one.
+#include "ui/compare_dialog.h"
+#include "ui/error_text.h"
+#include "ui/help_view.h"
+#include "ui/main_window.h"
+#include "ui/open_options_dialog.h"
+#include "ui/plot_export.h"
+#include "ui/run_list.h"
+#include "ui/track_view.h"
+
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSysInfo>
+#include <QThread>
+#include <QVBoxLayout>
+#include <qcustomplot.h>
+
+namespace vybeg::ui {
+
+namespace {
+
+const QString folder_key = QStringLiteral("folder");
+
+QStringList localFiles(const QMimeData& data) {
+    QStringList files;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            files << url.toLocalFile();
+        }
+    }
+    return files;
+}
+
+}  // namespace
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!localFiles(*event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    document_.open(localFiles(*event->mimeData()));
+    event->acceptProposedAction();
+}
+
+void MainWindow::askForFiles() {
+    auto* dialog =
+        new QFileDialog(this, tr("Open recordings"), QSettings().value(folder_key).toString());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    dialog->setNameFilters(
+        {tr("Recordings (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf *.csv *.tsv *.txt *.dat)"),
+         tr("Audio (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf)"),
+         tr("Tables of numbers (*.csv *.tsv *.txt *.dat)"), tr("All files (*)")});
+    connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
+        QSettings().setValue(folder_key, QFileInfo(files.first()).absolutePath());
+        document_.open(files);
+    });
+    dialog->open();
+}
+
+void MainWindow::askForOptions(const QString& path, const OpenOptions& options) {
+    auto* dialog = new OpenOptionsDialog(path, options, this);
+    connect(dialog, &OpenOptionsDialog::chosen, this,
+            [this](const QString& file, const OpenOptions& chosen) {
+                const RecordingEntry* entry = document_.currentRecording();
+                if (entry && entry->path == file) {
+                    document_.reopen(entry->id, chosen);
+                } else {
+                    document_.open({file}, chosen);
+                }
+            });
+    dialog->open();
+}
+
+void MainWindow::askWhereTo(const QString& title, const QString& name, const QStringList& filters,
+                            void (MainWindow::*save)(const QString&)) {
+    auto* dialog = new QFileDialog(this, title, QSettings().value(folder_key).toString());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters(filters);
+    dialog->selectFile(name);
+    dialog->setDefaultSuffix(QFileInfo(name).suffix());
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.section(QStringLiteral("*."), 1).chopped(1));
+    });
+    connect(dialog, &QFileDialog::fileSelected, this, save);
+    dialog->open();
+}
+
+void MainWindow::told(const Status& status, const QString& path) {
+    if (status) {
+        document_.report({Severity::info, [path] { return tr("Written: %1").arg(path); }, {}, {}});
+    } else {
+        document_.reportError(status.error());
+    }
+}
+
+void MainWindow::exportPlotsTo(const QString& path) {
+    told(exportPlots(tracks_->content(), tracks_->size(), path), path);
+}
+
+void MainWindow::exportTrackTo(const QString& path) {
+    document_.exportTrack(runs_->currentRun(), path,
+                          [this, path](const Status& status) { told(status, path); });
+}
+
+void MainWindow::exportFigureTo(const QString& path) {
+    if (compare_) {
+        FigureOptions options;
+        options.units = tracks_->units();
+        told(renderFigure(compare_->columns(), path, options), path);
+    }
+}
+
+void MainWindow::openCompare() {
+    if (!compare_) {
+        compare_ = new CompareDialog(this);
+        connect(compare_, &CompareDialog::compareWanted, &document_, &Document::compareWindows);
+        connect(compare_, &CompareDialog::exportWanted, this, [this] {
+            askWhereTo(
+                tr("Export figure"), QStringLiteral("figure.pdf"),
+                {tr("PDF document (*.pdf)"), tr("SVG drawing (*.svg)"), tr("PNG image (*.png)")},
+                &MainWindow::exportFigureTo);
+        });
+    }
+    compare_->setBusy(document_.busy());
+    compare_->show();
+    compare_->raise();
+    compare_->activateWindow();
+}
+
+void MainWindow::showComparison(const QList<int>& run_ids) {
+    std::vector<FigureColumn> columns;
+    for (const int id : run_ids) {
+        if (const RunEntry* entry = document_.run(id)) {
+            columns.push_back(
+                {QStringLiteral("n = %1").arg(entry->run.analysis->plan.length), entry->run});
+        }
+    }
+    openCompare();
+    FigureOptions options;
+    options.units = tracks_->units();
+    compare_->showFigure(std::move(columns), options);
+}
+
+void MainWindow::showHelp() {
+    if (!help_) {
+        help_ = new HelpView(language_.code(), this);
+    }
+    help_->show();
+    help_->raise();
+    help_->activateWindow();
+}
+
+QString MainWindow::diagnosticsText() const {
+    // English whatever the interface's language: it is read by those who mend the program.
+    QStringList lines;
+    lines << QStringLiteral("Vybeg %1").arg(QCoreApplication::applicationVersion())
+          << QStringLiteral("Qt %1 (built with %2), platform %3")
+                 .arg(QLatin1String(qVersion()), QLatin1String(QT_VERSION_STR),
+                      QGuiApplication::platformName())
+          << QStringLiteral("QCustomPlot %1").arg(QLatin1String(QCUSTOMPLOT_VERSION_STR))
+          << QStringLiteral("%1, %2, %3 processors")
+                 .arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture())
+                 .arg(QThread::idealThreadCount())
+          << QStringLiteral("Language %1, theme %2, scale %3")
+                 .arg(language_.code(),
+                      theme_.dark ? QStringLiteral("dark") : QStringLiteral("light"))
+                 .arg(devicePixelRatioF())
+          << QStringLiteral("%1 recordings, %2 runs")
+                 .arg(document_.recordings().size())
+                 .arg(document_.runs().size());
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+void MainWindow::showAbout() {
+    auto* dialog = new QDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("About Vybeg"));
+    auto* text = new QLabel(
+        tr("<h3>Vybeg %1</h3><p>Standing waves in the free decay of hemispherical resonator "
+           "gyros.</p><p>Qt %2, QCustomPlot %3</p><p>Free software: GNU General Public License, "
+           "version 3 or later.</p>")
+            .arg(QCoreApplication::applicationVersion(), QLatin1String(qVersion()),
+                 QLatin1String(QCUSTOMPLOT_VERSION_STR)),
+        dialog);
+    text->setWordWrap(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+    QPushButton* copy = buttons->addButton(tr("Copy diagnostics"), QDialogButtonBox::ActionRole);
+    connect(copy, &QPushButton::clicked, action(Command::copy_diagnostics), &QAction::trigger);
+    connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    auto* layout = new QVBoxLayout(dialog);
+    layout->addWidget(text);
+    layout->addWidget(buttons);
+    dialog->open();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QLineEdit>
+
+#include <limits>
+#include <optional>
+
+namespace vybeg::ui {
+
+// A field for one number with its unit inside the frame. Takes a decimal point and a decimal comma,
+// whatever the language; shows the one of the interface's language. Empty means "no value", where
+// that is allowed. What cannot be a value is framed in red and never leaves the field; Escape
+// brings the last value back. Up and Down step.
+class NumberField : public QLineEdit {
+    Q_OBJECT
+
+public:
+    explicit NumberField(QWidget* parent = nullptr);
+
+    void setUnit(const QString& unit);
+    QString unit() const { return unit_; }
+    // Inclusive limits, in the unit of the field.
+    void setLimits(double lowest, double highest);
+    void setInteger(bool integer) { integer_ = integer; }
+    void setOptional(bool optional) { optional_ = optional; }
+    void setStep(double step) { step_ = step; }
+    // Significant digits shown.
+    void setDigits(int digits) { digits_ = digits; }
+
+    // Shows a value; emits nothing.
+    void setValue(std::optional<double> value);
+    std::optional<double> value() const { return value_; }
+    // Whether the text as it stands is acceptable.
+    bool isValid() const;
+
+    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override { return minimumSizeHint(); }
+
+signals:
+    // The user finished an edit that changed the value.
+    void valueEdited(std::optional<double> value);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Reading {
+        bool valid = false;
+        std::optional<double> value;
+    };
+    Reading read() const;
+    void commit();
+    void show();
+    int unitWidth() const;
+
+    QString unit_;
+    std::optional<double> value_;
+    double lowest_ = -std::numeric_limits<double>::max();
+    double highest_ = std::numeric_limits<double>::max();
+    double step_ = 1;
+    int digits_ = 10;
+    bool integer_ = false;
+    bool optional_ = false;
+};
+
+// The number in a text with a decimal point or comma, spaces and typographic minus allowed; nothing
+// where it is no finite number.
+std::optional<double> readNumber(QString text);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ui/document.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QAction;
+class QFormLayout;
+class QLabel;
+class QListWidget;
+
+namespace vybeg::ui {
+
+// The open recordings, and what is known of the current one.
+class RecordingPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RecordingPanel(Document& document, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override { return {310, 250}; }
+
+signals:
+    // The engineer wants to open the current recording in another way (rate, channels).
+    void reopenWanted(const QString& path, const OpenOptions& options);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    enum Row { file, format, rate, length, channels, start, carrier, sha256, notes, row_count };
+
+    void rebuildList();
+    void refreshInfo();
+    void retranslate();
+
+    Document& document_;
+    QListWidget* list_;
+    QAction* close_;
+    QAction* reopen_;
+    QFormLayout* info_;
+    std::vector<QLabel*> names_;
+    std::vector<QLabel*> values_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QString>
+#include <QStyledItemDelegate>
+
+namespace vybeg::ui {
+
+// The text as HTML with its indices set low ("2θ_A"), for labels.
+QString richText(const QString& text);
+
+// The same as a paragraph: tooltips of rich text break their lines, plain ones do not.
+QString richTip(const QString& text);
+
+// Draws the texts of a list or table with their indices set low.
+class IndexDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,171 @@
+#include "ui/settings_panel.h"
+
+#include "ui/document.h"
+#include "ui/rich_text.h"
+#include "ui/section.h"
+#include "ui/signal_fields.h"
+#include "ui/start_fields.h"
+#include "ui/window_fields.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace vybeg::ui {
+
+namespace {
+
+struct AlgorithmTexts {
+    Algorithm algorithm;
+    const char* name;
+    const char* tip;
+};
+
+constexpr std::array<AlgorithmTexts, 6> algorithms{{
+    {Algorithm::in_phase, QT_TRANSLATE_NOOP("Algorithm", "1 In phase"),
+     QT_TRANSLATE_NOOP("Algorithm",
+                       "(15)-(18): without the quadrature wave; a_B is not estimated. The starting "
+                       "point for the others.")},
+    {Algorithm::phase_shift, QT_TRANSLATE_NOOP("Algorithm", "2 Phase shift"),
+     QT_TRANSLATE_NOOP("Algorithm",
+                       "(19)-(24): phase difference of the pick-off signals, by a delay of a "
+                       "quarter of a period.")},
+    {Algorithm::moving_axes, QT_TRANSLATE_NOOP("Algorithm", "3 Moving axes"),
+     QT_TRANSLATE_NOOP("Algorithm",
+                       "(26)-(30): signals in the axes of the standing waves; gives the "
+                       "orthogonality of (30).")},
+    {Algorithm::demodulation, QT_TRANSLATE_NOOP("Algorithm", "4 Demodulation"),
+     QT_TRANSLATE_NOOP("Algorithm", "(31)-(33): synchronous averages at the carrier.")},
+    {Algorithm::conjugate_gradient, QT_TRANSLATE_NOOP("Algorithm", "5 Conjugate gradient"),
+     QT_TRANSLATE_NOOP("Algorithm",
+                       "Minimum of the functional F over all five parameters at once; any window "
+                       "above one period.")},
+    {Algorithm::maximum_likelihood, QT_TRANSLATE_NOOP("Algorithm", "6 Maximum likelihood"),
+     QT_TRANSLATE_NOOP("Algorithm",
+                       "The same minimum as 5 by the linear form (33), at a fraction of the cost; "
+                       "any window above one period.")},
+}};
+
+}  // namespace
+
+QString algorithmText(Algorithm algorithm) {
+    return QCoreApplication::translate("Algorithm",
+                                       algorithms[static_cast<std::size_t>(algorithm)].name);
+}
+
+SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document) {
+    auto* content = new QWidget;
+    sections_ = new QVBoxLayout(content);
+    sections_->setContentsMargins(2, 4, 2, 2);
+    sections_->setSpacing(4);
+
+    algorithm_ = new QComboBox(content);
+    algorithm_->setObjectName(QStringLiteral("algorithm"));
+    algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (const AlgorithmTexts& texts : algorithms) {
+        algorithm_->addItem({}, static_cast<int>(texts.algorithm));
+    }
+    algorithm_label_ = new QLabel(content);
+    algorithm_label_->setBuddy(algorithm_);
+    auto* form = new QFormLayout;
+    form->setContentsMargins(8, 0, 4, 4);
+    form->addRow(algorithm_label_, algorithm_);
+    sections_->addLayout(form);
+
+    add(new WindowFields(content), QT_TR_NOOP("Window"), true);
+    auto* range = new RangeFields(content);
+    add(range, QT_TR_NOOP("Range"), true);
+    add(new CarrierFields(content), QT_TR_NOOP("Carrier and filter"), true);
+    add(new StartFields(content), QT_TR_NOOP("Start values"), false);
+    add(new CalibrationFields(content), QT_TR_NOOP("Calibration"), false);
+    sections_->addStretch(1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    // The content never gets narrower than its fields: the panel grows instead of cutting them.
+    content->setMinimumWidth(0);
+
+    run_ = new QPushButton(this);
+    run_->setObjectName(QStringLiteral("run"));
+    run_->setDefault(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 4);
+    layout->addWidget(scroll, 1);
+    layout->addWidget(run_);
+
+    connect(algorithm_, &QComboBox::activated, this, [this](int index) {
+        Settings settings = document_.settings();
+        settings.algorithm = static_cast<Algorithm>(algorithm_->itemData(index).toInt());
+        document_.setSettings(settings);
+    });
+    connect(range, &RangeFields::visibleRangeWanted, this, &SettingsPanel::visibleRangeWanted);
+    connect(run_, &QPushButton::clicked, &document_, &Document::analyse);
+    connect(&document_, &Document::settingsChanged, this, &SettingsPanel::refresh);
+    connect(&document_, &Document::carrierChanged, this, &SettingsPanel::refresh);
+    connect(&document_, &Document::currentRecordingChanged, this, &SettingsPanel::refresh);
+    retranslate();
+}
+
+void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
+    auto* section = new Section(fields, sections_->parentWidget());
+    section->setOpen(open);
+    sections_->addWidget(section);
+    groups_.push_back({section, fields, title});
+    connect(fields, &SettingsFields::edited, this,
+            [this](const Settings& settings) { document_.setSettings(settings); });
+}
+
+void SettingsPanel::refresh() {
+    SettingsState state{document_.settings(), document_.carrier(), std::nullopt, std::nullopt};
+    const RecordingEntry* entry = document_.currentRecording();
+    if (entry && entry->recording) {
+        state.rate_hz = entry->recording->rate_hz;
+        state.seconds = entry->recording->seconds();
+    }
+    const auto algorithm = static_cast<int>(state.settings.algorithm);
+    algorithm_->setCurrentIndex(algorithm);
+    algorithm_->setToolTip(algorithm_->itemData(algorithm, Qt::ToolTipRole).toString());
+    for (const Group& group : groups_) {
+        group.fields->setState(state);
+    }
+    run_->setEnabled(state.rate_hz.has_value());
+}
+
+void SettingsPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void SettingsPanel::retranslate() {
+    algorithm_label_->setText(tr("Algorithm"));
+    algorithm_->setAccessibleName(tr("Algorithm"));
+    for (std::size_t i = 0; i < algorithms.size(); ++i) {
+        const int row = static_cast<int>(i);
+        algorithm_->setItemText(row, algorithmText(algorithms[i].algorithm));
+        algorithm_->setItemData(
+            row, richTip(QCoreApplication::translate("Algorithm", algorithms[i].tip)),
+            Qt::ToolTipRole);
+    }
+    for (const Group& group : groups_) {
+        group.section->setTitle(tr(group.title));
+    }
+    run_->setText(tr("Run"));
+    run_->setToolTip(tr("Analyse the current recording with these settings (F5)"));
+    refresh();
+}
+
+}  // namespace vybeg::ui

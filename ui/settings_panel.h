@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ui/settings_fields.h"
+
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace vybeg::ui {
+
+class Document;
+class Section;
+
+// The analysis panel: algorithm, window, start values, range, carrier and filter, calibration, and
+// the button that runs it. Every edit goes to the document, with undo.
+class SettingsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SettingsPanel(Document& document, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override { return {310, 420}; }
+
+signals:
+    void visibleRangeWanted();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Group {
+        Section* section;
+        SettingsFields* fields;
+        const char* title;
+    };
+
+    void add(SettingsFields* fields, const char* title, bool open);
+    void refresh();
+    void retranslate();
+
+    Document& document_;
+    QLabel* algorithm_label_;
+    QComboBox* algorithm_;
+    QPushButton* run_;
+    std::vector<Group> groups_;
+    class QVBoxLayout* sections_;
+};
+
+// The algorithm's name with its number, e.g. "4 Demodulation", in the interface's language.
+QString algorithmText(Algorithm algorithm);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "ui/settings_fields.h"
+
+class QCheckBox;
+class QPushButton;
+
+namespace vybeg::ui {
+
+// The part of the recording that is analysed.
+class RangeFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit RangeFields(QWidget* parent = nullptr);
+
+signals:
+    // The engineer wants the range that the plots show.
+    void visibleRangeWanted();
+
+protected:
+    void refresh() override;
+    void retranslate() override;
+
+private:
+    NumberField* from_;
+    NumberField* to_;
+    QPushButton* whole_;
+    QPushButton* visible_;
+};
+
+// The carrier, the band to look for it in, and the band-pass before everything.
+class CarrierFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit CarrierFields(QWidget* parent = nullptr);
+
+protected:
+    void refresh() override;
+    void retranslate() override;
+
+private:
+    void editBand(std::optional<Band> Settings::*band, const NumberField& low,
+                  const NumberField& high);
+
+    NumberField* f0_;
+    NumberField* band_low_;
+    NumberField* band_high_;
+    NumberField* filter_low_;
+    NumberField* filter_high_;
+};
+
+// What is known of the pick-offs.
+class CalibrationFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit CalibrationFields(QWidget* parent = nullptr);
+
+protected:
+    void refresh() override;
+    void retranslate() override;
+
+private:
+    void edit(double Calibration::*member, double value);
+
+    NumberField* kappa_;
+    NumberField* offset_c_;
+    NumberField* offset_d_;
+    QCheckBox* offset_auto_;
+    NumberField* delay_;
+    NumberField* angle_zero_;
+};
+
+}  // namespace vybeg::ui
