@@ -67,7 +67,8 @@ Result<Analysis> analyse(const Recording& recording, const Settings& settings,
     if (!plan) {
         return plan.error();
     }
-    const int threads = settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
+    const int cores = tbb::info::default_concurrency();
+    const int threads = settings.threads > 0 ? std::min(settings.threads, cores) : cores;
     Result<EstimatedTrack> estimated =
         estimate_track(*prepared, *plan, settings, recording.rate_hz, threads, job);
     if (!estimated) {
