@@ -63,15 +63,24 @@ Score score(std::span<const std::string> lines, const Dialect& dialect) {
     return best;
 }
 
+// The numbers of one column, also from rows that are wrong elsewhere; but not from a last line that
+// was cut off.
 std::vector<double> column_values(std::span<const std::string> rows, const TextFormat& format,
                                   int column) {
     std::vector<double> values;
     std::vector<std::string_view> fields;
+    const auto at = static_cast<std::size_t>(column);
     for (const std::string& row : rows) {
-        const int found = columns_of(row, {format.delimiter, format.decimal_comma}, fields);
-        if (found == format.columns) {
-            values.push_back(
-                *parse_field(fields[static_cast<std::size_t>(column)], format.decimal_comma));
+        if (is_comment(row, format.delimiter)) {
+            continue;
+        }
+        split_fields(row, format.delimiter, fields);
+        const bool whole = static_cast<int>(fields.size()) == format.columns;
+        if (fields.size() <= at || (!whole && &row == &rows.back())) {
+            continue;
+        }
+        if (const auto value = parse_field(fields[at], format.decimal_comma)) {
+            values.push_back(*value);
         }
     }
     return values;
