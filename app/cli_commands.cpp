@@ -184,6 +184,11 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
 }
 
 int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop) {
+    if (request.truth == request.output) {
+        return log.fail({ErrorCode::setting_invalid,
+                         "",
+                         {"--truth", request.truth, "the samples go there already"}});
+    }
     const Result<SampleFormat> format =
         request.output == "-" ? SampleFormat::csv : sample_format(request.output);
     if (!format) {
@@ -202,6 +207,9 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
         *output, *format,
         {samples->c, samples->d, request.decay.rate_hz, request.decay.bits, samples->full_scale},
         silent(stop));
+    if (written) {
+        written = output->flush();  // a full disk shows before the truth is put in place
+    }
     if (written && !request.truth.empty()) {
         Result<OutputFile> truth = open_output(request.truth, silent(stop));
         written = truth ? write_truth(*truth, request, *samples, pcm, silent(stop))

@@ -29,6 +29,7 @@ void add_log_options(CLI::App& app, LogOptions& options) {
 void add_input(CLI::App& app, std::string& input) {
     app.add_option("FILE", input,
                    "The recording: WAV, FLAC, AIFF, CSV, raw samples; recognised by content")
+        ->type_name("")
         ->required();
 }
 
