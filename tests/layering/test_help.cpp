@@ -1,6 +1,7 @@
 #include "core/base/messages.h"
 
 #include <QDir>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QtTest>
 
@@ -44,6 +45,25 @@ QString withoutTags(QString html) {
     return html.replace("&nbsp;", " ").simplified();
 }
 
+// The long options that a text names, without repetition, in alphabetical order.
+QStringList options(const QString& text) {
+    QStringList found = captures(text, "(?<![-\\w])(--[a-zA-Z][-\\w]*)");
+    found.removeDuplicates();
+    found.sort();
+    return found;
+}
+
+// The options that `vybeg-cli COMMAND --help` names, but for --help and --output, which is -o.
+QStringList optionsOf(const QString& command) {
+    QProcess program;
+    program.start(VYBEG_CLI, {command, "--help"});
+    program.waitForFinished();
+    QStringList found = options(QString::fromUtf8(program.readAllStandardOutput()));
+    found.removeOne("--help");
+    found.removeOne("--output");
+    return found;
+}
+
 void addPages() {
     QTest::addColumn<QString>("page");
     for (const QString& page : pages("en")) {
@@ -68,6 +88,7 @@ private slots:
     void allNineCorrectionsAreToldInBothLanguages_data();
     void allNineCorrectionsAreToldInBothLanguages();
     void everyQuotedMessageIsOneOfTheProgram();
+    void theOptionsAreThoseOfTheCommandLine();
 };
 
 void TestHelp::bothLanguagesHaveTheSamePages() {
@@ -199,6 +220,24 @@ void TestHelp::everyQuotedMessageIsOneOfTheProgram() {
                              }),
                  qPrintable(quote));
     }
+}
+
+void TestHelp::theOptionsAreThoseOfTheCommandLine() {
+    const QStringList analyze = optionsOf("analyze");
+    QVERIFY(analyze.contains("--algorithm"));
+    QStringList all = analyze + optionsOf("info") + optionsOf("simulate") +
+                      QStringList{"--figure", "--windows"};  // those of the desktop program
+    all.removeDuplicates();
+    all.sort();
+    for (const QString& language : languages) {
+        QCOMPARE(options(pageText(language + "/files.html")), all);
+    }
+    QFile readme(VYBEG_ROOT "/README.md");
+    QVERIFY(readme.open(QIODevice::ReadOnly));
+    const QString table =
+        captures(QString::fromUtf8(readme.readAll()), "\\| Option \\| Meaning \\|(.*?)\n\n")
+            .value(0);
+    QCOMPARE(options(table), analyze);
 }
 
 QTEST_GUILESS_MAIN(TestHelp)
