@@ -39,6 +39,9 @@ const char* iconName(Command command) {
 
 void MainWindow::restoreState() {
     const QSettings settings;
+    theme_mode_ = static_cast<ThemeMode>(settings.value(QStringLiteral("theme"), 0).toInt());
+    applyLook();
+    setLanguage(settings.value(QStringLiteral("language"), Language::ofTheSystem()).toString());
     resize(1400, 900);
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     QMainWindow::restoreState(settings.value(QStringLiteral("window/state")).toByteArray(),

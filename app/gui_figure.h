@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/analysis/settings.h"
+#include "core/recording/open_recording.h"
+
+#include <cstdint>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace vybeg::cli {
+
+// `vybeg FILE... --figure FIGURE [--windows 6,60]`: the stacked plots, one column per recording and
+// window length. Needs a QApplication, shows no window. Errors and warnings go to standard error;
+// returns the exit status of INTERFACE.md.
+struct FigureRequest {
+    std::vector<std::string> inputs;
+    std::string figure;                 // its ending chooses SVG, PDF or PNG
+    std::vector<std::int64_t> windows;  // empty: the window of the settings
+    OpenOptions open;
+    Settings settings;
+};
+
+int draw_figure(const FigureRequest& request, std::stop_token stop);
+
+}  // namespace vybeg::cli
