@@ -14,7 +14,7 @@ void PanelTicker::generate(const QCPRange& range, const QLocale&, QChar, int,
     TickRoom room;
     room.length = length_;
     if (orientation_ == Qt::Horizontal) {
-        room.spacing = 72;
+        room.spacing = 58;
         room.gap = 16;
         room.extent = [&](const QString& label) { return metrics.horizontalAdvance(label); };
     } else {

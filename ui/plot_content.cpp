@@ -11,7 +11,12 @@ std::optional<AxisRange> coveredTime(const std::vector<Run>& runs) {
             continue;
         }
         const auto times = run.analysis->track.time_s();
-        const AxisRange own{times.front(), times.back()};
+        // From the first window's first sample to the last one's last.
+        const double half =
+            run.rate_hz > 0
+                ? 0.5 * static_cast<double>(run.analysis->settings.window - 1) / run.rate_hz
+                : 0;
+        const AxisRange own{times.front() - half, times.back() + half};
         covered = covered ? AxisRange{std::min(covered->lower, own.lower),
                                       std::max(covered->upper, own.upper)}
                           : own;

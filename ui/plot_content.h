@@ -28,7 +28,8 @@ struct PlotContent {
     std::optional<TrendCurve> trend;
 };
 
-// All that the visible runs cover, first to last window; nothing without a visible window.
+// All that the visible runs cover, first to last sample of their windows; nothing without a visible
+// window.
 std::optional<AxisRange> coveredTime(const std::vector<Run>& runs);
 
 // What frequency deviations are counted from: the carrier of the first visible run, or 0.

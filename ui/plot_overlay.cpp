@@ -113,7 +113,7 @@ void PlotOverlay::drawHair(QCPPainter& painter, double time_s, const QColor& col
     for (const PlotPanel* panel : stack_->panels()) {
         painter.drawLine(QLineF(x, panel->rect().top(), x, panel->rect().bottom()));
     }
-    // A label at the foot for the tracker's time, a flag at the head for a cursor's name.
+    // The tracker's time, a cursor's name: they cover tick labels, never the curves.
     const QFont font = stack_->panels().front()->headFont();
     const QFontMetricsF metrics(font);
     const QString text = name.isEmpty() ? timeText(time_s) : name;
@@ -121,10 +121,7 @@ void PlotOverlay::drawHair(QCPPainter& painter, double time_s, const QColor& col
     const double left = std::clamp(x - 0.5 * width, double(top.left()),
                                    std::max(double(top.left()), top.right() - width));
     const double height = metrics.height() + 2;
-    // The tracker's time covers tick labels, never the curves; a flag sits in the lowest panel's
-    // foot, clear of the head line's readout.
-    const QRectF label(left, name.isEmpty() ? bottom.bottom() + 4 : bottom.bottom() - height - 4,
-                       width, height);
+    const QRectF label(left, bottom.bottom() + 4, width, height);
     painter.setAntialiasing(true);
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);

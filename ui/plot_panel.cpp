@@ -21,6 +21,7 @@ PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable)
       variable_(variable),
       time_ticker_(new PanelTicker(Qt::Horizontal)),
       value_ticker_(new PanelTicker(Qt::Vertical)) {
+    setLayer(QStringLiteral("background"));  // below the grid
     // A full frame; only left and bottom carry ticks.
     for (const auto type : {QCPAxis::atLeft, QCPAxis::atBottom, QCPAxis::atRight, QCPAxis::atTop}) {
         QCPAxis* side = addAxis(type);
@@ -28,11 +29,10 @@ PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable)
         side->grid()->setLayer(QStringLiteral("grid"));
         side->setSubTicks(false);
         side->setTickLengthIn(0);
-        if (type == QCPAxis::atRight || type == QCPAxis::atTop) {
-            side->setTicks(false);
-            side->setTickLabels(false);
-            side->grid()->setVisible(false);
-        }
+        const bool scale = type == QCPAxis::atLeft || type == QCPAxis::atBottom;
+        side->grid()->setVisible(scale);
+        side->setTicks(scale);
+        side->setTickLabels(scale);
     }
     timeAxis()->setTicker(time_ticker_);
     valueAxis()->setTicker(value_ticker_);
@@ -88,6 +88,11 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     value_ticker_->setSteps(degrees ? TickSteps::degrees : TickSteps::decimal);
     value_ticker_->setLogarithmic(scale.logarithmic);
     valueAxis()->setScaleType(scale.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    // Without a value there is no scale to show.
+    const bool any = std::any_of(graphs_.begin(), graphs_.end(),
+                                 [](const CrispGraph* graph) { return !graph->data().empty(); });
+    valueAxis()->setTickLabels(any);
+    valueAxis()->setTicks(any);
     setLook(theme_);
 }
 
@@ -109,7 +114,7 @@ void PlotPanel::setLook(const Theme& theme) {
         side->setTickLabelColor(theme.text);
         side->setTickLabelFont(tick_font_);
         side->grid()->setPen(QPen(theme.grid, 1));
-        side->grid()->setZeroLinePen(QPen(theme.axis, 1));
+        side->grid()->setZeroLinePen(QPen(theme.zeroLine, 1));
     }
     timeAxis()->grid()->setZeroLinePen(Qt::NoPen);
 }

@@ -9,6 +9,7 @@ namespace {
 constexpr double sample_length = 24;
 constexpr double sample_gap = 6;
 constexpr double entry_gap = 18;
+constexpr double least_name = 48;
 
 }  // namespace
 
@@ -55,30 +56,53 @@ double PlotStrip::width(const StripEntry& entry) const {
     return text + (entry.line ? sample_length + sample_gap : 0);
 }
 
+void PlotStrip::shorten(double available) {
+    const QFontMetricsF metrics(font_);
+    // All names may be equally long, as long as they are not all needed in full.
+    for (double most = available; most > least_name; most *= 0.9) {
+        double total = -entry_gap;
+        std::vector<StripEntry> shorter = entries_;
+        for (StripEntry& entry : shorter) {
+            if (entry.literal) {
+                entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, most);
+            }
+            total += width(entry) + entry_gap;
+        }
+        if (total <= available) {
+            shown_ = std::move(shorter);
+            return;
+        }
+    }
+    // Too many to be told apart by name: what has room.
+    shown_.clear();
+    double total = metrics.horizontalAdvance(QStringLiteral("…"));
+    for (StripEntry entry : entries_) {
+        if (entry.literal) {
+            entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, least_name);
+        }
+        total += width(entry) + entry_gap;
+        if (total > available) {
+            shown_.push_back({QStringLiteral("…"), true, false, {}, Qt::SolidLine});
+            return;
+        }
+        shown_.push_back(std::move(entry));
+    }
+}
+
 void PlotStrip::draw(QCPPainter* painter) {
     const QRect area = rect().adjusted(left_, above_, -right_, 0);
+    shorten(area.width());
     double total = -entry_gap;
-    for (const StripEntry& entry : entries_) {
+    for (const StripEntry& entry : shown_) {
         total += width(entry) + entry_gap;
     }
     double x = area.left();
-    if (total < area.width() && alignment_ == Qt::AlignHCenter) {
-        x += 0.5 * (area.width() - total);
-    } else if (total < area.width() && alignment_ == Qt::AlignRight) {
-        x += area.width() - total;
+    if (alignment_ == Qt::AlignHCenter) {
+        x += 0.5 * std::max(0., area.width() - total);
     }
     const QFontMetricsF metrics(font_);
     const double base = area.top() + 0.5 * (area.height() + metrics.ascent() - metrics.descent());
-    const double ellipsis = metrics.horizontalAdvance(QStringLiteral("…"));
-    for (const StripEntry& entry : entries_) {
-        const bool last = &entry == &entries_.back();
-        if (x + width(entry) + (last ? 0 : entry_gap + ellipsis) > area.right() + 1 &&
-            entries_.size() > 1) {
-            painter->setPen(text_);
-            painter->setFont(font_);
-            painter->drawText(QPointF(x, base), QStringLiteral("…"));
-            return;
-        }
+    for (const StripEntry& entry : shown_) {
         if (entry.line) {
             drawSample(*painter, {x, base - 0.33 * metrics.ascent()}, sample_length, entry.color,
                        entry.dash);

@@ -16,7 +16,8 @@ struct StripEntry {
 };
 
 // A row of texts of fixed height among the plots: the names of the runs, the title of a column, the
-// name of the time axis. Entries that have no room are left out behind an ellipsis.
+// name of the time axis. Literal texts are shortened to fit, entries
+// without room left out behind an ellipsis.
 class PlotStrip : public QCPLayoutElement {
     Q_OBJECT
 
@@ -34,8 +35,11 @@ protected:
 
 private:
     double width(const StripEntry& entry) const;
+    // Fills shown_: the entries with their names shortened to fit.
+    void shorten(double available);
 
     std::vector<StripEntry> entries_;
+    std::vector<StripEntry> shown_;
     Qt::Alignment alignment_ = Qt::AlignLeft;
     QFont font_;
     QColor text_;

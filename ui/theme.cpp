@@ -72,6 +72,7 @@ Theme lightTheme() {
     theme.panelBackground = QColor("#ffffff");
     theme.axis = QColor("#8a929b");
     theme.grid = QColor("#e6e9ec");
+    theme.zeroLine = QColor("#c3c9cf");
     theme.text = QColor("#1b1f24");
     theme.mutedText = QColor("#5c6570");
     theme.accent = QColor("#0a66b0");
@@ -92,7 +93,8 @@ Theme darkTheme() {
     theme.plotBackground = QColor("#1c1e21");
     theme.panelBackground = QColor("#1c1e21");
     theme.axis = QColor("#737b84");
-    theme.grid = QColor("#31353a");
+    theme.grid = QColor("#2b2f33");
+    theme.zeroLine = QColor("#4b5157");
     theme.text = QColor("#e2e5e9");
     theme.mutedText = QColor("#9aa3ac");
     theme.accent = QColor("#4a9fe3");
@@ -137,7 +139,8 @@ RunStyle runStyle(int index) {
 }
 
 QColor readable(const QColor& color, const Theme& theme) {
-    constexpr double enough = 3.2;
+    // Thin lines on black need more than on white.
+    const double enough = theme.dark ? 4.5 : 3.2;
     constexpr double step = 0.02;
     float hue = 0;
     float saturation = 0;

@@ -17,6 +17,7 @@ struct Theme {
     QColor panelBackground;  // inside the axes
     QColor axis;             // frame and ticks
     QColor grid;
+    QColor zeroLine;
     QColor text;
     QColor mutedText;
     QColor accent;   // handles, focus, the analysed range
@@ -47,7 +48,8 @@ Theme applyTheme(QApplication& app, ThemeMode mode);
 // Style of the index-th run of a document (any index >= 0): colours change fastest, then dashes.
 RunStyle runStyle(int index);
 
-// The run's colour moved in lightness until its contrast against the theme's panel is at least 3.2.
+// The run's colour moved in lightness until it is readable on the theme's panels: contrast 3.2
+// in the light, 4.5 in the dark theme.
 QColor readable(const QColor& color, const Theme& theme);
 
 // Contrast of two opaque colours after WCAG 2, 1 to 21.

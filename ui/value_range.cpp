@@ -6,6 +6,9 @@
 namespace vybeg::ui {
 namespace {
 
+// Of fewer columns than this none is called a spike.
+constexpr std::size_t too_few_to_judge = 20;
+
 // The value below which a share of the sorted-on-demand list lies.
 double quantile(std::vector<double> list, double share) {
     const auto index = static_cast<std::ptrdiff_t>(share * static_cast<double>(list.size() - 1));
@@ -18,7 +21,6 @@ double quantile(std::vector<double> list, double share) {
 AxisRange withoutSpikes(const std::vector<double>& lows, const std::vector<double>& highs) {
     const double low = *std::min_element(lows.begin(), lows.end());
     const double high = *std::max_element(highs.begin(), highs.end());
-    constexpr std::size_t too_few_to_judge = 20;
     if (lows.size() < too_few_to_judge) {
         return {low, high};
     }
@@ -69,7 +71,8 @@ std::optional<AxisRange> ValueRange::range(bool logarithmic) const {
     AxisRange range = withoutSpikes(lows_, highs_);
     if (!band_lows_.empty()) {
         // A band may double what the data need, and may always be three of its own widths high.
-        const AxisRange band{quantile(band_lows_, 0.05), quantile(band_highs_, 0.95)};
+        const double tail = band_lows_.size() < too_few_to_judge ? 0 : 0.05;
+        const AxisRange band{quantile(band_lows_, tail), quantile(band_highs_, 1 - tail)};
         const double width = quantile(band_highs_, 0.5) - quantile(band_lows_, 0.5);
         const double room = std::max(0.5 * range.span(), std::min(width, band.span()));
         range = {std::clamp(band.lower, range.lower - room, range.lower),
