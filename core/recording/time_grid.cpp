@@ -17,7 +17,7 @@ constexpr double even_tolerance = 1e-3;  // of a sample period
 constexpr std::size_t most_gaps_listed = 20;
 constexpr double most_frames_per_row = 20;  // a grid beyond this and the next is no recording
 constexpr double frames_always_allowed = 1e7;
-constexpr double grid_slack = 1e-6;  // of a step: a frame this near to a row is there
+constexpr double grid_slack = even_tolerance;  // a frame this near to a row is where the row is
 
 double median_step(std::span<const double> time) {
     std::vector<double> steps(time.size() - 1);
