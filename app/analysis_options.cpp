@@ -2,6 +2,7 @@
 
 #include "app/option_values.h"
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -12,6 +13,14 @@ int small_whole_value(const std::string& option, const std::string& text, int le
                       const std::string& allowed) {
     const std::int64_t number = whole_value(option, text);
     if (number < least || number > std::numeric_limits<int>::max()) {
+        reject(option, text, allowed);
+    }
+    return static_cast<int>(number);
+}
+
+int channel(const std::string& option, const std::string& text, double number,
+            const std::string& allowed) {
+    if (number < 1 || number > std::numeric_limits<int>::max() || number != std::floor(number)) {
         reject(option, text, allowed);
     }
     return static_cast<int>(number);
@@ -123,9 +132,9 @@ void add_open_options(CLI::App& app, OpenOptions& options) {
               "(default 1,2)",
               [&options](const auto& option, const auto& text) {
                   const std::string allowed = "it must be two channel numbers from 1, as in 1,2";
-                  const std::size_t comma = std::min(text.find(','), text.size() - 1);
-                  options.channel_c = small_whole_value(option, text.substr(0, comma), 1, allowed);
-                  options.channel_d = small_whole_value(option, text.substr(comma + 1), 1, allowed);
+                  const auto pair = list_value(option, text, 2, allowed);
+                  options.channel_c = channel(option, text, pair[0], allowed);
+                  options.channel_d = channel(option, text, pair[1], allowed);
               });
     add_value(app, "--raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]",
               [&options](const auto& option, const auto& text) {

@@ -33,8 +33,17 @@ void add_input(CLI::App& app, std::string& input) {
         ->required();
 }
 
-// One line of a sentence: CLI11 writes some without a full stop, some over several lines.
-std::string sentence(std::string text) {
+// What is wrong with the command line, as one sentence: CLI11's own words where they are clear.
+std::string sentence(const CLI::ParseError& error, std::span<char*> words) {
+    std::string text = error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        return text.substr(0, text.find(':')) + " needs a value.";
+    }
+    const bool without_command = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
+                                 text.starts_with("A subcommand");
+    if (without_command && words.size() > 1 && words[1][0] != '-') {
+        return "there is no subcommand \"" + std::string(words[1]) + "\".";
+    }
     std::ranges::replace(text, '\n', ' ');
     return text.ends_with('.') ? text : text + ".";
 }
@@ -88,10 +97,12 @@ int main(int argc, char** argv) {
             return app.exit(error);
         }
         // The parse has failed, and with it perhaps its knowledge of --json-log.
+        const std::span words(argv, static_cast<std::size_t>(argc));
         const bool json =
-            std::ranges::any_of(std::span(argv, static_cast<std::size_t>(argc)),
-                                [](std::string_view word) { return word == "--json-log"; });
-        return Log(json, false).fail_usage(sentence(error.what()));
+            std::ranges::find(words, std::string_view("--json-log"), [](const char* word) {
+                return std::string_view(word);
+            }) != words.end();
+        return Log(json, false).fail_usage(sentence(error, words));
     }
 
     Log log(log_options.json, log_options.quiet);

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QStringList>
+
+namespace vybeg::test {
+
+// What one run of vybeg-cli left behind.
+struct Outcome {
+    int status = -1;  // -1: it crashed or did not end within a minute
+    QByteArray out;
+    QByteArray err;
+
+    QList<QByteArray> err_lines() const {
+        QList<QByteArray> lines = err.split('\n');
+        lines.removeAll(QByteArray());
+        return lines;
+    }
+};
+
+inline Outcome run_program(const QString& program, const QStringList& arguments,
+                           const QString& folder) {
+    QProcess process;
+    process.setWorkingDirectory(folder);
+    process.start(program, arguments);
+    Outcome outcome;
+    if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit) {
+        outcome.status = process.exitCode();
+    }
+    outcome.out = process.readAllStandardOutput();
+    outcome.err = process.readAllStandardError();
+    return outcome;
+}
+
+// Runs the built vybeg-cli in a folder.
+inline Outcome run_cli(const QStringList& arguments, const QString& folder) {
+    return run_program(VYBEG_CLI, arguments, folder);
+}
+
+inline QByteArray content(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be opened)");
+}
+
+inline bool put(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+}
+
+inline QJsonObject object(const QByteArray& json) {
+    return QJsonDocument::fromJson(json).object();
+}
+
+}  // namespace vybeg::test

@@ -1,0 +1,250 @@
+// simulate -> analyze -> truth, and what else the program says on its way.
+//
+// Statistical model: an error divided by its own standard deviation has mean square
+// nu / (nu - 2) = 1.018, nu = 2 * 60 - 5 degrees of freedom in a window; over N independent windows
+// that mean has a deviation of about sqrt(2/N).
+#include "tests/app/cli_run.h"
+#include "tests/app/track_table.h"
+
+#include <QtTest>
+
+#include <numbers>
+
+using namespace vybeg::test;
+
+class TestCliRoundTrip : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir folder_;
+
+    Outcome run(const QStringList& arguments) { return run_cli(arguments, folder_.path()); }
+    QByteArray file(const QString& name) { return content(folder_.filePath(name)); }
+
+private slots:
+    void an_analysis_finds_the_truth_within_its_own_deviations_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QStringList>("simulate");
+        QTest::addColumn<QStringList>("analyze");
+        const QStringList none;
+        QTest::newRow("wav") << "d.wav" << none << none;
+        QTest::newRow("csv") << "d.csv" << none << none;
+        QTest::newRow("npy as raw")
+            << "d.npy" << none << QStringList{"--raw", "f64", "--skip", "128", "--rate", "33333"};
+        QTest::newRow("16 bits") << "d.wav" << QStringList{"--bits", "16"} << none;
+        QTest::newRow("calibrated")
+            << "d.wav" << QStringList{"--kappa", "1.1", "--offset", "0.2,-0.1"}
+            << QStringList{"--kappa", "1.1", "--offset", "0.2,-0.1"};
+        QTest::newRow("conjugate gradient")
+            << "d.wav" << none << QStringList{"--algorithm", "conjugate-gradient"};
+    }
+
+    void an_analysis_finds_the_truth_within_its_own_deviations() {
+        QFETCH(QString, name);
+        QFETCH(QStringList, simulate);
+        QFETCH(QStringList, analyze);
+        const Outcome simulated = run(
+            QStringList{"simulate", "--demo", "--seconds", "4", "-o", name, "--truth", "t.csv"} +
+            simulate);
+        QCOMPARE(simulated.err, QByteArray());
+        QCOMPARE(simulated.status, 0);
+        const Outcome analyzed = run(QStringList{"analyze", name, "-o", "a.csv"} + analyze);
+        QCOMPARE(analyzed.err, QByteArray());
+        QCOMPARE(analyzed.status, 0);
+        const TrackTable found(file("a.csv"));
+        const TrackTable truth(file("t.csv"));
+        QCOMPARE(found.rows(), qsizetype{133332 / 60});
+        QCOMPARE(truth.rows(), found.rows());
+        const auto found_time = found.column("t_s");
+        const auto true_time = truth.column("t_s");
+        for (std::size_t row = 0; row < found_time.size(); ++row) {
+            QVERIFY(std::abs(found_time[row] - true_time[row]) < 1e-9);
+        }
+        for (const char* column : {"a_A", "a_B", "two_theta_A_rad", "alpha_rad", "f_Hz"}) {
+            const auto values = found.column(column);
+            const auto sds = found.column((QByteArray("sd_") + column).constData());
+            const auto expected = truth.column(column);
+            double mean_square = 0;
+            double worst = 0;
+            for (std::size_t row = 0; row < values.size(); ++row) {
+                double error = values[row] - expected[row];
+                if (qstrcmp(column, "alpha_rad") == 0) {
+                    error = std::remainder(error, 2 * std::numbers::pi);
+                }
+                const double ratio = error / sds[row];
+                mean_square += ratio * ratio / static_cast<double>(values.size());
+                worst = std::max(worst, std::abs(ratio));
+            }
+            const double deviation = std::sqrt(2 / static_cast<double>(values.size()));
+            QVERIFY2(std::abs(mean_square - 1.018) < 4.5 * deviation,
+                     qPrintable(QString("%1: %2").arg(column).arg(mean_square)));
+            QVERIFY2(worst < 6, qPrintable(QString("%1: %2").arg(column).arg(worst)));
+        }
+    }
+
+    void info_as_json_has_the_members_of_the_interface() {
+        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "i.wav"}).status, 0);
+        const Outcome info = run({"info", "i.wav", "--json"});
+        QCOMPARE(info.status, 0);
+        const QJsonObject json = object(info.out);
+        QCOMPARE(json.keys(), (QStringList{"channels", "check", "format", "frames", "rate_from",
+                                           "rate_hz", "seconds", "sha256", "start"}));
+        QCOMPARE(json["frames"].toInt(), 16666);
+        QCOMPARE(json["rate_hz"].toDouble(), 33333.0);
+        QCOMPARE(json["rate_from"].toString(), QString("file"));
+        QCOMPARE(json["seconds"].toDouble(), 16666 / 33333.0);
+        QVERIFY(json["start"].isString());
+        QVERIFY(json["format"].toString().contains("WAV"));
+        QCOMPARE(json["check"].toArray(), QJsonArray());
+        QCOMPARE(json["channels"].toArray().size(), 2);
+        QCOMPARE(json["channels"][0].toObject().keys(), (QStringList{"name", "unit"}));
+        const QByteArray hash =
+            QCryptographicHash::hash(file("i.wav"), QCryptographicHash::Sha256).toHex();
+        QCOMPARE(json["sha256"].toString().toLatin1(), hash);
+    }
+
+    void info_tells_what_is_wrong_with_the_file() {
+        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "i.wav"}).status, 0);
+        QVERIFY(QFile::resize(folder_.filePath("i.wav"), 100000));
+        const QJsonObject json = object(run({"info", "i.wav", "--json"}).out);
+        QCOMPARE(json["check"].toArray().size(), 1);
+        const QJsonObject check = json["check"][0].toObject();
+        QCOMPARE(check.keys(), (QStringList{"count", "first_frame", "kind", "text"}));
+        QCOMPARE(check["kind"].toString(), QString("file-ends-early"));
+        QVERIFY(check["text"].toString().contains("16666"));
+        const Outcome text = run({"info", "i.wav"});
+        QCOMPARE(text.status, 0);
+        QVERIFY(text.out.contains("33333 Hz (file)"));
+        QVERIFY(text.out.contains(check["text"].toString().toUtf8()));
+    }
+
+    void the_track_names_its_program_input_and_settings() {
+        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "h.wav"}).status, 0);
+        QCOMPARE(run({"analyze", "h.wav", "-o", "h.csv", "--window", "63", "--from", "0.1"}).status,
+                 0);
+        const TrackTable track(file("h.csv"));
+        const QByteArray hash =
+            QCryptographicHash::hash(file("h.wav"), QCryptographicHash::Sha256).toHex();
+        QVERIFY(track.header().value(0).startsWith("vybeg-cli "));
+        for (const QByteArray& line :
+             {QByteArray("input: h.wav"), "sha256: " + hash, QByteArray("window: 63"),
+              QByteArray("hop: 63"), QByteArray("from: 0.1"),
+              QByteArray("algorithm: maximum-likelihood")}) {
+            QVERIFY2(track.header().contains(line), line.constData());
+        }
+        const auto f0 = std::ranges::find_if(
+            track.header(), [](const QByteArray& line) { return line.startsWith("f0_Hz: "); });
+        QVERIFY(f0 != track.header().end());
+        // A hundredth of the bin of 0.4 s.
+        QVERIFY(std::abs(f0->mid(7).toDouble() - 5300) < 0.025);
+    }
+
+    void standard_output_gets_the_same_bytes_as_a_file_for_any_number_of_threads() {
+        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "o.wav"}).status, 0);
+        QCOMPARE(run({"analyze", "o.wav", "-o", "o.csv", "--threads", "1"}).status, 0);
+        const Outcome analyzed = run({"analyze", "o.wav", "-o", "-", "--threads", "2"});
+        QCOMPARE(analyzed.status, 0);
+        QVERIFY(analyzed.out == file("o.csv"));
+        QCOMPARE(TrackTable(analyzed.out).rows(), qsizetype{66666 / 60});
+        QCOMPARE(run({"simulate", "--demo", "--seconds", "0.1", "-o", "o2.csv"}).status, 0);
+        QVERIFY(run({"simulate", "--demo", "--seconds", "0.1", "-o", "-"}).out == file("o2.csv"));
+    }
+
+    void timing_is_the_last_line_of_standard_error() {
+        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "z.wav"}).status, 0);
+        QVERIFY(QFile::resize(folder_.filePath("z.wav"), 100000));
+        const Outcome analyzed =
+            run({"analyze", "z.wav", "-o", "z.csv", "--timing", "--threads", "1"});
+        QCOMPARE(analyzed.status, 0);
+        QCOMPARE(analyzed.err_lines().size(), 2);
+        QVERIFY(analyzed.err_lines()[0].startsWith("vybeg-cli: warning: "));
+        const QJsonObject timing = object(analyzed.err_lines()[1]);
+        QCOMPARE(timing.keys(), (QStringList{"carrier_s", "estimate_s", "read_s", "threads",
+                                             "windows", "write_s"}));
+        QCOMPARE(timing["windows"].toInteger(), TrackTable(file("z.csv")).rows());
+        QCOMPARE(timing["threads"].toInt(), 1);
+        for (const char* part : {"carrier_s", "estimate_s", "read_s", "write_s"}) {
+            QVERIFY(timing[part].toDouble(-1) > 0 && timing[part].toDouble() < 10);
+        }
+    }
+
+    void the_json_log_is_one_object_per_line() {
+        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "j.wav"}).status, 0);
+        QVERIFY(QFile::resize(folder_.filePath("j.wav"), 100000));
+        const Outcome analyzed = run({"analyze", "j.wav", "-o", "j.csv", "--json-log"});
+        QCOMPARE(analyzed.status, 0);
+        QStringList levels;
+        for (const QByteArray& line : analyzed.err_lines()) {
+            const QJsonObject entry = object(line);
+            QVERIFY2(
+                entry["level"].isString() && entry["code"].isString() && entry["text"].isString(),
+                line.constData());
+            levels << entry["level"].toString();
+        }
+        QVERIFY(levels.contains("warning") && levels.contains("progress"));
+        const Outcome missing = run({"analyze", "none.wav", "-o", "j.csv", "--json-log"});
+        QCOMPARE(missing.status, 3);
+        QCOMPARE(missing.err_lines().size(), 1);
+        const QJsonObject error = object(missing.err);
+        QCOMPARE(error["level"].toString(), QString("error"));
+        QCOMPARE(error["code"].toString(), QString("file-missing"));
+        QCOMPARE(error["status"].toInt(), 3);
+        const Outcome usage = run({"analyze", "--json-log", "--no-such-option"});
+        QCOMPARE(usage.status, 2);
+        QCOMPARE(object(usage.err)["status"].toInt(), 2);
+    }
+
+    void quiet_leaves_only_errors() {
+        QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "q.wav"}).status, 0);
+        QVERIFY(QFile::resize(folder_.filePath("q.wav"), 100000));
+        const Outcome analyzed = run({"analyze", "q.wav", "-o", "q.csv", "--quiet"});
+        QCOMPARE(analyzed.status, 0);
+        QCOMPARE(analyzed.err, QByteArray());
+        QVERIFY(TrackTable(file("q.csv")).header().join().contains("warning: The file ends early"));
+        QCOMPARE(run({"analyze", "none.wav", "-o", "q.csv", "--quiet"}).err_lines().size(), 1);
+    }
+
+    void help_and_version_end_well() {
+        const Outcome version = run({"--version"});
+        QCOMPARE(version.status, 0);
+        QCOMPARE(version.out, QByteArray("vybeg-cli " VYBEG_VERSION "\n"));
+        const Outcome help = run({"analyze", "--help"});
+        QCOMPARE(help.status, 0);
+        for (const char* option :
+             {"--algorithm", "--window",       "--periods", "--snap",   "--hop",     "--f0",
+              "--initial",   "--start",        "--from",    "--to",     "--band",    "--filter",
+              "--channels",  "--rate",         "--kappa",   "--offset", "--delay",   "--angle-zero",
+              "--raw",       "--raw-channels", "--skip",    "--scale",  "--threads", "--quiet",
+              "--json-log",  "--timing"}) {
+            QVERIFY2(help.out.contains(option), option);
+        }
+        const Outcome simulate = run({"simulate", "--help"});
+        for (const char* option : {"--seconds",
+                                   "--rate",
+                                   "--f0",
+                                   "--a-A",
+                                   "--a-B",
+                                   "--two-theta-A",
+                                   "--alpha",
+                                   "--split",
+                                   "--theta-w",
+                                   "--tau",
+                                   "--damping-anisotropy",
+                                   "--theta-tau",
+                                   "--omega",
+                                   "--bryan",
+                                   "--noise",
+                                   "--kappa",
+                                   "--offset",
+                                   "--bits",
+                                   "--full-scale",
+                                   "--seed",
+                                   "--truth",
+                                   "--demo"}) {
+            QVERIFY2(simulate.out.contains(option), option);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliRoundTrip)
+#include "test_cli_round_trip.moc"
