@@ -17,6 +17,7 @@ enum class ErrorCode {
     file_read_failed,      // args: reason
     format_unknown,        // neither a known binary format nor text
     format_damaged,        // args: format, reason
+    format_unsupported,    // args: format, what in it is not read
     text_not_a_number,     // args: line, column, the text found there
     text_no_data,          // no line with at least two numbers
     text_time_backwards,   // args: line, the time there, the time before it
@@ -24,6 +25,7 @@ enum class ErrorCode {
     channel_out_of_range,  // args: channel asked for, channels found
     too_few_frames,        // args: frames found, frames needed
     rate_unknown,
+    variable_missing,  // args: variable asked for, the variables that the file has
     // The analysis is impossible: exit status 4.
     window_too_long,          // args: window in samples, samples in the range
     window_too_short,         // args: window in samples, least window at this frequency

@@ -33,6 +33,10 @@ const char* message_template(ErrorCode code) {
                 "WAV or CSV, or give the layout of raw samples with --raw.");
         case ErrorCode::format_damaged:
             return VYBEG_MESSAGE("Message", "%1: the %2 file is damaged: %3. Copy it again.");
+        case ErrorCode::format_unsupported:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: this %2 file holds %3, which is not read here. Export the "
+                                 "recording as WAV or CSV.");
         case ErrorCode::text_not_a_number:
             return VYBEG_MESSAGE(
                 "Message",
@@ -60,6 +64,10 @@ const char* message_template(ErrorCode code) {
             return VYBEG_MESSAGE(
                 "Message",
                 "%1: the file does not tell its sample rate. Give it with --rate, in Hz.");
+        case ErrorCode::variable_missing:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: there is no variable \"%2\" to read; the file has %3. "
+                                 "Choose others with --variables.");
         case ErrorCode::window_too_long:
             return VYBEG_MESSAGE(
                 "Message",
@@ -173,6 +181,7 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::file_read_failed: return "file-read-failed";
         case ErrorCode::format_unknown: return "format-unknown";
         case ErrorCode::format_damaged: return "format-damaged";
+        case ErrorCode::format_unsupported: return "format-unsupported";
         case ErrorCode::text_not_a_number: return "text-not-a-number";
         case ErrorCode::text_no_data: return "text-no-data";
         case ErrorCode::text_time_backwards: return "text-time-backwards";
@@ -180,6 +189,7 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::channel_out_of_range: return "channel-out-of-range";
         case ErrorCode::too_few_frames: return "too-few-frames";
         case ErrorCode::rate_unknown: return "rate-unknown";
+        case ErrorCode::variable_missing: return "variable-missing";
         case ErrorCode::window_too_long: return "window-too-long";
         case ErrorCode::window_too_short: return "window-too-short";
         case ErrorCode::range_empty: return "range-empty";

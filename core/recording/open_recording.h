@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vybeg {
 
@@ -29,6 +30,10 @@ struct OpenOptions {
     int channel_c = 1;              // from 1; a time column does not count
     int channel_d = 2;
     std::optional<RawLayout> raw;  // read the file as raw samples, whatever it looks like
+    // Names of the variables that hold C and D and, third, the rate, in a file of several (NPZ, MAT,
+    // HDF5). D's is left out, or empty before a rate, where C's holds both channels. None: the
+    // reader's own choice.
+    std::vector<std::string> variables{};
 
     friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
 };
