@@ -82,8 +82,7 @@ std::string_view without_comment_mark(std::string_view line) {
 // A field with the bracket of its unit is one field also where blanks separate: "S_C [V]".
 std::vector<std::string> header_fields(std::string_view line, char delimiter) {
     std::vector<std::string_view> parts;
-    split_fields(delimiter == '\t' && trimmed(line) == line ? line : without_comment_mark(line),
-                 delimiter, parts);
+    split_fields(is_comment(line, delimiter) ? without_comment_mark(line) : line, delimiter, parts);
     std::vector<std::string> fields;
     for (const std::string_view part : parts) {
         if (delimiter == ' ' && !fields.empty() &&
@@ -92,9 +91,6 @@ std::vector<std::string> header_fields(std::string_view line, char delimiter) {
         } else {
             fields.emplace_back(part);
         }
-    }
-    if (!fields.empty()) {
-        fields.front() = without_comment_mark(fields.front());
     }
     return fields;
 }

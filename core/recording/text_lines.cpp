@@ -47,7 +47,9 @@ Status TextLines::fill() {
 Result<std::optional<std::string_view>> TextLines::next() {
     std::size_t end = begin_;
     for (;;) {
-        end = std::min(buffer_.find_first_of("\r\n", end), buffer_.size());
+        while (end < buffer_.size() && buffer_[end] != '\n' && buffer_[end] != '\r') {
+            ++end;
+        }
         // A CR that is the last byte of the buffer may belong to a CRLF.
         const bool whole = end + 1 < buffer_.size();
         if (whole || offset_ >= file_->size()) {
