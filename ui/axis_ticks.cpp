@@ -92,6 +92,12 @@ bool labelsFit(const AxisTicks& ticks, double pixels_apart, const TickRoom& room
     });
 }
 
+AxisTicks firstAndLast(AxisTicks ticks) {
+    ticks.positions = {ticks.positions.front(), ticks.positions.back()};
+    ticks.labels = {ticks.labels.first(), ticks.labels.last()};
+    return ticks;
+}
+
 // The linear ticks of less than a decade, without those that come too near to their neighbour.
 AxisTicks thinned(const AxisTicks& all, const AxisRange& range, const TickRoom& room) {
     AxisTicks ticks = all;
@@ -127,24 +133,30 @@ AxisTicks linearTicks(const AxisRange& range, const TickRoom& room, TickSteps st
     if (!(span > 0) || !std::isfinite(span) || room.length < 1) {
         return {};
     }
-    // One tick tells nothing of the scale: short axes get two that are closer than wished.
+    // One tick tells nothing of the scale: short axes get two that are closer than wished, or the
+    // first and the last of a step too fine to label all.
     constexpr double closest = 8;
     AxisTicks coarsest_pair;
+    AxisTicks ends;
     for (const double step : stepsFrom(span * std::min(1., closest / room.length), steps)) {
         AxisTicks ticks = ticksOfStep(range, step);
         const double apart = step / span * room.length;
-        if (!labelsFit(ticks, apart, room)) {
-            continue;
-        }
         const bool pair = ticks.positions.size() >= 2;
-        if (apart >= room.spacing) {
-            return pair || coarsest_pair.positions.empty() ? ticks : coarsest_pair;
+        if (!labelsFit(ticks, apart, room)) {
+            const double between = apart * static_cast<double>(ticks.positions.size() - 1);
+            if (pair && labelsFit(ticks, between, room)) {
+                ends = firstAndLast(std::move(ticks));
+            }
+            continue;
         }
         if (pair) {
             coarsest_pair = std::move(ticks);
         }
+        if (apart >= room.spacing) {
+            break;
+        }
     }
-    return coarsest_pair;
+    return coarsest_pair.positions.empty() ? ends : coarsest_pair;
 }
 
 AxisTicks logTicks(const AxisRange& range, const TickRoom& room) {

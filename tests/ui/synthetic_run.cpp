@@ -46,7 +46,8 @@ Run syntheticRun(int index, const SyntheticRun& what) {
         }
         put(SlowVariable::two_theta_A, row, 0.3 + 0.05 * t, sd / a_A);
         put(SlowVariable::f, row, f0 + 0.004 * std::exp(-t / 10), sd_f / a_A);
-        put(SlowVariable::delta_phi_CD, row, std::numbers::pi + 0.3 * std::sin(0.4 * t), 2 * sd / a_A);
+        put(SlowVariable::delta_phi_CD, row, std::numbers::pi + 0.3 * std::sin(0.4 * t),
+            2 * sd / a_A);
         put(SlowVariable::alpha, row, 0.4 + 0.8 * t, sd / a_A);
         for (const SlowVariable wrapped : {SlowVariable::delta_phi_CD, SlowVariable::alpha}) {
             track.values(wrapped)[row] = wrap(track.values(wrapped)[row]);

@@ -1,0 +1,189 @@
+#include "ui/signal_view.h"
+
+#include <QSignalSpy>
+#include <QWheelEvent>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+namespace {
+
+constexpr double rate = 1000;
+constexpr std::int64_t length = 10000;  // 10 s
+
+// C swings by 1, D by 0.1; the samples from 6 s to 6.5 s are missing.
+class Swing : public SampleSource {
+public:
+    std::int64_t frames() const override { return length; }
+    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
+        for (std::size_t i = 0; i < c.size(); ++i) {
+            const auto frame = first + static_cast<std::int64_t>(i);
+            const bool missing = 6000 <= frame && frame < 6500;
+            c[i] = missing ? std::numeric_limits<double>::quiet_NaN() : (frame % 2 ? 1 : -1);
+            d[i] = 0.1 * c[i];
+        }
+        return {};
+    }
+};
+
+struct Bench {
+    SignalView view;
+    QSignalSpy visible{&view, &SignalView::visibleRangeEdited};
+    QSignalSpy analysed{&view, &SignalView::analysedRangeEdited};
+
+    Bench() {
+        view.resize(1016, 84);
+        view.setMargins(8, 8);
+        view.setTheme(lightTheme());
+        const auto envelope = Envelope::build(Swing(), {});
+        view.setEnvelope(*envelope, rate);
+        view.setVisibleRange({2, 6});
+        view.setAnalysedRange({1, 9});
+        view.show();
+        QCoreApplication::processEvents();
+    }
+
+    // 100 pixels are a second, from the left margin on.
+    QPoint signalAt(double time_s) const { return {8 + qRound(100 * time_s), 30}; }
+    QPoint barAt(double time_s) const { return {8 + qRound(100 * time_s), 64}; }
+
+    void drag(const QPoint& from, const QPoint& to) {
+        QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, from);
+        QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(&view, &event);
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, to);
+    }
+
+    bool shows(double from, double to) const {
+        // One and a half pixels.
+        return std::abs(view.visibleRange().lower - from) < 0.015 &&
+               std::abs(view.visibleRange().upper - to) < 0.015;
+    }
+    bool analyses(double from, double to) const {
+        return std::abs(view.analysedRange().lower - from) < 0.015 &&
+               std::abs(view.analysedRange().upper - to) < 0.015;
+    }
+};
+
+// How many pixels of a row of the picture have about this colour.
+int pixelsLike(const QImage& image, int y, const QColor& color) {
+    int count = 0;
+    for (int x = 0; x < image.width(); ++x) {
+        const QColor c = image.pixelColor(x, y);
+        count += std::abs(c.red() - color.red()) + std::abs(c.green() - color.green()) +
+                     std::abs(c.blue() - color.blue()) <
+                 30;
+    }
+    return count;
+}
+
+}  // namespace
+
+class TestSignalView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void each_edge_can_be_dragged() {
+        Bench bench;
+        bench.drag(bench.signalAt(2), bench.signalAt(3));
+        QVERIFY(bench.shows(3, 6));
+        bench.drag(bench.signalAt(6), bench.signalAt(8));
+        QVERIFY(bench.shows(3, 8));
+        bench.drag(bench.barAt(1), bench.barAt(0.5));
+        QVERIFY(bench.analyses(0.5, 9));
+        bench.drag(bench.barAt(9), bench.barAt(7));
+        QVERIFY(bench.analyses(0.5, 7));
+        QVERIFY(bench.shows(3, 8));
+        QVERIFY(bench.visible.count() >= 2 && bench.analysed.count() >= 2);
+    }
+
+    void the_inside_shifts_the_range_to_the_ends_and_no_farther() {
+        Bench bench;
+        bench.drag(bench.signalAt(4), bench.signalAt(5));
+        QVERIFY(bench.shows(3, 7));
+        bench.drag(bench.signalAt(5), bench.signalAt(9.9));
+        QVERIFY(bench.shows(6, 10));
+        bench.drag(bench.barAt(5), bench.barAt(1));
+        QVERIFY(bench.analyses(0, 8));
+    }
+
+    void an_edge_does_not_pass_the_other() {
+        Bench bench;
+        bench.drag(bench.signalAt(2), bench.signalAt(9));
+        QVERIFY(bench.view.visibleRange().lower < bench.view.visibleRange().upper);
+        QVERIFY(bench.view.visibleRange().upper < 6.001);
+    }
+
+    void a_click_outside_centres_the_range_there() {
+        Bench bench;
+        QTest::mouseClick(&bench.view, Qt::LeftButton, Qt::NoModifier, bench.signalAt(7.5));
+        QVERIFY(bench.shows(5.5, 9.5));
+    }
+
+    void a_double_click_shows_all() {
+        Bench bench;
+        QTest::mouseDClick(&bench.view, Qt::LeftButton, Qt::NoModifier, bench.signalAt(4));
+        QVERIFY(bench.shows(0, 10));
+        QTest::mouseDClick(&bench.view, Qt::LeftButton, Qt::NoModifier, bench.barAt(4));
+        QVERIFY(bench.analyses(0, 10));
+    }
+
+    void the_wheel_zooms_about_the_mouse() {
+        Bench bench;
+        const QPoint mouse = bench.signalAt(3);
+        QWheelEvent event(mouse, bench.view.mapToGlobal(mouse), {}, {0, 120}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&bench.view, &event);
+        QVERIFY(bench.shows(3 - 0.8, 3 + 0.8 * 3));
+    }
+
+    void keys_move_both_ranges() {
+        Bench bench;
+        QTest::keyClick(&bench.view, Qt::Key_Right);
+        QVERIFY(bench.shows(2.4, 6.4));
+        QTest::keyClick(&bench.view, Qt::Key_Plus);
+        QVERIFY(bench.shows(2.8, 6));
+        QTest::keyClick(&bench.view, Qt::Key_Home);
+        QVERIFY(bench.shows(0, 10));
+        QTest::keyClick(&bench.view, Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(bench.analyses(0.2, 8.2));
+    }
+
+    void setters_emit_nothing() {
+        Bench bench;
+        bench.view.setVisibleRange({1, 2});
+        bench.view.setAnalysedRange({1, 2});
+        QCOMPARE(bench.visible.count() + bench.analysed.count(), 0);
+    }
+
+    void both_channels_and_missing_samples_are_seen() {
+        Bench bench;
+        bench.view.setVisibleRange({0, 10});
+        const QImage image = bench.view.grab().toImage();
+        // 950 of 1000 columns hold samples; names and handles cover some.
+        QVERIFY(pixelsLike(image, 12, lightTheme().signalC) > 850);
+        QVERIFY(pixelsLike(image, 46, lightTheme().signalD) > 850);
+        // D swings a tenth as far: nothing of it where C's crests are.
+        QCOMPARE(pixelsLike(image, 37, lightTheme().signalD), 0);
+        const int marked = pixelsLike(image, 58, lightTheme().warning);
+        QVERIFY2(45 <= marked && marked <= 60, qPrintable(QString::number(marked)));
+    }
+
+    void nothing_can_be_dragged_while_reading() {
+        Bench bench;
+        bench.view.setReading(10);
+        bench.drag(bench.signalAt(2), bench.signalAt(3));
+        QTest::keyClick(&bench.view, Qt::Key_Right);
+        QCOMPARE(bench.visible.count(), 0);
+        QCOMPARE(pixelsLike(bench.view.grab().toImage(), 12, lightTheme().signalC), 0);
+    }
+};
+
+QTEST_MAIN(TestSignalView)
+#include "test_signal_view.moc"
