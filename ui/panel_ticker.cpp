@@ -2,9 +2,10 @@
 
 namespace vybeg::ui {
 
-void PanelTicker::setRoom(double length, const QFont& font) {
+void PanelTicker::setRoom(double length, const QFont& font, double beyond) {
     length_ = length;
     font_ = font;
+    beyond_ = beyond;
 }
 
 void PanelTicker::generate(const QCPRange& range, const QLocale&, QChar, int,
@@ -30,6 +31,14 @@ void PanelTicker::generate(const QCPRange& range, const QLocale&, QChar, int,
     }
     if (tickLabels) {
         *tickLabels = ticks_.labels;
+        if (orientation_ == Qt::Horizontal && !tickLabels->isEmpty()) {
+            // Rather no label at the last tick than one that is cut.
+            const double pixel = (ticks_.positions.back() - range.lower) / range.size() * length_;
+            const double half = 0.5 * metrics.horizontalAdvance(tickLabels->last());
+            if (pixel + half > length_ + beyond_) {
+                tickLabels->last().clear();
+            }
+        }
     }
 }
 

@@ -12,7 +12,8 @@ class PanelTicker : public QCPAxisTicker {
 public:
     explicit PanelTicker(Qt::Orientation orientation) : orientation_(orientation) {}
 
-    void setRoom(double length, const QFont& font);
+    // `beyond`: pixels behind the upper end of a horizontal axis that a label may use.
+    void setRoom(double length, const QFont& font, double beyond = 0);
     void setSteps(TickSteps steps) { steps_ = steps; }
     void setLogarithmic(bool logarithmic) { logarithmic_ = logarithmic; }
 
@@ -26,6 +27,7 @@ public:
 private:
     Qt::Orientation orientation_;
     double length_ = 100;
+    double beyond_ = 0;
     QFont font_;
     TickSteps steps_ = TickSteps::decimal;
     bool logarithmic_ = false;

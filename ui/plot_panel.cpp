@@ -180,7 +180,7 @@ QRectF PlotPanel::readoutArea() const {
 void PlotPanel::update(UpdatePhase phase) {
     if (phase == upPreparation) {
         value_ticker_->setRoom(expected_.height(), tick_font_);
-        time_ticker_->setRoom(expected_.width(), tick_font_);
+        time_ticker_->setRoom(expected_.width(), tick_font_, right_margin - 2);
     }
     QCPAxisRect::update(phase);
 }
