@@ -160,9 +160,7 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
                        std::to_string(info.channels) + " channels";
     recording.rate_hz = rate->hz;
     recording.rate_from = rate->from;
-    for (int channel = 1; channel <= info.channels; ++channel) {
-        recording.channels.push_back({std::to_string(channel), ""});
-    }
+    recording.channels = numbered_channels(info.channels);
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
     recording.start = decoder.start();
@@ -173,15 +171,9 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
     if (const Status status = check_frames(*file, extent->present); !status) {
         return status.error();
     }
-    if (extent->present < extent->promised) {
-        recording.diagnostics.push_back(
-            {DiagnosticKind::file_ends_early,
-             {integer_text(extent->promised), integer_text(extent->present)},
-             extent->present,
-             extent->promised - extent->present});
-    }
     recording.source = std::make_shared<AudioSource>(file, header->patches, info.channels,
                                                      extent->present, options);
+    note_early_end(extent->promised, recording);
     return recording;
 }
 

@@ -3,6 +3,8 @@
 #include "core/recording/audio_extent.h"
 #include "core/recording/audio_reader.h"
 #include "core/recording/file_bytes.h"
+#include "core/recording/npy_array.h"
+#include "core/recording/npy_reader.h"
 #include "core/recording/raw_reader.h"
 #include "core/recording/selection.h"
 #include "core/recording/text_encoding.h"
@@ -37,6 +39,9 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
     const std::string_view head(bytes.data(), static_cast<std::size_t>(*got));
     if (is_audio(head)) {
         return open_audio(*file, options, job);
+    }
+    if (is_npy(head)) {
+        return open_npy(*file, options);
     }
     if (looks_like_text(head)) {
         return open_text(*file, options, job);

@@ -139,9 +139,7 @@ Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOpti
                        std::to_string(layout.channels) + " channels";
     recording.rate_hz = rate->hz;
     recording.rate_from = rate->from;
-    for (int channel = 1; channel <= layout.channels; ++channel) {
-        recording.channels.push_back({std::to_string(channel), ""});
-    }
+    recording.channels = numbered_channels(layout.channels);
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
     recording.source = std::make_shared<RawSource>(file, options);

@@ -51,6 +51,24 @@ Status check_frames(const FileBytes& file, std::int64_t frames) {
     return {};
 }
 
+std::vector<Channel> numbered_channels(int count) {
+    std::vector<Channel> channels;
+    for (int channel = 1; channel <= count; ++channel) {
+        channels.push_back({std::to_string(channel), ""});
+    }
+    return channels;
+}
+
+void note_early_end(std::int64_t promised_frames, Recording& recording) {
+    const std::int64_t present = recording.frames();
+    if (present < promised_frames) {
+        recording.diagnostics.push_back({DiagnosticKind::file_ends_early,
+                                         {integer_text(promised_frames), integer_text(present)},
+                                         present,
+                                         promised_frames - present});
+    }
+}
+
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options) {
     if (own && own->hz > 0) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace vybeg {
 
@@ -20,6 +21,12 @@ Status check_channels(const FileBytes& file, int found, const OpenOptions& optio
 
 // At least 5 frames: the least that five parameters can be identified from. Errors: too_few_frames.
 Status check_frames(const FileBytes& file, std::int64_t frames);
+
+// Channels of which the file tells no more than that they are there: named "1", "2", ...
+std::vector<Channel> numbered_channels(int count);
+
+// Adds file_ends_early where the recording has fewer frames than its file promises.
+void note_early_end(std::int64_t promised_frames, Recording& recording);
 
 struct SampleRate {
     double hz = 0;

@@ -191,7 +191,7 @@ void TestDamagedAudio::random_damage_to_headers_never_hangs_or_crashes() {
             random = random * 1664525u + 1013904223u;
             damaged[(random >> 8) % 120] = static_cast<char>(random >> 24);
         }
-        const auto recording = open(folder.write("damaged", damaged));
+        const auto recording = open(folder.write(std::to_string(trial), damaged));
         if (!recording) {
             QVERIFY(exit_status(recording.error().code) == 3);
             ++refused;
