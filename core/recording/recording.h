@@ -27,7 +27,7 @@ struct Channel {
 // Copies share the samples.
 struct Recording {
     std::filesystem::path path;
-    std::string format;  // e.g. "WAV (Microsoft), 64 bit float", "text, 3 columns, comma"
+    std::string format;  // e.g. "WAV, 64 bit float, 2 channels", "text, 3 columns, comma"
     double rate_hz = 0;
     RateOrigin rate_from = RateOrigin::file;
     std::vector<Channel> channels;  // all of the file's, in its order; a time column does not count
