@@ -1,4 +1,1609 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="ru_RU" sourcelanguage="en">
+    <context>
+        <name>Algorithm</name>
+        <message>
+            <source>1 In phase</source>
+            <translation>1 Синфазный</translation>
+        </message>
+        <message>
+            <source>(15)-(18): without the quadrature wave; a_B is not estimated. The starting point for the others.</source>
+            <translation>(15)–(18): без учёта квадратурной волны; a_B не оценивается. Начальное приближение для остальных.</translation>
+        </message>
+        <message>
+            <source>2 Phase shift</source>
+            <translation>2 Фазовый сдвиг</translation>
+        </message>
+        <message>
+            <source>(19)-(24): phase difference of the pick-off signals, by a delay of a quarter of a period.</source>
+            <translation>(19)–(24): фазовый сдвиг измерительных сигналов, через задержку на четверть периода.</translation>
+        </message>
+        <message>
+            <source>3 Moving axes</source>
+            <translation>3 Подвижные оси</translation>
+        </message>
+        <message>
+            <source>(26)-(30): signals in the axes of the standing waves; gives the orthogonality of (30).</source>
+            <translation>(26)–(30): сигналы в осях стоячих волн; даёт проверку ортогональности (30).</translation>
+        </message>
+        <message>
+            <source>4 Demodulation</source>
+            <translation>4 Цифровая демодуляция</translation>
+        </message>
+        <message>
+            <source>(31)-(33): synchronous averages at the carrier.</source>
+            <translation>(31)–(33): синхронное усреднение на несущей частоте.</translation>
+        </message>
+        <message>
+            <source>5 Conjugate gradient</source>
+            <translation>5 Сопряжённый градиент</translation>
+        </message>
+        <message>
+            <source>Minimum of the functional F over all five parameters at once; any window above one period.</source>
+            <translation>Минимум функционала F сразу по всем пяти параметрам; любое окно длиннее одного периода.</translation>
+        </message>
+        <message>
+            <source>6 Maximum likelihood</source>
+            <translation>6 Макс. правдоподобие</translation>
+        </message>
+        <message>
+            <source>The same minimum as 5 by the linear form (33), at a fraction of the cost; any window above one period.</source>
+            <translation>Тот же минимум, что в 5, через линейную форму (33) и во много раз быстрее; любое окно длиннее одного периода.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Command</name>
+        <message>
+            <source>&amp;Open…</source>
+            <translation>&amp;Открыть…</translation>
+        </message>
+        <message>
+            <source>Open recordings of a free decay</source>
+            <translation>Открыть записи свободного выбега</translation>
+        </message>
+        <message>
+            <source>Open &amp;with options…</source>
+            <translation>Открыть с &amp;параметрами…</translation>
+        </message>
+        <message>
+            <source>Read the current recording with another rate or other channels</source>
+            <translation>Прочитать текущую запись с другой частотой дискретизации или другими каналами</translation>
+        </message>
+        <message>
+            <source>&amp;Close recording</source>
+            <translation>&amp;Закрыть запись</translation>
+        </message>
+        <message>
+            <source>Close the current recording and its runs</source>
+            <translation>Закрыть текущую запись и её расчёты</translation>
+        </message>
+        <message>
+            <source>&amp;Export plots…</source>
+            <translation>&amp;Экспорт графиков…</translation>
+        </message>
+        <message>
+            <source>Save the plots as PNG, SVG or PDF</source>
+            <translation>Сохранить графики в PNG, SVG или PDF</translation>
+        </message>
+        <message>
+            <source>Export &amp;track…</source>
+            <translation>Экспорт &amp;ряда…</translation>
+        </message>
+        <message>
+            <source>Save the slow variables of the chosen run as CSV</source>
+            <translation>Сохранить медленные переменные выбранного расчёта в CSV</translation>
+        </message>
+        <message>
+            <source>&amp;Quit</source>
+            <translation>В&amp;ыход</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>&amp;Отменить</translation>
+        </message>
+        <message>
+            <source>Take back the last change of the settings</source>
+            <translation>Отменить последнее изменение настроек</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>&amp;Повторить</translation>
+        </message>
+        <message>
+            <source>Make the change of the settings again</source>
+            <translation>Вернуть отменённое изменение настроек</translation>
+        </message>
+        <message>
+            <source>&amp;Copy plots</source>
+            <translation>&amp;Копировать графики</translation>
+        </message>
+        <message>
+            <source>The plots as an image to the clipboard</source>
+            <translation>Графики в буфер обмена как изображение</translation>
+        </message>
+        <message>
+            <source>Copy &amp;table</source>
+            <translation>Копировать &amp;таблицу</translation>
+        </message>
+        <message>
+            <source>The values at the cursor to the clipboard, for a spreadsheet</source>
+            <translation>Значения под курсором в буфер обмена, для электронной таблицы</translation>
+        </message>
+        <message>
+            <source>Zoom &amp;in</source>
+            <translation>&amp;Крупнее</translation>
+        </message>
+        <message>
+            <source>Zoom &amp;out</source>
+            <translation>&amp;Мельче</translation>
+        </message>
+        <message>
+            <source>&amp;Fit</source>
+            <translation>&amp;Целиком</translation>
+        </message>
+        <message>
+            <source>Show the whole time range (double click, Home)</source>
+            <translation>Показать весь интервал времени (двойной щелчок, Home)</translation>
+        </message>
+        <message>
+            <source>Zoom &amp;back</source>
+            <translation>Масштаб &amp;назад</translation>
+        </message>
+        <message>
+            <source>Back in the zoom history (R)</source>
+            <translation>Назад по истории масштабов (R)</translation>
+        </message>
+        <message>
+            <source>Zoom fo&amp;rward</source>
+            <translation>Масштаб &amp;вперёд</translation>
+        </message>
+        <message>
+            <source>Forward in the zoom history</source>
+            <translation>Вперёд по истории масштабов</translation>
+        </message>
+        <message>
+            <source>One-&amp;sigma bands</source>
+            <translation>Полосы ±&amp;σ</translation>
+        </message>
+        <message>
+            <source>&amp;Logarithmic working amplitude</source>
+            <translation>&amp;Логарифмическая шкала рабочей амплитуды</translation>
+        </message>
+        <message>
+            <source>&amp;Run</source>
+            <translation>&amp;Рассчитать</translation>
+        </message>
+        <message>
+            <source>Analyse the current recording with the settings of the panel</source>
+            <translation>Обработать текущую запись с настройками панели</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Прервать</translation>
+        </message>
+        <message>
+            <source>Stop the analyses that are under way</source>
+            <translation>Остановить идущие расчёты</translation>
+        </message>
+        <message>
+            <source>Compare &amp;windows…</source>
+            <translation>Сравнить &amp;окна…</translation>
+        </message>
+        <message>
+            <source>The article's figure: one column per window length</source>
+            <translation>Рисунок из статьи: столбец на каждую длину окна</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>&amp;Справка</translation>
+        </message>
+        <message>
+            <source>How to use the program, the method and its formulas</source>
+            <translation>Как работать с программой, метод и его формулы</translation>
+        </message>
+        <message>
+            <source>Copy &amp;diagnostics</source>
+            <translation>Копировать &amp;сведения о программе</translation>
+        </message>
+        <message>
+            <source>Versions and settings to the clipboard, for a report of a fault</source>
+            <translation>Версии и настройки в буфер обмена, для сообщения об ошибке</translation>
+        </message>
+        <message>
+            <source>&amp;About Vybeg</source>
+            <translation>&amp;О программе</translation>
+        </message>
+    </context>
+    <context>
+        <name>DisplayUnits</name>
+        <message>
+            <source>V</source>
+            <translation>В</translation>
+        </message>
+        <message>
+            <source>dB</source>
+            <translation>дБ</translation>
+        </message>
+        <message>
+            <source>rad</source>
+            <translation>рад</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
+        </message>
+        <message>
+            <source>rad/s</source>
+            <translation>рад/с</translation>
+        </message>
+        <message>
+            <source>ppm</source>
+            <translation>млн⁻¹</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>с</translation>
+        </message>
+    </context>
+    <context>
+        <name>Event</name>
+        <message>
+            <source>2θ_A passes %1, rising</source>
+            <translation>2θ_A проходит %1, возрастая</translation>
+        </message>
+        <message>
+            <source>2θ_A passes %1, falling</source>
+            <translation>2θ_A проходит %1, убывая</translation>
+        </message>
+        <message>
+            <source>Samples are missing, %1 s</source>
+            <translation>Нет отсчётов, %1 с</translation>
+        </message>
+        <message>
+            <source>Not converged, %1 s</source>
+            <translation>Нет сходимости, %1 с</translation>
+        </message>
+    </context>
+    <context>
+        <name>Flag</name>
+        <message>
+            <source>a_B is not estimated</source>
+            <translation>a_B не оценивается</translation>
+        </message>
+        <message>
+            <source>circular wave: no angle</source>
+            <translation>круговая волна: угла нет</translation>
+        </message>
+        <message>
+            <source>samples are missing</source>
+            <translation>нет отсчётов</translation>
+        </message>
+        <message>
+            <source>not converged</source>
+            <translation>нет сходимости</translation>
+        </message>
+        <message>
+            <source>frequency at its bound</source>
+            <translation>частота на границе поиска</translation>
+        </message>
+    </context>
+    <context>
+        <name>Format</name>
+        <message>
+            <source>text</source>
+            <translation>текст</translation>
+        </message>
+        <message>
+            <source>raw</source>
+            <translation>без заголовка</translation>
+        </message>
+        <message>
+            <source>tab</source>
+            <translation>табуляция</translation>
+        </message>
+        <message>
+            <source>semicolon</source>
+            <translation>точка с запятой</translation>
+        </message>
+        <message>
+            <source>comma</source>
+            <translation>запятая</translation>
+        </message>
+        <message>
+            <source>bar</source>
+            <translation>черта</translation>
+        </message>
+        <message>
+            <source>blanks</source>
+            <translation>пробелы</translation>
+        </message>
+        <message>
+            <source>decimal comma</source>
+            <translation>десятичная запятая</translation>
+        </message>
+        <message>
+            <source>16 bit integer</source>
+            <translation>целые 16 бит</translation>
+        </message>
+        <message>
+            <source>32 bit integer</source>
+            <translation>целые 32 бита</translation>
+        </message>
+        <message>
+            <source>32 bit float</source>
+            <translation>вещественные 32 бита</translation>
+        </message>
+        <message>
+            <source>64 bit float</source>
+            <translation>вещественные 64 бита</translation>
+        </message>
+        <message>
+            <source>big endian</source>
+            <translation>старший байт первым</translation>
+        </message>
+        <message>
+            <source>little endian</source>
+            <translation>младший байт первым</translation>
+        </message>
+        <message>
+            <source>Signed 8 bit PCM</source>
+            <translation>ИКМ 8 бит со знаком</translation>
+        </message>
+        <message>
+            <source>Unsigned 8 bit PCM</source>
+            <translation>ИКМ 8 бит без знака</translation>
+        </message>
+        <message>
+            <source>Signed 16 bit PCM</source>
+            <translation>ИКМ 16 бит</translation>
+        </message>
+        <message>
+            <source>Signed 24 bit PCM</source>
+            <translation>ИКМ 24 бита</translation>
+        </message>
+        <message>
+            <source>Signed 32 bit PCM</source>
+            <translation>ИКМ 32 бита</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n channel(s)</source>
+            <translation>
+                <numerusform>%n канал</numerusform>
+                <numerusform>%n канала</numerusform>
+                <numerusform>%n каналов</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n column(s)</source>
+            <translation>
+                <numerusform>%n столбец</numerusform>
+                <numerusform>%n столбца</numerusform>
+                <numerusform>%n столбцов</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>Message</name>
+        <message>
+            <source>%2 cannot be "%3": %4.</source>
+            <translation>Недопустимое значение «%3» параметра %2: %4.</translation>
+        </message>
+        <message>
+            <source>%1: there is no such file. Check the name and the folder.</source>
+            <translation>%1: такого файла нет. Проверьте имя и папку.</translation>
+        </message>
+        <message>
+            <source>%1: no permission to read this file. Change its permissions or copy it.</source>
+            <translation>%1: нет права читать этот файл. Измените права доступа или скопируйте файл.</translation>
+        </message>
+        <message>
+            <source>%1 is a folder, not a recording. Name one file inside it.</source>
+            <translation>%1 — папка, а не запись. Укажите файл внутри неё.</translation>
+        </message>
+        <message>
+            <source>%1: the file is empty (0 bytes). Record or copy it again.</source>
+            <translation>%1: файл пуст (0 байт). Запишите или скопируйте его заново.</translation>
+        </message>
+        <message>
+            <source>%1: reading failed: %2. Check the disk and copy the file again.</source>
+            <translation>%1: ошибка чтения: %2. Проверьте диск и скопируйте файл заново.</translation>
+        </message>
+        <message>
+            <source>%1: neither an audio file nor a table of numbers. Save the recording as WAV or CSV, or give the layout of raw samples with --raw.</source>
+            <translation>%1: это не звуковой файл и не таблица чисел. Сохраните запись в WAV или CSV либо задайте расположение отсчётов параметром --raw.</translation>
+        </message>
+        <message>
+            <source>%1: the %2 file is damaged: %3. Copy it again.</source>
+            <translation>%1: файл %2 повреждён: %3. Скопируйте его заново.</translation>
+        </message>
+        <message>
+            <source>%1, line %2, column %3: "%4" is not a number. Correct it, or write nan for a missing sample.</source>
+            <translation>%1, строка %2, столбец %3: «%4» — не число. Исправьте его или напишите nan на месте потерянного отсчёта.</translation>
+        </message>
+        <message>
+            <source>%1: no line with two or more numbers. The file needs one column for each pick-off.</source>
+            <translation>%1: нет ни одной строки с двумя и более числами. Нужен столбец на каждый измерительный канал.</translation>
+        </message>
+        <message>
+            <source>%1, line %2: the time %3 does not follow %4. The time column must rise.</source>
+            <translation>%1, строка %2: время %3 не следует за %4. Столбец времени должен возрастать.</translation>
+        </message>
+        <message>
+            <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D.</source>
+            <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D.</translation>
+        </message>
+        <message>
+            <source>%1: there is no channel %2; the file has %3. Choose other channels with --channels.</source>
+            <translation>%1: канала %2 нет, в файле их %3. Выберите другие каналы (--channels).</translation>
+        </message>
+        <message>
+            <source>%1 holds %2 sample(s), and at least %3 are needed.</source>
+            <translation>%1: отсчётов %2, а нужно не менее %3.</translation>
+        </message>
+        <message>
+            <source>%1: the file does not tell its sample rate. Give it with --rate, in Hz.</source>
+            <translation>%1: в файле не указана частота дискретизации. Задайте её в герцах (--rate).</translation>
+        </message>
+        <message>
+            <source>%1: the window of %2 samples is longer than the %3 samples to analyse. Choose a shorter window or a longer range.</source>
+            <translation>%1: окно из %2 отсчётов длиннее обрабатываемого участка (отсчётов: %3). Выберите более короткое окно или более длинный участок.</translation>
+        </message>
+        <message>
+            <source>%1: the window of %2 samples is too short; at this carrier it needs at least %3 (5 samples and three quarters of a period).</source>
+            <translation>%1: окно из %2 отсчётов слишком короткое; при этой несущей частоте нужно не менее %3 (5 отсчётов и три четверти периода).</translation>
+        </message>
+        <message>
+            <source>%1: nothing lies between %2 s and %3 s; the recording is %4 s long.</source>
+            <translation>%1: между %2 с и %3 с ничего нет; длительность записи %4 с.</translation>
+        </message>
+        <message>
+            <source>%1: the carrier of %2 Hz is not below half the sample rate, %3 Hz. Check the carrier and the rate.</source>
+            <translation>%1: несущая частота %2 Гц не ниже половины частоты дискретизации, %3 Гц. Проверьте обе частоты.</translation>
+        </message>
+        <message>
+            <source>%1: no carrier stands out of the spectrum. Give it with --f0, or the band to look in with --band.</source>
+            <translation>%1: несущая не выделяется в спектре. Задайте её (--f0) или полосу поиска (--band).</translation>
+        </message>
+        <message>
+            <source>%1: the band from %2 Hz to %3 Hz is impossible; it must rise and lie between 0 and half the sample rate, %4 Hz.</source>
+            <translation>%1: полоса от %2 Гц до %3 Гц невозможна; она должна возрастать и лежать между 0 и половиной частоты дискретизации, %4 Гц.</translation>
+        </message>
+        <message>
+            <source>%1: the filter needs %2 samples at each end, and the recording has only %3. Choose a wider band or a longer recording.</source>
+            <translation>%1: фильтру нужно %2 отсчётов на каждом конце, а в записи их всего %3. Выберите более широкую полосу или более длинную запись.</translation>
+        </message>
+        <message>
+            <source>%1: every sample of the range is missing (NaN).</source>
+            <translation>%1: на участке нет ни одного годного отсчёта (все NaN).</translation>
+        </message>
+        <message>
+            <source>This decay cannot be simulated: %2.</source>
+            <translation>Такой выбег смоделировать нельзя: %2.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written: %2. Nothing was changed there.</source>
+            <translation>Не удалось записать %1: %2. Прежнее содержимое не изменено.</translation>
+        </message>
+        <message>
+            <source>%1: the ending "%2" is not one that can be written here.</source>
+            <translation>%1: запись в файл с окончанием «%2» здесь невозможна.</translation>
+        </message>
+        <message>
+            <source>Interrupted; nothing was written.</source>
+            <translation>Прервано; ничего не записано.</translation>
+        </message>
+        <message>
+            <source>The time column is uneven, by up to %1 s (%2 samples); the signals were resampled to a uniform grid by local cubic interpolation.</source>
+            <translation>Столбец времени неравномерен, отклонение до %1 с (отсчётов: %2); сигналы пересчитаны на равномерную сетку локальной кубической интерполяцией.</translation>
+        </message>
+        <message>
+            <source>%1 samples are missing at %2 s; windows over them are flagged.</source>
+            <translation>Пропущено отсчётов: %1, момент %2 с; окна с ними помечены.</translation>
+        </message>
+        <message>
+            <source>%1 samples are NaN or infinite; windows over them are flagged.</source>
+            <translation>Отсчётов NaN или бесконечных: %1; окна с ними помечены.</translation>
+        </message>
+        <message>
+            <source>The file ends early: its header promises %1 frames, %2 are there. Those are used.</source>
+            <translation>Файл обрывается: в заголовке указано отсчётов %1, есть %2. Обработаны имеющиеся.</translation>
+        </message>
+        <message>
+            <source>The band-pass takes %1 s at each end for its transient; those windows are flagged.</source>
+            <translation>Переходный процесс полосового фильтра занимает %1 с на каждом конце; эти окна помечены.</translation>
+        </message>
+        <message>
+            <source>Behind the band-pass the noise is no longer white: the standard deviations are only indicative.</source>
+            <translation>После полосового фильтра шум уже не белый: среднеквадратические отклонения лишь ориентировочны.</translation>
+        </message>
+        <message>
+            <source>This algorithm needs %1 samples on both sides of a window; windows without them are flagged.</source>
+            <translation>Этому алгоритму нужно %1 отсчётов по обе стороны окна; окна без них помечены.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 windows did not converge; they are flagged.</source>
+            <translation>Окон без сходимости: %1 из %2; они помечены.</translation>
+        </message>
+        <message>
+            <source>%1 header or comment lines were passed over.</source>
+            <translation>Пропущено строк заголовка и комментариев: %1.</translation>
+        </message>
+        <message>
+            <source>%1: this %2 file holds %3, which is not read here. Export the recording as WAV or CSV.</source>
+            <translation>%1: файл %2 содержит %3, здесь это не читается. Сохраните запись в WAV или CSV.</translation>
+        </message>
+        <message>
+            <source>%1: there is no variable "%2" to read; the file has %3. Choose others with --variables.</source>
+            <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие (--variables).</translation>
+        </message>
+    </context>
+    <context>
+        <name>PlotPanel</name>
+        <message>
+            <source>not estimated by this algorithm</source>
+            <translation>этим алгоритмом не оценивается</translation>
+        </message>
+        <message>
+            <source>no window has a value</source>
+            <translation>ни в одном окне нет значения</translation>
+        </message>
+    </context>
+    <context>
+        <name>SiPrefix</name>
+        <message>
+            <source>f</source>
+            <translation>ф</translation>
+        </message>
+        <message>
+            <source>p</source>
+            <translation>п</translation>
+        </message>
+        <message>
+            <source>n</source>
+            <translation>н</translation>
+        </message>
+        <message>
+            <source>µ</source>
+            <translation>мк</translation>
+        </message>
+        <message>
+            <source>m</source>
+            <translation>м</translation>
+        </message>
+        <message>
+            <source>k</source>
+            <translation>к</translation>
+        </message>
+        <message>
+            <source>M</source>
+            <translation>М</translation>
+        </message>
+        <message>
+            <source>G</source>
+            <translation>Г</translation>
+        </message>
+        <message>
+            <source>T</source>
+            <translation>Т</translation>
+        </message>
+    </context>
+    <context>
+        <name>SlowVariable</name>
+        <message>
+            <source>amplitude of the working wave</source>
+            <translation>амплитуда рабочей стоячей волны</translation>
+        </message>
+        <message>
+            <source>amplitude of the quadrature wave</source>
+            <translation>амплитуда квадратурной стоячей волны</translation>
+        </message>
+        <message>
+            <source>angle of the standing wave</source>
+            <translation>угол стоячей волны</translation>
+        </message>
+        <message>
+            <source>mean frequency</source>
+            <translation>средняя частота</translation>
+        </message>
+        <message>
+            <source>phase difference of the pick-off signals</source>
+            <translation>разнофазность измерительных сигналов</translation>
+        </message>
+        <message>
+            <source>phase of the standing waves</source>
+            <translation>фаза стоячих волн</translation>
+        </message>
+        <message>
+            <source>root of the error functional F</source>
+            <translation>корень из функционала ошибки F</translation>
+        </message>
+        <message>
+            <source>orthogonality of the standing waves, relative</source>
+            <translation>ортогональность стоячих волн, относительная</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::CalibrationFields</name>
+        <message>
+            <source>Gain ratio κ</source>
+            <translation>Масштаб κ</translation>
+        </message>
+        <message>
+            <source>Channel D is recorded as D/κ, the scaling below (30): κ = 1 for balanced channels.</source>
+            <translation>Канал D записан как D/κ, масштабирование после (30): κ = 1 для уравненных каналов.</translation>
+        </message>
+        <message>
+            <source>Constant in each channel, recording units; it is subtracted. The averages of (13), (15) presume none.</source>
+            <translation>Постоянная составляющая каждого канала в единицах записи; вычитается. Усреднения (13), (15) её не предполагают.</translation>
+        </message>
+        <message>
+            <source>Offset C, D</source>
+            <translation>Сдвиг C, D</translation>
+        </message>
+        <message>
+            <source>Offset of C</source>
+            <translation>Сдвиг C</translation>
+        </message>
+        <message>
+            <source>Offset of D</source>
+            <translation>Сдвиг D</translation>
+        </message>
+        <message>
+            <source>Delay of D</source>
+            <translation>Задержка D</translation>
+        </message>
+        <message>
+            <source>µs</source>
+            <translation>мкс</translation>
+        </message>
+        <message>
+            <source>By how much channel D is sampled later than C. It would otherwise count as Δφ_CD of (9).</source>
+            <translation>На сколько канал D опрашивается позже C. Иначе вошла бы в Δφ_CD из (9).</translation>
+        </message>
+        <message>
+            <source>Angle zero</source>
+            <translation>Нуль угла</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+        <message>
+            <source>Angle of the first electrode, subtracted from θ_A of (2): the article counts the angle from there.</source>
+            <translation>Угол первого электрода, вычитается из θ_A в (2): в статье угол отсчитывается от него.</translation>
+        </message>
+        <message>
+            <source>Take the offsets from the signals</source>
+            <translation>Сдвиги по самим сигналам</translation>
+        </message>
+        <message>
+            <source>Each channel's mean over whole periods of the carrier</source>
+            <translation>Среднее каждого канала по целому числу периодов несущей</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::CarrierFields</name>
+        <message>
+            <source>Carrier f₀</source>
+            <translation>Несущая f₀</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
+        </message>
+        <message>
+            <source>Carrier of the whole recording, around which each window looks for its ω by (7), (25). Empty: the peak common to both channels' spectra.</source>
+            <translation>Несущая частота всей записи, вокруг которой каждое окно ищет свою ω по (7), (25). Пусто: общий максимум спектров обоих каналов.</translation>
+        </message>
+        <message>
+            <source>Look for the carrier between these frequencies. Empty: everywhere. Both are needed.</source>
+            <translation>Искать несущую между этими частотами. Пусто: везде. Нужны обе границы.</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Поиск</translation>
+        </message>
+        <message>
+            <source>Search from</source>
+            <translation>Поиск от</translation>
+        </message>
+        <message>
+            <source>Search to</source>
+            <translation>Поиск до</translation>
+        </message>
+        <message>
+            <source>Zero-phase band-pass before everything, for raw recordings with other modes, hum or offset: (1) presumes signals of the second angular harmonic alone. Empty: none. Both are needed.</source>
+            <translation>Полосовой фильтр без сдвига фазы перед всей обработкой, для необработанных записей с другими модами, наводкой сети или смещением: (1) предполагает только вторую угловую гармонику. Пусто: без фильтра. Нужны обе границы.</translation>
+        </message>
+        <message>
+            <source>Filter</source>
+            <translation>Фильтр</translation>
+        </message>
+        <message>
+            <source>Filter from</source>
+            <translation>Фильтр от</translation>
+        </message>
+        <message>
+            <source>Filter to</source>
+            <translation>Фильтр до</translation>
+        </message>
+        <message>
+            <source>from</source>
+            <translation>от</translation>
+        </message>
+        <message>
+            <source>to</source>
+            <translation>до</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <translation>авто</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::CompareDialog</name>
+        <message>
+            <source>Compare windows</source>
+            <translation>Сравнение окон</translation>
+        </message>
+        <message>
+            <source>Window lengths, samples</source>
+            <translation>Длины окон, отсчётов</translation>
+        </message>
+        <message>
+            <source>Whole numbers from 5, separated by commas. The article compares 6 and 60 and varies 6, 12, ... 60.</source>
+            <translation>Целые числа от 5 через запятую. В статье сравниваются 6 и 60, а перебираются 6, 12, ... 60.</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>Сравнить</translation>
+        </message>
+        <message>
+            <source>Export figure…</source>
+            <translation>Экспорт рисунка…</translation>
+        </message>
+        <message>
+            <source>The figure of the article: the slow variables over time, one column per window length, with the algorithm and the other settings of the analysis panel.</source>
+            <translation>Рисунок из статьи: медленные переменные во времени, столбец на каждую длину окна, с алгоритмом и остальными настройками панели обработки.</translation>
+        </message>
+        <message>
+            <source>Slow variables for each window length</source>
+            <translation>Медленные переменные для каждой длины окна</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::CursorPanel</name>
+        <message>
+            <source>The values of every shown run at the mouse appear here.</source>
+            <translation>Здесь появятся значения всех показанных расчётов под указателем мыши.</translation>
+        </message>
+        <message>
+            <source>t = %1 s</source>
+            <translation>t = %1 с</translation>
+        </message>
+        <message>
+            <source>sd</source>
+            <translation>СКО</translation>
+        </message>
+        <message>
+            <source>Values at the cursor</source>
+            <translation>Значения под курсором</translation>
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation>Причина</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::EventsPanel</name>
+        <message>
+            <source>Axis crossings, gaps and windows without convergence of the chosen run appear here.</source>
+            <translation>Здесь появятся проходы осей, пропуски и окна без сходимости выбранного расчёта.</translation>
+        </message>
+        <message>
+            <source>%1: no axis crossings, no gaps.</source>
+            <translation>%1: проходов осей и пропусков нет.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n event(s)</source>
+            <translation>
+                <numerusform>%1: %n событие</numerusform>
+                <numerusform>%1: %n события</numerusform>
+                <numerusform>%1: %n событий</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Events</source>
+            <translation>События</translation>
+        </message>
+        <message>
+            <source>t, s</source>
+            <translation>t, с</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Что</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::HelpView</name>
+        <message>
+            <source>Vybeg help</source>
+            <translation>Справка Vybeg</translation>
+        </message>
+        <message>
+            <source>Help page</source>
+            <translation>Страница справки</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Назад</translation>
+        </message>
+        <message>
+            <source>Forward</source>
+            <translation>Вперёд</translation>
+        </message>
+        <message>
+            <source>Contents</source>
+            <translation>Содержание</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::MainWindow</name>
+        <message>
+            <source>Recordings</source>
+            <translation>Записи</translation>
+        </message>
+        <message>
+            <source>Analysis</source>
+            <translation>Обработка</translation>
+        </message>
+        <message>
+            <source>Values and events</source>
+            <translation>Значения и события</translation>
+        </message>
+        <message>
+            <source>Runs</source>
+            <translation>Расчёты</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n window(s) in %1 s</source>
+            <translation>
+                <numerusform>%n окно за %1 с</numerusform>
+                <numerusform>%n окна за %1 с</numerusform>
+                <numerusform>%n окон за %1 с</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 s left</source>
+            <translation>осталось %1 с</translation>
+        </message>
+        <message>
+            <source>Analysing…</source>
+            <translation>Идёт расчёт…</translation>
+        </message>
+        <message>
+            <source>Export plots</source>
+            <translation>Экспорт графиков</translation>
+        </message>
+        <message>
+            <source>PNG image (*.png)</source>
+            <translation>Изображение PNG (*.png)</translation>
+        </message>
+        <message>
+            <source>SVG drawing (*.svg)</source>
+            <translation>Чертёж SVG (*.svg)</translation>
+        </message>
+        <message>
+            <source>PDF document (*.pdf)</source>
+            <translation>Документ PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>Export track</source>
+            <translation>Экспорт ряда</translation>
+        </message>
+        <message>
+            <source>Track (*.csv)</source>
+            <translation>Ряд (*.csv)</translation>
+        </message>
+        <message>
+            <source>&amp;File</source>
+            <translation>&amp;Файл</translation>
+        </message>
+        <message>
+            <source>Open &amp;recent</source>
+            <translation>&amp;Недавние</translation>
+        </message>
+        <message>
+            <source>&amp;Edit</source>
+            <translation>&amp;Правка</translation>
+        </message>
+        <message>
+            <source>&amp;View</source>
+            <translation>&amp;Вид</translation>
+        </message>
+        <message>
+            <source>&amp;Plots</source>
+            <translation>&amp;Графики</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
+        </message>
+        <message>
+            <source>rad/s</source>
+            <translation>рад/с</translation>
+        </message>
+        <message>
+            <source>Deviation from f₀, Hz</source>
+            <translation>Отклонение от f₀, Гц</translation>
+        </message>
+        <message>
+            <source>Deviation from f₀, ppm</source>
+            <translation>Отклонение от f₀, млн⁻¹</translation>
+        </message>
+        <message>
+            <source>&amp;Frequency in</source>
+            <translation>&amp;Частота в</translation>
+        </message>
+        <message>
+            <source>Radians</source>
+            <translation>Радианы</translation>
+        </message>
+        <message>
+            <source>Degrees</source>
+            <translation>Градусы</translation>
+        </message>
+        <message>
+            <source>&amp;Angles in</source>
+            <translation>&amp;Углы в</translation>
+        </message>
+        <message>
+            <source>Recording units</source>
+            <translation>Единицы записи</translation>
+        </message>
+        <message>
+            <source>Decibels</source>
+            <translation>Децибелы</translation>
+        </message>
+        <message>
+            <source>A&amp;mplitudes in</source>
+            <translation>&amp;Амплитуды в</translation>
+        </message>
+        <message>
+            <source>Pa&amp;nels</source>
+            <translation>&amp;Панели</translation>
+        </message>
+        <message>
+            <source>As the system</source>
+            <translation>Как в системе</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Светлая</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>Тёмная</translation>
+        </message>
+        <message>
+            <source>&amp;Theme</source>
+            <translation>&amp;Тема</translation>
+        </message>
+        <message>
+            <source>Lan&amp;guage</source>
+            <translation>&amp;Язык</translation>
+        </message>
+        <message>
+            <source>&amp;Analysis</source>
+            <translation>О&amp;бработка</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>&amp;Справка</translation>
+        </message>
+        <message>
+            <source>At the cursor</source>
+            <translation>Под курсором</translation>
+        </message>
+        <message>
+            <source>Events</source>
+            <translation>События</translation>
+        </message>
+        <message>
+            <source>Tools</source>
+            <translation>Инструменты</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Прервать</translation>
+        </message>
+        <message>
+            <source>Progress of the analysis</source>
+            <translation>Ход расчёта</translation>
+        </message>
+        <message>
+            <source>Overview of the recording</source>
+            <translation>Обзор записи</translation>
+        </message>
+        <message>
+            <source>Open recordings</source>
+            <translation>Открыть записи</translation>
+        </message>
+        <message>
+            <source>Recordings (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf *.csv *.tsv *.txt *.dat)</source>
+            <translation>Записи (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf *.csv *.tsv *.txt *.dat)</translation>
+        </message>
+        <message>
+            <source>Audio (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf)</source>
+            <translation>Звук (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf)</translation>
+        </message>
+        <message>
+            <source>Tables of numbers (*.csv *.tsv *.txt *.dat)</source>
+            <translation>Таблицы чисел (*.csv *.tsv *.txt *.dat)</translation>
+        </message>
+        <message>
+            <source>All files (*)</source>
+            <translation>Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>Written: %1</source>
+            <translation>Записано: %1</translation>
+        </message>
+        <message>
+            <source>Export figure</source>
+            <translation>Экспорт рисунка</translation>
+        </message>
+        <message>
+            <source>About Vybeg</source>
+            <translation>О программе Vybeg</translation>
+        </message>
+        <message>
+            <source>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Standing waves in the free decay of hemispherical resonator gyros.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Free software: GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+            <translation>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Стоячие волны в свободном выбеге твердотельных волновых гироскопов.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Свободная программа: GNU General Public License версии 3 или новее.&lt;/p&gt;</translation>
+        </message>
+        <message>
+            <source>Copy diagnostics</source>
+            <translation>Копировать сведения</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::MessageBar</name>
+        <message>
+            <source>Close this message</source>
+            <translation>Закрыть это сообщение</translation>
+        </message>
+        <message>
+            <source>Open with options…</source>
+            <translation>Открыть с параметрами…</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::OpenOptionsDialog</name>
+        <message>
+            <source>Open with options</source>
+            <translation>Открыть с параметрами</translation>
+        </message>
+        <message>
+            <source>How to read %1</source>
+            <translation>Как читать %1</translation>
+        </message>
+        <message>
+            <source>Sample rate</source>
+            <translation>Частота дискретизации</translation>
+        </message>
+        <message>
+            <source>Channel C</source>
+            <translation>Канал C</translation>
+        </message>
+        <message>
+            <source>Channel D</source>
+            <translation>Канал D</translation>
+        </message>
+        <message>
+            <source>Sample type</source>
+            <translation>Тип отсчётов</translation>
+        </message>
+        <message>
+            <source>Byte order</source>
+            <translation>Порядок байтов</translation>
+        </message>
+        <message>
+            <source>Channels</source>
+            <translation>Каналы</translation>
+        </message>
+        <message>
+            <source>Skip</source>
+            <translation>Пропустить</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <translation>Масштаб</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
+        </message>
+        <message>
+            <source>from the file</source>
+            <translation>из файла</translation>
+        </message>
+        <message>
+            <source>Used where the file has no rate of its own</source>
+            <translation>Действует, если в файле частота не указана</translation>
+        </message>
+        <message>
+            <source>Counted from 1; a time column does not count</source>
+            <translation>Счёт от 1; столбец времени не в счёт</translation>
+        </message>
+        <message>
+            <source>bytes</source>
+            <translation>байт</translation>
+        </message>
+        <message>
+            <source>Recording units per count</source>
+            <translation>Единиц записи на единицу кода</translation>
+        </message>
+        <message>
+            <source>Raw samples without a header</source>
+            <translation>Отсчёты без заголовка</translation>
+        </message>
+        <message>
+            <source>16 bit integer</source>
+            <translation>целые 16 бит</translation>
+        </message>
+        <message>
+            <source>32 bit integer</source>
+            <translation>целые 32 бита</translation>
+        </message>
+        <message>
+            <source>32 bit float</source>
+            <translation>вещественные 32 бита</translation>
+        </message>
+        <message>
+            <source>64 bit float</source>
+            <translation>вещественные 64 бита</translation>
+        </message>
+        <message>
+            <source>little endian</source>
+            <translation>младший байт первым</translation>
+        </message>
+        <message>
+            <source>big endian</source>
+            <translation>старший байт первым</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::RangeFields</name>
+        <message>
+            <source>From, to</source>
+            <translation>От, до</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>с</translation>
+        </message>
+        <message>
+            <source>Part of the recording to analyse, from its start.</source>
+            <translation>Обрабатываемый участок, от начала записи.</translation>
+        </message>
+        <message>
+            <source>Range from</source>
+            <translation>Участок от</translation>
+        </message>
+        <message>
+            <source>Range to</source>
+            <translation>Участок до</translation>
+        </message>
+        <message>
+            <source>Whole</source>
+            <translation>Вся запись</translation>
+        </message>
+        <message>
+            <source>Analyse the whole recording</source>
+            <translation>Обработать всю запись</translation>
+        </message>
+        <message>
+            <source>As visible</source>
+            <translation>Видимый</translation>
+        </message>
+        <message>
+            <source>Analyse the time range that the plots show</source>
+            <translation>Обработать интервал, который виден на графиках</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::RecentFiles</name>
+        <message>
+            <source>Clear this list</source>
+            <translation>Очистить список</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::RecordingPanel</name>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
+        </message>
+        <message>
+            <source>%1 (opening)</source>
+            <translation>%1 (открывается)</translation>
+        </message>
+        <message>
+            <source>%1 Hz, from the file</source>
+            <translation>%1 Гц, из файла</translation>
+        </message>
+        <message>
+            <source>%1 Hz, from the time column</source>
+            <translation>%1 Гц, по столбцу времени</translation>
+        </message>
+        <message>
+            <source>%1 Hz, typed</source>
+            <translation>%1 Гц, задана</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 s, %n sample(s)</source>
+            <translation>
+                <numerusform>%1 с, %n отсчёт</numerusform>
+                <numerusform>%1 с, %n отсчёта</numerusform>
+                <numerusform>%1 с, %n отсчётов</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 Hz</source>
+            <translation>%1 Гц</translation>
+        </message>
+        <message>
+            <source>Open recordings</source>
+            <translation>Открытые записи</translation>
+        </message>
+        <message>
+            <source>Close recording</source>
+            <translation>Закрыть запись</translation>
+        </message>
+        <message>
+            <source>Open with options…</source>
+            <translation>Открыть с параметрами…</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Файл</translation>
+        </message>
+        <message>
+            <source>Format</source>
+            <translation>Формат</translation>
+        </message>
+        <message>
+            <source>Rate</source>
+            <translation>Дискретизация</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Длительность</translation>
+        </message>
+        <message>
+            <source>Channels</source>
+            <translation>Каналы</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Начало</translation>
+        </message>
+        <message>
+            <source>f₀</source>
+            <translation>f₀</translation>
+        </message>
+        <message>
+            <source>SHA-256</source>
+            <translation>SHA-256</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Примечания</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::RunList</name>
+        <message>
+            <source>%1 (%2 flagged)</source>
+            <translation>%1 (помечено %2)</translation>
+        </message>
+        <message>
+            <source>Runs</source>
+            <translation>Расчёты</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Расчёт</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>Запись</translation>
+        </message>
+        <message>
+            <source>Algorithm</source>
+            <translation>Алгоритм</translation>
+        </message>
+        <message>
+            <source>n</source>
+            <translation>n</translation>
+        </message>
+        <message>
+            <source>Windows</source>
+            <translation>Окон</translation>
+        </message>
+        <message>
+            <source>Mean f, Hz</source>
+            <translation>Средняя f, Гц</translation>
+        </message>
+        <message>
+            <source>rms</source>
+            <translation>СКО</translation>
+        </message>
+        <message>
+            <source>Time, s</source>
+            <translation>Время, с</translation>
+        </message>
+        <message>
+            <source>Mean frequency f_cp over all windows ± standard deviation of the mean, from the scatter between windows</source>
+            <translation>Средняя частота f_cp по всем окнам ± СКО среднего, по разбросу между окнами</translation>
+        </message>
+        <message>
+            <source>Root of the functional F (7), mean over all windows</source>
+            <translation>Корень из функционала F (7), в среднем по всем окнам</translation>
+        </message>
+        <message>
+            <source>Time in the estimators alone</source>
+            <translation>Время самих алгоритмов</translation>
+        </message>
+        <message>
+            <source>Window, samples</source>
+            <translation>Окно, отсчётов</translation>
+        </message>
+        <message>
+            <source>Rename</source>
+            <translation>Переименовать</translation>
+        </message>
+        <message>
+            <source>Run again with its settings</source>
+            <translation>Рассчитать снова с его настройками</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Удалить</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::SettingsPanel</name>
+        <message>
+            <source>Window</source>
+            <translation>Окно</translation>
+        </message>
+        <message>
+            <source>Range</source>
+            <translation>Участок</translation>
+        </message>
+        <message>
+            <source>Carrier and filter</source>
+            <translation>Несущая и фильтр</translation>
+        </message>
+        <message>
+            <source>Start values</source>
+            <translation>Начальное приближение</translation>
+        </message>
+        <message>
+            <source>Calibration</source>
+            <translation>Калибровка</translation>
+        </message>
+        <message>
+            <source>Algorithm</source>
+            <translation>Алгоритм</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Рассчитать</translation>
+        </message>
+        <message>
+            <source>Analyse the current recording with these settings (F5)</source>
+            <translation>Обработать текущую запись с этими настройками (F5)</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::SignalView</name>
+        <message>
+            <source>Overview of the recording</source>
+            <translation>Обзор записи</translation>
+        </message>
+        <message>
+            <source>reading…</source>
+            <translation>чтение…</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>с</translation>
+        </message>
+        <message>
+            <source>Analysed range: drag the ends of the bar</source>
+            <translation>Обрабатываемый участок: тяните за концы полосы</translation>
+        </message>
+        <message>
+            <source>Visible range: drag the edges, or the inside to shift it</source>
+            <translation>Видимый интервал: тяните за края, а за середину — для сдвига</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::StartFields</name>
+        <message>
+            <source>Start from</source>
+            <translation>Начинать с</translation>
+        </message>
+        <message>
+            <source>First guess of the conjugate gradient for each window: the closed forms (15), (18) of algorithm 1, the result of the window before, or your own values.</source>
+            <translation>Начальное приближение сопряжённого градиента в каждом окне: формулы (15), (18) алгоритма 1, результат предыдущего окна или свои значения.</translation>
+        </message>
+        <message>
+            <source>Start value of the functional F's parameter, in the notation of (6).</source>
+            <translation>Начальное значение параметра функционала F в обозначениях (6).</translation>
+        </message>
+        <message>
+            <source>a_A</source>
+            <translation>a_A</translation>
+        </message>
+        <message>
+            <source>a_B</source>
+            <translation>a_B</translation>
+        </message>
+        <message>
+            <source>2θ_A</source>
+            <translation>2θ_A</translation>
+        </message>
+        <message>
+            <source>rad</source>
+            <translation>рад</translation>
+        </message>
+        <message>
+            <source>α</source>
+            <translation>α</translation>
+        </message>
+        <message>
+            <source>Phase at the centre of the first window; it is carried on to the others with the frequency.</source>
+            <translation>Фаза в центре первого окна; на остальные переносится с частотой.</translation>
+        </message>
+        <message>
+            <source>f</source>
+            <translation>f</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
+        </message>
+        <message>
+            <source>algorithm 1, each window</source>
+            <translation>алгоритма 1, каждое окно</translation>
+        </message>
+        <message>
+            <source>previous window</source>
+            <translation>предыдущего окна</translation>
+        </message>
+        <message>
+            <source>typed values</source>
+            <translation>своих значений</translation>
+        </message>
+        <message>
+            <source>for every window</source>
+            <translation>для каждого окна</translation>
+        </message>
+        <message>
+            <source>On: every window starts from the typed values. Off: only the first one, the others from the result of the window before.</source>
+            <translation>Включено: каждое окно начинается со своих значений. Выключено: только первое, остальные — с результата предыдущего окна.</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::TrackView</name>
+        <message>
+            <source>Slow variables over time</source>
+            <translation>Медленные переменные во времени</translation>
+        </message>
+        <message>
+            <source>No analysis yet.
+Open a recording and press Run.</source>
+            <translation>Расчётов пока нет.
+Откройте запись и нажмите «Рассчитать».</translation>
+        </message>
+        <message>
+            <source>Plot of %1, %2</source>
+            <translation>График %1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::WelcomePage</name>
+        <message>
+            <source>&lt;p style='font-size:large'&gt;Drop a recording of a free decay here&lt;/p&gt;&lt;p&gt;Two channels, C and D: WAV, FLAC, CSV and other tables of numbers&lt;/p&gt;</source>
+            <translation>&lt;p style='font-size:large'&gt;Перетащите сюда запись свободного выбега&lt;/p&gt;&lt;p&gt;Два канала, C и D: WAV, FLAC, CSV и другие таблицы чисел&lt;/p&gt;</translation>
+        </message>
+        <message>
+            <source>Open recording…</source>
+            <translation>Открыть запись…</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::WindowFields</name>
+        <message>
+            <source>Length</source>
+            <translation>Длина</translation>
+        </message>
+        <message>
+            <source>samples</source>
+            <translation>отсчётов</translation>
+        </message>
+        <message>
+            <source>periods</source>
+            <translation>периодов</translation>
+        </message>
+        <message>
+            <source>The same window in periods of the carrier; may be a fraction. The article varies T from 1 to 10 periods.</source>
+            <translation>То же окно в периодах несущей, можно дробное. В статье T меняется от 1 до 10 периодов.</translation>
+        </message>
+        <message>
+            <source>Length in periods</source>
+            <translation>Длина в периодах</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>мс</translation>
+        </message>
+        <message>
+            <source>The same window in milliseconds.</source>
+            <translation>То же окно в миллисекундах.</translation>
+        </message>
+        <message>
+            <source>Length in milliseconds</source>
+            <translation>Длина в миллисекундах</translation>
+        </message>
+        <message>
+            <source>Residual</source>
+            <translation>Остаток</translation>
+        </message>
+        <message>
+            <source>What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 are exact for every window.</source>
+            <translation>Насколько окно нарушает ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, условие после (7). Алгоритмы 1–4 точны лишь там, где остаток равен нулю; 5 и 6 точны при любом окне.</translation>
+        </message>
+        <message>
+            <source>Hop</source>
+            <translation>Шаг</translation>
+        </message>
+        <message>
+            <source>Samples between the starts of windows. Empty: windows one after the other (discrete identification); less than the window: sliding.</source>
+            <translation>Отсчётов между началами окон. Пусто: окна одно за другим (дискретная идентификация); меньше окна: скользящее окно.</translation>
+        </message>
+        <message>
+            <source>Overlap</source>
+            <translation>Перекрытие</translation>
+        </message>
+        <message>
+            <source>%</source>
+            <translation>%</translation>
+        </message>
+        <message>
+            <source>The same as a share of the window that the next one repeats.</source>
+            <translation>То же как доля окна, которую повторяет следующее.</translation>
+        </message>
+        <message>
+            <source>Snap</source>
+            <translation>Подогнать</translation>
+        </message>
+        <message>
+            <source>Moves the window to whole half-periods of the carrier: the n nearest to the wish that leaves the smallest residual.</source>
+            <translation>Подгоняет окно к целому числу полупериодов несущей: ближайшее n с наименьшим остатком.</translation>
+        </message>
+        <message>
+            <source>as the window</source>
+            <translation>равен окну</translation>
+        </message>
+        <message>
+            <source>Window of n consecutive samples, the averaging interval T of (7). The slow variables are constant inside it. At least 5 samples and three quarters of a period.</source>
+            <translation>Окно из n последовательных отсчётов, интервал усреднения T из (7). Внутри него медленные переменные постоянны. Не менее 5 отсчётов и трёх четвертей периода.</translation>
+        </message>
+    </context>
 </TS>

@@ -99,16 +99,20 @@ void AnalysisJob::findCarrier(int key, const Recording& recording, const Setting
 }
 
 JobControl AnalysisJob::reporting(int key, std::stop_token stop) {
-    auto clock = std::make_shared<QElapsedTimer>();
-    clock->start();
-    return JobControl(stop, [this, key, clock](double fraction) {
-        if (clock->elapsed() >= progress_interval_ms) {
-            clock->restart();
-            QMetaObject::invokeMethod(
-                this, [this, key, fraction] { emit analysisProgress(key, fraction); },
-                Qt::QueuedConnection);
-        }
-    });
+    QElapsedTimer started;
+    started.start();
+    auto last = std::make_shared<QElapsedTimer>(started);
+    return JobControl(
+        stop,
+        [this, key, last](double fraction) {
+            if (last->elapsed() >= progress_interval_ms) {
+                last->restart();
+                QMetaObject::invokeMethod(
+                    this, [this, key, fraction] { emit analysisProgress(key, fraction); },
+                    Qt::QueuedConnection);
+            }
+        },
+        [started] { return 1e-9 * static_cast<double>(started.nsecsElapsed()); });
 }
 
 void AnalysisJob::analyse(int key, const Recording& recording, const Settings& settings,

@@ -68,8 +68,9 @@ CursorPanel::CursorPanel(Document& document, QWidget* parent)
       table_(new QTableWidget(this)) {
     time_->setContentsMargins(6, 2, 6, 2);
     time_->setWordWrap(true);
+    time_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     table_->setRowCount(slow_variable_count + 1);
-    table_->setItemDelegateForColumn(0, new IndexDelegate(table_));
+    table_->setItemDelegate(new IndexDelegate(table_));
     table_->verticalHeader()->hide();
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
@@ -97,22 +98,25 @@ void CursorPanel::setUnits(const DisplayUnits& units) {
     retranslate();
 }
 
+double CursorPanel::shownTime(const Run& first) const {
+    return time_s_.value_or(first.analysis->track.time_s().front());
+}
+
 void CursorPanel::refresh() {
     const auto runs = visibleRuns(document_);
-    table_->setVisible(time_s_ && !runs.empty());
-    if (!time_s_ || runs.empty()) {
-        time_->setText(
-            tr("Move the mouse over the plots: the values of every shown run at that "
-               "time appear here."));
+    table_->setVisible(!runs.empty());
+    if (runs.empty()) {
+        time_->setText(tr("The values of every shown run at the mouse appear here."));
         return;
     }
-    time_->setText(QStringLiteral("t = %1 s").arg(QLocale().toString(*time_s_, 'f', 5)));
+    const double time_s = shownTime(runs.front()->run);
+    time_->setText(tr("t = %1 s").arg(QLocale().toString(time_s, 'f', 5)));
     table_->setColumnCount(static_cast<int>(runs.size()) + 1);
     bool any_flag = false;
     for (int column = 1; column < table_->columnCount(); ++column) {
         const RunEntry& entry = *runs[static_cast<std::size_t>(column - 1)];
         const Analysis& analysis = *entry.run.analysis;
-        const std::size_t row = nearestRow(analysis.track, *time_s_);
+        const std::size_t row = nearestRow(analysis.track, time_s);
         auto* header = new QTableWidgetItem(runIcon(entry.run), entry.run.name);
         header->setToolTip(entry.run.recording);
         table_->setHorizontalHeaderItem(column, header);
@@ -135,16 +139,17 @@ void CursorPanel::refresh() {
 
 QString CursorPanel::tableText() const {
     const auto runs = visibleRuns(document_);
-    if (!time_s_ || runs.empty()) {
+    if (runs.empty()) {
         return {};
     }
+    const double time_s = shownTime(runs.front()->run);
     const QLocale locale;
     const auto number = [&locale](double value) {
         return std::isnan(value) ? QString()
                                  : locale.toString(value, 'g', QLocale::FloatingPointShortest);
     };
     QStringList lines;
-    QStringList head{QStringLiteral("t = %1 s").arg(number(*time_s_))};
+    QStringList head{tr("t = %1 s").arg(number(time_s))};
     for (const RunEntry* entry : runs) {
         head << entry->run.name << tr("sd");
     }
@@ -156,7 +161,7 @@ QString CursorPanel::tableText() const {
         for (const RunEntry* entry : runs) {
             const Analysis& analysis = *entry->run.analysis;
             const Reading reading =
-                readingAt(analysis, variable, nearestRow(analysis.track, *time_s_), units_);
+                readingAt(analysis, variable, nearestRow(analysis.track, time_s), units_);
             cells << number(reading.value) << number(reading.sd);
         }
         lines << cells.join(QLatin1Char('\t'));

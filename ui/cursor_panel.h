@@ -32,6 +32,8 @@ protected:
 
 private:
     void refresh();
+    // The tracker's time, or the first window's before the mouse has been over the plots.
+    double shownTime(const Run& first) const;
     void retranslate();
 
     Document& document_;

@@ -72,7 +72,7 @@ void Document::open(const QStringList& paths, const OpenOptions& options) {
         const int id = ++last_id_;
         RecordingEntry entry;
         entry.id = id;
-        entry.path = path;
+        entry.path = QFileInfo(path).absoluteFilePath();
         entry.name = QFileInfo(path).fileName();
         entry.options = options;
         recordings_.push_back(std::move(entry));

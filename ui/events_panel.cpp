@@ -23,6 +23,7 @@ EventsPanel::EventsPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), title_(new QLabel(this)), list_(new QTreeWidget(this)) {
     title_->setContentsMargins(6, 2, 6, 2);
     title_->setWordWrap(true);
+    title_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setColumnCount(2);

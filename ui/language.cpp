@@ -22,9 +22,6 @@ void Language::use(const QString& code) {
     QLocale::setDefault(locale);
     ours_.reset();
     qts_.reset();
-    if (code_ == QLatin1String("en")) {
-        return;
-    }
     qts_ = std::make_unique<QTranslator>();
     if (qts_->load(QStringLiteral("qtbase_") + code_,
                    QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {

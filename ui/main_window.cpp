@@ -19,6 +19,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -37,9 +38,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setObjectName(QStringLiteral("main_window"));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     buildViews();
     buildDocks();
     buildStatusBar();
@@ -53,6 +53,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     showCurrentRecording();
     showRuns();
     showProgress();
+    tracks_->setFocus();
 }
 
 MainWindow::~MainWindow() = default;
@@ -99,13 +100,17 @@ void MainWindow::buildDocks() {
     auto* recordings =
         dock(recordings_, "recordings", QT_TR_NOOP("Recordings"), Qt::LeftDockWidgetArea);
     auto* settings = dock(settings_, "analysis", QT_TR_NOOP("Analysis"), Qt::LeftDockWidgetArea);
-    auto* cursor = dock(cursor_, "cursor", QT_TR_NOOP("At the cursor"), Qt::RightDockWidgetArea);
-    auto* events = dock(events_, "events", QT_TR_NOOP("Events"), Qt::RightDockWidgetArea);
+    readings_ = new QTabWidget(this);
+    readings_->setDocumentMode(true);
+    readings_->addTab(cursor_, QString());
+    readings_->addTab(events_, QString());
+    auto* readings =
+        dock(readings_, "readings", QT_TR_NOOP("Values and events"), Qt::RightDockWidgetArea);
+    // The tabs say what the title bar would say.
+    readings->setTitleBarWidget(new QWidget(readings));
     auto* runs = dock(runs_, "runs", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea);
-    tabifyDockWidget(cursor, events);
-    cursor->raise();
     resizeDocks({recordings, settings}, {220, 480}, Qt::Vertical);
-    resizeDocks({settings, cursor}, {300, 250}, Qt::Horizontal);
+    resizeDocks({settings, readings}, {300, 270}, Qt::Horizontal);
     resizeDocks({runs}, {130}, Qt::Vertical);
 }
 
@@ -130,7 +135,7 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::recordingChanged, this, &MainWindow::showCurrentRecording);
     connect(&document_, &Document::currentRecordingChanged, this,
             &MainWindow::showCurrentRecording);
-    connect(&document_, &Document::settingsChanged, this, &MainWindow::showCurrentRecording);
+    connect(&document_, &Document::settingsChanged, this, &MainWindow::showAnalysedRange);
     connect(&document_, &Document::runsChanged, this, &MainWindow::showRuns);
     connect(&document_, &Document::busyChanged, this, &MainWindow::showProgress);
     connect(&document_, &Document::progressChanged, this, &MainWindow::showProgress);
@@ -142,7 +147,7 @@ void MainWindow::connectDocument() {
         const auto windows = static_cast<int>(entry->summary.windows);
         status_text_ = [windows, seconds] {
             return tr("%n window(s) in %1 s", nullptr, windows)
-                .arg(QLocale().toString(seconds, 'f', 2));
+                .arg(QLocale().toString(seconds, 'g', 2));
         };
         status_->setText(status_text_());
     });
@@ -183,10 +188,10 @@ void MainWindow::showCurrentRecording() {
         } else {
             signal_->setReading(recording.seconds());
         }
-        const Settings& settings = document_.settings();
-        signal_->setAnalysedRange(
-            {settings.from_s.value_or(0), settings.to_s.value_or(recording.seconds())});
-        signal_->setVisibleRange(tracks_->timeRange());
+        if (!document_.runs().empty()) {
+            signal_->setVisibleRange(tracks_->timeRange());
+        }
+        showAnalysedRange();
     } else {
         signal_->clear();
     }
@@ -194,9 +199,20 @@ void MainWindow::showCurrentRecording() {
     refreshActions();
 }
 
+void MainWindow::showAnalysedRange() {
+    const RecordingEntry* entry = document_.currentRecording();
+    if (entry && entry->recording) {
+        const Settings& settings = document_.settings();
+        signal_->setAnalysedRange(
+            {settings.from_s.value_or(0), settings.to_s.value_or(entry->recording->seconds())});
+    }
+}
+
 void MainWindow::showRuns() {
     tracks_->setRuns(document_.plottedRuns());
-    signal_->setVisibleRange(tracks_->timeRange());
+    if (!document_.runs().empty()) {
+        signal_->setVisibleRange(tracks_->timeRange());
+    }
     showRun(runs_->currentRun());
     refreshActions();
 }

@@ -18,6 +18,7 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
+class QTabWidget;
 class QToolBar;
 
 namespace vybeg::ui {
@@ -104,6 +105,7 @@ private:
     void connectDocument();
     void connectViews();
     void showCurrentRecording();
+    void showAnalysedRange();
     void showRuns();
     void showProgress();
     void showRun(int id);
@@ -157,6 +159,7 @@ private:
     CursorPanel* cursor_ = nullptr;
     EventsPanel* events_ = nullptr;
     RunList* runs_ = nullptr;
+    QTabWidget* readings_ = nullptr;
     RecentFiles* recent_ = nullptr;
     QLabel* status_ = nullptr;
     QLabel* time_left_ = nullptr;

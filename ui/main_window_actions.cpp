@@ -353,6 +353,8 @@ void MainWindow::retranslate() {
             choice.action->setText(displayMeaning(variable));
         }
     }
+    readings_->setTabText(0, tr("At the cursor"));
+    readings_->setTabText(1, tr("Events"));
     tools_->setWindowTitle(tr("Tools"));
     cancel_->setText(tr("Cancel"));
     progress_->setAccessibleName(tr("Progress of the analysis"));

@@ -132,7 +132,8 @@ QSize NumberField::minimumSizeHint() const {
 void NumberField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
     QPainter painter(this);
-    if (!unit_.isEmpty()) {
+    // Behind a placeholder in words ("as the window") a unit would read oddly.
+    if (!unit_.isEmpty() && (!text().isEmpty() || readNumber(placeholderText()))) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);
     }

@@ -37,9 +37,14 @@ QString breakable(const QString& text) {
 QString channelText(const Recording& recording, int number) {
     const Channel& channel = recording.channels.at(static_cast<std::size_t>(number - 1));
     const QString name = QString::fromStdString(channel.name);
+    // Many files call their channels by number; that needs no second mention.
+    QString text = RecordingPanel::tr("%1 of %2").arg(number).arg(recording.channels.size());
+    if (name != QString::number(number)) {
+        text = QStringLiteral("%1 (%2)").arg(name, text);
+    }
     return channel.unit.empty()
-               ? name
-               : QStringLiteral("%1, %2").arg(name, QString::fromStdString(channel.unit));
+               ? text
+               : QStringLiteral("%1, %2").arg(text, QString::fromStdString(channel.unit));
 }
 
 }  // namespace
@@ -144,7 +149,7 @@ void RecordingPanel::refreshInfo() {
         values_[row]->setVisible(!text.isEmpty());
     };
     set(file, breakable(QDir::toNativeSeparators(entry->path)));
-    set(format, QString::fromStdString(recording.format));
+    set(format, formatText(recording.format));
     const QString hertz = locale.toString(recording.rate_hz, 'g', 10);
     switch (recording.rate_from) {
         case RateOrigin::file: set(rate, tr("%1 Hz, from the file").arg(hertz)); break;
@@ -155,12 +160,9 @@ void RecordingPanel::refreshInfo() {
     }
     set(length, tr("%1 s, %n sample(s)", nullptr, static_cast<int>(recording.frames()))
                     .arg(locale.toString(recording.seconds(), 'g', 8)));
-    set(channels, tr("C: %1 (%2 of %4)\nD: %3 (%5 of %4)")
-                      .arg(channelText(recording, recording.channel_c))
-                      .arg(recording.channel_c)
-                      .arg(channelText(recording, recording.channel_d))
-                      .arg(recording.channels.size())
-                      .arg(recording.channel_d));
+    set(channels, QStringLiteral("C: %1\nD: %2")
+                      .arg(channelText(recording, recording.channel_c),
+                           channelText(recording, recording.channel_d)));
     set(start, QString::fromStdString(recording.start));
     set(carrier, entry->f0_hz ? tr("%1 Hz").arg(locale.toString(*entry->f0_hz, 'f', 4))
                               : QStringLiteral("…"));

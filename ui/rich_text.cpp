@@ -10,6 +10,16 @@
 
 namespace vybeg::ui {
 
+namespace {
+
+// drawIndexText() measures in pixels; the fonts of widgets are set in points.
+QFont inPixels(QFont font) {
+    font.setPixelSize(QFontInfo(font).pixelSize());
+    return font;
+}
+
+}  // namespace
+
 QString richText(const QString& text) {
     QString html;
     for (const IndexTextPiece& piece : indexPieces(text)) {
@@ -41,7 +51,7 @@ void IndexDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->setPen(item.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
     const QFontMetrics metrics(item.font);
     const double base = area.center().y() + (metrics.ascent() - metrics.descent()) / 2.0;
-    drawIndexText(*painter, QPointF(item.rect.left() + 4, base), text, item.font);
+    drawIndexText(*painter, QPointF(item.rect.left() + 4, base), text, inPixels(item.font));
     painter->restore();
 }
 
@@ -49,7 +59,9 @@ QSize IndexDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIn
     QSize size = QStyledItemDelegate::sizeHint(option, index);
     const QString text = index.data(Qt::DisplayRole).toString();
     if (text.contains(QLatin1Char('_'))) {
-        size.setWidth(static_cast<int>(std::ceil(indexTextWidth(text, option.font))) + 10);
+        size.setWidth(static_cast<int>(std::ceil(indexTextWidth(text, inPixels(option.font)))) +
+                      10);
+        size.setHeight(option.fontMetrics.height() + 6);
     }
     return size;
 }

@@ -3,9 +3,11 @@
 #include "ui/display_units.h"
 #include "ui/error_text.h"
 #include "ui/settings_panel.h"
+#include "ui/theme.h"
 
 #include <QAction>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QLocale>
 #include <QPainter>
@@ -19,12 +21,16 @@ QIcon runIcon(const Run& run) {
     constexpr int scale = 2;
     QPixmap pixmap(width * scale, height * scale);
     pixmap.setDevicePixelRatio(scale);
-    pixmap.fill(Qt::transparent);
+    // Its own ground: the line must also be seen on the colour of a selected row.
+    pixmap.fill(QGuiApplication::palette().color(QPalette::Base));
     QPainter painter(&pixmap);
-    painter.setPen(QPen(run.color, 2.5, run.dash, Qt::FlatCap));
-    painter.drawLine(QPointF(0, height / 2.0), QPointF(width, height / 2.0));
+    const Theme theme = isDark(QGuiApplication::palette()) ? darkTheme() : lightTheme();
+    painter.setPen(QPen(readable(run.color, theme), 2.5, run.dash, Qt::FlatCap));
+    painter.drawLine(QPointF(2, height / 2.0), QPointF(width - 2, height / 2.0));
     painter.end();
-    return QIcon(pixmap);
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);
+    return icon;
 }
 
 RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
@@ -87,7 +93,7 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
     });
     retranslate();
     const int digit = fontMetrics().averageCharWidth();
-    const int widths[column_count] = {26, 16, 24, 8, 16, 26, 10, 8};
+    const int widths[column_count] = {28, 14, 26, 8, 17, 25, 12, 8};
     for (int column = 0; column < column_count; ++column) {
         setColumnWidth(column, widths[column] * digit);
     }
@@ -115,7 +121,7 @@ void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) const {
                               : tr("%1 (%2 flagged)").arg(count).arg(entry.summary.flagged));
     item.setText(frequency, valueText(entry.summary.mean_f_hz, entry.summary.sd_mean_f_hz));
     item.setText(rms, locale.toString(entry.summary.rms, 'g', 4));
-    item.setText(time, locale.toString(entry.run.seconds_taken, 'f', 2));
+    item.setText(time, locale.toString(entry.run.seconds_taken, 'g', 2));
     QStringList notes;
     for (const Diagnostic& diagnostic : analysis.diagnostics) {
         notes << diagnosticText(diagnostic);

@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <array>
@@ -94,8 +95,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
-    // The content never gets narrower than its fields: the panel grows instead of cutting them.
-    content->setMinimumWidth(0);
+    scroll_ = scroll;
 
     run_ = new QPushButton(this);
     run_->setObjectName(QStringLiteral("run"));
@@ -163,6 +163,9 @@ void SettingsPanel::retranslate() {
     for (const Group& group : groups_) {
         group.section->setTitle(tr(group.title));
     }
+    // The panel grows instead of cutting its fields.
+    scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
+                             scroll_->verticalScrollBar()->sizeHint().width());
     run_->setText(tr("Run"));
     run_->setToolTip(tr("Analyse the current recording with these settings (F5)"));
     refresh();

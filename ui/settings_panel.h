@@ -7,6 +7,8 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QScrollArea;
+class QVBoxLayout;
 
 namespace vybeg::ui {
 
@@ -45,7 +47,8 @@ private:
     QComboBox* algorithm_;
     QPushButton* run_;
     std::vector<Group> groups_;
-    class QVBoxLayout* sections_;
+    QVBoxLayout* sections_;
+    QScrollArea* scroll_;
 };
 
 // The algorithm's name with its number, e.g. "4 Demodulation", in the interface's language.

@@ -35,14 +35,14 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     samples_ = addField({QT_TR_NOOP("Length"), QT_TR_NOOP("samples"),
                          QT_TR_NOOP("Window of n consecutive samples, the averaging interval T of "
                                     "(7). The slow variables are constant inside it. At least 5 "
-                                    "samples and one period.")});
+                                    "samples and three quarters of a period.")});
     samples_->setInteger(true);
     samples_->setLimits(5, 1e12);
     periods_ = addField({"", QT_TR_NOOP("periods"),
                          QT_TR_NOOP("The same window in periods of the carrier; may be a "
                                     "fraction. The article varies T from 1 to 10 periods."),
                          QT_TR_NOOP("Length in periods")});
-    periods_->setLimits(1, 1e12);
+    periods_->setLimits(0.5, 1e12);
     periods_->setDigits(6);
     milliseconds_ = addField({"", QT_TR_NOOP("ms"), QT_TR_NOOP("The same window in milliseconds."),
                               QT_TR_NOOP("Length in milliseconds")});
@@ -64,16 +64,13 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
                           "below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 "
                           "are exact for every window.")});
 
-    const auto pair = addPair(
-        {QT_TR_NOOP("Hop"), QT_TR_NOOP("samples"),
-         QT_TR_NOOP("Samples between the starts of windows. Empty: windows one after the other "
-                    "(discrete identification); less than the window: sliding.")},
-        {"", QT_TR_NOOP("% overlap"),
-         QT_TR_NOOP("The same as a share of the window that the next "
-                    "one repeats."),
-         QT_TR_NOOP("Overlap")});
-    hop_ = pair.first;
-    overlap_ = pair.second;
+    hop_ = addField({QT_TR_NOOP("Hop"), QT_TR_NOOP("samples"),
+                     QT_TR_NOOP("Samples between the starts of windows. Empty: windows one after "
+                                "the other (discrete identification); less than the window: "
+                                "sliding.")});
+    overlap_ = addField({QT_TR_NOOP("Overlap"), QT_TR_NOOP("%"),
+                         QT_TR_NOOP("The same as a share of the window that the next one "
+                                    "repeats.")});
     hop_->setInteger(true);
     hop_->setOptional(true);
     hop_->setLimits(1, 1e12);
@@ -125,7 +122,7 @@ void WindowFields::retranslate() {
     snap_->setToolTip(
         richTip(tr("Moves the window to whole half-periods of the carrier: the n nearest to the "
                    "wish that leaves the smallest residual.")));
-    hop_->setPlaceholderText(tr("window"));
+    hop_->setPlaceholderText(tr("as the window"));
     SettingsFields::retranslate();
 }
 

@@ -1,0 +1,51 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_US" sourcelanguage="en">
+    <context>
+        <name>Format</name>
+        <message numerus="yes">
+            <source>%n channel(s)</source>
+            <translation>
+                <numerusform>%n channel</numerusform>
+                <numerusform>%n channels</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n column(s)</source>
+            <translation>
+                <numerusform>%n column</numerusform>
+                <numerusform>%n columns</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::EventsPanel</name>
+        <message numerus="yes">
+            <source>%1: %n event(s)</source>
+            <translation>
+                <numerusform>%1: %n event</numerusform>
+                <numerusform>%1: %n events</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::MainWindow</name>
+        <message numerus="yes">
+            <source>%n window(s) in %1 s</source>
+            <translation>
+                <numerusform>%n window in %1 s</numerusform>
+                <numerusform>%n windows in %1 s</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::RecordingPanel</name>
+        <message numerus="yes">
+            <source>%1 s, %n sample(s)</source>
+            <translation>
+                <numerusform>%1 s, %n sample</numerusform>
+                <numerusform>%1 s, %n samples</numerusform>
+            </translation>
+        </message>
+    </context>
+</TS>
