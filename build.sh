@@ -10,8 +10,10 @@ packages=(
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n # Russian
     libeigen3-dev libtbb-dev libfftw3-dev   # numerics
     libsndfile1-dev libmatio-dev libssl-dev libfast-float-dev nlohmann-json3-dev # files
+    zlib1g-dev                              # files that are packed
     libcli11-dev                            # command line
     fonts-dejavu-core                       # text without a display
+    python3-numpy python3-scipy python3-h5py # write files for the tests of readers
 )
 developer_packages=(clang-format clang-tidy)
 
