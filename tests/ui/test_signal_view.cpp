@@ -165,7 +165,8 @@ private slots:
     void both_channels_and_missing_samples_are_seen() {
         Bench bench;
         bench.view.setVisibleRange({0, 10});
-        const QImage image = bench.view.grab().toImage();
+        // In device-independent pixels, whatever the scale.
+        const QImage image = bench.view.grab().toImage().scaled(bench.view.size());
         // 950 of 1000 columns hold samples; names and handles cover some.
         QVERIFY(pixelsLike(image, 12, lightTheme().signalC) > 850);
         QVERIFY(pixelsLike(image, 46, lightTheme().signalD) > 850);
