@@ -14,6 +14,9 @@ namespace {
 constexpr std::int64_t chunk_frames = std::int64_t{1} << 18;
 // Frames of the block of windows that one task takes at a time.
 constexpr std::int64_t block_frames = std::int64_t{1} << 13;
+// Windows of it at most, where they overlap: the slowest algorithm takes 20 us for one, and the
+// stop token is looked at between blocks.
+constexpr std::int64_t block_windows = 1024;
 
 std::int64_t windows_in(std::int64_t frames, const WindowPlan& plan) {
     return std::max<std::int64_t>(1, (frames - plan.length) / plan.hop + 1);
@@ -79,22 +82,25 @@ public:
         return prepared_.source->read(chunk.first_frame, chunk.c, chunk.d);
     }
 
-    void estimate(const Chunk& chunk) {
+    // Leaves the rest undone once the job is cancelled.
+    void estimate(const Chunk& chunk, const JobControl& job) {
         const auto block = [&](Estimator& estimator, std::int64_t from, std::int64_t to) {
             estimate_block(chunk, estimator, chunk.first_window + from, to - from);
         };
+        // The blocks are the same whatever the number of threads, and so is every result.
+        const std::int64_t per_block = std::min(windows_in(block_frames, plan_), block_windows);
+        const std::int64_t blocks = (chunk.windows + per_block - 1) / per_block;
+        const auto run = [&](Estimator& estimator, std::int64_t begin, std::int64_t end) {
+            for (std::int64_t b = begin; b < end && !job.cancelled(); ++b) {
+                block(estimator, b * per_block, std::min((b + 1) * per_block, chunk.windows));
+            }
+        };
         if (sequential_->sequential()) {
-            block(*sequential_, 0, chunk.windows);
+            run(*sequential_, 0, blocks);
             return;
         }
-        // The blocks are the same whatever the number of threads, and so is every result.
-        const std::int64_t per_block = windows_in(block_frames, plan_);
-        const std::int64_t blocks = (chunk.windows + per_block - 1) / per_block;
         tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, blocks, 1), [&](const auto& range) {
-            const std::unique_ptr<Estimator> estimator = make_estimator(algorithm_, options_);
-            for (std::int64_t b = range.begin(); b < range.end(); ++b) {
-                block(*estimator, b * per_block, std::min((b + 1) * per_block, chunk.windows));
-            }
+            run(*make_estimator(algorithm_, options_), range.begin(), range.end());
         });
     }
 
@@ -148,7 +154,10 @@ Result<EstimatedTrack> estimate_track(const Prepared& prepared, const WindowPlan
             return read.error();
         }
         const double have_read = job.now();
-        arena.execute([&] { estimation.estimate(chunk); });
+        arena.execute([&] { estimation.estimate(chunk, job); });
+        if (job.cancelled()) {
+            return Error{ErrorCode::interrupted, "", {}};
+        }
         result.read_s += have_read - begun;
         result.estimate_s += job.now() - have_read;
         job.report(static_cast<double>(window + chunk.windows) / static_cast<double>(plan.count));
