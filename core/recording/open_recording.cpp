@@ -3,12 +3,14 @@
 #include "core/recording/audio_extent.h"
 #include "core/recording/audio_reader.h"
 #include "core/recording/file_bytes.h"
+#include "core/recording/library_reader.h"
 #include "core/recording/npy_array.h"
 #include "core/recording/npy_reader.h"
 #include "core/recording/raw_reader.h"
 #include "core/recording/selection.h"
 #include "core/recording/text_encoding.h"
 #include "core/recording/text_recording.h"
+#include "core/recording/uff_reader.h"
 
 #include <vector>
 
@@ -42,6 +44,12 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
     }
     if (is_npy(head)) {
         return open_npy(*file, options);
+    }
+    if (const auto format = library_format(head, **file)) {
+        return open_with_library(*file, *format, options, job);
+    }
+    if (is_uff(head)) {
+        return open_uff(*file, options, job);
     }
     if (looks_like_text(head)) {
         return open_text(*file, options, job);

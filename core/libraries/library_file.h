@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/reader_protocol.h"
+
+#include <memory>
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+// A file that a library of other people reads, inside vybeg-reader only: a damaged file may crash
+// the library, make it hang or take memory up to the process's limit.
+//
+// Errors of all of it: format_damaged, format_unsupported, without a place.
+class LibraryFile {
+public:
+    LibraryFile() = default;
+    LibraryFile(const LibraryFile&) = delete;
+    LibraryFile& operator=(const LibraryFile&) = delete;
+    virtual ~LibraryFile() = default;
+
+    virtual const Catalogue& catalogue() const = 0;
+
+    // Precondition: fits(request, catalogue()), and `out` has request.count places.
+    virtual Status read(const SampleRequest& request, std::span<double> out) = 0;
+};
+
+// A MAT file of level 4 or 5, through libmatio: arrays of real numbers and, by "name.field", those
+// in single structs.
+Result<std::unique_ptr<LibraryFile>> open_mat_file(const std::string& path);
+
+enum class Naming { hdf5, matlab };  // "/run/C" or "run.C"
+
+// An HDF5 file, through libhdf5: datasets of one or two dimensions in any group. External links,
+// soft links and samples in other files are not followed.
+Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Naming naming);
+
+// "16 bit integer", "64 bit float"
+std::string number_type_text(int bits, bool is_float);
+
+}  // namespace vybeg

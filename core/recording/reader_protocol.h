@@ -1,0 +1,89 @@
+#pragma once
+
+#include "core/base/error.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// What the program and its helper vybeg-reader say to each other over a socket. The helper speaks
+// first: a catalogue or an error. Then it answers each SampleRequest with samples or an error. Both
+// are of one build on one machine: numbers go as they lie in memory. Nothing that comes from the
+// helper is trusted: a damaged file may have damaged it, too.
+namespace vybeg {
+
+// One array of numbers in a file.
+struct FileVariable {
+    std::string name;           // "C", "run.C" (MAT), "/run/C" (HDF5)
+    std::int64_t frames = 0;    // along the longer axis
+    std::int64_t channels = 0;  // along the shorter one; 1 for a vector
+    std::string type;           // e.g. "64 bit float"
+    std::string unsupported;    // why its samples cannot be read, e.g. "complex numbers"; or empty
+    std::string unit;
+    std::optional<double> value;    // of a single number
+    std::optional<double> rate_hz;  // from its attributes or those of the groups around it
+
+    friend bool operator==(const FileVariable&, const FileVariable&) = default;
+};
+
+struct Catalogue {
+    std::string format;  // e.g. "MAT 5"
+    std::vector<FileVariable> variables;
+
+    friend bool operator==(const Catalogue&, const Catalogue&) = default;
+};
+
+// The frames [first, first + count) of one channel (from 0) of a variable (its place in the
+// catalogue, from 0).
+struct SampleRequest {
+    std::int64_t variable = 0;
+    std::int64_t channel = 0;
+    std::int64_t first = 0;
+    std::int64_t count = 0;
+};
+
+// Whether the request asks for samples that the catalogue promises.
+bool fits(const SampleRequest& request, const Catalogue& catalogue);
+
+// Seconds that the helper may take to answer: 2, and for a compressed variable, which is decoded
+// from its start, a time that grows with what lies before.
+int seconds_allowed(const SampleRequest& request);
+inline constexpr int seconds_for_catalogue = 2;
+
+enum class ReplyKind : std::uint8_t { catalogue, samples, error };
+
+struct Reply {
+    ReplyKind kind{};
+    std::int64_t bytes = 0;  // that follow
+};
+
+// Descriptors that the helper finds open.
+inline constexpr int reader_socket = 0;
+inline constexpr int reader_file = 3;
+
+std::string encode(const Catalogue& catalogue);
+std::optional<Catalogue> decode_catalogue(std::string_view bytes);
+// Code and arguments; `where` is the caller's to fill in.
+std::string encode(const Error& error);
+std::optional<Error> decode_error(std::string_view bytes);
+
+// The whole of `bytes` to or from a socket; false at its end, at its timeout and on failure (errno
+// tells; 0 at the end).
+bool send_bytes(int socket, std::span<const char> bytes);
+bool receive_bytes(int socket, std::span<char> bytes);
+
+// The same for one plain value.
+template <class Value>
+bool send_value(int socket, const Value& value) {
+    return send_bytes(socket, {reinterpret_cast<const char*>(&value), sizeof value});
+}
+
+template <class Value>
+bool receive_value(int socket, Value& value) {
+    return receive_bytes(socket, {reinterpret_cast<char*>(&value), sizeof value});
+}
+
+}  // namespace vybeg
