@@ -56,10 +56,13 @@ void MainWindow::askForFiles() {
         new QFileDialog(this, tr("Open recordings"), QSettings().value(folder_key).toString());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFiles);
+    const QString audio = QStringLiteral("*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf");
+    const QString tables = QStringLiteral("*.csv *.tsv *.txt *.dat");
+    const QString arrays = QStringLiteral("*.npy *.npz *.mat *.h5 *.hdf5");
     dialog->setNameFilters(
-        {tr("Recordings (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf *.csv *.tsv *.txt *.dat)"),
-         tr("Audio (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf)"),
-         tr("Tables of numbers (*.csv *.tsv *.txt *.dat)"), tr("All files (*)")});
+        {tr("Recordings (%1)").arg(audio + QLatin1Char(' ') + tables + QLatin1Char(' ') + arrays),
+         tr("Audio (%1)").arg(audio), tr("Tables of numbers (%1)").arg(tables),
+         tr("Arrays (%1)").arg(arrays), tr("All files (*)")});
     connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
         QSettings().setValue(folder_key, QFileInfo(files.first()).absolutePath());
         document_.open(files);

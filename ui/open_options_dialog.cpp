@@ -37,6 +37,12 @@ OpenOptionsDialog::OpenOptionsDialog(const QString& path, const OpenOptions& opt
     channel_c_ = spin(options.channel_c);
     channel_d_ = spin(options.channel_d);
 
+    QStringList names;
+    for (const std::string& name : options.variables) {
+        names << QString::fromStdString(name);
+    }
+    variables_ = new QLineEdit(names.join(QStringLiteral(", ")), this);
+
     const RawLayout layout = options.raw.value_or(RawLayout{});
     raw_ = new QGroupBox(this);
     raw_->setCheckable(true);
@@ -59,6 +65,7 @@ OpenOptionsDialog::OpenOptionsDialog(const QString& path, const OpenOptions& opt
     form->addRow(labels_[rate], rate_);
     form->addRow(labels_[channel_c], channel_c_);
     form->addRow(labels_[channel_d], channel_d_);
+    form->addRow(labels_[variables], variables_);
     auto* raw_form = new QFormLayout(raw_);
     raw_form->addRow(labels_[raw_type], type_);
     raw_form->addRow(labels_[raw_order], order_);
@@ -95,7 +102,13 @@ OpenOptions OpenOptionsDialog::options() const {
     OpenOptions options{.rate_hz = readNumber(rate_->text()),
                         .channel_c = channel_c_->value(),
                         .channel_d = channel_d_->value(),
-                        .raw = std::nullopt};
+                        .raw = std::nullopt,
+                        .variables = {}};
+    if (!variables_->text().trimmed().isEmpty()) {
+        for (const QString& name : variables_->text().split(QLatin1Char(','))) {
+            options.variables.push_back(name.trimmed().toStdString());
+        }
+    }
     if (raw_->isChecked()) {
         options.raw = RawLayout{
             .type = static_cast<RawType>(type_->currentIndex()),
@@ -117,10 +130,10 @@ void OpenOptionsDialog::changeEvent(QEvent* event) {
 void OpenOptionsDialog::retranslate() {
     setWindowTitle(tr("Open with options"));
     title_->setText(tr("How to read %1").arg(QFileInfo(path_).fileName()));
-    const QString texts[row_count] = {tr("Sample rate"), tr("Channel C"),  tr("Channel D"),
-                                      tr("Sample type"), tr("Byte order"), tr("Channels"),
-                                      tr("Skip"),        tr("Scale")};
-    QWidget* fields[row_count] = {rate_,  channel_c_, channel_d_, type_,
+    const QString texts[row_count] = {tr("Sample rate"), tr("Channel C"),   tr("Channel D"),
+                                      tr("Variables"),   tr("Sample type"), tr("Byte order"),
+                                      tr("Channels"),    tr("Skip"),        tr("Scale")};
+    QWidget* fields[row_count] = {rate_,  channel_c_, channel_d_, variables_, type_,
                                   order_, channels_,  skip_,      scale_};
     for (int row = 0; row < row_count; ++row) {
         labels_[row]->setText(texts[row]);
@@ -131,6 +144,10 @@ void OpenOptionsDialog::retranslate() {
     rate_->setToolTip(tr("Used where the file has no rate of its own"));
     channel_c_->setToolTip(tr("Counted from 1; a time column does not count"));
     channel_d_->setToolTip(tr("Counted from 1; a time column does not count"));
+    variables_->setPlaceholderText(tr("the first that fit"));
+    variables_->setToolTip(
+        tr("Names of the variables that hold C and D and, third, the rate, in a file of several "
+           "(NPZ, MAT, HDF5), with commas between them"));
     skip_->setUnit(tr("bytes"));
     scale_->setToolTip(tr("Recording units per count"));
     raw_->setTitle(tr("Raw samples without a header"));

@@ -10,6 +10,7 @@ class QDialogButtonBox;
 class QFormLayout;
 class QGroupBox;
 class QLabel;
+class QLineEdit;
 class QSpinBox;
 
 namespace vybeg::ui {
@@ -37,6 +38,7 @@ private:
         rate,
         channel_c,
         channel_d,
+        variables,
         raw_type,
         raw_order,
         raw_channels,
@@ -53,6 +55,7 @@ private:
     NumberField* rate_;
     QSpinBox* channel_c_;
     QSpinBox* channel_d_;
+    QLineEdit* variables_;
     QGroupBox* raw_;
     QComboBox* type_;
     QComboBox* order_;
