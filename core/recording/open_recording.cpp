@@ -8,6 +8,7 @@
 #include "core/recording/npy_reader.h"
 #include "core/recording/raw_reader.h"
 #include "core/recording/selection.h"
+#include "core/recording/tdms_reader.h"
 #include "core/recording/text_encoding.h"
 #include "core/recording/text_recording.h"
 #include "core/recording/uff_reader.h"
@@ -44,6 +45,9 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
     }
     if (is_npy(head)) {
         return open_npy(*file, options);
+    }
+    if (is_tdms(head)) {
+        return open_tdms(*file, options, job);
     }
     if (const auto format = library_format(head, **file)) {
         return open_with_library(*file, *format, options, job);

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vybeg {
+
+// What the eleven records at the head of a dataset 58 (function at a nodal degree of freedom) say
+// of its values.
+struct UffFunction {
+    std::string name;   // from the first identification line, else node and direction; may be empty
+    std::string start;  // third identification line: date and time
+    std::string unit;   // of the values
+    int function = 0;   // 0 general, 1 time response, others are spectra and the like
+    int abscissa = 0;   // 0 unknown, 17 time, 18 frequency, ...
+    bool is_complex = false;
+    bool is_even = false;
+    std::int64_t count = 0;
+    double step_s = 0;  // seconds from value to value
+
+    bool is_time_response() const;
+};
+
+inline constexpr std::size_t uff_header_lines = 11;
+
+// Precondition: as many lines as uff_header_lines. Nothing where a number in them is none.
+std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& lines);
+
+// The values of a data line, written side by side or with blanks between them; appended to
+// `values`, missing ones as NaN. Fortran's D is read as E. False where there is anything else in
+// the line.
+bool parse_uff_values(std::string_view line, std::vector<double>& values);
+
+}  // namespace vybeg
