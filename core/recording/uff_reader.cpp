@@ -217,6 +217,7 @@ Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOpti
                            const JobControl& job) {
     TextLines lines(file);
     UffFile content(*file, options);
+    std::size_t taken = 0;  // bytes
     for (;;) {
         const auto line = lines.next();
         if (!line) {
@@ -228,11 +229,13 @@ Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOpti
         if (const Status status = content.take(**line, lines.number(), lines.ended()); !status) {
             return status.error();
         }
+        taken += (*line)->size() + 1;
         if (lines.number() % lines_per_report == 0) {
             if (job.cancelled()) {
                 return file->error(ErrorCode::interrupted);
             }
-            job.report(lines.fraction());
+            job.report(
+                std::min(1.0, static_cast<double>(taken) / static_cast<double>(file->size())));
         }
     }
 }
