@@ -3,6 +3,7 @@
 #include "app/gui_figure.h"
 #include "app/option_values.h"
 #include "core/base/messages.h"
+#include "ui/language.h"
 #include "ui/main_window.h"
 
 #include <QApplication>
@@ -83,6 +84,8 @@ int figure_mode(int argc, char** argv, const FigureRequest& request) {
     }
     QApplication application(argc, argv);
     name_application();
+    ui::Language language;
+    language.use(ui::Language::ofTheSystem());
     return draw_figure(request, interrupt.token());
 }
 

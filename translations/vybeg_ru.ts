@@ -1032,18 +1032,6 @@
             <translation>Открыть записи</translation>
         </message>
         <message>
-            <source>Recordings (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf *.csv *.tsv *.txt *.dat)</source>
-            <translation>Записи (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf *.csv *.tsv *.txt *.dat)</translation>
-        </message>
-        <message>
-            <source>Audio (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf)</source>
-            <translation>Звук (*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf)</translation>
-        </message>
-        <message>
-            <source>Tables of numbers (*.csv *.tsv *.txt *.dat)</source>
-            <translation>Таблицы чисел (*.csv *.tsv *.txt *.dat)</translation>
-        </message>
-        <message>
             <source>All files (*)</source>
             <translation>Все файлы (*)</translation>
         </message>
@@ -1066,6 +1054,30 @@
         <message>
             <source>Copy diagnostics</source>
             <translation>Копировать сведения</translation>
+        </message>
+        <message>
+            <source>Float</source>
+            <translation>Открепить</translation>
+        </message>
+        <message>
+            <source>Close this panel</source>
+            <translation>Закрыть панель</translation>
+        </message>
+        <message>
+            <source>Recordings (%1)</source>
+            <translation>Записи (%1)</translation>
+        </message>
+        <message>
+            <source>Audio (%1)</source>
+            <translation>Звук (%1)</translation>
+        </message>
+        <message>
+            <source>Tables of numbers (%1)</source>
+            <translation>Таблицы чисел (%1)</translation>
+        </message>
+        <message>
+            <source>Arrays (%1)</source>
+            <translation>Массивы (%1)</translation>
         </message>
     </context>
     <context>
@@ -1172,6 +1184,18 @@
         <message>
             <source>big endian</source>
             <translation>старший байт первым</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>Переменные</translation>
+        </message>
+        <message>
+            <source>the first that fit</source>
+            <translation>первые подходящие</translation>
+        </message>
+        <message>
+            <source>Names of the variables that hold C and D and, third, the rate, in a file of several (NPZ, MAT, HDF5), with commas between them</source>
+            <translation>Имена переменных с C и D и, третьей, с частотой дискретизации, если в файле их несколько (NPZ, MAT, HDF5), через запятую</translation>
         </message>
     </context>
     <context>

@@ -2,6 +2,7 @@
 #include "ui/compare_dialog.h"
 #include "ui/cursor_panel.h"
 #include "ui/main_window.h"
+#include "ui/number_field.h"
 #include "ui/plot_export.h"
 #include "ui/recent_files.h"
 #include "ui/signal_view.h"
@@ -135,7 +136,13 @@ void MainWindow::buildActions() {
     on(Command::zoom_fit, [this] { tracks_->fit(); });
     on(Command::zoom_back, [this] { tracks_->zoomBack(); });
     on(Command::zoom_forward, [this] { tracks_->zoomForward(); });
-    on(Command::run, [this] { document_.analyse(); });
+    on(Command::run, [this] {
+        // F5 leaves the focus in the field that was being edited.
+        if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget())) {
+            field->commit();
+        }
+        document_.analyse();
+    });
     on(Command::cancel, [this] { document_.cancel(); });
     on(Command::compare, [this] { openCompare(); });
     on(Command::help, [this] { showHelp(); });
@@ -344,6 +351,15 @@ void MainWindow::retranslate() {
     }
     for (const auto& [dock, title] : docks_) {
         dock->setWindowTitle(tr(title));
+        // Qt names these once, in the language of the start.
+        const auto name = [dock = dock](const char* button, const QString& text) {
+            if (auto* widget = dock->findChild<QAbstractButton*>(QLatin1String(button))) {
+                widget->setToolTip(text);
+                widget->setAccessibleName(text);
+            }
+        };
+        name("qt_dockwidget_floatbutton", tr("Float"));
+        name("qt_dockwidget_closebutton", tr("Close this panel"));
     }
     for (const Choice& choice : choices_) {
         if (choice.text) {

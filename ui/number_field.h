@@ -13,6 +13,7 @@ namespace vybeg::ui {
 // brings the last value back. Up and Down step.
 class NumberField : public QLineEdit {
     Q_OBJECT
+    Q_PROPERTY(QString unit READ unit WRITE setUnit)
 
 public:
     explicit NumberField(QWidget* parent = nullptr);
@@ -30,6 +31,8 @@ public:
     // Shows a value; emits nothing.
     void setValue(std::optional<double> value);
     std::optional<double> value() const { return value_; }
+    // Takes the text over as leaving the field does.
+    void commit();
     // Whether the text as it stands is acceptable.
     bool isValid() const;
 
@@ -51,7 +54,6 @@ private:
         std::optional<double> value;
     };
     Reading read() const;
-    void commit();
     void show();
     int unitWidth() const;
 

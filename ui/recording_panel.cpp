@@ -51,6 +51,7 @@ QString channelText(const Recording& recording, int number) {
 
 RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListWidget(this)) {
+    list_->setIconSize({16, 16});
     list_->setTextElideMode(Qt::ElideMiddle);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setContextMenuPolicy(Qt::ActionsContextMenu);

@@ -17,6 +17,8 @@ namespace {
 
 // From here on the residual is worth a warning: algorithms 1-4 are wrong by about this share.
 constexpr double high_residual = 0.01;
+// Below this it is nothing that a recording could tell.
+constexpr double no_residual = 1e-5;
 
 }  // namespace
 
@@ -154,7 +156,9 @@ void WindowFields::refresh() {
         return;
     }
     const double residual = orthogonality_residual(window, *state().f0_hz, *state().rate_hz);
-    residual_->setText(QLocale().toString(100 * residual, 'g', 2) + QStringLiteral(" %"));
+    residual_->setText(residual < no_residual
+                           ? QStringLiteral("< %1 %").arg(QLocale().toString(100 * no_residual))
+                           : QLocale().toString(100 * residual, 'g', 2) + QStringLiteral(" %"));
     QFont font = this->font();
     font.setBold(residual > high_residual);
     residual_->setFont(font);

@@ -1,0 +1,205 @@
+// Every text of the window in the interface's language, and the translation complete.
+#include "tests/ui/gui_test.h"
+#include "ui/compare_dialog.h"
+#include "ui/main_window.h"
+#include "ui/open_options_dialog.h"
+#include "ui/run_list.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QTest>
+#include <QTextDocumentFragment>
+#include <QXmlStreamReader>
+
+#include <set>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+namespace {
+
+// What stands in Latin letters in every language: names, endings of files, keys, notation.
+const std::set<QString> anyLanguage{
+    "Vybeg", "English", "Qt",  "QCustomPlot", "GNU",  "General", "Public", "License", "WAV",
+    "FLAC",  "CSV",     "PNG", "SVG",         "PDF",  "NPZ",     "MAT",    "HDF",     "SHA",
+    "NaN",   "nan",     "rms", "demo",        "wav",  "Home",    "Ctrl",   "Shift",   "Alt",
+    "Del",   "Space",   "png", "csv",         "bits", "cos",     "sin",    "opt",     "Return"};
+
+// All texts that a widget shows or tells a screen reader.
+QStringList textsOf(const QWidget& widget) {
+    QStringList texts{widget.toolTip(), widget.accessibleName()};
+    if (widget.isWindow() || qobject_cast<const QDockWidget*>(&widget)) {
+        texts << widget.windowTitle();
+    }
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+        texts << label->text();
+    } else if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+        texts << button->text();
+    } else if (const auto* edit = qobject_cast<const QLineEdit*>(&widget)) {
+        texts << edit->placeholderText() << widget.property("unit").toString();
+    } else if (const auto* box = qobject_cast<const QGroupBox*>(&widget)) {
+        texts << box->title();
+    } else if (const auto* menu = qobject_cast<const QMenu*>(&widget)) {
+        texts << menu->title();
+    } else if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) {
+        for (int i = 0; i < combo->count(); ++i) {
+            texts << combo->itemText(i) << combo->itemData(i, Qt::ToolTipRole).toString();
+        }
+    } else if (const auto* tabs = qobject_cast<const QTabWidget*>(&widget)) {
+        for (int i = 0; i < tabs->count(); ++i) {
+            texts << tabs->tabText(i);
+        }
+    } else if (const auto* tree = qobject_cast<const QTreeWidget*>(&widget)) {
+        for (int column = 0; column < tree->columnCount(); ++column) {
+            texts << tree->headerItem()->text(column) << tree->headerItem()->toolTip(column);
+            for (int row = 0; row < tree->topLevelItemCount(); ++row) {
+                texts << tree->topLevelItem(row)->text(column);
+            }
+        }
+    } else if (const auto* table = qobject_cast<const QTableWidget*>(&widget)) {
+        for (int row = 0; row < table->rowCount(); ++row) {
+            for (int column = 0; column < table->columnCount(); ++column) {
+                if (const QTableWidgetItem* item = table->item(row, column)) {
+                    texts << item->text() << item->toolTip();
+                }
+            }
+        }
+    }
+    for (const QAction* action : widget.actions()) {
+        texts << action->text() << action->toolTip();
+    }
+    return texts;
+}
+
+QStringList foreignTexts(const QRegularExpression& foreign) {
+    QStringList found;
+    for (const QWidget* widget : QApplication::allWidgets()) {
+        // Qt's own, never seen: two tabs need no scrolling.
+        if (widget->objectName().startsWith("Scroll") && !widget->isVisible()) {
+            continue;
+        }
+        for (QString text : textsOf(*widget)) {
+            if (Qt::mightBeRichText(text)) {
+                text = QTextDocumentFragment::fromHtml(text).toPlainText();
+            }
+            text.remove(QLatin1Char('&'));
+            text.remove(QChar(0x200b));
+            text.remove(QRegularExpression("/\\S+|[0-9a-f]{64}"));  // paths and hashes
+            for (auto match = foreign.globalMatch(text); match.hasNext();) {
+                const QString word = match.next().captured();
+                if (!anyLanguage.contains(word) && word != QStringLiteral("Русский")) {
+                    found << QStringLiteral("%1 in \"%2\" of %3")
+                                 .arg(word, text, widget->metaObject()->className());
+                }
+            }
+        }
+    }
+    found.removeDuplicates();
+    return found;
+}
+
+}  // namespace
+
+class TestLanguages : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+
+private slots:
+    void no_word_of_the_other_language_is_left_after_switching() {
+        MainWindow window;
+        window.setLanguage("en");
+        window.show();
+        window.document().open({home_.recording("demo.wav"), home_.file("demo.csv", "")});
+        QVERIFY(QTest::qWaitFor(
+            [&] { return !window.document().busy() && window.document().runs().size() == 1; },
+            20000));
+        window.action(Command::compare)->trigger();
+        window.action(Command::open_with)->trigger();
+        window.action(Command::about)->trigger();
+        window.action(Command::help)->trigger();
+        QTest::qWait(300);
+        // The dialog "About" is made in the language of its opening: close it before switching.
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            if (widget->windowTitle() == QLatin1String("About Vybeg")) {
+                widget->close();
+            }
+        }
+
+        window.setLanguage("ru");
+        QTest::qWait(300);
+        window.action(Command::about)->trigger();
+        const QStringList english = foreignTexts(QRegularExpression("[A-Za-z]{3,}"));
+        QVERIFY2(english.isEmpty(), qPrintable(english.join('\n')));
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            if (widget->windowTitle() == QStringLiteral("О программе Vybeg")) {
+                widget->close();
+            }
+        }
+
+        window.setLanguage("en");
+        QTest::qWait(300);
+        const QStringList russian = foreignTexts(QRegularExpression("[А-Яа-яЁё]+"));
+        QVERIFY2(russian.isEmpty(), qPrintable(russian.join('\n')));
+    }
+
+    void the_translation_has_every_text_of_the_source_and_keeps_its_places() {
+        // lupdate on a copy finds what the sources have and the translation has not.
+        const QString copy = home_.path("vybeg_ru.ts");
+        QVERIFY(QFile::copy(VYBEG_SOURCE_DIR "/translations/vybeg_ru.ts", copy));
+        QProcess lupdate;
+        lupdate.setWorkingDirectory(VYBEG_SOURCE_DIR);
+        lupdate.start(VYBEG_LUPDATE,
+                      {"-silent", "-I", ".", "-locations", "none", "-no-obsolete",
+                       "-tr-function-alias", "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE", "ui", "app",
+                       "core/base/messages.cpp", "core/track/slow_variables.cpp", "-ts", copy});
+        QVERIFY(lupdate.waitForFinished(60000));
+        QCOMPARE(lupdate.exitCode(), 0);
+
+        QFile file(copy);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QXmlStreamReader xml(&file);
+        static const QRegularExpression place("%[1-9n]");
+        QString source;
+        QStringList wrong;
+        int messages = 0;
+        while (!xml.atEnd()) {
+            xml.readNext();
+            if (!xml.isStartElement()) {
+                continue;
+            }
+            if (xml.name() == QLatin1String("source")) {
+                source = xml.readElementText();
+                ++messages;
+            } else if (xml.name() == QLatin1String("translation")) {
+                if (xml.attributes().hasAttribute("type")) {
+                    wrong << source + " (unfinished)";
+                }
+                const QString translated =
+                    xml.readElementText(QXmlStreamReader::IncludeChildElements);
+                for (auto match = place.globalMatch(source); match.hasNext();) {
+                    const QString number = match.next().captured();
+                    if (!translated.contains(number)) {
+                        wrong << source + " (without " + number + ")";
+                    }
+                }
+            }
+        }
+        QVERIFY(!xml.hasError());
+        QVERIFY(messages > 300);
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+};
+
+QTEST_MAIN(TestLanguages)
+#include "test_languages.moc"

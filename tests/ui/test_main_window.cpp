@@ -1,0 +1,324 @@
+// The window driven as a person drives it: files, keys, mouse.
+#include "tests/ui/gui_test.h"
+#include "ui/compare_dialog.h"
+#include "ui/cursor_panel.h"
+#include "ui/events_panel.h"
+#include "ui/help_view.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/number_field.h"
+#include "ui/recent_files.h"
+#include "ui/run_list.h"
+#include "ui/settings_panel.h"
+#include "ui/track_view.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTextBrowser>
+#include <qcustomplot.h>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+
+    template <class Widget>
+    Widget& the(const QString& name = {}) {
+        auto* widget = window_->findChild<Widget*>(name);
+        if (!widget) {
+            qFatal("no such widget in the window: %s", Widget::staticMetaObject.className());
+        }
+        return *widget;
+    }
+
+    NumberField& field(const QString& accessible_name) {
+        for (NumberField* each : window_->findChildren<NumberField*>()) {
+            if (each->accessibleName() == accessible_name) {
+                return *each;
+            }
+        }
+        qFatal("no such field: %s", qPrintable(accessible_name));
+    }
+
+    void type(NumberField& into, const char* text) {
+        into.setFocus();
+        into.selectAll();
+        QTest::keyClicks(&into, text);
+        QTest::keyClick(&into, Qt::Key_Return);
+    }
+
+    bool idle(std::size_t runs) {
+        return QTest::qWaitFor(
+            [&] { return !document().busy() && document().runs().size() == runs; }, 20000);
+    }
+
+    void openOne(const QString& name = "demo.wav") {
+        document().open({home_.recording(name)});
+        QVERIFY(idle(1));
+        QVERIFY(QTest::qWaitFor([&] { return document().carrier().has_value(); }));
+    }
+
+private slots:
+    void init() {
+        QSettings().clear();
+        window_ = std::make_unique<MainWindow>();
+        window_->setLanguage("en");
+        window_->resize(1400, 900);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    }
+    void cleanup() { window_.reset(); }
+
+    void files_are_opened_by_dropping_them() {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(home_.recording("drop1.wav")),
+                      QUrl::fromLocalFile(home_.recording("drop2.wav"))});
+        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &drop);
+        QVERIFY(idle(2));
+        QCOMPARE(the<TrackView>().runs().size(), std::size_t(2));
+        QCOMPARE(the<TrackView>().shownVariables().size(), std::size_t(5));
+    }
+
+    void text_that_is_no_file_cannot_be_dropped() {
+        QMimeData data;
+        data.setText("no file");
+        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        enter.ignore();
+        QCoreApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(!enter.isAccepted());
+    }
+
+    void an_opened_file_is_among_the_recent_ones_and_a_bad_one_is_not() {
+        openOne("recent.wav");
+        document().open({home_.file("bad.wav", "")});
+        QVERIFY(QTest::qWaitFor([&] { return !the<MessageBar>().texts().isEmpty(); }));
+        const QStringList recent = the<RecentFiles>().paths();
+        QCOMPARE(recent.size(), 1);
+        QVERIFY(recent.first().endsWith("recent.wav"));
+    }
+
+    void a_bad_file_is_told_in_the_window_and_blocks_nothing() {
+        document().open({home_.file("words.csv", "only words\nand more words\n")});
+        QVERIFY(QTest::qWaitFor([&] { return the<MessageBar>().isVisible(); }));
+        QVERIFY(the<MessageBar>().texts().first().contains("words.csv"));
+        QVERIFY(!QApplication::activeModalWidget());
+        openOne();
+    }
+
+    void each_algorithm_can_be_chosen_and_run() {
+        openOne();
+        auto& algorithms = the<QComboBox>("algorithm");
+        QCOMPARE(algorithms.count(), 6);
+        for (int index = 0; index < algorithms.count(); ++index) {
+            algorithms.setFocus();
+            QTest::keyClick(&algorithms, Qt::Key_Home);
+            for (int step = 0; step < index; ++step) {
+                QTest::keyClick(&algorithms, Qt::Key_Down);
+            }
+            QTest::mouseClick(&the<QPushButton>("run"), Qt::LeftButton);
+            // The sixth is what the recording was opened with: it replaces its run.
+            QVERIFY(idle(static_cast<std::size_t>(std::min(index + 2, 6))));
+            const auto wanted = static_cast<Algorithm>(index);
+            QVERIFY(std::ranges::any_of(document().runs(), [&](const RunEntry& entry) {
+                return entry.run.analysis->settings.algorithm == wanted;
+            }));
+        }
+        QCOMPARE(the<RunList>().topLevelItemCount(), 6);
+    }
+
+    void the_window_is_tied_together_in_samples_periods_and_milliseconds() {
+        openOne();
+        type(field("Length"), "80");
+        QVERIFY(std::abs(*field("Length in periods").value() - 10) < 1e-3);
+        QCOMPARE(*field("Length in milliseconds").value(), 10.0);
+        type(field("Length in milliseconds"), "5,5");
+        QCOMPARE(document().settings().window, 44);
+        type(field("Length in periods"), "7.5");
+        QCOMPARE(document().settings().periods, std::optional(7.5));
+        QCOMPARE(*field("Length").value(), 60.0);
+        type(field("Length"), "4");
+        QVERIFY(!field("Length").isValid());
+        QCOMPARE(document().settings().periods, std::optional(7.5));
+    }
+
+    void snap_moves_the_window_to_whole_half_periods() {
+        openOne();
+        type(field("Length"), "61");
+        const QString before = the<QLabel>("residual").text();
+        QTest::mouseClick(&the<QPushButton>("snap"), Qt::LeftButton);
+        // At 1000 Hz and 8000 Hz half a period is four samples.
+        QCOMPARE(document().settings().window % 4, 0);
+        QVERIFY(std::abs(document().settings().window - 61) <= 4);
+        QVERIFY(the<QLabel>("residual").text() != before);
+    }
+
+    void overlap_and_hop_are_tied_together() {
+        openOne();
+        type(field("Overlap"), "75");
+        QCOMPARE(document().settings().hop, 15);
+        type(field("Hop"), "30");
+        QCOMPARE(*field("Overlap").value(), 50.0);
+        QTest::keyClick(&the<TrackView>(), Qt::Key_F5);
+        QVERIFY(idle(2));
+        QCOMPARE(document().runs().back().run.analysis->plan.hop, 30);
+    }
+
+    void the_run_key_takes_the_text_of_the_field_being_edited() {
+        openOne();
+        NumberField& length = field("Length");
+        length.setFocus();
+        length.selectAll();
+        QTest::keyClicks(&length, "88");
+        QTest::keyClick(&length, Qt::Key_F5);
+        QVERIFY(idle(2));
+        QCOMPARE(document().runs().back().run.analysis->plan.length, 88);
+    }
+
+    void settings_are_undone_and_redone_by_keys() {
+        openOne();
+        type(field("Length"), "80");
+        type(field("Range from"), "0,5");
+        window_->action(Command::undo)->trigger();
+        QVERIFY(!document().settings().from_s);
+        window_->action(Command::undo)->trigger();
+        QCOMPARE(*field("Length").value(), 60.0);
+        QVERIFY(!window_->action(Command::undo)->isEnabled());
+        window_->action(Command::redo)->trigger();
+        QCOMPARE(*field("Length").value(), 80.0);
+    }
+
+    void the_mouse_over_the_plots_fills_the_table_at_the_cursor() {
+        openOne();
+        auto& tracks = the<TrackView>();
+        auto* plot = tracks.findChild<QCustomPlot*>();
+        QTest::mouseMove(plot, QPoint(plot->width() / 2, plot->height() / 2));
+        QVERIFY(QTest::qWaitFor([&] { return tracks.tracker().has_value(); }));
+        window_->action(Command::copy_table)->trigger();
+        const QStringList lines = QApplication::clipboard()->text().split('\n');
+        QCOMPARE(lines.size(), 1 + slow_variable_count + 1);
+        QVERIFY(lines.first().startsWith("t = "));
+        // a_A = 1 and a_B = 0.1 were simulated with a noise of 1e-3: window of 60, 10 sigma.
+        QVERIFY(std::abs(lines.at(1).split('\t').at(1).toDouble() - 1) < 2e-3);
+        QVERIFY(std::abs(lines.at(2).split('\t').at(1).toDouble() - 0.1) < 2e-3);
+    }
+
+    void the_plots_are_zoomed_by_wheel_and_history() {
+        openOne();
+        auto& tracks = the<TrackView>();
+        const AxisRange whole = tracks.timeRange();
+        const QPointF middle(tracks.width() / 2.0, tracks.height() / 2.0);
+        QWheelEvent wheel(middle, tracks.mapToGlobal(middle), {}, QPoint(0, 120), Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&tracks, &wheel);
+        QVERIFY(tracks.timeRange().span() < whole.span());
+        QVERIFY(window_->action(Command::zoom_back)->isEnabled());
+        window_->action(Command::zoom_back)->trigger();
+        QCOMPARE(tracks.timeRange(), whole);
+    }
+
+    void runs_are_hidden_renamed_and_removed() {
+        openOne();
+        auto& runs = the<RunList>();
+        QTreeWidgetItem* item = runs.topLevelItem(0);
+        item->setCheckState(0, Qt::Unchecked);
+        QVERIFY(QTest::qWaitFor([&] { return !document().runs().front().run.visible; }));
+        QVERIFY(!the<TrackView>().runs().front().visible);
+        runs.topLevelItem(0)->setText(0, "reference");
+        QVERIFY(QTest::qWaitFor(
+            [&] { return document().runs().front().run.name == QLatin1String("reference"); }));
+        runs.setFocus();
+        QTest::keyClick(&runs, Qt::Key_Delete);
+        QVERIFY(document().runs().empty());
+        QVERIFY(!window_->action(Command::export_plots)->isEnabled());
+    }
+
+    void plots_are_exported_by_the_ending_of_the_name() {
+        openOne();
+        for (const char* name : {"plots.png", "plots.svg", "plots.pdf"}) {
+            window_->exportPlotsTo(home_.path(name));
+        }
+        QVERIFY(!QImage(home_.path("plots.png")).isNull());
+        QFile pdf(home_.path("plots.pdf"));
+        QVERIFY(pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-");
+        QFile svg(home_.path("plots.svg"));
+        QVERIFY(svg.open(QIODevice::ReadOnly) && svg.read(200).contains("<svg"));
+        window_->exportPlotsTo(home_.path("no/such/folder/plots.png"));
+        QVERIFY(the<MessageBar>().texts().first().contains("cannot be written"));
+    }
+
+    void the_track_is_exported_with_its_header_in_the_background() {
+        openOne();
+        window_->exportTrackTo(home_.path("track.csv"));
+        QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("track.csv")); }));
+        QFile csv(home_.path("track.csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = csv.readAll().trimmed().split('\n');
+        const auto header = std::ranges::count_if(
+            lines, [](const QByteArray& line) { return line.startsWith("# "); });
+        QVERIFY(header > 10);
+        QVERIFY(lines.at(header).startsWith("t_s,a_A,a_B,two_theta_A_rad"));
+        QCOMPARE(lines.size() - header - 1, qsizetype(16000 / 60));
+    }
+
+    void windows_are_compared_and_the_figure_exported() {
+        openOne();
+        window_->action(Command::compare)->trigger();
+        auto& dialog = the<CompareDialog>();
+        QVERIFY(!dialog.isModal());
+        dialog.setLengths("8; 80 160");
+        QCOMPARE(dialog.lengths(), (std::vector<std::int64_t>{8, 80, 160}));
+        emit dialog.compareWanted(dialog.lengths());
+        QVERIFY(QTest::qWaitFor([&] { return dialog.columns().size() == 3; }, 20000));
+        QCOMPARE(dialog.columns().front().title, QStringLiteral("n = 8"));
+        window_->exportFigureTo(home_.path("figure.svg"));
+        QVERIFY(QFileInfo(home_.path("figure.svg")).size() > 1000);
+        dialog.setLengths("8, x");
+        QVERIFY(dialog.lengths().empty());
+    }
+
+    void an_event_takes_the_plots_there() {
+        openOne();
+        window_->action(Command::zoom_in)->trigger();
+        emit the<EventsPanel>().eventChosen(1.5, 0);
+        QVERIFY(the<TrackView>().timeRange().contains(1.5));
+        QCOMPARE(the<TrackView>().tracker(), std::optional(1.5));
+    }
+
+    void help_follows_the_language() {
+        window_->action(Command::help)->trigger();
+        const auto& browser = the<HelpView>().browser();
+        QVERIFY(browser.source().toString().contains("/help/en/"));
+        QVERIFY(browser.toPlainText().size() > 200);
+        window_->setLanguage("ru");
+        QVERIFY(browser.source().toString().contains("/help/ru/"));
+    }
+
+    void theme_and_language_are_kept_for_the_next_session() {
+        window_->setLanguage("ru");
+        window_->setThemeMode(ThemeMode::dark);
+        window_->close();
+        window_ = std::make_unique<MainWindow>();
+        QVERIFY(window_->diagnosticsText().contains("Language ru, theme dark"));
+        window_->setThemeMode(ThemeMode::light);
+    }
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "test_main_window.moc"
