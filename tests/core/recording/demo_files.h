@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/simulation/free_decay.h"
+#include "tests/core/recording/python_script.h"
+#include "tests/core/recording/recording_files.h"
+
+// The demonstration decay for other programs to write in their formats.
+namespace vybeg::test {
+
+// One second of it.
+inline Samples demo_second() {
+    FreeDecay decay = demo_decay();
+    decay.seconds = 1;
+    auto simulated = simulate(decay, {});
+    if (!simulated) {
+        qFatal("%s", english(simulated.error()).c_str());
+    }
+    return {std::move(simulated->c), std::move(simulated->d)};
+}
+
+// Runs a script that finds the samples as the NumPy vectors c and d, and their rate as fs.
+inline void write_with_python(const Folder& folder, const Samples& samples, const QString& script) {
+    const auto bytes = [](const std::vector<double>& x) {
+        return std::string_view(reinterpret_cast<const char*>(x.data()), x.size() * sizeof x[0]);
+    };
+    folder.write("c.f64", bytes(samples.c));
+    folder.write("d.f64", bytes(samples.d));
+    run_python(folder.file(""),
+               "c, d, fs = np.fromfile('c.f64'), np.fromfile('d.f64'), 33333.0\n" + script);
+}
+
+// Every sample rounded to 32 bit float.
+inline std::vector<double> as_float(std::vector<double> x) {
+    for (double& sample : x) {
+        sample = static_cast<double>(static_cast<float>(sample));
+    }
+    return x;
+}
+
+// Every sample as the whole number of 16 bits that np.round(1000 * x) makes of it.
+inline std::vector<double> as_counts(std::vector<double> x) {
+    for (double& sample : x) {
+        sample = std::nearbyint(1000 * sample);
+    }
+    return x;
+}
+
+}  // namespace vybeg::test

@@ -1,0 +1,269 @@
+#include "tests/core/recording/demo_files.h"
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+enum class Rounding { none, to_float, to_counts };
+
+const char* const script = R"(
+import h5py
+counts = lambda x: np.round(1000 * x)
+def save(name, write, **options):
+    with h5py.File(name, 'w', **options) as f:
+        write(f)
+def plain(f):
+    f['C'], f['D'], f['fs'] = c, d, fs
+save('plain.h5', plain)
+save('latest.h5', plain, libver='latest')
+save('userblock.h5', plain, userblock_size=2048)
+def groups(f):
+    f.create_dataset('2024/run 7/C', data=c).attrs['unit'] = 'V'
+    f.create_dataset('2024/run 7/D', data=d).attrs['units'] = np.bytes_('mV')
+    f['2024/run 7'].attrs['sampling_rate'] = fs
+    f['2024'].attrs['fs'] = 1.0
+save('groups.h5', groups)
+def chunked(f):
+    f.create_dataset('x', data=np.stack([c, d], 1), chunks=(1000, 2), compression='gzip',
+                     shuffle=True, fletcher32=True).attrs['wf_increment'] = 1 / fs
+save('chunked.h5', chunked)
+def rows(f):
+    f.create_dataset('x', data=np.stack([c, d], 0), chunks=(1, 777), compression='gzip')
+    f.attrs['sample_rate'] = np.array([33333], 'i4')
+save('rows.h5', rows)
+def typed(name, kind, value):
+    def write(f):
+        f.create_dataset('C', data=value(c).astype(kind))
+        f.create_dataset('D', data=value(d).astype(kind))
+        f.attrs['dt'] = 1 / fs
+    save(name, write)
+typed('big_endian.h5', '>f8', lambda x: x)
+typed('float32.h5', '<f4', lambda x: x)
+typed('float32_be.h5', '>f4', lambda x: x)
+typed('int16.h5', '<i2', counts)
+typed('int16_be.h5', '>i2', counts)
+typed('int32_be.h5', '>i4', counts)
+def timed(f):
+    f['log/C'], f['log/D'], f['log/time'] = c, d, np.arange(len(c)) / fs
+    f['log/time'].attrs['unit'] = 's'
+save('time.h5', timed)
+def counted(f):
+    f['C'], f['D'] = c, d
+    f.create_dataset('t', data=np.arange(len(c)) * 30).attrs['unit'] = 'us'
+save('microseconds.h5', counted)
+def gap(f):
+    keep = np.r_[0:1000, 1010:len(c)]
+    f['C'], f['D'], f['t'] = c[keep], d[keep], (np.arange(len(c)) / fs)[keep]
+save('gap.h5', gap)
+def several(f):
+    f['a/C'], f['a/D'], f['a/fs'] = c, d, 10.0
+    f['b/C'], f['b/D'], f['b/fs'] = d, c, fs
+    f['short'] = c[:100]
+    f['ok'] = np.ones(len(c), bool)
+    f['names'] = 'text'
+save('several.h5', several)
+def ring(f):
+    f['run/C'], f['run/D'], f['run/fs'] = c, d, fs
+    f['run/back'] = f['/']
+    f['run/again'] = f['run']
+    f['run/soft'] = h5py.SoftLink('/run/C')
+    f['run/nowhere'] = h5py.SoftLink('/none')
+    f['run/elsewhere'] = h5py.ExternalLink('plain.h5', '/C')
+save('ring.h5', ring)
+def external(f):
+    f.create_dataset('C', (len(c),), 'f8', external=[('c.f64', 0, h5py.h5f.UNLIMITED)])
+    f.create_dataset('D', (len(c),), 'f8', external=[('d.f64', 0, h5py.h5f.UNLIMITED)])
+save('external.h5', external)
+def virtual(f):
+    for name in 'CD':
+        layout = h5py.VirtualLayout((len(c),), 'f8')
+        layout[:] = h5py.VirtualSource('plain.h5', name, (len(c),))
+        f.create_virtual_dataset(name, layout)
+save('virtual.h5', virtual)
+def deep(f):
+    group = f
+    for i in range(200):
+        group = group.create_group('g')
+    group['C'], group['D'] = c, d
+save('deep.h5', deep)
+def many(f):
+    for i in range(10500):
+        f['x%d' % i] = float(i)
+save('many.h5', many)
+def hollow(f):
+    f.create_dataset('C', (2**40,), 'f8', chunks=(1000,))
+    f.create_dataset('D', (2**40,), 'f8', chunks=(1000,))
+save('hollow.h5', hollow)
+save('empty.h5', lambda f: f.create_group('nothing'))
+save('complex.h5', lambda f: f.create_dataset('z', data=c + 1j * d))
+def missing(f):
+    f['C'], f['D'], f['fs'] = np.where(np.arange(len(c)) == 5, np.inf, c), d, fs
+save('missing.h5', missing)
+)";
+
+}  // namespace
+
+class TestHdf5Reader : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void the_demonstration_decay_is_the_same_from_every_layout_data();
+    void the_demonstration_decay_is_the_same_from_every_layout();
+    void units_are_those_of_the_attributes();
+    void times_that_count_in_another_unit_are_converted();
+    void a_gap_in_the_times_is_a_gap_in_the_recording();
+    void named_datasets_are_the_ones_that_are_read();
+    void other_channels_are_chosen_by_number();
+    void any_part_of_a_file_is_the_same_part_of_its_samples_data();
+    void any_part_of_a_file_is_the_same_part_of_its_samples();
+    void infinite_samples_are_missing();
+    void what_cannot_be_read_is_refused_by_name_data();
+    void what_cannot_be_read_is_refused_by_name();
+
+private:
+    Folder folder_;
+    Samples demo_;
+};
+
+void TestHdf5Reader::initTestCase() {
+    demo_ = demo_second();
+    write_with_python(folder_, demo_, script);
+}
+
+void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout_data() {
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<Rounding>("rounding");
+    const auto add = [](const char* file, const QString& type, Rounding rounding = Rounding::none) {
+        QTest::newRow(file) << "HDF5, " + type + ", 2 channels" << rounding;
+    };
+    for (const char* file : {"plain.h5", "latest.h5", "userblock.h5", "groups.h5", "chunked.h5",
+                             "rows.h5", "big_endian.h5", "time.h5", "ring.h5"}) {
+        add(file, "64 bit float");
+    }
+    add("float32.h5", "32 bit float", Rounding::to_float);
+    add("float32_be.h5", "32 bit float", Rounding::to_float);
+    add("int16.h5", "16 bit integer", Rounding::to_counts);
+    add("int16_be.h5", "16 bit integer", Rounding::to_counts);
+    add("int32_be.h5", "32 bit integer", Rounding::to_counts);
+}
+
+void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout() {
+    QFETCH(QString, format);
+    QFETCH(Rounding, rounding);
+    const Recording recording = opened(folder_.file(QTest::currentDataTag()));
+    QCOMPARE(QString::fromStdString(recording.format), format);
+    const bool by_time = QString(QTest::currentDataTag()) == "time.h5";
+    QCOMPARE(recording.rate_from, by_time ? RateOrigin::time_column : RateOrigin::file);
+    QVERIFY(std::abs(recording.rate_hz / 33333 - 1) < 1e-12);  // 1/dt is rounded
+    const Samples read = read_all(recording);
+    const auto kept = [&](const std::vector<double>& x) {
+        return rounding == Rounding::none       ? x
+               : rounding == Rounding::to_float ? as_float(x)
+                                                : as_counts(x);
+    };
+    QCOMPARE(worst_difference(read.c, kept(demo_.c)), 0.0);
+    QCOMPARE(worst_difference(read.d, kept(demo_.d)), 0.0);
+    QVERIFY(recording.diagnostics.empty());
+}
+
+void TestHdf5Reader::units_are_those_of_the_attributes() {
+    const Recording recording = opened(folder_.file("groups.h5"));
+    QCOMPARE(recording.channels,
+             (std::vector<Channel>{{"/2024/run 7/C", "V"}, {"/2024/run 7/D", "mV"}}));
+    QCOMPARE(recording.rate_hz, 33333.0);  // of the group itself, before the one around it
+}
+
+void TestHdf5Reader::times_that_count_in_another_unit_are_converted() {
+    const Recording recording = opened(folder_.file("microseconds.h5"));
+    QCOMPARE(recording.rate_from, RateOrigin::time_column);
+    QVERIFY(std::abs(recording.rate_hz - 1e6 / 30) < 1e-6);
+}
+
+void TestHdf5Reader::a_gap_in_the_times_is_a_gap_in_the_recording() {
+    const Recording recording = opened(folder_.file("gap.h5"));
+    QCOMPARE(recording.frames(), 33333);
+    const Samples read = read_all(recording);
+    QCOMPARE(missing_ranges(read.c), QString("1000-1010"));
+    QCOMPARE(read.c[1010], demo_.c[1010]);
+    QCOMPARE(read.d[33332], demo_.d[33332]);
+    QVERIFY(find(recording, DiagnosticKind::time_gap));
+}
+
+void TestHdf5Reader::named_datasets_are_the_ones_that_are_read() {
+    OpenOptions options;
+    options.variables = {"/b/C", "b/D"};  // the first stroke may be left out
+    const Recording recording = opened(folder_.file("several.h5"), options);
+    QCOMPARE(recording.rate_hz, 33333.0);  // of the same group, not the first of the file
+    QCOMPARE(worst_difference(read_all(recording).c, demo_.d), 0.0);
+    QCOMPARE(worst_difference(read_all(recording).d, demo_.c), 0.0);
+
+    options.variables = {"/b/C", "short"};
+    const auto unequal = open(folder_.file("several.h5"), options);
+    QVERIFY(!unequal);
+    QCOMPARE(unequal.error().code, ErrorCode::setting_invalid);
+    QCOMPARE(unequal.error().args, (std::vector<std::string>{"--variables", "/b/C,short",
+                                                             "they have 33333 and 100 samples"}));
+}
+
+void TestHdf5Reader::other_channels_are_chosen_by_number() {
+    OpenOptions options;
+    options.channel_c = 3;
+    options.channel_d = 2;
+    const Recording recording = opened(folder_.file("several.h5"), options);
+    QCOMPARE(recording.channels.size(), 4u);
+    QCOMPARE(recording.channels[2].name, "/b/C");
+    QCOMPARE(worst_difference(read_all(recording).c, demo_.d), 0.0);
+    options.channel_d = 5;
+    QCOMPARE(open(folder_.file("several.h5"), options).error().code,
+             ErrorCode::channel_out_of_range);
+}
+
+void TestHdf5Reader::any_part_of_a_file_is_the_same_part_of_its_samples_data() {
+    QTest::addColumn<QString>("file");
+    for (const char* file : {"plain.h5", "chunked.h5", "rows.h5", "float32_be.h5"}) {
+        QTest::newRow(file) << file;
+    }
+}
+
+void TestHdf5Reader::any_part_of_a_file_is_the_same_part_of_its_samples() {
+    QFETCH(QString, file);
+    const Recording recording = opened(folder_.file(file.toStdString()));
+    QVERIFY(same_however_cut(*recording.source, 20000));
+}
+
+void TestHdf5Reader::infinite_samples_are_missing() {
+    QCOMPARE(missing_ranges(read_all(opened(folder_.file("missing.h5"))).c), QString("5-6"));
+}
+
+void TestHdf5Reader::what_cannot_be_read_is_refused_by_name_data() {
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("external.h5") << "format-unsupported"
+                                 << "samples in other files (/C)";
+    QTest::newRow("virtual.h5") << "format-unsupported"
+                                << "samples in other files (/C)";
+    QTest::newRow("complex.h5") << "format-unsupported"
+                                << "complex numbers (/z)";
+    QTest::newRow("deep.h5") << "format-damaged"
+                             << "its groups lie more than 32 deep";
+    QTest::newRow("many.h5") << "format-damaged"
+                             << "it has more than 10000 objects";
+    QTest::newRow("hollow.h5") << "format-damaged"
+                               << "/C promises more samples than the file can hold";
+    QTest::newRow("empty.h5") << "too-few-channels"
+                              << "2";
+}
+
+void TestHdf5Reader::what_cannot_be_read_is_refused_by_name() {
+    QFETCH(QString, code);
+    QFETCH(QString, reason);
+    const auto recording = open(folder_.file(QTest::currentDataTag()));
+    QVERIFY(!recording);
+    QCOMPARE(QString::fromStdString(code_name(recording.error().code)), code);
+    QCOMPARE(QString::fromStdString(recording.error().args.back()), reason);
+}
+
+QTEST_GUILESS_MAIN(TestHdf5Reader)
+#include "test_hdf5_reader.moc"
