@@ -140,10 +140,10 @@ private:
         return found == object.properties.end() ? std::nullopt : found->second.number;
     }
 
-    // How the counts of a channel become its unit, where the file says that they have not yet.
+    // How the counts of a channel become its unit, unless the file says that they have already.
     Status scale(const TdmsObject& object, SampleColumn& column) const {
         const double scales = number(object, "NI_Number_Of_Scales").value_or(0);
-        if (!(scales > 0) || text(object, "NI_Scaling_Status") != "unscaled") {
+        if (!(scales > 0) || text(object, "NI_Scaling_Status") == "scaled") {
             return {};
         }
         const auto slope = number(object, "NI_Scale[0]_Linear_Slope");

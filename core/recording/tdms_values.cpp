@@ -1,6 +1,6 @@
 #include "core/recording/tdms_values.h"
 
-#include <array>
+#include <algorithm>
 #include <chrono>
 #include <string_view>
 #include <vector>
@@ -63,7 +63,9 @@ std::string tdms_time_text(std::int64_t seconds, std::uint64_t fraction) {
         return {};
     }
     const std::int64_t in_day = seconds - days_after * day;
-    const std::uint64_t milliseconds = (fraction >> 32) * 1000 >> 32;
+    // To the nearest: the fraction of .789 s lies just below it.
+    const std::uint64_t milliseconds =
+        std::min<std::uint64_t>(((fraction >> 32) * 1000 + (1u << 31)) >> 32, 999);
     return padded(in_year, 4) + "-" + padded(static_cast<unsigned>(date.month()), 2) + "-" +
            padded(static_cast<unsigned>(date.day()), 2) + "T" + padded(in_day / 3600, 2) + ":" +
            padded(in_day / 60 % 60, 2) + ":" + padded(in_day % 60, 2) + "." +
