@@ -9,7 +9,7 @@ packages=(
     qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev libqcustomplot-dev # window, plots
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n # Russian
     libeigen3-dev libtbb-dev libfftw3-dev   # numerics
-    libsndfile1-dev libmatio-dev libssl-dev libfast-float-dev nlohmann-json3-dev # files
+    libsndfile1-dev libmatio-dev libhdf5-dev libssl-dev libfast-float-dev nlohmann-json3-dev # files
     zlib1g-dev                              # files that are packed
     libcli11-dev                            # command line
     fonts-dejavu-core                       # text without a display
