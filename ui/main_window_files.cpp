@@ -58,7 +58,7 @@ void MainWindow::askForFiles() {
     dialog->setFileMode(QFileDialog::ExistingFiles);
     const QString audio = QStringLiteral("*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf");
     const QString tables = QStringLiteral("*.csv *.tsv *.txt *.dat");
-    const QString arrays = QStringLiteral("*.npy *.npz *.mat *.h5 *.hdf5");
+    const QString arrays = QStringLiteral("*.npy *.npz *.mat *.h5 *.hdf5 *.tdms *.uff *.unv");
     dialog->setNameFilters(
         {tr("Recordings (%1)").arg(audio + QLatin1Char(' ') + tables + QLatin1Char(' ') + arrays),
          tr("Audio (%1)").arg(audio), tr("Tables of numbers (%1)").arg(tables),
