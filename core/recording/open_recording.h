@@ -30,17 +30,17 @@ struct OpenOptions {
     int channel_c = 1;              // from 1; a time column does not count
     int channel_d = 2;
     std::optional<RawLayout> raw;  // read the file as raw samples, whatever it looks like
-    // Names of the variables that hold C and D and, third, the rate, in a file of several (NPZ, MAT,
-    // HDF5). D's is left out, or empty before a rate, where C's holds both channels. None: the
+    // Names of the variables that hold C and D and, third, the rate, in a file of several (NPZ,
+    // MAT, HDF5). D's is left out, or empty before a rate, where C's holds both channels. None: the
     // reader's own choice.
     std::vector<std::string> variables{};
 
     friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
 };
 
-// Opens a recording by its content, never by its name. Text is read whole (progress and
-// cancellation through `job`); audio and raw files are read on demand. Errors: every ErrorCode of
-// the input group, setting_invalid, interrupted.
+// Opens a recording by its content, never by its name. Text is looked through whole (progress and
+// cancellation through `job`); samples are read on demand. Errors: every ErrorCode of the input
+// group, setting_invalid, interrupted.
 Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
                                  const JobControl& job);
 

@@ -8,7 +8,7 @@
 
 namespace vybeg {
 
-// How a text file writes its table of numbers: what read_text_table() needs to know, whether it was
+// How a text file writes its table of numbers: what find_table() needs to know, whether it was
 // guessed or said in a dialog.
 struct TextFormat {
     char delimiter = ',';  // ',' ';' '\t' '|' or ' ', which stands for any blanks

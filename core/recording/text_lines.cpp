@@ -9,14 +9,21 @@ namespace vybeg {
 namespace {
 
 constexpr std::size_t chunk_bytes = std::size_t{1} << 20;  // even, for UTF-16
-constexpr std::size_t longest_line = std::size_t{1} << 20;
 
 }  // namespace
 
 TextLines::TextLines(std::shared_ptr<const FileBytes> file) : file_(std::move(file)) {}
 
-double TextLines::fraction() const {
-    return std::min(1.0, static_cast<double>(offset_) / static_cast<double>(file_->size()));
+std::int64_t TextLines::position() const {
+    const std::string_view left = std::string_view(buffer_).substr(begin_);
+    if (encoding_ == TextEncoding::bytes) {
+        return offset_ - static_cast<std::int64_t>(left.size());
+    }
+    // Every two bytes of the file have become one character.
+    const auto characters = std::count_if(left.begin(), left.end(), [](char byte) {
+        return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+    });
+    return offset_ / 2 * 2 - 2 * static_cast<std::int64_t>(characters);
 }
 
 Status TextLines::fill() {

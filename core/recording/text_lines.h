@@ -12,6 +12,9 @@
 
 namespace vybeg {
 
+// Bytes of the longest line that a table may have.
+inline constexpr std::size_t longest_line = std::size_t{1} << 20;
+
 // The lines of a text file one after the other, as UTF-8 bytes without line ends (LF, CRLF, CR) and
 // without the byte order mark. Holds one chunk of the file in memory.
 class TextLines {
@@ -24,7 +27,7 @@ public:
 
     std::int64_t number() const { return number_; }  // of the line last returned, from 1
     bool ended() const { return ended_; }            // whether that line had a line end
-    double fraction() const;                         // of the file that has been read, 0 .. 1
+    std::int64_t position() const;                   // of the next line in the file, in bytes
 
 private:
     Status fill();

@@ -4,9 +4,13 @@
 #include "core/recording/memory_source.h"
 #include "core/recording/selection.h"
 #include "core/recording/text_lines.h"
-#include "core/recording/text_reader.h"
+#include "core/recording/text_scan.h"
+#include "core/recording/text_source.h"
+#include "core/recording/text_table.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -54,48 +58,106 @@ void describe(const TextFormat& format, const std::vector<int>& columns, Recordi
     }
 }
 
+std::vector<TimeGap> gaps_of(const EvenTimes& even) {
+    std::vector<TimeGap> gaps;
+    for (std::size_t s = 1; s < even.stretches.size(); ++s) {
+        const RowStretch& before = even.stretches[s - 1];
+        const TimeGap gap{before.first_frame + before.rows - 1, even.stretches[s].first_frame};
+        if (gap.after > gap.before + 1) {
+            gaps.push_back(gap);
+        }
+    }
+    return gaps;
+}
+
+std::int64_t frame_of(const EvenTimes& even, std::int64_t row) {
+    const auto behind = std::ranges::upper_bound(even.stretches, row, {}, &RowStretch::first_row);
+    const RowStretch& stretch = *std::prev(behind);
+    return stretch.first_frame + row - stretch.first_row;
+}
+
+// Samples whose time or place tells their frame, and what is known of them.
+struct Samples {
+    std::shared_ptr<const SampleSource> source;
+    std::optional<SampleRate> rate;
+    std::int64_t first_missing = -1;  // frame
+    std::vector<Diagnostic> diagnostics;
+};
+
+Samples streamed(TextTable table, TextScan scan) {
+    Samples samples;
+    samples.first_missing = scan.first_missing_row;
+    if (scan.even) {
+        samples.rate = SampleRate{scan.even->rate_hz, RateOrigin::time_column};
+        report_gaps(gaps_of(*scan.even), scan.even->rate_hz, samples.diagnostics);
+        if (samples.first_missing >= 0) {
+            samples.first_missing = frame_of(*scan.even, samples.first_missing);
+        }
+    }
+    samples.source = text_source(std::move(table), std::move(scan));
+    return samples;
+}
+
+// Uneven times are brought onto a grid, which takes all of them at once.
+Result<Samples> resampled(const TextTable& table, const TextScan& scan, const JobControl& job) {
+    const auto rows = read_timed_rows(table, scan, job);
+    if (!rows) {
+        return rows.error();
+    }
+    auto grid = to_uniform_grid(*rows, table.blocks.file().path().string());
+    if (!grid) {
+        return grid.error();
+    }
+    Samples samples;
+    samples.rate = SampleRate{grid->rate_hz, RateOrigin::time_column};
+    if (scan.first_missing_row >= 0) {
+        const double after =
+            rows->time_s[static_cast<std::size_t>(scan.first_missing_row)] - rows->time_s[0];
+        samples.first_missing = static_cast<std::int64_t>(std::floor(after * grid->rate_hz + 0.5));
+    }
+    samples.diagnostics = std::move(grid->diagnostics);
+    samples.source = std::make_shared<MemorySource>(std::move(grid->c), std::move(grid->d));
+    return samples;
+}
+
 // Gives the recording its rate, samples and diagnostics.
 Status take_table(const FileBytes& file, TextTable table, const OpenOptions& options,
-                  Recording& recording) {
-    const auto rows = static_cast<std::int64_t>(table.rows.c.size());
-    if (const Status status = check_frames(file, rows); !status) {
+                  const JobControl& job, Recording& recording) {
+    auto scan = scan_text(table, job);
+    if (!scan) {
+        return scan.error();
+    }
+    if (const Status status = check_frames(file, scan->rows()); !status) {
         return status;
     }
-    std::int64_t first_missing = table.first_missing_row;
-    std::optional<SampleRate> own;
-    if (!table.rows.time_s.empty()) {
-        auto grid = to_uniform_grid(table.rows, file.path().string());
-        if (!grid) {
-            return grid.error();
-        }
-        own = SampleRate{grid->rate_hz, RateOrigin::time_column};
-        if (first_missing >= 0) {
-            const std::vector<double>& times = table.rows.time_s;
-            const double after = times[static_cast<std::size_t>(first_missing)] - times[0];
-            first_missing = static_cast<std::int64_t>(std::floor(after * grid->rate_hz + 0.5));
-        }
-        table.rows.c = std::move(grid->c);
-        table.rows.d = std::move(grid->d);
-        recording.diagnostics = std::move(grid->diagnostics);
+    const std::int64_t missing = scan->missing_samples;
+    const std::int64_t rows_with_missing = scan->rows_with_missing;
+    const std::int64_t lines_ignored =
+        table.header_lines + scan->lines_ignored - table.format.header_lines_used;
+    const bool uneven = table.columns.time >= 0 && !scan->even;
+    auto samples = uneven ? resampled(table, *scan, job)
+                          : Result(streamed(std::move(table), std::move(*scan)));
+    if (!samples) {
+        return samples.error();
     }
-    const auto rate = choose_rate(file, own, options);
+    const auto rate = choose_rate(file, samples->rate, options);
     if (!rate) {
         return rate.error();
     }
     recording.rate_hz = rate->hz;
     recording.rate_from = rate->from;
-    if (table.missing_samples > 0) {
+    recording.diagnostics = std::move(samples->diagnostics);
+    if (missing > 0) {
         recording.diagnostics.push_back({DiagnosticKind::missing_samples,
-                                         {integer_text(table.missing_samples)},
-                                         first_missing,
-                                         table.rows_with_missing});
+                                         {integer_text(missing)},
+                                         samples->first_missing,
+                                         rows_with_missing});
     }
-    if (table.lines_ignored > 0) {
+    if (lines_ignored > 0) {
         recording.diagnostics.push_back(
-            {DiagnosticKind::text_lines_ignored, {integer_text(table.lines_ignored)}, -1, 0});
+            {DiagnosticKind::text_lines_ignored, {integer_text(lines_ignored)}, -1, 0});
     }
-    recording.source =
-        std::make_shared<MemorySource>(std::move(table.rows.c), std::move(table.rows.d));
+    recording.source = std::move(samples->source);
     return {};
 }
 
@@ -124,13 +186,15 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
     describe(format, columns, recording);
-    auto table =
-        read_text_table(file, format, columns[static_cast<std::size_t>(options.channel_c - 1)],
-                        columns[static_cast<std::size_t>(options.channel_d - 1)], job);
+    auto table = find_table(file, format,
+                            {.time = format.time_column,
+                             .c = columns[static_cast<std::size_t>(options.channel_c - 1)],
+                             .d = columns[static_cast<std::size_t>(options.channel_d - 1)]});
     if (!table) {
         return table.error();
     }
-    if (const Status status = take_table(*file, std::move(*table), options, recording); !status) {
+    if (const Status status = take_table(*file, std::move(*table), options, job, recording);
+        !status) {
         return status.error();
     }
     return recording;

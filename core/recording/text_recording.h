@@ -9,9 +9,10 @@
 
 namespace vybeg {
 
-// A text file as a recording: guesses the format, reads the table, brings it onto a uniform grid.
+// A text file as a recording: guesses the format and looks at every row once; the samples are then
+// read on demand. Only uneven times are read into memory, to bring them onto a uniform grid.
 // Errors: text_no_data, too_few_channels, channel_out_of_range, too_few_frames, rate_unknown and
-// those of read_text_table().
+// those of scan_text().
 Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job);
 

@@ -115,9 +115,7 @@ Unevenness compare(const TimedSamples& samples, std::span<const std::int64_t> nu
         const double time = samples.time_s[i];
         const double deviation =
             std::abs(time - line.start_s - line.step_s * static_cast<double>(numbers[i]));
-        // Half of the last digit from rounding, and half of that again for what it does to the
-        // line.
-        const double allowed = even_tolerance * line.step_s + 0.75 * samples.resolution.at(time);
+        const double allowed = allowed_deviation(line.step_s, samples.resolution, time);
         result.explained = result.explained && deviation <= allowed;
         if (deviation > result.largest_s) {
             result.largest_s = deviation;
@@ -173,30 +171,6 @@ Diagnostic gap_diagnostic(std::int64_t first, std::int64_t count, double rate_hz
             count};
 }
 
-// The frames between `before` and `after` are missing.
-struct Gap {
-    std::int64_t before;
-    std::int64_t after;
-};
-
-void report_gaps(std::span<const Gap> gaps, UniformSamples& grid) {
-    std::int64_t rest = 0;
-    std::int64_t rest_first = 0;
-    std::size_t listed = 0;
-    for (const Gap& gap : gaps) {
-        const std::int64_t count = gap.after - gap.before - 1;
-        if (++listed < most_gaps_listed || gaps.size() == most_gaps_listed) {
-            grid.diagnostics.push_back(gap_diagnostic(gap.before + 1, count, grid.rate_hz));
-        } else {
-            rest_first = rest == 0 ? gap.before + 1 : rest_first;
-            rest += count;
-        }
-    }
-    if (rest > 0) {
-        grid.diagnostics.push_back(gap_diagnostic(rest_first, rest, grid.rate_hz));
-    }
-}
-
 }  // namespace
 
 double TimeResolution::at(double time_s) const {
@@ -207,13 +181,45 @@ double TimeResolution::at(double time_s) const {
     return std::max(absolute_s, relative);
 }
 
+double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s) {
+    // Half of the last digit from rounding, and half of that again for what it does to the line.
+    return even_tolerance * step_s + 0.75 * resolution.at(time_s);
+}
+
+bool is_plausible_grid(double frames, double rows) {
+    return frames < most_frames_per_row * rows + frames_always_allowed;
+}
+
+double typical_step(const TimedSamples& samples) {
+    const std::span<const double> time = samples.time_s;
+    return fit_step(time, find_stretches(samples, median_step(time)));
+}
+
+void report_gaps(std::span<const TimeGap> gaps, double rate_hz,
+                 std::vector<Diagnostic>& diagnostics) {
+    std::int64_t rest = 0;
+    std::int64_t rest_first = 0;
+    std::size_t listed = 0;
+    for (const TimeGap& gap : gaps) {
+        const std::int64_t count = gap.after - gap.before - 1;
+        if (++listed < most_gaps_listed || gaps.size() == most_gaps_listed) {
+            diagnostics.push_back(gap_diagnostic(gap.before + 1, count, rate_hz));
+        } else {
+            rest_first = rest == 0 ? gap.before + 1 : rest_first;
+            rest += count;
+        }
+    }
+    if (rest > 0) {
+        diagnostics.push_back(gap_diagnostic(rest_first, rest, rate_hz));
+    }
+}
+
 Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::string& where) {
     const std::span<const double> time = samples.time_s;
     const std::vector<Stretch> stretches = find_stretches(samples, median_step(time));
     const double step = fit_step(time, stretches);
     const double frames = (time.back() - time[0]) / step;
-    if (!(frames <
-          most_frames_per_row * static_cast<double>(time.size()) + frames_always_allowed)) {
+    if (!is_plausible_grid(frames, static_cast<double>(time.size()))) {
         return Error{ErrorCode::format_damaged,
                      where,
                      {"text", "its " + std::to_string(time.size()) + " times reach over " +
@@ -222,7 +228,7 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
     const std::vector<std::int64_t> numbers = number_rows(time, step);
     const Line line = fit_line(time, numbers);
     const Unevenness uneven = compare(samples, numbers, line);
-    std::vector<Gap> gaps;
+    std::vector<TimeGap> gaps;
     UniformSamples grid;
     if (uneven.explained) {
         grid = place(samples, numbers);
@@ -242,7 +248,7 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
              1});
         for (std::size_t s = 1; s < stretches.size(); ++s) {
             const auto frame_of = [&](std::size_t row) { return (time[row] - time[0]) / step; };
-            const Gap gap{
+            const TimeGap gap{
                 static_cast<std::int64_t>(
                     std::floor(frame_of(stretches[s - 1].end - 1) + grid_slack)),
                 static_cast<std::int64_t>(std::ceil(frame_of(stretches[s].first) - grid_slack))};
@@ -251,7 +257,7 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
             }
         }
     }
-    report_gaps(gaps, grid);
+    report_gaps(gaps, grid.rate_hz, grid.diagnostics);
     return grid;
 }
 

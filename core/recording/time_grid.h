@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,27 @@ struct UniformSamples {
     std::vector<double> d;
     std::vector<Diagnostic> diagnostics;  // time_uneven, time_gap
 };
+
+// How far a time may lie from a grid of the given step and still be even, s: a thousandth of a step
+// plus what its digits leave open.
+double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s);
+
+// False where the gaps between so many rows are so long that a grid of so many frames would be
+// absurdly larger than the file.
+bool is_plausible_grid(double frames, double rows);
+
+// The slope of times (s) between their gaps, s per row. Precondition: two times or more.
+double typical_step(const TimedSamples& samples);
+
+// The frames between `before` and `after` are missing.
+struct TimeGap {
+    std::int64_t before;
+    std::int64_t after;
+};
+
+// One time_gap for each; from the 20th gap on, one for all.
+void report_gaps(std::span<const TimeGap> gaps, double rate_hz,
+                 std::vector<Diagnostic>& diagnostics);
 
 // The samples on a uniform grid from the first time on (METHOD section 3). The rate is that of the
 // straight line of least squares through the times between gaps. Where no time lies further from

@@ -1,0 +1,195 @@
+#include "core/recording/text_rows.h"
+
+#include "core/recording/text_encoding.h"
+#include "core/recording/text_fields.h"
+#include "core/recording/text_lines.h"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t longest_quote = 40;  // of a wrong field, in a message
+
+// A field as it may stand in a one-line message.
+std::string quoted(std::string_view field) {
+    std::string text = to_utf8(field.substr(0, longest_quote));
+    if (field.size() > longest_quote) {
+        text += "...";
+    }
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
+    return text;
+}
+
+bool begins_number(char c) {
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+}
+
+bool ends_line(char c) {
+    return c == '\n' || c == '\r';
+}
+
+// Blanks that may stand round a field of a line cut at `delimiter`.
+const char* skip_blanks(const char* at, const char* end, char delimiter) {
+    while (at != end && (*at == ' ' || *at == '\t') && *at != delimiter) {
+        ++at;
+    }
+    return at;
+}
+
+}  // namespace
+
+TextRows::TextRows(const TextFormat& format, const TextColumns& columns, const TextBlock& block)
+    : format_(format),
+      columns_(columns),
+      block_(block),
+      plain_(std::string_view(",;\t| ").find(format.delimiter) != std::string_view::npos &&
+             !(format.decimal_comma && format.delimiter == ',')),
+      at_(block.begin) {}
+
+bool TextRows::next() {
+    const std::string_view text = block_.text();
+    while (at_ < block_.end && !fault_) {
+        ++lines_;
+        const char* const end = text.data() + text.size();
+        const char* const plain = plain_ ? plain_row(text.data() + at_, end) : nullptr;
+        if (plain) {
+            at_ = behind_line_end(text, static_cast<std::size_t>(plain - text.data()));
+            return true;
+        }
+        const std::size_t begin = at_;
+        const std::size_t behind = line_end(text, begin);
+        at_ = behind_line_end(text, behind);
+        if (any_row(text.substr(begin, behind - begin), behind < text.size())) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Reads a row in which every field is what it usually is, straight from its characters. Returns
+// where its line end begins; nothing where any_row() has to look, which then decides alone.
+const char* TextRows::plain_row(const char* at, const char* end) {
+    const char delimiter = format_.delimiter;
+    at = skip_blanks(at, end, delimiter == ' ' ? '\0' : delimiter);
+    if (at == end || !begins_number(*at)) {
+        return nullptr;
+    }
+    for (int column = 0; column < format_.columns; ++column) {
+        if (column > 0) {
+            if (at == end || (*at != delimiter && !(delimiter == ' ' && *at == '\t'))) {
+                return nullptr;
+            }
+            at = skip_blanks(at + 1, end, delimiter == ' ' ? '\0' : delimiter);
+        }
+        if (column == columns_.c || column == columns_.d || column == columns_.time) {
+            at = plain_number(at, end, column);
+            if (!at) {
+                return nullptr;
+            }
+        } else {
+            const char* const begin = at;
+            while (at != end && *at != delimiter && !ends_line(*at)) {
+                if (*at == '"' || (delimiter == ' ' && *at == '\t')) {
+                    return nullptr;
+                }
+                ++at;
+            }
+            if (at == begin) {
+                return nullptr;
+            }
+        }
+        if (delimiter != ' ') {
+            at = skip_blanks(at, end, delimiter);
+        }
+    }
+    if (delimiter == ' ') {
+        at = skip_blanks(at, end, '\0');
+    }
+    return at != end && ends_line(*at) ? at : nullptr;
+}
+
+// A finite number at the start of a field; returns what follows it.
+const char* TextRows::plain_number(const char* at, const char* end, int column) {
+    const char* const begin = at;
+    if (at != end && *at == '+') {
+        ++at;
+        if (at == end || *at == '-') {
+            return nullptr;
+        }
+    }
+    double value = 0;
+    const auto parsed = fast_float::from_chars_advanced(
+        at, end, value,
+        fast_float::parse_options(fast_float::chars_format::general,
+                                  format_.decimal_comma ? ',' : '.'));
+    if (parsed.ec != std::errc{} || !std::isfinite(value) || parsed.ptr[-1] == ',') {
+        return nullptr;
+    }
+    if (column == columns_.time) {
+        time_ = value;
+        time_text_ = {begin, static_cast<std::size_t>(parsed.ptr - begin)};
+    } else {
+        (column == columns_.c ? c_ : d_) = value;
+    }
+    return parsed.ptr;
+}
+
+// Any other line: true where it is a row, too. `ended`: it has a line end.
+bool TextRows::any_row(std::string_view line, bool ended) {
+    if (line.size() > longest_line) {
+        fault_ = {ErrorCode::format_damaged, 0, ""};
+        return false;
+    }
+    if (trimmed(line).empty()) {
+        return false;
+    }
+    if (is_comment(line, format_.delimiter)) {
+        ++ignored_;
+        return false;
+    }
+    split_fields(line, format_.delimiter, fields_);
+    const auto columns = static_cast<std::size_t>(format_.columns);
+    if (fields_.size() < columns && !ended) {
+        return false;  // the recorder stopped, or the copy was cut, within this line
+    }
+    if (fields_.size() > columns) {
+        return fail(format_.columns);
+    }
+    // Blanks cannot say which field is missing.
+    if (fields_.size() < columns && format_.delimiter == ' ') {
+        return fail(static_cast<int>(fields_.size()));
+    }
+    if (columns_.time >= 0) {
+        if (!number(columns_.time, time_) || std::isnan(time_)) {
+            return fail(columns_.time);
+        }
+        time_text_ = field(columns_.time);
+    }
+    return number(columns_.c, c_) && number(columns_.d, d_);
+}
+
+std::string_view TextRows::field(int column) const {
+    const auto i = static_cast<std::size_t>(column);
+    return i < fields_.size() ? fields_[i] : std::string_view{};
+}
+
+bool TextRows::number(int column, double& value) {
+    const auto parsed = parse_field(field(column), format_.decimal_comma);
+    if (!parsed) {
+        return fail(column);
+    }
+    value = *parsed;
+    return true;
+}
+
+bool TextRows::fail(int column) {
+    fault_ = {ErrorCode::text_not_a_number, column, quoted(field(column))};
+    return false;
+}
+
+}  // namespace vybeg

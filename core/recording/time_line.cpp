@@ -1,0 +1,235 @@
+#include "core/recording/time_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Up to where a step counts for one, and from where for more; between them only all times together
+// tell.
+constexpr double longest_single_step = 1.4;
+constexpr double shortest_gap = 1.6;
+constexpr std::size_t most_stretches = std::size_t{1} << 16;
+
+constexpr int no_decade = std::numeric_limits<int>::min();  // of the time 0
+
+// Sum of the squares of n whole numbers round their mean.
+double spread(double n) {
+    return n * (n * n - 1) / 12;
+}
+
+}  // namespace
+
+// late_s against frame, both against the first time and multiples of step_s_:
+// mean_late_s + slope (frame - mean_frame).
+struct TimeLine::Line {
+    double mean_frame = 0;
+    double mean_late_s = 0;
+    double slope = 0;
+    std::vector<double> offsets;  // late_s of the first row of each stretch
+};
+
+void TimeLine::Chain::add(const Point& point) {
+    const auto bends_inwards = [&] {
+        const Point& a = points[points.size() - 2];
+        const Point& b = points.back();
+        return side * ((b.late_s - a.late_s) * (point.row - a.row) -
+                       (point.late_s - a.late_s) * (b.row - a.row)) >=
+               0;
+    };
+    while (points.size() > 1 && bends_inwards()) {
+        points.pop_back();
+    }
+    points.push_back(point);
+}
+
+TimeLine::Hull& TimeLine::Stretch::hull(int decade) {
+    if (hulls.empty() || hulls.back().decade != decade) {
+        hulls.push_back({.decade = decade});
+    }
+    return hulls.back();
+}
+
+// Appends a stretch without a gap before it.
+void TimeLine::Stretch::join(const Stretch& next, double step_s) {
+    const auto before = static_cast<double>(rows);
+    const auto more = static_cast<double>(next.rows);
+    const double shift = next.first_s - first_s - step_s * before;
+    late_row_sum +=
+        next.late_row_sum + before * next.late_sum + shift * more * (before + (more - 1) / 2);
+    late_sum += next.late_sum + more * shift;
+    rows += next.rows;
+    last_s = next.last_s;
+    for (const Hull& part : next.hulls) {
+        Hull& whole = hull(part.decade);
+        for (const Point& point : part.early.points) {
+            whole.early.add({before + point.row, point.late_s + shift});
+        }
+        for (const Point& point : part.late.points) {
+            whole.late.add({before + point.row, point.late_s + shift});
+        }
+    }
+}
+
+int TimeLine::decade_of(double time_s) {
+    const double magnitude = std::abs(time_s);
+    if (magnitude == 0) {
+        return no_decade;
+    }
+    if (magnitude < decade_.from || magnitude >= decade_.to) {
+        decade_.exponent = static_cast<int>(std::floor(std::log10(magnitude)));
+        decade_.from = std::pow(10.0, decade_.exponent);
+        decade_.to = std::pow(10.0, decade_.exponent + 1);
+    }
+    return decade_.exponent;
+}
+
+// Whether the time follows the last one without a gap.
+bool TimeLine::continues(double time_s) {
+    if (stretches_.empty()) {
+        return false;
+    }
+    const double steps = (time_s - stretches_.back().last_s) / step_s_;
+    doubtful_ = doubtful_ || !(steps <= longest_single_step || steps >= shortest_gap);
+    return steps < shortest_gap;
+}
+
+void TimeLine::add(double time_s) {
+    if (!continues(time_s)) {
+        stretches_.emplace_back().first_s = time_s;
+        doubtful_ = doubtful_ || stretches_.size() > most_stretches;
+    }
+    if (doubtful_) {
+        return;
+    }
+    Stretch& stretch = stretches_.back();
+    const auto row = static_cast<double>(stretch.rows);
+    const double late = time_s - stretch.first_s - step_s_ * row;
+    stretch.rows += 1;
+    stretch.last_s = time_s;
+    stretch.late_sum += late;
+    stretch.late_row_sum += row * late;
+    Hull& hull = stretch.hull(decade_of(time_s));
+    hull.early.add({row, late});
+    hull.late.add({row, late});
+}
+
+void TimeLine::append(const TimeLine& next) {
+    auto from = next.stretches_.begin();
+    const bool joins = from != next.stretches_.end() && continues(from->first_s);
+    doubtful_ =
+        doubtful_ || next.doubtful_ || stretches_.size() + next.stretches_.size() > most_stretches;
+    if (doubtful_) {
+        return;
+    }
+    if (joins) {
+        stretches_.back().join(*from, step_s_);
+        ++from;
+    }
+    stretches_.insert(stretches_.end(), from, next.stretches_.end());
+}
+
+// One slope of least squares for all stretches, each with its own offset.
+std::optional<double> TimeLine::fitted_step() const {
+    double products = 0;
+    double squares = 0;
+    for (const Stretch& stretch : stretches_) {
+        const auto rows = static_cast<double>(stretch.rows);
+        products += stretch.late_row_sum - 0.5 * (rows - 1) * stretch.late_sum;
+        squares += spread(rows);
+    }
+    return squares > 0 ? std::optional(step_s_ + products / squares) : std::nullopt;
+}
+
+std::vector<RowStretch> TimeLine::number_rows(double step_s) const {
+    std::vector<RowStretch> numbered;
+    for (const Stretch& stretch : stretches_) {
+        RowStretch next{0, 0, stretch.rows};
+        if (!numbered.empty()) {
+            const RowStretch& before = numbered.back();
+            const double last_s = stretches_[numbered.size() - 1].last_s;
+            const double steps = std::round((stretch.first_s - last_s) / step_s);
+            next.first_row = before.first_row + before.rows;
+            next.first_frame = before.first_frame + before.rows - 1 +
+                               std::max<std::int64_t>(static_cast<std::int64_t>(steps), 1);
+        }
+        numbered.push_back(next);
+    }
+    return numbered;
+}
+
+TimeLine::Line TimeLine::fit_line(const std::vector<RowStretch>& stretches) const {
+    Line line;
+    double rows = 0;
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+        const auto n = static_cast<double>(stretches[s].rows);
+        const auto frame = static_cast<double>(stretches[s].first_frame);
+        line.offsets.push_back(stretches_[s].first_s - stretches_[0].first_s - step_s_ * frame);
+        line.mean_frame += n * (frame + 0.5 * (n - 1));
+        line.mean_late_s += n * line.offsets[s] + stretches_[s].late_sum;
+        rows += n;
+    }
+    line.mean_frame /= rows;
+    line.mean_late_s /= rows;
+    double products = 0;
+    double squares = 0;
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+        const Stretch& stretch = stretches_[s];
+        const auto n = static_cast<double>(stretch.rows);
+        const double centre =
+            static_cast<double>(stretches[s].first_frame) + 0.5 * (n - 1) - line.mean_frame;
+        products += centre * (n * (line.offsets[s] - line.mean_late_s) + stretch.late_sum) +
+                    stretch.late_row_sum - 0.5 * (n - 1) * stretch.late_sum;
+        squares += n * centre * centre + spread(n);
+    }
+    line.slope = products / squares;
+    return line;
+}
+
+bool TimeLine::explained(const std::vector<RowStretch>& stretches, const Line& line,
+                         const TimeResolution& resolution) const {
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+        for (const Hull& hull : stretches_[s].hulls) {
+            // Well inside of the decade, whatever way its edges are rounded.
+            const double time_s = hull.decade == no_decade ? 0 : 2 * std::pow(10.0, hull.decade);
+            const double allowed = allowed_deviation(step_s_ + line.slope, resolution, time_s);
+            const auto fits = [&](const Point& point) {
+                const double frame = static_cast<double>(stretches[s].first_frame) + point.row;
+                const double expected = line.mean_late_s + line.slope * (frame - line.mean_frame);
+                return std::abs(line.offsets[s] + point.late_s - expected) <= allowed;
+            };
+            if (!std::ranges::all_of(hull.early.points, fits) ||
+                !std::ranges::all_of(hull.late.points, fits)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+std::optional<EvenTimes> TimeLine::judge(const TimeResolution& resolution) const {
+    const auto step_s = doubtful_ ? std::nullopt : fitted_step();
+    if (!step_s) {
+        return std::nullopt;
+    }
+    double rows = 0;
+    for (const Stretch& stretch : stretches_) {
+        rows += static_cast<double>(stretch.rows);
+    }
+    const double reach_s = stretches_.back().last_s - stretches_.front().first_s;
+    if (!is_plausible_grid(reach_s / *step_s, rows)) {
+        return std::nullopt;
+    }
+    EvenTimes even{.stretches = number_rows(*step_s)};
+    const Line line = fit_line(even.stretches);
+    if (!explained(even.stretches, line, resolution)) {
+        return std::nullopt;
+    }
+    even.rate_hz = 1 / (step_s_ + line.slope);
+    return even;
+}
+
+}  // namespace vybeg
