@@ -93,7 +93,7 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
     });
     retranslate();
     const int digit = fontMetrics().averageCharWidth();
-    const int widths[column_count] = {28, 14, 26, 8, 17, 25, 12, 8};
+    const int widths[column_count] = {27, 14, 25, 7, 23, 25, 12, 8};
     for (int column = 0; column < column_count; ++column) {
         setColumnWidth(column, widths[column] * digit);
     }
