@@ -104,8 +104,7 @@ void Document::whenOpened(int id, Result<Recording> result) {
         Message message{Severity::error, [error] { return errorText(error); }, {}, {}};
         if (error.code == ErrorCode::rate_unknown || error.code == ErrorCode::format_unknown ||
             error.code == ErrorCode::channel_out_of_range ||
-            error.code == ErrorCode::variable_missing ||
-            error.code == ErrorCode::setting_invalid) {
+            error.code == ErrorCode::variable_missing || error.code == ErrorCode::setting_invalid) {
             message.reopen_path = entry->path;
             message.reopen_options = entry->options;
         }
