@@ -1,11 +1,8 @@
 #include "core/recording/library_reader.h"
 
 #include "core/recording/mat_header.h"
-#include "core/recording/memory_source.h"
-#include "core/recording/selection.h"
-#include "core/recording/time_variable.h"
+#include "core/recording/variable_recording.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -23,71 +20,6 @@ bool is_hdf5(const FileBytes& file) {
         }
     }
     return false;
-}
-
-// A recording of which only samples and rate are missing.
-struct Opening {
-    std::shared_ptr<const FileBytes> file;
-    std::shared_ptr<const VariableReader> reader;
-    VariableChoice choice;
-    ChannelPlace c;
-    ChannelPlace d;
-    std::optional<TimeVariable> time;  // where it is what gives the rate
-};
-
-// All three columns at once: only where the times are uneven, which nothing but all of them tells.
-Status take_uneven(const Opening& opening, Recording& recording) {
-    const auto frames = static_cast<std::size_t>(opening.choice.frames);
-    TimedSamples samples{std::vector<double>(frames), std::vector<double>(frames),
-                         std::vector<double>(frames), opening.time->resolution};
-    for (std::size_t at = 0; at < frames; at += frames_per_request) {
-        const std::size_t count = std::min<std::size_t>(frames_per_request, frames - at);
-        const auto block = [&](std::vector<double>& column) {
-            return std::span(column).subspan(at, count);
-        };
-        const auto first = static_cast<std::int64_t>(at);
-        Status status = opening.time->read(*opening.reader, first, block(samples.time_s));
-        status = status ? opening.reader->read(opening.c, first, block(samples.c)) : status;
-        status = status ? opening.reader->read(opening.d, first, block(samples.d)) : status;
-        if (!status) {
-            return status;
-        }
-    }
-    auto grid = to_uniform_grid(samples, opening.file->path().string());
-    if (!grid) {
-        return grid.error();
-    }
-    recording.rate_hz = grid->rate_hz;
-    recording.rate_from = RateOrigin::time_column;
-    recording.diagnostics = std::move(grid->diagnostics);
-    recording.source = std::make_shared<MemorySource>(std::move(grid->c), std::move(grid->d));
-    return {};
-}
-
-Status take_samples(const Opening& opening, const OpenOptions& options, const JobControl& job,
-                    Recording& recording) {
-    std::optional<SampleRate> own = opening.choice.rate;
-    if (opening.time) {
-        const auto steps =
-            scan_times(*opening.file, *opening.reader, *opening.time, opening.choice.frames, job);
-        if (!steps) {
-            return steps.error();
-        }
-        if (steps->is_time && !steps->even) {
-            return take_uneven(opening, recording);
-        }
-        if (steps->is_time) {
-            own = SampleRate{1 / steps->step_s, RateOrigin::time_column};
-        }
-    }
-    const auto rate = choose_rate(*opening.file, own, options);
-    if (!rate) {
-        return rate.error();
-    }
-    recording.rate_hz = rate->hz;
-    recording.rate_from = rate->from;
-    recording.source = variable_source(opening.reader, opening.c, opening.d, opening.choice.frames);
-    return {};
 }
 
 }  // namespace
@@ -115,45 +47,16 @@ Result<Recording> open_with_library(std::shared_ptr<const FileBytes> file,
     if (!process) {
         return process.error();
     }
-    const Catalogue catalogue = (*process)->catalogue();
-    auto choice = choose_variables(*file, catalogue, options);
-    if (!choice) {
-        return choice.error();
-    }
-    const auto channels = static_cast<int>(choice->channels.size());
-    if (const Status status = check_channels(*file, channels, options); !status) {
-        return status.error();
-    }
-    if (const Status status = check_frames(*file, choice->frames); !status) {
-        return status.error();
-    }
-    Recording recording;
-    recording.path = file->path();
-    recording.channels = choice->names;
-    recording.channel_c = options.channel_c;
-    recording.channel_d = options.channel_d;
-    Opening opening;
-    opening.c = choice->channels[static_cast<std::size_t>(options.channel_c - 1)];
-    opening.d = choice->channels[static_cast<std::size_t>(options.channel_d - 1)];
-    const auto& variables = catalogue.variables;
-    recording.format = format.name + ", " +
-                       variables[static_cast<std::size_t>(opening.c.variable)].type + ", " +
-                       std::to_string(channels) + " channels";
-    if (choice->time) {
-        opening.time = TimeVariable{{*choice->time, 0}, choice->time_unit_s, {}};
-        const std::string& type = variables[static_cast<std::size_t>(*choice->time)].type;
-        constexpr int digits_of_32_bits = 7;
-        if (type == "32 bit float") {
-            opening.time->resolution.significant_digits = digits_of_32_bits;
-        }
-    }
-    opening.reader = std::make_shared<VariableReader>(file, format, std::move(*process));
-    opening.file = std::move(file);
-    opening.choice = std::move(*choice);
-    if (const Status status = take_samples(opening, options, job, recording); !status) {
-        return status.error();
-    }
-    return recording;
+    VariableFile variables;
+    variables.file = file;
+    variables.format = format.name;
+    variables.catalogue = (*process)->catalogue();
+    variables.reader = std::make_shared<LibraryVariables>(file, format, std::move(*process));
+    variables.source = [reader = variables.reader](const ChannelPlace& c, const ChannelPlace& d,
+                                                   std::int64_t frames) {
+        return variable_source(reader, c, d, frames);
+    };
+    return open_variables(variables, options, job);
 }
 
 }  // namespace vybeg

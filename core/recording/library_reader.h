@@ -17,10 +17,8 @@ namespace vybeg {
 // other binary formats are to be asked for first.
 std::optional<LibraryFormat> library_format(std::string_view head, const FileBytes& file);
 
-// A MAT or HDF5 file, read on demand by vybeg-reader. Its variables are chosen by
-// choose_variables(). Where the rate comes from times that are not even, the recording is read
-// whole and brought onto a uniform grid, as a text is. Errors: those of choose_variables() and
-// ReaderProcess; channel_out_of_range, too_few_frames, rate_unknown, interrupted.
+// A MAT or HDF5 file, read on demand by vybeg-reader. Errors: those of open_variables() and
+// ReaderProcess.
 Result<Recording> open_with_library(std::shared_ptr<const FileBytes> file,
                                     const LibraryFormat& format, const OpenOptions& options,
                                     const JobControl& job);

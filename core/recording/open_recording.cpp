@@ -6,12 +6,14 @@
 #include "core/recording/library_reader.h"
 #include "core/recording/npy_array.h"
 #include "core/recording/npy_reader.h"
+#include "core/recording/npz_reader.h"
 #include "core/recording/raw_reader.h"
 #include "core/recording/selection.h"
 #include "core/recording/tdms_reader.h"
 #include "core/recording/text_encoding.h"
 #include "core/recording/text_recording.h"
 #include "core/recording/uff_reader.h"
+#include "core/recording/zip_directory.h"
 
 #include <vector>
 
@@ -45,6 +47,9 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
     }
     if (is_npy(head)) {
         return open_npy(*file, options);
+    }
+    if (is_zip(head)) {
+        return open_npz(*file, options, job);
     }
     if (is_tdms(head)) {
         return open_tdms(*file, options, job);

@@ -41,12 +41,12 @@ private:
 
 }  // namespace
 
-VariableReader::VariableReader(std::shared_ptr<const FileBytes> file, LibraryFormat format,
-                               std::unique_ptr<ReaderProcess> process)
+LibraryVariables::LibraryVariables(std::shared_ptr<const FileBytes> file, LibraryFormat format,
+                                   std::unique_ptr<ReaderProcess> process)
     : file_(std::move(file)), format_(std::move(format)), process_(std::move(process)) {}
 
-Status VariableReader::read(const ChannelPlace& place, std::int64_t first,
-                            std::span<double> out) const {
+Status LibraryVariables::read(const ChannelPlace& place, std::int64_t first,
+                              std::span<double> out) const {
     const std::lock_guard lock(mutex_);
     if (!process_) {
         auto started = ReaderProcess::start(file_, format_.kind, format_.name);

@@ -18,17 +18,28 @@ struct LibraryFormat {
     std::string name;  // "MAT 5", ...
 };
 
-// Samples of a file's variables through vybeg-reader. A helper that died or was given up is
-// replaced at the next read: a damaged stretch does not cost the rest of the recording. For several
-// threads at once.
+// Samples of the variables that a file's catalogue lists, on demand. For several threads at once.
 class VariableReader {
 public:
-    VariableReader(std::shared_ptr<const FileBytes> file, LibraryFormat format,
-                   std::unique_ptr<ReaderProcess> process);
+    VariableReader() = default;
+    VariableReader(const VariableReader&) = delete;
+    VariableReader& operator=(const VariableReader&) = delete;
+    virtual ~VariableReader() = default;
 
     // Fills `out` with the samples of a channel from the frame `first` on; infinite ones are NaN.
-    // Errors: those of ReaderProcess.
-    Status read(const ChannelPlace& place, std::int64_t first, std::span<double> out) const;
+    virtual Status read(const ChannelPlace& place, std::int64_t first,
+                        std::span<double> out) const = 0;
+};
+
+// The same through vybeg-reader. A helper that died or was given up is replaced at the next read: a
+// damaged stretch does not cost the rest of the recording. Errors: those of ReaderProcess.
+class LibraryVariables final : public VariableReader {
+public:
+    LibraryVariables(std::shared_ptr<const FileBytes> file, LibraryFormat format,
+                     std::unique_ptr<ReaderProcess> process);
+
+    Status read(const ChannelPlace& place, std::int64_t first,
+                std::span<double> out) const override;
 
 private:
     std::shared_ptr<const FileBytes> file_;
