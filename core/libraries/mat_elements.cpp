@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string_view>
 
 namespace vybeg {
@@ -13,6 +14,19 @@ namespace {
 
 constexpr std::int64_t level5_header_bytes = 128;
 constexpr std::int64_t tag_bytes = 8;
+constexpr int most_depth = 8;  // of structs in structs; what lies deeper is not looked at
+
+// Codes of the format.
+enum ElementType : std::uint32_t { matrix_type = 14, compressed_type = 15 };
+enum ArrayClass : std::uint32_t {
+    cell_class = 1,
+    struct_class = 2,
+    first_number = 6,
+    last_number = 15
+};
+
+// Bytes of a number by the code of its type; 0: no number.
+constexpr std::array<std::int64_t, 14> bytes_by_type{0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
 
 // The bytes at `at`, fewer at the end of the file.
 template <std::size_t n>
@@ -27,15 +41,88 @@ bool is_level5(std::string_view head) {
     return head.starts_with("MATLAB 5.0");
 }
 
-// Where the element at `at` ends; nothing where there is no element.
-std::optional<std::int64_t> level5_end(std::ifstream& file, std::int64_t at, bool big_endian) {
-    std::array<char, tag_bytes> buffer{};
-    const std::string_view tag = bytes_at(file, at, buffer);
-    if (tag.size() < tag_bytes) {
-        return {};
+// A piece of a level 5 file: tag and bytes.
+struct Element {
+    std::uint32_t type = 0;
+    std::int64_t data = 0;  // where its bytes begin
+    std::int64_t size = 0;
+    std::int64_t next = 0;  // where the element behind it begins
+};
+
+class Level5 {
+public:
+    Level5(std::ifstream& file, bool big_endian) : file_(file), big_endian_(big_endian) {}
+
+    // Nothing where the file has no tag there. Up to four bytes may stand in the tag itself.
+    std::optional<Element> element(std::int64_t at) const {
+        std::array<char, tag_bytes> buffer{};
+        const std::string_view tag = bytes_at(file_, at, buffer);
+        if (tag.size() < tag_bytes) {
+            return {};
+        }
+        const auto type = load<std::uint32_t>(tag.data(), big_endian_);
+        if (type >> 16 != 0) {
+            return Element{type & 0xFFFF, at + 4, type >> 16, at + tag_bytes};
+        }
+        const std::int64_t size = load<std::uint32_t>(tag.data() + 4, big_endian_);
+        const std::int64_t padding = type == compressed_type ? 0 : (8 - size % 8) % 8;
+        return Element{type, at + tag_bytes, size, at + tag_bytes + size + padding};
     }
-    return at + tag_bytes + load<std::uint32_t>(tag.data() + 4, big_endian);
-}
+
+    // Whether the numbers of an array, or of the arrays in it, are as many as its size says.
+    bool numbers_fit(const Element& array, int depth) const {
+        if (array.type != matrix_type || array.size == 0 || depth > most_depth) {
+            return true;  // compressed: there zlib notices
+        }
+        const auto flags = element(array.data);
+        const auto size = flags ? element(flags->next) : std::nullopt;
+        const auto name = size ? element(size->next) : std::nullopt;
+        if (!name) {
+            return false;
+        }
+        const auto kind = number<std::uint32_t>(flags->data) & 0xFF;
+        const std::int64_t end = array.data + array.size;
+        if (kind == cell_class || kind == struct_class) {
+            // A struct has the length of its fields' names, then the names, before the fields.
+            const auto length = kind == struct_class ? element(name->next) : name;
+            const auto names = kind == struct_class && length ? element(length->next) : length;
+            return names && all_fit(names->next, end, depth);
+        }
+        if (kind < first_number || kind > last_number || size->size != 2 * sizeof(std::int32_t)) {
+            return true;
+        }
+        const auto data = element(name->next);
+        if (!data || data->type >= bytes_by_type.size() || data->data + data->size > end) {
+            return false;
+        }
+        const std::int64_t rows = number<std::int32_t>(size->data);
+        const std::int64_t columns = number<std::int32_t>(size->data + sizeof(std::int32_t));
+        return rows >= 0 && columns >= 0 && rows < (std::int64_t{1} << 60) / (8 * columns + 1) &&
+               rows * columns * bytes_by_type[data->type] == data->size;
+    }
+
+private:
+    bool all_fit(std::int64_t at, std::int64_t end, int depth) const {
+        while (at < end) {
+            const auto inner = element(at);
+            if (!inner || inner->next > end || !numbers_fit(*inner, depth + 1)) {
+                return false;
+            }
+            at = inner->next;
+        }
+        return true;
+    }
+
+    template <class Number>
+    Number number(std::int64_t at) const {
+        std::array<char, sizeof(Number)> buffer{};
+        bytes_at(file_, at, buffer);
+        return load<Number>(buffer.data(), big_endian_);
+    }
+
+    std::ifstream& file_;
+    bool big_endian_;
+};
 
 std::optional<std::int64_t> level4_end(std::ifstream& file, std::int64_t at) {
     std::array<char, mat4_header_bytes> buffer{};
@@ -44,20 +131,26 @@ std::optional<std::int64_t> level4_end(std::ifstream& file, std::int64_t at) {
                   : std::nullopt;
 }
 
-}  // namespace
-
-std::string mat_damage(const std::string& path) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    const std::int64_t size = file.tellg();
-    std::array<char, level5_header_bytes> buffer{};
-    const std::string_view head = bytes_at(file, 0, buffer);
-    const bool level5 = is_level5(head);
-    if (level5 && static_cast<std::int64_t>(head.size()) < level5_header_bytes) {
-        return "it ends in its header";
+std::string level5_damage(std::ifstream& file, std::int64_t size, bool big_endian) {
+    const Level5 level5(file, big_endian);
+    for (std::int64_t at = level5_header_bytes; at < size;) {
+        const auto element = level5.element(at);
+        // The last one need not be padded.
+        if (!element || element->data + element->size > size) {
+            return "it ends at byte " + std::to_string(size) + ", inside of a variable";
+        }
+        if (!level5.numbers_fit(*element, 0)) {
+            return "the size of the variable at byte " + std::to_string(at) +
+                   " does not fit its numbers";
+        }
+        at = element->next;
     }
-    const bool big_endian = level5 && head[126] == 'M';
-    for (std::int64_t at = level5 ? level5_header_bytes : 0; at < size;) {
-        const auto end = level5 ? level5_end(file, at, big_endian) : level4_end(file, at);
+    return {};
+}
+
+std::string level4_damage(std::ifstream& file, std::int64_t size) {
+    for (std::int64_t at = 0; at < size;) {
+        const auto end = level4_end(file, at);
         if (!end) {
             return "there is no variable at byte " + std::to_string(at);
         }
@@ -67,6 +160,22 @@ std::string mat_damage(const std::string& path) {
         at = *end;
     }
     return {};
+}
+
+}  // namespace
+
+std::string mat_damage(const std::string& path) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    const std::int64_t size = file.tellg();
+    std::array<char, level5_header_bytes> buffer{};
+    const std::string_view head = bytes_at(file, 0, buffer);
+    if (!is_level5(head)) {
+        return level4_damage(file, size);
+    }
+    if (size < level5_header_bytes) {
+        return "it ends in its header";
+    }
+    return level5_damage(file, size, head[level5_header_bytes - 2] == 'M');
 }
 
 }  // namespace vybeg
