@@ -2,9 +2,11 @@
 
 #include "app/option_values.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace vybeg::cli {
 namespace {
@@ -24,6 +26,20 @@ int channel(const std::string& option, const std::string& text, double number,
         reject(option, text, allowed);
     }
     return static_cast<int>(number);
+}
+
+// The names between the commas, of which only the middle one of three may be empty.
+std::vector<std::string> variable_names(const std::string& option, const std::string& text) {
+    std::vector<std::string> names;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        names.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    if (names.size() > 3 || names.front().empty() || names.back().empty()) {
+        reject(option, text, "it is one to three names with commas, as in C,D,fs or XY,,fs");
+    }
+    return names;
 }
 
 RawLayout raw_layout(const std::string& option, const std::string& text) {
@@ -136,6 +152,13 @@ void add_open_options(CLI::App& app, OpenOptions& options) {
                   options.channel_c = channel(option, text, pair[0], allowed);
                   options.channel_d = channel(option, text, pair[1], allowed);
               });
+    add_value(
+        app, "--variables", "C,D[,RATE]",
+        "Names of the variables of a MAT, HDF5 or NPZ file that hold C and D, and the rate; D "
+        "is left out where one holds both: XY or XY,,RATE",
+        [&options](const auto& option, const auto& text) {
+            options.variables = variable_names(option, text);
+        });
     add_value(app, "--raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]",
               [&options](const auto& option, const auto& text) {
                   options.raw = raw_layout(option, text);

@@ -126,6 +126,8 @@ private slots:
         row("unknown algorithm", "analyze good.wav -o x.csv --algorithm fft", 2, "\"fft\"");
         row("four start values", "analyze good.wav -o x.csv --initial 1,2,3,4", 2, "five numbers");
         row("channels as a word", "analyze good.wav -o x.csv --channels both", 2, "\"both\"");
+        row("four variables", "analyze good.wav -o x.csv --variables a,b,c,d", 2, "three names");
+        row("no variable", "analyze good.wav -o x.csv --variables ,b", 2, "three names");
         row("skip without raw", "analyze good.wav -o x.csv --skip 44", 2, "needs --raw");
         row("no value", "analyze good.wav -o x.csv --rate", 2, "--rate needs a value");
         row("two lengths", "analyze good.wav -o x.csv --window 60 --periods 10", 2, "excludes");

@@ -211,11 +211,12 @@ private slots:
         const Outcome help = run({"analyze", "--help"});
         QCOMPARE(help.status, 0);
         for (const char* option :
-             {"--algorithm", "--window",       "--periods", "--snap",   "--hop",     "--f0",
-              "--initial",   "--start",        "--from",    "--to",     "--band",    "--filter",
-              "--channels",  "--rate",         "--kappa",   "--offset", "--delay",   "--angle-zero",
-              "--raw",       "--raw-channels", "--skip",    "--scale",  "--threads", "--quiet",
-              "--json-log",  "--timing"}) {
+             {"--algorithm", "--window",   "--periods",    "--snap",  "--hop",
+              "--f0",        "--initial",  "--start",      "--from",  "--to",
+              "--band",      "--filter",   "--channels",   "--rate",  "--kappa",
+              "--offset",    "--delay",    "--angle-zero", "--raw",   "--raw-channels",
+              "--skip",      "--scale",    "--threads",    "--quiet", "--json-log",
+              "--timing",    "--variables"}) {
             QVERIFY2(help.out.contains(option), option);
         }
         const Outcome simulate = run({"simulate", "--help"});
