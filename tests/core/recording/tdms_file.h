@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/recording/byte_order.h"
+#include "tests/core/recording/recording_files.h"
 
 #include <cstdint>
 #include <string>
@@ -96,5 +97,48 @@ struct Tdms {
         return bytes;
     }
 };
+
+// What the tests of the reader share: the channels C and D of a group.
+inline constexpr const char* path_c = "/'Run'/'C'";
+inline constexpr const char* path_d = "/'Run'/'D'";
+inline constexpr std::uint32_t first_segment = toc_metadata | toc_new_list | toc_raw;
+
+inline std::vector<double> part(const std::vector<double>& x, std::size_t first,
+                                std::size_t count) {
+    return {x.begin() + static_cast<std::ptrdiff_t>(first),
+            x.begin() + static_cast<std::ptrdiff_t>(first + count)};
+}
+
+inline std::vector<double> interleaved(const std::vector<double>& c, const std::vector<double>& d) {
+    std::vector<double> both;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        both.insert(both.end(), {c[i], d[i]});
+    }
+    return both;
+}
+
+// Whole numbers from 0 to 100, C and D different.
+inline Samples whole_numbers(std::size_t count) {
+    Samples samples;
+    for (std::size_t i = 0; i < count; ++i) {
+        samples.c.push_back(static_cast<double>(7 * i % 101));
+        samples.d.push_back(static_cast<double>(5 * i % 97));
+    }
+    return samples;
+}
+
+// The metadata of C and D with so many values each in a chunk.
+inline std::string both_channels(const Tdms& t, std::uint32_t type, std::uint64_t count) {
+    return t.metadata({t.object("/", t.no_values()), t.object("/'Run'", t.no_values()),
+                       t.object(path_c, t.values(type, count),
+                                {t.real("wf_increment", 3e-5), t.words("unit_string", "V")}),
+                       t.object(path_d, t.values(type, count))});
+}
+
+// One segment of one chunk.
+inline std::string small_file(const Samples& samples, const Tdms& t = {}) {
+    return t.segment(first_segment, both_channels(t, tds_f64, samples.c.size()),
+                     t.raw<double>(samples.c) + t.raw<double>(samples.d));
+}
 
 }  // namespace vybeg::test
