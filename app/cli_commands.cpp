@@ -78,7 +78,7 @@ bool same_file(const std::string& input, const std::string& output) {
     return output != "-" && std::filesystem::equivalent(input, output, missing) && !missing;
 }
 
-std::string timing_line(const Analysis& analysis, double open_s, double write_s) {
+std::string timing_line(const AnalysisSummary& analysis, double open_s, double write_s) {
     const Timing& timing = analysis.timing;
     const nlohmann::ordered_json line{
         {"read_s", open_s + timing.read_s}, {"carrier_s", timing.carrier_s},
@@ -160,25 +160,32 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     if (!output) {
         return log.fail(output.error());
     }
-    const Result<Analysis> analysis = analyse(*recording, request.settings, job_of(stop, log));
+    TrackCsvWriter rows(*output, silent(stop));
+    double write_s = 0;
+    const TrackSink sink = [&](const Track& next) {
+        const double before = seconds_now();
+        const Status written = rows.append(next);
+        write_s += seconds_now() - before;
+        return written;
+    };
+    const Result<AnalysisSummary> analysis =
+        analyse(*recording, request.settings, sink, job_of(stop, log));
     if (!analysis) {
         log.warnings(recording->diagnostics);
         return log.fail(analysis.error());
     }
     log.warnings(analysis->diagnostics);
     const double analysed = seconds_now();
-    Status written =
-        write_track_csv(*output, analysis->track,
-                        track_header(program, *recording, *sha256, *analysis), silent(stop));
+    Status written = rows.finish(track_header(program, *recording, *sha256, *analysis));
     if (written) {
         written = output->commit();
     }
     if (!written) {
         return log.fail(written.error());
     }
+    write_s += seconds_now() - analysed;
     if (request.timing) {
-        std::fputs(timing_line(*analysis, opened - begun, seconds_now() - analysed).c_str(),
-                   stderr);
+        std::fputs(timing_line(*analysis, opened - begun, write_s).c_str(), stderr);
     }
     return 0;
 }

@@ -3,12 +3,11 @@
 #include "core/analysis/estimate_track.h"
 #include "core/analysis/prepare.h"
 #include "core/base/number_text.h"
-#include "core/track/unwrap.h"
 
 #include <tbb/info.h>
 
 #include <algorithm>
-#include <numbers>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -38,24 +37,22 @@ Result<WindowPlan> plan_of(const Settings& settings, const Prepared& prepared,
     return plan;
 }
 
-void add_flag_diagnostics(Analysis& analysis, std::int64_t context) {
-    const auto flags = analysis.track.flags();
-    const auto flagged = std::count_if(flags.begin(), flags.end(),
-                                       [](Flags f) { return has(f, Flag::not_converged); });
-    if (flagged > 0) {
+void add_diagnostics(const EstimationSummary& estimation, AnalysisSummary& analysis) {
+    if (estimation.not_converged > 0) {
         analysis.diagnostics.push_back(
             {DiagnosticKind::not_converged,
-             {integer_text(flagged), integer_text(analysis.plan.count)}});
+             {integer_text(estimation.not_converged), integer_text(analysis.plan.count)}});
     }
-    if (context > 0) {
-        analysis.diagnostics.push_back({DiagnosticKind::context_missing, {integer_text(context)}});
+    if (estimation.context > 0) {
+        analysis.diagnostics.push_back(
+            {DiagnosticKind::context_missing, {integer_text(estimation.context)}});
     }
 }
 
 }  // namespace
 
-Result<Analysis> analyse(const Recording& recording, const Settings& settings,
-                         const JobControl& job) {
+Result<AnalysisSummary> analyse(const Recording& recording, const Settings& settings,
+                                const TrackSink& sink, const JobControl& job) {
     if (const Status valid = validate(settings); !valid) {
         return valid.error();
     }
@@ -69,15 +66,13 @@ Result<Analysis> analyse(const Recording& recording, const Settings& settings,
     }
     const int cores = tbb::info::default_concurrency();
     const int threads = settings.threads > 0 ? std::min(settings.threads, cores) : cores;
-    Result<EstimatedTrack> estimated =
-        estimate_track(*prepared, *plan, settings, recording.rate_hz, threads, job);
-    if (!estimated) {
-        return estimated.error();
+    const Result<EstimationSummary> estimation =
+        estimate_track(*prepared, *plan, settings, recording.rate_hz, threads, sink, job);
+    if (!estimation) {
+        return estimation.error();
     }
 
-    Analysis analysis;
-    analysis.track = std::move(estimated->track);
-    unwrap_angle(analysis.track, prepared->calibration.angle_zero_deg * std::numbers::pi / 90);
+    AnalysisSummary analysis;
     analysis.settings = settings;
     analysis.settings.window = plan->length;
     analysis.settings.hop = plan->hop;
@@ -86,8 +81,23 @@ Result<Analysis> analyse(const Recording& recording, const Settings& settings,
     analysis.plan = *plan;
     analysis.residual = orthogonality_residual(plan->length, prepared->f0_hz, recording.rate_hz);
     analysis.diagnostics = prepared->diagnostics;
-    add_flag_diagnostics(analysis, estimated->context);
-    analysis.timing = {estimated->read_s, prepared->carrier_s, estimated->estimate_s, threads};
+    add_diagnostics(*estimation, analysis);
+    analysis.timing = {estimation->read_s, prepared->carrier_s, estimation->estimate_s, threads};
+    return analysis;
+}
+
+Result<Analysis> analyse(const Recording& recording, const Settings& settings,
+                         const JobControl& job) {
+    Analysis analysis;
+    const TrackSink collect = [&analysis](const Track& rows) {
+        analysis.track.append(rows);
+        return Status{};
+    };
+    Result<AnalysisSummary> summary = analyse(recording, settings, collect, job);
+    if (!summary) {
+        return summary.error();
+    }
+    static_cast<AnalysisSummary&>(analysis) = std::move(*summary);
     return analysis;
 }
 

@@ -10,16 +10,17 @@
 
 namespace vybeg {
 
-// Seconds spent, by monotonic clock of the caller's machine (the --timing line).
+// Seconds spent, by monotonic clock of the caller's machine (the --timing line). Reading and
+// estimating overlap.
 struct Timing {
     double read_s = 0;      // reading, calibration and filter
     double carrier_s = 0;   // search for the carrier
-    double estimate_s = 0;  // the estimators alone
+    double estimate_s = 0;  // the estimators alone: the sum of their threads by the threads' number
     int threads = 0;
 };
 
-struct Analysis {
-    Track track;
+// An analysis without its track.
+struct AnalysisSummary {
     Settings settings;  // as used: window, hop and f0_hz filled in, offsets resolved
     WindowPlan plan;
     double residual = 0;                  // <cos 2wt> of the window (METHOD section 3)
@@ -29,9 +30,18 @@ struct Analysis {
     double f0_hz() const { return *settings.f0_hz; }
 };
 
-// The whole road from a recording to its track. Errors: setting_invalid, the analysis group, and
-// the input group where reading fails on the way; interrupted. The result is the same to the last
-// bit for any number of threads.
+struct Analysis : AnalysisSummary {
+    Track track;
+};
+
+// The whole road from a recording to its track, of which `sink` takes the rows while they are made:
+// memory does not grow with the recording. Errors: those of the sink, setting_invalid, the analysis
+// group, and the input group where reading fails on the way; interrupted. The result is the same to
+// the last bit for any number of threads.
+Result<AnalysisSummary> analyse(const Recording& recording, const Settings& settings,
+                                const TrackSink& sink, const JobControl& job);
+
+// The same with the whole track.
 Result<Analysis> analyse(const Recording& recording, const Settings& settings,
                          const JobControl& job);
 

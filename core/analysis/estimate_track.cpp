@@ -1,10 +1,18 @@
 #include "core/analysis/estimate_track.h"
 
+#include "core/track/unwrap.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
+#include <mutex>
+#include <numbers>
+#include <numeric>
+#include <optional>
 
 namespace vybeg {
 namespace {
@@ -17,6 +25,8 @@ constexpr std::int64_t block_frames = std::int64_t{1} << 13;
 // Windows of it at most, where they overlap: the slowest algorithm takes 20 us for one, and the
 // stop token is looked at between blocks.
 constexpr std::int64_t block_windows = 1024;
+// Chunks in work: one is read, one estimated, one written.
+constexpr std::size_t chunks_at_once = 3;
 
 std::int64_t windows_in(std::int64_t frames, const WindowPlan& plan) {
     return std::max<std::int64_t>(1, (frames - plan.length) / plan.hop + 1);
@@ -43,31 +53,27 @@ void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& 
     track.flags()[row] = estimate.flags;
 }
 
-// A chunk of samples with the windows first .. first + count in it.
+// A chunk of samples, the windows in it, and their rows once they are estimated.
 struct Chunk {
     std::vector<double> c;
     std::vector<double> d;
     std::int64_t first_frame = 0;
     std::int64_t first_window = 0;
     std::int64_t windows = 0;
+    Track rows;
 };
 
 class TrackEstimation {
 public:
     TrackEstimation(const Prepared& prepared, const WindowPlan& plan, const Settings& settings,
                     double rate_hz)
-        : prepared_(prepared),
-          plan_(plan),
-          rate_hz_(rate_hz),
-          algorithm_(settings.algorithm),
-          track_(static_cast<std::size_t>(plan.count)) {
+        : prepared_(prepared), plan_(plan), rate_hz_(rate_hz), algorithm_(settings.algorithm) {
         options_ = {plan.length,    rate_hz,          prepared.f0_hz,
                     settings.start, settings.initial, plan.centre_s(0, rate_hz)};
         sequential_ = make_estimator(algorithm_, options_);
     }
 
     std::int64_t context() const { return sequential_->context(); }
-    Track take_track() { return std::move(track_); }
 
     // Reads the chunk that begins with a window, with context on both sides as far as there are
     // samples.
@@ -82,31 +88,45 @@ public:
         return prepared_.source->read(chunk.first_frame, chunk.c, chunk.d);
     }
 
-    // Leaves the rest undone once the job is cancelled.
-    void estimate(const Chunk& chunk, const JobControl& job) {
-        const auto block = [&](Estimator& estimator, std::int64_t from, std::int64_t to) {
-            estimate_block(chunk, estimator, chunk.first_window + from, to - from);
-        };
+    // Fills the rows of the chunk; leaves the rest undone once the job is cancelled. Returns the
+    // seconds that the threads spent on it together.
+    double estimate(Chunk& chunk, const JobControl& job) {
+        if (chunk.rows.rows() != static_cast<std::size_t>(chunk.windows)) {
+            chunk.rows = Track(static_cast<std::size_t>(chunk.windows));
+        }
         // The blocks are the same whatever the number of threads, and so is every result.
         const std::int64_t per_block = std::min(windows_in(block_frames, plan_), block_windows);
         const std::int64_t blocks = (chunk.windows + per_block - 1) / per_block;
+        std::vector<double> seconds(static_cast<std::size_t>(blocks));
         const auto run = [&](Estimator& estimator, std::int64_t begin, std::int64_t end) {
             for (std::int64_t b = begin; b < end && !job.cancelled(); ++b) {
-                block(estimator, b * per_block, std::min((b + 1) * per_block, chunk.windows));
+                const double begun = job.now();
+                const std::int64_t first = b * per_block;
+                estimate_block(chunk, estimator, first, std::min(per_block, chunk.windows - first));
+                seconds[static_cast<std::size_t>(b)] = job.now() - begun;
             }
         };
         if (sequential_->sequential()) {
             run(*sequential_, 0, blocks);
-            return;
+        } else {
+            // Isolated: a thread that waits here for the others must not begin to read or write.
+            tbb::this_task_arena::isolate([&] {
+                tbb::parallel_for(
+                    tbb::blocked_range<std::int64_t>(0, blocks, 1), [&](const auto& range) {
+                        run(*make_estimator(algorithm_, options_), range.begin(), range.end());
+                    });
+            });
         }
-        tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, blocks, 1), [&](const auto& range) {
-            run(*make_estimator(algorithm_, options_), range.begin(), range.end());
-        });
+        return std::accumulate(seconds.begin(), seconds.end(), 0.0);
     }
 
+    bool sequential() const { return sequential_->sequential(); }
+
 private:
-    void estimate_block(const Chunk& chunk, Estimator& estimator, std::int64_t first_window,
+    // `first`: from the first window of the chunk.
+    void estimate_block(Chunk& chunk, Estimator& estimator, std::int64_t first,
                         std::int64_t count) {
+        const std::int64_t first_window = chunk.first_window + first;
         const std::int64_t start = plan_.start(first_window) - chunk.first_frame;
         const std::int64_t end = start + (count - 1) * plan_.hop + plan_.length;
         const std::int64_t from = std::max<std::int64_t>(start - estimator.context(), 0);
@@ -120,8 +140,8 @@ private:
         estimator.estimate({part(chunk.c), part(chunk.d), start - from, plan_.length, plan_.hop},
                            plan_.centre_s(first_window, rate_hz_), estimates);
         for (std::size_t k = 0; k < estimates.size(); ++k) {
-            const std::int64_t window = first_window + static_cast<std::int64_t>(k);
-            fill_row(track_, static_cast<std::size_t>(window), plan_.centre_s(window, rate_hz_),
+            fill_row(chunk.rows, static_cast<std::size_t>(first) + k,
+                     plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_),
                      estimates[k]);
         }
     }
@@ -133,38 +153,91 @@ private:
     EstimatorOptions options_;
     std::unique_ptr<Estimator>
         sequential_;  // carries the window before, where the algorithm wants it
-    Track track_;
 };
+
+// The first error of those who work at the same time.
+class FirstError {
+public:
+    bool take(const Status& status) {
+        if (!status) {
+            const std::lock_guard lock(mutex_);
+            error_ = error_.value_or(status.error());
+        }
+        return static_cast<bool>(status);
+    }
+
+    std::optional<Error> get() const {
+        const std::lock_guard lock(mutex_);
+        return error_;
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::optional<Error> error_;
+};
+
+std::int64_t count_not_converged(const Track& rows) {
+    return std::ranges::count_if(rows.flags(), [](Flags f) { return has(f, Flag::not_converged); });
+}
 
 }  // namespace
 
-Result<EstimatedTrack> estimate_track(const Prepared& prepared, const WindowPlan& plan,
-                                      const Settings& settings, double rate_hz, int threads,
-                                      const JobControl& job) {
-    EstimatedTrack result;
+Result<EstimationSummary> estimate_track(const Prepared& prepared, const WindowPlan& plan,
+                                         const Settings& settings, double rate_hz, int threads,
+                                         const TrackSink& sink, const JobControl& job) {
     TrackEstimation estimation(prepared, plan, settings, rate_hz);
-    tbb::task_arena arena(threads);
-    Chunk chunk;
-    for (std::int64_t window = 0; window < plan.count; window += chunk.windows) {
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
-        }
+    AngleUnwrapper angle(prepared.calibration.angle_zero_deg * std::numbers::pi / 90);
+    EstimationSummary summary{.context = estimation.context()};
+    FirstError error;
+    const auto stopped = [&] { return job.cancelled() || error.get(); };
+
+    std::array<Chunk, chunks_at_once> chunks;
+    std::size_t chunks_read = 0;
+    std::int64_t next_window = 0;
+    const auto read = [&](tbb::flow_control& flow) -> Chunk* {
+        Chunk& chunk = chunks[chunks_read++ % chunks_at_once];
         const double begun = job.now();
-        if (const Status read = estimation.read(chunk, window); !read) {
-            return read.error();
+        if (next_window >= plan.count || stopped() ||
+            !error.take(estimation.read(chunk, next_window))) {
+            flow.stop();
+            return nullptr;
         }
-        const double have_read = job.now();
-        arena.execute([&] { estimation.estimate(chunk, job); });
-        if (job.cancelled()) {
-            return Error{ErrorCode::interrupted, "", {}};
+        summary.read_s += job.now() - begun;
+        next_window += chunk.windows;
+        return &chunk;
+    };
+    const int workers = estimation.sequential() ? 1 : threads;
+    const auto estimate = [&](Chunk* chunk) {
+        if (!stopped()) {
+            summary.estimate_s += estimation.estimate(*chunk, job) / workers;
         }
-        result.read_s += have_read - begun;
-        result.estimate_s += job.now() - have_read;
-        job.report(static_cast<double>(window + chunk.windows) / static_cast<double>(plan.count));
+        return chunk;
+    };
+    const auto deliver = [&](Chunk* chunk) {
+        if (stopped()) {
+            return;
+        }
+        angle.unwrap(chunk->rows);
+        summary.not_converged += count_not_converged(chunk->rows);
+        if (error.take(sink(chunk->rows))) {
+            job.report(static_cast<double>(chunk->first_window + chunk->windows) /
+                       static_cast<double>(plan.count));
+        }
+    };
+    constexpr auto in_order = tbb::filter_mode::serial_in_order;
+    tbb::task_arena(threads).execute([&] {
+        tbb::parallel_pipeline(chunks_at_once,
+                               tbb::make_filter<void, Chunk*>(in_order, read) &
+                                   tbb::make_filter<Chunk*, Chunk*>(in_order, estimate) &
+                                   tbb::make_filter<Chunk*, void>(in_order, deliver));
+    });
+    if (const auto failed = error.get()) {
+        return *failed;
     }
-    result.track = estimation.take_track();
-    result.context = estimation.context();
-    return result;
+    if (job.cancelled()) {
+        return Error{ErrorCode::interrupted, "", {}};
+    }
+    return summary;
 }
 
 }  // namespace vybeg

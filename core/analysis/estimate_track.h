@@ -7,18 +7,19 @@
 
 namespace vybeg {
 
-struct EstimatedTrack {
-    Track track;
-    std::int64_t context = 0;  // samples that the algorithm needs on both sides of a window
+struct EstimationSummary {
+    std::int64_t context = 0;        // samples that the algorithm needs on both sides of a window
+    std::int64_t not_converged = 0;  // windows
     double read_s = 0;
-    double estimate_s = 0;
+    double estimate_s = 0;  // summed over the threads, divided by their number
 };
 
-// Runs the estimator over all windows of the plan, chunk by chunk, so that memory does not grow
-// with the samples; the windows of a chunk are spread over `threads` threads. The angles are as
-// estimated, window by window. Errors: those of the source, interrupted.
-Result<EstimatedTrack> estimate_track(const Prepared& prepared, const WindowPlan& plan,
-                                      const Settings& settings, double rate_hz, int threads,
-                                      const JobControl& job);
+// Runs the estimator over all windows of the plan, chunk by chunk: while one chunk is estimated,
+// its windows spread over `threads` threads, the next is read and the rows of the one before, their
+// angles unwrapped, go to the sink. Memory does not grow with the samples. Errors: those of the
+// source and of the sink; interrupted.
+Result<EstimationSummary> estimate_track(const Prepared& prepared, const WindowPlan& plan,
+                                         const Settings& settings, double rate_hz, int threads,
+                                         const TrackSink& sink, const JobControl& job);
 
 }  // namespace vybeg

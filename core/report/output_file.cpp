@@ -170,6 +170,11 @@ Status OutputFile::commit() {
     return {};
 }
 
+std::filesystem::path OutputFile::spool_folder() const {
+    std::error_code missing;
+    return seekable() ? temporary_.parent_path() : std::filesystem::temp_directory_path(missing);
+}
+
 Error OutputFile::failure(std::string reason) const {
     return {ErrorCode::output_failed, name_, {std::move(reason)}};
 }

@@ -39,6 +39,9 @@ public:
     int descriptor() const { return descriptor_; }
     bool seekable() const { return !temporary_.empty(); }
     const std::string& name() const { return name_; }
+    // Where there is room for what the file is made from: its own folder, where its disk is; the
+    // system's for temporary files where it is written to directly, and empty where there is none.
+    std::filesystem::path spool_folder() const;
 
     // output_failed for this file with a reason in words.
     Error failure(std::string reason) const;

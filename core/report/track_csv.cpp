@@ -3,6 +3,7 @@
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -38,10 +39,50 @@ std::string column_names() {
     return names + ",flag\n";
 }
 
+std::string head_text(std::span<const std::string> header) {
+    std::string text;
+    for (const std::string& line : header) {
+        text += "# " + one_line(line) + "\n";
+    }
+    return text + column_names();
+}
+
+void append_row(std::string& text, const Track& track, std::size_t row) {
+    append_round_trip(text, track.time_s()[row]);
+    for (const SlowVariable variable : value_columns) {
+        text += ',';
+        append_round_trip(text, track.values(variable)[row]);
+    }
+    for (const SlowVariable variable : sd_columns) {
+        text += ',';
+        append_round_trip(text, track.sds(variable)[row]);
+    }
+    text += ',';
+    text += flags_text(track.flags()[row]);
+    text += '\n';
+}
+
+// Hands the rows to write(text, rows so far), some at a time.
+template <class Write>
+Status write_rows(const Track& track, Write write) {
+    std::string text;
+    for (std::size_t first = 0; first < track.rows(); first += rows_per_block) {
+        const std::size_t end = std::min(first + rows_per_block, track.rows());
+        text.clear();
+        for (std::size_t row = first; row < end; ++row) {
+            append_row(text, track, row);
+        }
+        if (const Status written = write(text, end); !written) {
+            return written;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 std::vector<std::string> track_header(const std::string& program, const Recording& recording,
-                                      const std::string& sha256, const Analysis& analysis) {
+                                      const std::string& sha256, const AnalysisSummary& analysis) {
     std::vector<std::string> lines{
         program,
         "input: " + recording.path.filename().string(),
@@ -63,33 +104,23 @@ std::vector<std::string> track_header(const std::string& program, const Recordin
 
 Status write_track_csv(OutputFile& file, const Track& track, std::span<const std::string> header,
                        const JobControl& job) {
-    std::string text;
-    for (const std::string& line : header) {
-        text += "# " + one_line(line) + "\n";
+    if (const Status written = file.write(head_text(header)); !written) {
+        return written;
     }
-    text += column_names();
-    for (std::size_t row = 0; row < track.rows(); ++row) {
-        append_round_trip(text, track.time_s()[row]);
-        for (const SlowVariable variable : value_columns) {
-            text += ',';
-            append_round_trip(text, track.values(variable)[row]);
-        }
-        for (const SlowVariable variable : sd_columns) {
-            text += ',';
-            append_round_trip(text, track.sds(variable)[row]);
-        }
-        text += ',';
-        text += flags_text(track.flags()[row]);
-        text += '\n';
-        if (row % rows_per_block == rows_per_block - 1) {
-            if (const Status written = file.write(text); !written) {
-                return written;
-            }
-            text.clear();
-            job.report(static_cast<double>(row) / static_cast<double>(track.rows()));
-        }
-    }
-    return file.write(text);
+    return write_rows(track, [&](const std::string& text, std::size_t done) {
+        job.report(static_cast<double>(done) / static_cast<double>(track.rows()));
+        return file.write(text);
+    });
+}
+
+Status TrackCsvWriter::append(const Track& rows) {
+    return write_rows(rows,
+                      [this](const std::string& text, std::size_t) { return rows_.write(text); });
+}
+
+Status TrackCsvWriter::finish(std::span<const std::string> header) {
+    const Status written = file_.write(head_text(header));
+    return written ? rows_.move_to(file_) : written;
 }
 
 }  // namespace vybeg

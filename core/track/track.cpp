@@ -3,6 +3,14 @@
 #include <limits>
 
 namespace vybeg {
+namespace {
+
+template <class Value>
+void append_all(std::vector<Value>& values, const std::vector<Value>& more) {
+    values.insert(values.end(), more.begin(), more.end());
+}
+
+}  // namespace
 
 Track::Track(std::size_t rows) : time_s_(rows), flags_(rows) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -11,6 +19,15 @@ Track::Track(std::size_t rows) : time_s_(rows), flags_(rows) {
         if (info(variable).has_sd) {
             sds_[index(variable)].assign(rows, nan);
         }
+    }
+}
+
+void Track::append(const Track& rows) {
+    append_all(time_s_, rows.time_s_);
+    append_all(flags_, rows.flags_);
+    for (std::size_t i = 0; i < slow_variable_count; ++i) {
+        append_all(values_[i], rows.values_[i]);
+        append_all(sds_[i], rows.sds_[i]);
     }
 }
 

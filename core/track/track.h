@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "core/estimators/flags.h"
 #include "core/track/slow_variables.h"
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,6 +36,7 @@ public:
     std::span<double> values(SlowVariable variable) { return values_[index(variable)]; }
     std::span<double> sds(SlowVariable variable) { return sds_[index(variable)]; }
     std::span<Flags> flags() { return flags_; }
+    void append(const Track& rows);
 
 private:
     static std::size_t index(SlowVariable variable) { return static_cast<std::size_t>(variable); }
@@ -43,5 +46,9 @@ private:
     std::array<std::vector<double>, slow_variable_count> sds_;
     std::vector<Flags> flags_;
 };
+
+// Takes the rows of a track while it is made, some thousand at a time, in their order, from any
+// thread but never from two at once. An error ends the making.
+using TrackSink = std::function<Status(const Track& rows)>;
 
 }  // namespace vybeg

@@ -7,28 +7,30 @@
 
 namespace vybeg {
 
-void unwrap_angle(Track& track, double two_theta_zero) {
+void AngleUnwrapper::unwrap(Track& next_rows) {
     constexpr double pi = std::numbers::pi;
-    const auto angle = track.values(SlowVariable::two_theta_A);
-    const auto alpha = track.values(SlowVariable::alpha);
-    double last = 0;
-    bool any = false;
-    for (std::size_t k = 0; k < track.rows(); ++k) {
+    const auto angle = next_rows.values(SlowVariable::two_theta_A);
+    const auto alpha = next_rows.values(SlowVariable::alpha);
+    for (std::size_t k = 0; k < next_rows.rows(); ++k) {
         if (std::isnan(angle[k])) {
             continue;
         }
-        const double turned = angle[k] - two_theta_zero;
-        double branch = nearest_branch(turned, last, pi);
-        if (!any && branch <= -pi / 2) {
+        const double turned = angle[k] - two_theta_zero_;
+        double branch = nearest_branch(turned, last_, pi);
+        if (!any_ && branch <= -pi / 2) {
             branch += pi;
         }
-        any = true;
+        any_ = true;
         const auto half_turns = std::llround((branch - turned) / pi);
         if (half_turns % 2 != 0) {
             alpha[k] = wrap(alpha[k] + pi);
         }
-        angle[k] = last = branch;
+        angle[k] = last_ = branch;
     }
+}
+
+void unwrap_angle(Track& track, double two_theta_zero) {
+    AngleUnwrapper(two_theta_zero).unwrap(track);
 }
 
 }  // namespace vybeg

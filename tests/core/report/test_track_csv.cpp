@@ -94,6 +94,34 @@ private slots:
         }
     }
 
+    void rows_written_before_their_header_make_the_same_file() {
+        Track whole;
+        std::mt19937_64 engine(3);
+        std::uniform_real_distribution<double> any(-1, 1);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("track.csv");
+        auto file = OutputFile::create(path.toStdString(), {});
+        QVERIFY(file);
+        TrackCsvWriter writer(*file, {});
+        for (int piece = 0; piece < 30; ++piece) {  // 9 MB: more than the spool keeps in memory
+            Track rows(3000);
+            std::ranges::generate(rows.time_s(), [&] { return any(engine); });
+            for (const SlowVariable variable : all_slow_variables) {
+                std::ranges::generate(rows.values(variable), [&] { return any(engine); });
+            }
+            QVERIFY(writer.append(rows));
+            whole.append(rows);
+        }
+        // Besides the file's own temporary, nothing with a name.
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+        const std::vector<std::string> header{"known", "at the end"};
+        QVERIFY(writer.finish(header));
+        QVERIFY(file->commit());
+        QFile read(path);
+        QVERIFY(read.open(QIODevice::ReadOnly));
+        QVERIFY(read.readAll() == written(whole, header).join('\n'));
+    }
+
     void the_header_names_program_input_settings_carrier_and_warnings() {
         Recording recording;
         recording.path = "/some/where/demo.wav";

@@ -33,6 +33,7 @@ private slots:
     void angleRunsOnThroughEveryAxisAndAlphaStaysOfTheSameMotion();
     void missingRowsAreStepped();
     void electrodeAngleIsTakenOff();
+    void piecesGiveTheWhole();
 };
 
 void TestUnwrap::angleRunsOnThroughEveryAxisAndAlphaStaysOfTheSameMotion() {
@@ -77,6 +78,33 @@ void TestUnwrap::electrodeAngleIsTakenOff() {
             QVERIFY(std::abs(wrap(track.values(SlowVariable::alpha)[k] - 0.3 -
                                   pi * std::round(half_turns))) < 1e-12);
         }
+    }
+}
+
+void TestUnwrap::piecesGiveTheWhole() {
+    Track whole = turning(40, 1.2, 0.7);
+    for (const std::size_t k : {0UL, 9UL, 10UL, 20UL}) {
+        whole.values(SlowVariable::two_theta_A)[k] = std::nan("");
+    }
+    AngleUnwrapper unwrapper(0.3);
+    Track joined;
+    for (std::size_t first = 0; first < whole.rows(); first += 10) {
+        Track piece(10);
+        for (std::size_t k = 0; k < 10; ++k) {
+            for (const SlowVariable variable : {SlowVariable::two_theta_A, SlowVariable::alpha}) {
+                piece.values(variable)[k] = whole.values(variable)[first + k];
+            }
+        }
+        unwrapper.unwrap(piece);
+        joined.append(piece);
+    }
+    unwrap_angle(whole, 0.3);
+    QCOMPARE(joined.rows(), whole.rows());
+    for (std::size_t k = 0; k < whole.rows(); ++k) {
+        const double angle = whole.values(SlowVariable::two_theta_A)[k];
+        const double same = joined.values(SlowVariable::two_theta_A)[k];
+        QVERIFY(same == angle || (std::isnan(same) && std::isnan(angle)));
+        QCOMPARE(joined.values(SlowVariable::alpha)[k], whole.values(SlowVariable::alpha)[k]);
     }
 }
 

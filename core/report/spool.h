@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/report/output_file.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace vybeg {
+
+// Bytes that wait until what comes before them in an output is known: a few MiB in memory, the rest
+// in a file without a name, which the system removes whatever becomes of the program. Every write
+// hears the stop token. Errors: output_failed, interrupted.
+class Spool {
+public:
+    // For what goes to `output`, which must outlive the spool; its file is made in
+    // output.spool_folder().
+    Spool(const OutputFile& output, const JobControl& job) : output_(output), job_(job) {}
+    Spool(const Spool&) = delete;
+    Spool& operator=(const Spool&) = delete;
+    ~Spool();
+
+    Status write(std::string_view bytes);
+
+    // Writes everything to `file` and leaves the spool empty.
+    Status move_to(OutputFile& file);
+
+private:
+    Status spill();
+    Status create();
+    Error failed(int error) const;
+
+    const OutputFile& output_;
+    JobControl job_;
+    std::string memory_;
+    int descriptor_ = -1;
+    std::int64_t spilled_ = 0;  // bytes
+};
+
+}  // namespace vybeg
