@@ -32,20 +32,14 @@ np.savez_compressed('single.npz', c=c.astype('f4'), d=d.astype('f4'), fs=np.floa
 )");
     for (const bool interleave : {false, true}) {
         const Tdms t{interleave};  // one of each byte order
-        std::vector<double> both;
-        for (std::size_t i = 0; i < decay_.c.size(); ++i) {
-            both.insert(both.end(), {decay_.c[i], decay_.d[i]});
-        }
         const std::string metadata =
-            t.metadata({t.object("/'Run'/'C'", t.values(tds_f64, decay_.c.size()),
+            t.metadata({t.object(path_c, t.values(tds_f64, decay_.c.size()),
                                  {t.real("wf_increment", 1 / 33333.0)}),
-                        t.object("/'Run'/'D'", t.values(tds_f64, decay_.c.size()))});
-        const std::string raw =
-            interleave ? t.raw<double>(both) : t.raw<double>(decay_.c) + t.raw<double>(decay_.d);
-        folder_.write(
-            interleave ? "interleaved.tdms" : "contiguous.tdms",
-            t.segment(toc_metadata | toc_new_list | toc_raw | (interleave ? toc_interleaved : 0),
-                      metadata, raw));
+                        t.object(path_d, t.values(tds_f64, decay_.c.size()))});
+        const std::string raw = interleave ? t.raw<double>(interleaved(decay_.c, decay_.d))
+                                           : t.raw<double>(decay_.c) + t.raw<double>(decay_.d);
+        folder_.write(interleave ? "interleaved.tdms" : "contiguous.tdms",
+                      t.segment(first_segment | (interleave ? toc_interleaved : 0), metadata, raw));
     }
     UffText text;
     text.step_s = 1 / 33333.0;

@@ -6,6 +6,7 @@
 
 using namespace vybeg;
 using namespace vybeg::test;
+using namespace std::string_view_literals;
 
 namespace {
 
@@ -170,10 +171,9 @@ void TestUffReader::what_is_not_read_is_refused_by_name_data() {
     add("complex values", [](UffText& t) { t.data_type = 5; });
     add("unevenly spaced values", [](UffText& t) { t.spacing = 0; });
     add("no time response", [](UffText& t) { t.function = 4; });
-    QTest::newRow("binary") << QByteArray(
-                                   "    -1\n    58b     1     2          11          80     0     "
-                                   "0           0           0\n\0\1\2",
-                                   92)
+    const auto binary =
+        "    -1\n    58b     1     2          11          80     0     0           0\n\0\1\2"sv;
+    QTest::newRow("binary") << QByteArray(binary.data(), static_cast<qsizetype>(binary.size()))
                             << "58b";
     QTest::newRow("nodes only") << QByteArray("    -1\n    15\n 1 0 0 8 0.0 0.0 0.0\n    -1\n")
                                 << "no time response";
