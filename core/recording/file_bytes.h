@@ -22,7 +22,7 @@ public:
     ~FileBytes();
 
     const std::filesystem::path& path() const { return path_; }
-    std::int64_t size() const { return size_; }  // bytes, when it was opened
+    std::int64_t size() const { return size_; }     // bytes, when it was opened
     int descriptor() const { return descriptor_; }  // to lend to another process; stays ours
 
     // An error about this file.

@@ -17,9 +17,10 @@ inline void run_python(const std::filesystem::path& folder, const QString& scrip
     python.start("/usr/bin/python3", {"-c", "import numpy as np\n" + script});
     if (!python.waitForFinished(60000) || python.exitStatus() != QProcess::NormalExit ||
         python.exitCode() != 0) {
-        qFatal("The test files could not be written (apt-get install python3-numpy "
-               "python3-scipy python3-h5py?): %s",
-               qPrintable(python.errorString() + "\n" + python.readAll()));
+        qFatal(
+            "The test files could not be written (apt-get install python3-numpy "
+            "python3-scipy python3-h5py?): %s",
+            qPrintable(python.errorString() + "\n" + python.readAll()));
     }
 }
 
