@@ -14,6 +14,7 @@ packages=(
     libcli11-dev                            # command line
     fonts-dejavu-core                       # text without a display
     python3-numpy python3-scipy python3-h5py # write files for the tests of readers
+    libbenchmark-dev                        # reading speed, tests/benchmarks
 )
 developer_packages=(clang-format clang-tidy)
 

@@ -88,6 +88,7 @@ private:
 
     void take_data(const Chunk& chunk) {
         std::int64_t size = chunk.size;
+        extent_.samples_at = container_ == Container::caf ? 0 : chunk.payload_at;
         const std::int64_t present = file_size_ - chunk.payload_at;
         if (container_ == Container::caf && size > present) {
             extent_.patches.push_back({chunk.payload_at - 8, store(present, true)});

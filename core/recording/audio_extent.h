@@ -26,6 +26,8 @@ struct AudioExtent {
     // Frames that the header promises, whatever the file really holds; nothing where it does not
     // tell (a streamed file whose length was never filled in, a packed format, AU, FLAC).
     std::optional<std::int64_t> promised_frames;
+    // Of the first sample in a WAV, RF64 or W64 file, in bytes; 0 where there is none.
+    std::int64_t samples_at = 0;
     bool rate_is_zero = false;         // in a WAV, RF64 or W64 file; patched to 1 Hz
     std::vector<HeaderPatch> patches;  // also a CAF file's length, where the file ends before
 };

@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/recording/audio_decoder.h"
 #include "core/recording/audio_extent.h"
+#include "core/recording/plain_audio.h"
 #include "core/recording/selection.h"
 
 #include <algorithm>
@@ -171,8 +172,11 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
     if (const Status status = check_frames(*file, extent->present); !status) {
         return status.error();
     }
-    recording.source = std::make_shared<AudioSource>(file, header->patches, info.channels,
-                                                     extent->present, options);
+    recording.source = plain_audio(file, *header, decoder, extent->present, options);
+    if (!recording.source) {
+        recording.source = std::make_shared<AudioSource>(file, header->patches, info.channels,
+                                                         extent->present, options);
+    }
     note_early_end(extent->promised, recording);
     return recording;
 }

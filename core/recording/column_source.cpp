@@ -57,14 +57,25 @@ void decode_block(const SampleColumn& column, std::int64_t frame, const char* by
         const std::int64_t in_chunk = run.per_chunk - (at - run.first) % run.per_chunk;
         const std::int64_t count = std::min(length - done, in_chunk);
         decode(column.type, run.big_endian, bytes + (place(run, at) - begin), run.stride,
+               column.scale,
                out.subspan(static_cast<std::size_t>(done), static_cast<std::size_t>(count)));
         done += count;
     }
-    if (column.gain != 1 || column.offset != 0) {
-        for (double& sample : out) {
-            sample = column.gain * sample + column.offset;
-        }
-    }
+}
+
+// Whether each of the samples of `left` from a frame on is followed at once by that of `right`.
+bool are_pairs(const SampleColumn& left, const SampleColumn& right, std::int64_t frame,
+               std::int64_t count) {
+    const SampleRun& run = run_at(left, frame);
+    const SampleRun& next = run_at(right, frame);
+    const std::int64_t width = bytes_of(left.type);
+    const auto last = frame + count - 1;
+    return left.type == right.type && left.scale == right.scale &&
+           run.big_endian == next.big_endian && run.stride == 2 * width &&
+           next.stride == 2 * width &&
+           place(run, last) - place(run, frame) == (count - 1) * run.stride &&
+           place(next, frame) == place(run, frame) + width &&
+           place(next, last) == place(run, last) + width;
 }
 
 class ColumnSource final : public SampleSource {
@@ -104,8 +115,15 @@ private:
             if (const Status status = fetch(*c_.bytes, both, bytes); !status) {
                 return status;
             }
-            decode_block(c_, at, bytes.data(), both.begin, c);
-            decode_block(d_, at, bytes.data(), both.begin, d);
+            const bool big_endian = run_at(c_, at).big_endian;
+            if (are_pairs(c_, d_, at, count)) {
+                decode_pairs(c_.type, big_endian, bytes.data(), c_.scale, c, d);
+            } else if (are_pairs(d_, c_, at, count)) {
+                decode_pairs(c_.type, big_endian, bytes.data(), c_.scale, d, c);
+            } else {
+                decode_block(c_, at, bytes.data(), both.begin, c);
+                decode_block(d_, at, bytes.data(), both.begin, d);
+            }
             return {};
         }
         if (const Status status = fetch(*c_.bytes, range_c, bytes); !status) {
@@ -131,6 +149,17 @@ private:
 };
 
 }  // namespace
+
+SampleRun even_run(std::int64_t count, std::int64_t offset, std::int64_t stride, bool big_endian) {
+    SampleRun run;
+    run.count = count;
+    run.per_chunk = std::max<std::int64_t>(count, 1);
+    run.offset = offset;
+    run.stride = stride;
+    run.chunk_stride = run.per_chunk * stride;
+    run.big_endian = big_endian;
+    return run;
+}
 
 std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d) {
     return std::make_shared<ColumnSource>(std::move(c), std::move(d));

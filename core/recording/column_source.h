@@ -23,13 +23,15 @@ struct SampleRun {
     std::int64_t end() const { return first + count; }
 };
 
-// Where the samples of one channel stand in a binary file. Sample i is gain * number + offset.
+// Samples at equal distances, all in one chunk.
+SampleRun even_run(std::int64_t count, std::int64_t offset, std::int64_t stride, bool big_endian);
+
+// Where the samples of one channel stand in a binary file.
 struct SampleColumn {
     std::shared_ptr<const ByteSource> bytes;
     NumberType type = NumberType::f64;
     std::vector<SampleRun> runs;  // one after the other, without gaps between their frames
-    double gain = 1;
-    double offset = 0;
+    Scale scale{};
 
     std::int64_t frames() const { return runs.empty() ? 0 : runs.back().end(); }
 };

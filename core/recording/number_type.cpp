@@ -2,45 +2,71 @@
 
 #include "core/recording/byte_order.h"
 
-#include <cmath>
-#include <limits>
+#include <array>
 #include <type_traits>
 
 namespace vybeg {
 namespace {
 
-template <class Number>
-double sample(const char* bytes, bool big_endian) {
-    const auto value = static_cast<double>(load<Number>(bytes, big_endian));
-    if constexpr (std::is_floating_point_v<Number>) {
-        return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
-    }
-    return value;
-}
-
-// The byte order is a constant inside of each loop, and so is the usual distance of two channels
-// side by side: the loops are then as fast as memory.
+// A number as it stands, and scaled. value - value is 0, or NaN where the value is NaN or infinite:
+// no branch, twice the speed.
 template <class Number, bool big_endian>
-void decode_as(const char* bytes, std::int64_t stride, std::span<double> out) {
-    constexpr std::int64_t pair = 2 * sizeof(Number);
-    const auto count = static_cast<std::int64_t>(out.size());
-    if (stride == pair) {
-        for (std::int64_t i = 0; i < count; ++i) {
-            out[static_cast<std::size_t>(i)] = sample<Number>(bytes + i * pair, big_endian);
-        }
-        return;
-    }
-    for (std::int64_t i = 0; i < count; ++i) {
-        out[static_cast<std::size_t>(i)] = sample<Number>(bytes + i * stride, big_endian);
-    }
+double plain_sample(const char* bytes) {
+    const auto value = static_cast<double>(load<Number>(bytes, big_endian));
+    return value - (value - value);
 }
 
-template <class Number>
-void decode_as(bool big_endian, const char* bytes, std::int64_t stride, std::span<double> out) {
-    if (big_endian) {
-        decode_as<Number, true>(bytes, stride, out);
-    } else {
-        decode_as<Number, false>(bytes, stride, out);
+template <class Number, bool big_endian>
+double scaled_sample(const char* bytes, const Scale& scale) {
+    const double value =
+        scale.gain * static_cast<double>(load<Number>(bytes, big_endian)) + scale.offset;
+    return value - (value - value);
+}
+
+// 24 bits as WAV files keep them.
+struct Int24 {
+    std::array<unsigned char, 3> low_first;
+
+    explicit operator double() const {
+        const auto at_top = static_cast<std::uint32_t>(low_first[0]) << 8 |
+                            static_cast<std::uint32_t>(low_first[1]) << 16 |
+                            static_cast<std::uint32_t>(low_first[2]) << 24;
+        return static_cast<std::int32_t>(at_top) / 256;  // a multiple of it
+    }
+};
+
+// Calls loop(sample, width): sample(place) is the scaled number there. Type, byte order and whether
+// there is a scale are constant within the loop, which is then as fast as memory.
+template <class Loop>
+void with_sample(NumberType type, bool big_endian, const Scale& scale, Loop loop) {
+    const auto with_order = [&]<class Number, bool order>() {
+        constexpr std::integral_constant<std::size_t, sizeof(Number)> width;
+        if (scale.is_one()) {
+            loop([](const char* at) { return plain_sample<Number, order>(at); }, width);
+        } else {
+            loop([scale](const char* at) { return scaled_sample<Number, order>(at, scale); },
+                 width);
+        }
+    };
+    const auto with = [&]<class Number>(Number) {
+        if (big_endian) {
+            with_order.template operator()<Number, true>();
+        } else {
+            with_order.template operator()<Number, false>();
+        }
+    };
+    switch (type) {
+        case NumberType::i8: return with(std::int8_t());
+        case NumberType::u8: return with(std::uint8_t());
+        case NumberType::i16: return with(std::int16_t());
+        case NumberType::u16: return with(std::uint16_t());
+        case NumberType::i24: return with(Int24());
+        case NumberType::i32: return with(std::int32_t());
+        case NumberType::u32: return with(std::uint32_t());
+        case NumberType::i64: return with(std::int64_t());
+        case NumberType::u64: return with(std::uint64_t());
+        case NumberType::f32: return with(float());
+        case NumberType::f64: return with(double());
     }
 }
 
@@ -52,6 +78,7 @@ int bytes_of(NumberType type) {
         case NumberType::u8: return 1;
         case NumberType::i16:
         case NumberType::u16: return 2;
+        case NumberType::i24: return 3;
         case NumberType::i32:
         case NumberType::u32:
         case NumberType::f32: return 4;
@@ -76,19 +103,22 @@ std::string name_of(NumberType type) {
 }
 
 void decode(NumberType type, bool big_endian, const char* bytes, std::int64_t stride,
-            std::span<double> out) {
-    switch (type) {
-        case NumberType::i8: return decode_as<std::int8_t>(big_endian, bytes, stride, out);
-        case NumberType::u8: return decode_as<std::uint8_t>(big_endian, bytes, stride, out);
-        case NumberType::i16: return decode_as<std::int16_t>(big_endian, bytes, stride, out);
-        case NumberType::u16: return decode_as<std::uint16_t>(big_endian, bytes, stride, out);
-        case NumberType::i32: return decode_as<std::int32_t>(big_endian, bytes, stride, out);
-        case NumberType::u32: return decode_as<std::uint32_t>(big_endian, bytes, stride, out);
-        case NumberType::i64: return decode_as<std::int64_t>(big_endian, bytes, stride, out);
-        case NumberType::u64: return decode_as<std::uint64_t>(big_endian, bytes, stride, out);
-        case NumberType::f32: return decode_as<float>(big_endian, bytes, stride, out);
-        case NumberType::f64: return decode_as<double>(big_endian, bytes, stride, out);
-    }
+            const Scale& scale, std::span<double> out) {
+    with_sample(type, big_endian, scale, [&](auto sample, auto) {
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            out[i] = sample(bytes + static_cast<std::int64_t>(i) * stride);
+        }
+    });
+}
+
+void decode_pairs(NumberType type, bool big_endian, const char* bytes, const Scale& scale,
+                  std::span<double> left, std::span<double> right) {
+    with_sample(type, big_endian, scale, [&](auto sample, auto width) {
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            left[i] = sample(bytes + 2 * i * width);
+            right[i] = sample(bytes + (2 * i + 1) * width);
+        }
+    });
 }
 
 }  // namespace vybeg

@@ -1,102 +1,44 @@
 #include "core/recording/raw_reader.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/byte_order.h"
+#include "core/recording/column_source.h"
+#include "core/recording/number_type.h"
 #include "core/recording/selection.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace vybeg {
 namespace {
 
-constexpr std::int64_t chunk_bytes = std::int64_t{1} << 20;
 constexpr int most_channels = 4096;
 
-int bytes_per_sample(RawType type) {
+NumberType number_type(RawType type) {
     switch (type) {
-        case RawType::i16: return 2;
-        case RawType::i32:
-        case RawType::f32: return 4;
-        case RawType::f64: return 8;
+        case RawType::i16: return NumberType::i16;
+        case RawType::i32: return NumberType::i32;
+        case RawType::f32: return NumberType::f32;
+        case RawType::f64: return NumberType::f64;
     }
-    return 0;
+    return NumberType::i16;
 }
 
-std::string type_text(RawType type) {
-    switch (type) {
-        case RawType::i16: return "16 bit integer";
-        case RawType::i32: return "32 bit integer";
-        case RawType::f32: return "32 bit float";
-        case RawType::f64: return "64 bit float";
-    }
-    return "";
+std::shared_ptr<const SampleSource> raw_source(const std::shared_ptr<const FileBytes>& file,
+                                               const OpenOptions& options) {
+    const RawLayout& layout = *options.raw;
+    const NumberType type = number_type(layout.type);
+    const std::int64_t width = bytes_of(type);
+    const std::int64_t stride = width * layout.channels;
+    const std::int64_t frames =
+        std::max<std::int64_t>(file->size() - layout.skip_bytes, 0) / stride;
+    const auto bytes = file_part(file, 0, file->size());
+    const auto column = [&](int channel) {
+        const std::int64_t offset = layout.skip_bytes + (channel - 1) * width;
+        return SampleColumn{
+            bytes, type, {even_run(frames, offset, stride, layout.big_endian)}, layout.scale, 0};
+    };
+    return column_source(column(options.channel_c), column(options.channel_d));
 }
-
-double load_sample(const char* bytes, const RawLayout& layout) {
-    switch (layout.type) {
-        case RawType::i16: return load<std::int16_t>(bytes, layout.big_endian);
-        case RawType::i32: return load<std::int32_t>(bytes, layout.big_endian);
-        case RawType::f32: return static_cast<double>(load<float>(bytes, layout.big_endian));
-        case RawType::f64: return load<double>(bytes, layout.big_endian);
-    }
-    return std::numeric_limits<double>::quiet_NaN();
-}
-
-class RawSource : public SampleSource {
-public:
-    RawSource(std::shared_ptr<const FileBytes> file, const OpenOptions& options)
-        : file_(std::move(file)),
-          layout_(*options.raw),
-          sample_bytes_(bytes_per_sample(layout_.type)),
-          frame_bytes_(std::int64_t{sample_bytes_} * layout_.channels),
-          offset_c_((options.channel_c - 1) * std::int64_t{sample_bytes_}),
-          offset_d_((options.channel_d - 1) * std::int64_t{sample_bytes_}),
-          frames_(std::max<std::int64_t>(file_->size() - layout_.skip_bytes, 0) / frame_bytes_) {}
-
-    std::int64_t frames() const override { return frames_; }
-
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        const std::int64_t at_once = std::max<std::int64_t>(chunk_bytes / frame_bytes_, 1);
-        const auto length = static_cast<std::int64_t>(c.size());
-        std::vector<char> bytes(static_cast<std::size_t>(std::min(at_once, length) * frame_bytes_));
-        for (std::int64_t done = 0; done < length; done += at_once) {
-            const std::int64_t count = std::min(at_once, length - done);
-            const std::span<char> chunk(bytes.data(),
-                                        static_cast<std::size_t>(count * frame_bytes_));
-            const auto got = file_->read(layout_.skip_bytes + (first + done) * frame_bytes_, chunk);
-            if (!got) {
-                return got.error();
-            }
-            if (*got < count * frame_bytes_) {
-                return file_->error(ErrorCode::file_read_failed,
-                                    {"the file became shorter while it was read"});
-            }
-            for (std::int64_t i = 0; i < count; ++i) {
-                const char* frame = chunk.data() + i * frame_bytes_;
-                c[static_cast<std::size_t>(done + i)] = sample(frame + offset_c_);
-                d[static_cast<std::size_t>(done + i)] = sample(frame + offset_d_);
-            }
-        }
-        return {};
-    }
-
-private:
-    double sample(const char* bytes) const {
-        const double value = load_sample(bytes, layout_) * layout_.scale;
-        return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
-    }
-
-    std::shared_ptr<const FileBytes> file_;
-    RawLayout layout_;
-    int sample_bytes_;
-    std::int64_t frame_bytes_;
-    std::int64_t offset_c_;
-    std::int64_t offset_d_;
-    std::int64_t frames_;
-};
 
 Status check_layout(const RawLayout& layout) {
     if (layout.channels < 1 || layout.channels > most_channels) {
@@ -134,7 +76,7 @@ Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOpti
     }
     Recording recording;
     recording.path = file->path();
-    recording.format = "raw, " + type_text(layout.type) +
+    recording.format = "raw, " + name_of(number_type(layout.type)) +
                        (layout.big_endian ? ", big endian, " : ", little endian, ") +
                        std::to_string(layout.channels) + " channels";
     recording.rate_hz = rate->hz;
@@ -142,7 +84,7 @@ Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOpti
     recording.channels = numbered_channels(layout.channels);
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
-    recording.source = std::make_shared<RawSource>(file, options);
+    recording.source = raw_source(file, options);
     if (const Status status = check_frames(*file, recording.frames()); !status) {
         return status.error();
     }

@@ -152,8 +152,8 @@ private:
             !intercept) {
             return unsupported("the scale of the channel " + object.channel);
         }
-        column.gain = *slope;
-        column.offset = *intercept;
+        column.scale.gain = *slope;
+        column.scale.offset = *intercept;
         return {};
     }
 

@@ -114,7 +114,7 @@ public:
         TdmsValue value;
         if (const auto number_type = tdms_number(type); number_type && !ended_) {
             double number = 0;
-            decode(*number_type, big_endian_, content.data(), *size, {&number, 1});
+            decode(*number_type, big_endian_, content.data(), *size, {}, {&number, 1});
             value.number = number;
         }
         return value;
