@@ -56,7 +56,12 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     tracks_->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // The document's undo stack still tells of its emptying while it goes, when there is nothing
+    // left to show.
+    document_.undoStack().disconnect(this);
+    document_.disconnect(this);
+}
 
 void MainWindow::buildViews() {
     pages_ = new QStackedWidget(this);

@@ -121,7 +121,9 @@ private slots:
         clock.start();
         document.cancel();
         QVERIFY(idle(document, 1));
-        QVERIFY2(clock.elapsed() < 500, qPrintable(QString::number(clock.elapsed())));
+        // The analysis would take minutes; a tenth of a second is usual, more where the machine is
+        // busy.
+        QVERIFY2(clock.elapsed() < 5000, qPrintable(QString::number(clock.elapsed())));
         QCOMPARE(messages.count(), 0);
     }
 
@@ -139,7 +141,7 @@ private slots:
         QElapsedTimer clock;
         clock.start();
         document.reset();
-        QVERIFY2(clock.elapsed() < 500, qPrintable(QString::number(clock.elapsed())));
+        QVERIFY2(clock.elapsed() < 5000, qPrintable(QString::number(clock.elapsed())));
     }
 
     void the_same_settings_again_replace_their_run_and_keep_its_name() {
