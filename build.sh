@@ -30,7 +30,7 @@ Usage: ./build.sh COMMAND
   test          build, then run all tests without a display; last line "N passed, M failed"
   test-sanitized
                 the same under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan,
-                without the long statistical tests
+                without the long and the statistical tests
   build         build everything into build/release
   install-deps  only install what is missing from Debian (--dev: also clang-format, clang-tidy)
 
@@ -138,7 +138,7 @@ run_tests() {
 case "${1:-}" in
     run) run_program ;;
     test) run_tests release ;;
-    test-sanitized) run_tests asan --label-exclude statistical ;;
+    test-sanitized) run_tests asan --label-exclude 'statistical|long' ;;
     build) build release ;;
     install-deps)
         install_packages "${packages[@]}"
