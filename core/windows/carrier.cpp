@@ -57,7 +57,8 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
     // good one.
     const std::size_t size = std::bit_ceil(std::max<std::size_t>(2 * c.size(), 1024));
     const double bin_hz = rate_hz / static_cast<double>(size);
-    const auto last_bin = static_cast<double>(size / 2 - 1);
+    const std::size_t half = size / 2;
+    const auto last_bin = static_cast<double>(half - 1);
     const auto low =
         static_cast<std::size_t>(std::clamp(std::ceil(low_hz / bin_hz), 1.0, last_bin));
     const auto high =
