@@ -14,10 +14,6 @@ constexpr bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\x1A';
 }
 
-constexpr bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 std::string_view unquoted(std::string_view field) {
     field = trimmed(field);
     if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
@@ -98,18 +94,26 @@ std::optional<double> parse_field(std::string_view field, bool decimal_comma) {
 }
 
 NumberDigits digits_of(std::string_view field) {
-    NumberDigits digits;
-    bool behind_sign = false;
-    std::size_t i = 0;
-    for (; i < field.size() && field[i] != 'e' && field[i] != 'E'; ++i) {
-        if (!is_digit(field[i])) {
-            behind_sign = behind_sign || field[i] == '.' || field[i] == ',';
-            continue;
+    std::size_t end = 0;  // of the digits, where the exponent begins
+    std::size_t sign = std::string_view::npos;
+    std::size_t first = std::string_view::npos;  // digit that is not 0
+    for (; end < field.size() && field[end] != 'e' && field[end] != 'E'; ++end) {
+        if (field[end] == '.' || field[end] == ',') {
+            sign = end;
+        } else if (first > end && field[end] >= '1' && field[end] <= '9') {
+            first = end;
         }
-        digits.decimals += behind_sign ? 1 : 0;
-        digits.significant += digits.significant > 0 || field[i] != '0' ? 1 : 0;
     }
-    i += i + 1 < field.size() && field[i + 1] == '+' ? 2 : 1;
+    NumberDigits digits;
+    if (sign != std::string_view::npos) {
+        digits.decimals = static_cast<int>(end - sign - 1);
+    }
+    if (first != std::string_view::npos) {
+        const bool with_sign = sign != std::string_view::npos && sign > first;
+        digits.significant = static_cast<int>(end - first - (with_sign ? 1 : 0));
+    }
+    std::size_t i = end + 1;
+    i += i < field.size() && field[i] == '+' ? 1 : 0;
     int exponent = 0;
     if (i < field.size()) {
         std::from_chars(field.data() + i, field.data() + field.size(), exponent);

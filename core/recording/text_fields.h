@@ -26,6 +26,7 @@ struct NumberDigits {
     int decimals = 0;     // digits behind the decimal sign, less the exponent
     int significant = 0;  // digits from the first that is not 0 on
 };
+// Precondition: parse_field() takes the field for a number.
 NumberDigits digits_of(std::string_view field);
 
 }  // namespace vybeg

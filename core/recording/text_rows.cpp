@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace vybeg {
 namespace {
@@ -25,8 +26,51 @@ std::string quoted(std::string_view field) {
     return text;
 }
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 bool begins_number(char c) {
-    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+    return is_digit(c) || c == '-' || c == '+' || c == '.';
+}
+
+const char* skip_digits(const char* at, const char* end) {
+    // Eight at once: digits are 0x30 to 0x39, and only they keep their upper half when 6 is added.
+    while (end - at >= 8) {
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, at, sizeof eight);
+        constexpr std::uint64_t upper = 0xF0F0F0F0F0F0F0F0;
+        constexpr std::uint64_t zeros = 0x3030303030303030;
+        constexpr std::uint64_t sixes = 0x0606060606060606;
+        if ((eight & upper) != zeros || ((eight + sixes) & upper) != zeros) {
+            break;
+        }
+        at += sizeof eight;
+    }
+    while (at != end && is_digit(*at)) {
+        ++at;
+    }
+    return at;
+}
+
+// Behind a number like -12.5, which is finite without that it were computed; nothing where there is
+// any other, as one with an exponent.
+const char* skip_number(const char* at, const char* end, char sign) {
+    at += at != end && *at == '-' ? 1 : 0;
+    const char* const begin = at;
+    at = skip_digits(at, end);
+    if (at == begin) {
+        return nullptr;
+    }
+    if (at != end && *at == sign) {
+        const char* const decimals = at + 1;
+        at = skip_digits(decimals, end);
+        if (at == decimals) {
+            return nullptr;
+        }
+    }
+    constexpr std::ptrdiff_t longest = 300;  // of all that are below 1e300
+    return at != end && *at != 'e' && *at != 'E' && at - begin < longest ? at : nullptr;
 }
 
 bool ends_line(char c) {
@@ -43,10 +87,12 @@ const char* skip_blanks(const char* at, const char* end, char delimiter) {
 
 }  // namespace
 
-TextRows::TextRows(const TextFormat& format, const TextColumns& columns, const TextBlock& block)
+TextRows::TextRows(const TextFormat& format, const TextColumns& columns, const TextBlock& block,
+                   SampleUse use)
     : format_(format),
       columns_(columns),
       block_(block),
+      use_(use),
       plain_(std::string_view(",;\t| ").find(format.delimiter) != std::string_view::npos &&
              !(format.decimal_comma && format.delimiter == ',')),
       at_(block.begin) {}
@@ -93,6 +139,8 @@ const char* TextRows::plain_row(const char* at, const char* end) {
             }
         } else {
             const char* const begin = at;
+            const char* const number = skip_number(at, end, format_.decimal_comma ? ',' : '.');
+            at = number ? number : at;
             while (at != end && *at != delimiter && !ends_line(*at)) {
                 if (*at == '"' || (delimiter == ' ' && *at == '\t')) {
                     return nullptr;
@@ -115,6 +163,13 @@ const char* TextRows::plain_row(const char* at, const char* end) {
 
 // A finite number at the start of a field; returns what follows it.
 const char* TextRows::plain_number(const char* at, const char* end, int column) {
+    if (use_ == SampleUse::check && column != columns_.time) {
+        const char* const behind = skip_number(at, end, format_.decimal_comma ? ',' : '.');
+        if (behind) {
+            (column == columns_.c ? c_ : d_) = 0;
+            return behind;
+        }
+    }
     const char* const begin = at;
     if (at != end && *at == '+') {
         ++at;

@@ -27,12 +27,16 @@ struct TextFault {
     std::string text;  // what stands there instead of a number
 };
 
+// What is done with the samples of a row. To check is faster: whatever is a number has the value 0.
+enum class SampleUse { read, check };
+
 // The rows of a table one after the other, from the lines of a block. An empty field is a missing
 // sample, NaN; a last line of the file that is cut off is left out.
 class TextRows {
 public:
     // `format` and `block` must outlive the object.
-    TextRows(const TextFormat& format, const TextColumns& columns, const TextBlock& block);
+    TextRows(const TextFormat& format, const TextColumns& columns, const TextBlock& block,
+             SampleUse use);
 
     // Goes to the next row; false behind the last one and at a fault.
     bool next();
@@ -57,6 +61,7 @@ private:
     const TextFormat& format_;
     TextColumns columns_;
     const TextBlock& block_;
+    SampleUse use_;
     bool plain_;  // whether plain_row() understands the format
     std::size_t at_;
     double time_ = 0;

@@ -67,7 +67,7 @@ public:
         if (!found.read) {
             return found;
         }
-        TextRows rows(table_.format, table_.columns, block);
+        TextRows rows(table_.format, table_.columns, block, SampleUse::check);
         while (!found.backwards && rows.next()) {
             take(rows, found);
         }
@@ -193,7 +193,7 @@ Result<double> first_step(const TextTable& table) {
         }
         TimedSamples samples;
         FinestDigits digits;
-        TextRows rows(table.format, table.columns, block);
+        TextRows rows(table.format, table.columns, block, SampleUse::check);
         while (rows.next()) {
             samples.time_s.push_back(rows.time() * table.format.time_unit_s);
             digits.add(digits_of(rows.time_text()));

@@ -130,7 +130,7 @@ private:
         samples->index = index;
         samples->c.reserve(count);
         samples->d.reserve(count);
-        TextRows rows(table_.format, table_.columns, block);
+        TextRows rows(table_.format, table_.columns, block, SampleUse::read);
         while (rows.next() && samples->c.size() <= count) {
             samples->c.push_back(rows.c());
             samples->d.push_back(rows.d());
@@ -179,7 +179,7 @@ Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& sca
         if (const Status status = table.blocks.read(index, block); !status) {
             return status.error();
         }
-        TextRows rows(table.format, table.columns, block);
+        TextRows rows(table.format, table.columns, block, SampleUse::read);
         while (rows.next() && static_cast<std::int64_t>(samples.c.size()) < scan.rows()) {
             samples.time_s.push_back(rows.time() * table.format.time_unit_s);
             samples.c.push_back(rows.c());

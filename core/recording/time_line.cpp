@@ -14,6 +14,8 @@ constexpr double longest_single_step = 1.4;
 constexpr double shortest_gap = 1.6;
 constexpr std::size_t most_stretches = std::size_t{1} << 16;
 
+constexpr double rows_left_out = 16;  // at most, behind a point of a hull
+
 constexpr int no_decade = std::numeric_limits<int>::min();  // of the time 0
 
 // Sum of the squares of n whole numbers round their mean.
@@ -44,6 +46,14 @@ void TimeLine::Chain::add(const Point& point) {
         points.pop_back();
     }
     points.push_back(point);
+}
+
+void TimeLine::Chain::add_row(const Point& row) {
+    const bool covered = !points.empty() && row.row - points.back().row <= rows_left_out &&
+                         side * (row.late_s - points.back().late_s) >= 0;
+    if (!covered) {
+        add(row);
+    }
 }
 
 TimeLine::Hull& TimeLine::Stretch::hull(int decade) {
@@ -113,8 +123,8 @@ void TimeLine::add(double time_s) {
     stretch.late_sum += late;
     stretch.late_row_sum += row * late;
     Hull& hull = stretch.hull(decade_of(time_s));
-    hull.early.add({row, late});
-    hull.late.add({row, late});
+    hull.early.add_row({row, late});
+    hull.late.add_row({row, late});
 }
 
 void TimeLine::append(const TimeLine& next) {
@@ -195,7 +205,8 @@ bool TimeLine::explained(const std::vector<RowStretch>& stretches, const Line& l
         for (const Hull& hull : stretches_[s].hulls) {
             // Well inside of the decade, whatever way its edges are rounded.
             const double time_s = hull.decade == no_decade ? 0 : 2 * std::pow(10.0, hull.decade);
-            const double allowed = allowed_deviation(step_s_ + line.slope, resolution, time_s);
+            const double allowed = allowed_deviation(step_s_ + line.slope, resolution, time_s) -
+                                   rows_left_out * std::abs(line.slope);
             const auto fits = [&](const Point& point) {
                 const double frame = static_cast<double>(stretches[s].first_frame) + point.row;
                 const double expected = line.mean_late_s + line.slope * (frame - line.mean_frame);

@@ -55,11 +55,13 @@ private:
         std::vector<Point> points;
 
         void add(const Point& point);
+        // Leaves a row out that lies just behind the last point and further inside.
+        void add_row(const Point& row);
     };
 
     // The hull of the rows whose times have equally many digits before the decimal point, for which
     // the same deviation is allowed: no straight line is further from any row than from one of its
-    // points.
+    // points, but for what the line rises over the rows left out behind it.
     struct Hull {
         int decade = 0;
         Chain early{1, {}};
