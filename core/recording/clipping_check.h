@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// Frames [first, first + count).
+struct FrameRange {
+    std::int64_t first = 0;
+    std::int64_t count = 0;
+
+    friend bool operator==(const FrameRange&, const FrameRange&) = default;
+};
+
+// Finds the samples of one channel that lie at the rail of the converter, as the samples come by.
+//
+// A rail shows in the samples themselves: the extreme value is met again and again, far more often
+// than the next one inward, and in clusters. A clean sinusoid of a coarse converter also meets its
+// top level often, but then the next level nearly half as often.
+class ClippingCheck {
+public:
+    // The next samples, in order; first_frame is the place of x[0]. NaN does not count.
+    void add(std::int64_t first_frame, std::span<const double> x);
+
+    struct Rail {
+        double level = 0;
+        std::int64_t count = 0;
+        std::vector<FrameRange> places;  // in order; beyond `most_places` only counted
+    };
+    // The rails that were met, none to two: the upper, the lower.
+    std::vector<Rail> rails() const;
+
+    static constexpr std::size_t most_places = 1 << 20;
+
+private:
+    // The extreme of one side, seen as a maximum.
+    struct Extreme {
+        double level = 0;
+        double next = 0;  // the highest level below
+        std::int64_t count = 0;
+        std::int64_t next_count = 0;
+        std::int64_t last_frame = 0;
+        std::int64_t neighbours = 0;  // meetings soon after the one before
+        std::vector<FrameRange> places;
+
+        void add(std::int64_t frame, double value);
+        bool is_rail() const;
+    };
+
+    bool any_ = false;
+    Extreme upper_;
+    Extreme lower_;  // of the negated samples
+};
+
+}  // namespace vybeg
