@@ -172,7 +172,11 @@ Status OutputFile::commit() {
 
 std::filesystem::path OutputFile::spool_folder() const {
     std::error_code missing;
-    return seekable() ? temporary_.parent_path() : std::filesystem::temp_directory_path(missing);
+    if (!seekable()) {
+        return std::filesystem::temp_directory_path(missing);
+    }
+    const std::filesystem::path folder = temporary_.parent_path();
+    return folder.empty() ? "." : folder;
 }
 
 Error OutputFile::failure(std::string reason) const {
