@@ -31,7 +31,7 @@ struct Int24 {
         const auto at_top = static_cast<std::uint32_t>(low_first[0]) << 8 |
                             static_cast<std::uint32_t>(low_first[1]) << 16 |
                             static_cast<std::uint32_t>(low_first[2]) << 24;
-        return static_cast<std::int32_t>(at_top) / 256;  // a multiple of it
+        return static_cast<std::int32_t>(at_top) / 256.0;
     }
 };
 
