@@ -1,0 +1,98 @@
+// The memory of an analysis does not grow with its recording: 1 and 10 minutes at 33333 Hz, in
+// every format that simulate writes and the raw reader reads. README.md, "Long recordings", has the
+// same of one hour.
+#include "tests/app/cli_run.h"
+
+#include <QtTest>
+
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <vector>
+
+using namespace vybeg::test;
+
+namespace {
+
+// Most memory that one run of vybeg-cli had at any time (ru_maxrss: what VmHWM shows), bytes; -1
+// where it did not end with status 0.
+qint64 peak_of(const QStringList& arguments) {
+    QList<QByteArray> words{VYBEG_CLI};
+    for (const QString& argument : arguments) {
+        words.append(argument.toLocal8Bit());
+    }
+    std::vector<char*> argv;
+    for (QByteArray& word : words) {
+        argv.push_back(word.data());
+    }
+    argv.push_back(nullptr);
+    pid_t child = 0;
+    if (posix_spawn(&child, VYBEG_CLI, nullptr, nullptr, argv.data(), environ) != 0) {
+        return -1;
+    }
+    int status = -1;
+    rusage usage{};
+    const bool ended = wait4(child, &status, 0, &usage) == child;
+    return ended && WIFEXITED(status) && WEXITSTATUS(status) == 0 ? usage.ru_maxrss * 1024 : -1;
+}
+
+// Counted piece by piece: a child's peak is at least what its parent has when it starts it.
+qint64 lines_of(const QString& path) {
+    QFile file(path);
+    qint64 lines = 0;
+    if (file.open(QIODevice::ReadOnly)) {
+        while (!file.atEnd()) {
+            lines += file.read(1 << 20).count('\n');
+        }
+    }
+    return lines;
+}
+
+}  // namespace
+
+class TestCliMemory : public QObject {
+    Q_OBJECT
+
+private slots:
+    void memory_does_not_grow_with_the_recording_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("options");
+        QTest::newRow("raw") << "run.npy"
+                             << "--raw f64 --skip 128 --rate 33333";
+        QTest::newRow("NPY") << "run.npy"
+                             << "--rate 33333";
+        QTest::newRow("WAV") << "run.wav"
+                             << "";
+        QTest::newRow("CSV") << "run.csv"
+                             << "";
+    }
+
+    void memory_does_not_grow_with_the_recording() {
+        QFETCH(QString, file);
+        QFETCH(QString, options);
+        const QTemporaryDir folder;
+        const QString recording = folder.filePath(file);
+        const QString track = folder.filePath("track.csv");
+        std::vector<qint64> peaks;
+        for (const char* seconds : {"60", "600"}) {
+            const Outcome made = run_cli(
+                {"simulate", "--demo", "--seconds", seconds, "--tau", "900", "-o", recording},
+                folder.path());
+            QCOMPARE(made.status, 0);
+            peaks.push_back(
+                peak_of(QStringList{"analyze", recording, "-o", track, "--window", "60"} +
+                        options.split(' ', Qt::SkipEmptyParts)));
+            // A row per window of 60 samples, behind the header.
+            const qint64 windows = qint64{33333} * QString(seconds).toInt() / 60;
+            QVERIFY(lines_of(track) > windows);
+        }
+        qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
+              1e-6 * static_cast<double>(peaks[1]));
+        QVERIFY(peaks[0] > 0 && peaks[1] > 0);
+        QVERIFY(peaks[1] < 150'000'000);            // one hour may take 300 MB
+        QVERIFY(peaks[1] - peaks[0] < 10'000'000);  // the nine minutes more are 288 MB of samples
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliMemory)
+#include "test_cli_memory.moc"
