@@ -203,6 +203,8 @@ void add_analysis_options(CLI::App& app, Settings& settings) {
     add_band(app, "--band", settings.band, "Look for the carrier between two frequencies, Hz");
     add_band(app, "--filter", settings.filter, "Zero-phase band-pass before everything, Hz");
     add_calibration_options(app, settings.calibration);
+    app.add_flag("--repair-lost", settings.repair_lost,
+                 "Make gaps where samples were lost, so that time runs on behind them");
     add_value(app, "--threads", "N", "Threads (default: as many as the machine has)",
               [&settings](const auto& option, const auto& text) {
                   settings.threads = small_whole_value(option, text, 1, "it must be at least 1");

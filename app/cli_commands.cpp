@@ -2,6 +2,7 @@
 
 #include "app/cli_simulate_options.h"
 #include "core/analysis/analyse.h"
+#include "core/analysis/inspect.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/report/recording_json.h"
@@ -51,7 +52,8 @@ Status write_text(const std::string& text, const JobControl& job) {
     return output.commit();
 }
 
-std::string described(const Recording& recording, const std::string& sha256) {
+std::string described(const Recording& recording, const std::string& sha256,
+                      const std::vector<Diagnostic>& findings) {
     std::string text = "file      " + recording.path.string() + "\nformat    " + recording.format +
                        "\nlength    " + round_trip_text(recording.seconds()) + " s, " +
                        integer_text(recording.frames()) + " frames\nrate      " +
@@ -66,8 +68,11 @@ std::string described(const Recording& recording, const std::string& sha256) {
         text += "start     " + recording.start + "\n";
     }
     text += "sha256    " + sha256 + "\n";
-    for (const Diagnostic& diagnostic : recording.diagnostics) {
+    for (const Diagnostic& diagnostic : findings) {
         text += "check     " + english(diagnostic) + "\n";
+    }
+    if (findings.empty()) {
+        text += "check     nothing found\n";
     }
     return text;
 }
@@ -123,8 +128,7 @@ Status write_truth(OutputFile& file, const SimulateRequest& request, const Simul
 }  // namespace
 
 int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
-    const JobControl job = job_of(stop, log);
-    const Result<Recording> recording = open_recording(request.input, request.open, job);
+    const Result<Recording> recording = open_recording(request.input, request.open, silent(stop));
     if (!recording) {
         return log.fail(recording.error());
     }
@@ -132,9 +136,14 @@ int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     if (!sha256) {
         return log.fail(sha256.error());
     }
-    const Status written = write_text(
-        request.json ? recording_json(*recording, *sha256) : described(*recording, *sha256),
-        silent(stop));
+    const Result<SampleFaults> faults = inspect(*recording, {}, job_of(stop, log));
+    if (!faults) {
+        return log.fail(faults.error());
+    }
+    const Status written =
+        write_text(request.json ? recording_json(*recording, *sha256, faults->findings)
+                                : described(*recording, *sha256, faults->findings),
+                   silent(stop));
     return written ? 0 : log.fail(written.error());
 }
 
@@ -176,7 +185,8 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     }
     log.warnings(analysis->diagnostics);
     const double analysed = seconds_now();
-    Status written = rows.finish(track_header(program, *recording, *sha256, *analysis));
+    Status written =
+        rows.finish(track_header(program, *recording, *sha256, *analysis), analysis->flagged);
     if (written) {
         written = output->commit();
     }

@@ -40,6 +40,7 @@ QString flagsText(Flags flags) {
     add(Flag::no_quadrature, QCoreApplication::translate("Flag", "a_B is not estimated"));
     add(Flag::circular, QCoreApplication::translate("Flag", "circular wave: no angle"));
     add(Flag::gap, QCoreApplication::translate("Flag", "samples are missing"));
+    add(Flag::clipped, QCoreApplication::translate("Flag", "samples at the rail"));
     add(Flag::not_converged, QCoreApplication::translate("Flag", "not converged"));
     add(Flag::at_bound, QCoreApplication::translate("Flag", "frequency at its bound"));
     return reasons.join(QStringLiteral("; "));
@@ -101,6 +102,8 @@ QString eventText(const Event& event) {
         }
         case EventKind::gap:
             return QCoreApplication::translate("Event", "Samples are missing, %1 s").arg(seconds());
+        case EventKind::clipped:
+            return QCoreApplication::translate("Event", "Clipped, %1 s").arg(seconds());
         case EventKind::not_converged:
             return QCoreApplication::translate("Event", "Not converged, %1 s").arg(seconds());
     }

@@ -1,7 +1,9 @@
 #include "core/analysis/analyse.h"
 
 #include "core/analysis/estimate_track.h"
+#include "core/analysis/inspect.h"
 #include "core/analysis/prepare.h"
+#include "core/analysis/window_faults.h"
 #include "core/base/number_text.h"
 
 #include <tbb/info.h>
@@ -81,6 +83,9 @@ Result<AnalysisSummary> analyse(const Recording& recording, const Settings& sett
     analysis.plan = *plan;
     analysis.residual = orthogonality_residual(plan->length, prepared->f0_hz, recording.rate_hz);
     analysis.diagnostics = prepared->diagnostics;
+    const SampleFaults faults = prepared->check->finish();
+    add_findings(faults.findings, analysis.diagnostics);
+    analysis.flagged = windows_over(faults, *plan);
     add_diagnostics(*estimation, analysis);
     analysis.timing = {estimation->read_s, prepared->carrier_s, estimation->estimate_s, threads};
     return analysis;
@@ -98,6 +103,7 @@ Result<Analysis> analyse(const Recording& recording, const Settings& settings,
         return summary.error();
     }
     static_cast<AnalysisSummary&>(analysis) = std::move(*summary);
+    set_flags(analysis.track, analysis.flagged);
     return analysis;
 }
 

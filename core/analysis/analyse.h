@@ -3,7 +3,7 @@
 #include "core/analysis/settings.h"
 #include "core/base/job_control.h"
 #include "core/recording/recording.h"
-#include "core/track/track.h"
+#include "core/track/flagged_rows.h"
 #include "core/windows/window_plan.h"
 
 #include <vector>
@@ -25,6 +25,7 @@ struct AnalysisSummary {
     WindowPlan plan;
     double residual = 0;                  // <cos 2wt> of the window (METHOD section 3)
     std::vector<Diagnostic> diagnostics;  // of the recording and of the analysis
+    std::vector<FlaggedRows> flagged;     // rows over faults that were known only at the end
     Timing timing;
 
     double f0_hz() const { return *settings.f0_hz; }
@@ -35,13 +36,13 @@ struct Analysis : AnalysisSummary {
 };
 
 // The whole road from a recording to its track, of which `sink` takes the rows while they are made:
-// memory does not grow with the recording. Errors: those of the sink, setting_invalid, the analysis
-// group, and the input group where reading fails on the way; interrupted. The result is the same to
-// the last bit for any number of threads.
+// memory does not grow with the recording. The summary's `flagged` are left to the caller. Errors:
+// those of the sink, setting_invalid, the analysis group, and the input group where reading fails
+// on the way; interrupted. The result is the same to the last bit for any number of threads.
 Result<AnalysisSummary> analyse(const Recording& recording, const Settings& settings,
                                 const TrackSink& sink, const JobControl& job);
 
-// The same with the whole track.
+// The same with the whole track, flags set.
 Result<Analysis> analyse(const Recording& recording, const Settings& settings,
                          const JobControl& job);
 

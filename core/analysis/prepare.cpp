@@ -3,11 +3,14 @@
 #include "core/base/number_text.h"
 #include "core/recording/calibrated_source.h"
 #include "core/recording/filtered_source.h"
+#include "core/recording/gapped_source.h"
+#include "core/recording/watched_source.h"
 #include "core/windows/carrier.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -67,6 +70,71 @@ double mean_over_periods(std::span<const double> x, double f_hz, double rate_hz)
     return valid > 0 ? sum / static_cast<double>(valid) : 0;
 }
 
+// Frames [first, end) of the settings' range.
+Status find_range(const SampleSource& source, double rate_hz, const Settings& settings,
+                  Prepared& prepared) {
+    const auto frames = static_cast<double>(source.frames());
+    const double from = settings.from_s.value_or(0);
+    const double to = settings.to_s.value_or(frames / rate_hz);
+    const auto frame_at = [&](double seconds) {
+        return static_cast<std::int64_t>(
+            std::clamp(std::ceil(seconds * rate_hz - 1e-6), 0.0, frames));
+    };
+    prepared.first = frame_at(from);
+    prepared.end = frame_at(to);
+    if (prepared.first >= prepared.end) {
+        return Error{ErrorCode::range_empty,
+                     "",
+                     {short_text(from), short_text(to), short_text(frames / rate_hz)}};
+    }
+    return {};
+}
+
+// The recording's samples with gaps where some were lost.
+Result<std::shared_ptr<const SampleSource>> with_gaps_for_lost(const Recording& recording,
+                                                               const Settings& settings,
+                                                               std::vector<Diagnostic>& diagnostics,
+                                                               const JobControl& job) {
+    const Result<Stretch> stretch = read_stretch(*recording.source, 0, recording.frames());
+    if (!stretch) {
+        return stretch.error();
+    }
+    const Result<double> f0 = carrier_of(*stretch, settings, recording.rate_hz);
+    if (!f0) {
+        return f0.error();
+    }
+    const Result<SampleFaults> faults =
+        find_faults(*recording.source, recording.rate_hz, *f0, job.silent());
+    if (!faults) {
+        return faults.error();
+    }
+    std::int64_t lost = 0;
+    std::int64_t places = 0;
+    for (const PhaseStep& step : faults->steps) {
+        if (step.lost > 0) {
+            lost += step.lost;
+            ++places;
+        }
+    }
+    if (places > 0) {
+        diagnostics.push_back(
+            {DiagnosticKind::gaps_inserted, {integer_text(lost), integer_text(places)}});
+    }
+    return with_gaps(recording.source, faults->steps);
+}
+
+// The source behind calibration and band-pass.
+Result<std::shared_ptr<const SampleSource>> condition(std::shared_ptr<const SampleSource> source,
+                                                      const Calibration& calibration,
+                                                      const std::optional<Band>& filter,
+                                                      double rate_hz) {
+    source = calibrated(std::move(source), calibration, rate_hz);
+    if (filter) {
+        return band_passed(std::move(source), filter->low_hz, filter->high_hz, rate_hz);
+    }
+    return source;
+}
+
 }  // namespace
 
 std::string recording_name(const Recording& recording) {
@@ -77,58 +145,48 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
                          const JobControl& job) {
     const double rate = recording.rate_hz;
     const auto named = [&recording](Error error) {
-        error.where = recording_name(recording);
+        if (error.where.empty()) {
+            error.where = recording_name(recording);
+        }
         return error;
     };
     Prepared prepared;
     prepared.diagnostics = recording.diagnostics;
     prepared.calibration = settings.calibration;
 
-    const std::int64_t frames = recording.frames();
-    const double from = settings.from_s.value_or(0);
-    const double to = settings.to_s.value_or(recording.seconds());
-    const auto frame_at = [&](double seconds) {
-        return static_cast<std::int64_t>(
-            std::clamp(std::ceil(seconds * rate - 1e-6), 0.0, static_cast<double>(frames)));
-    };
-    prepared.first = frame_at(from);
-    prepared.end = frame_at(to);
-    if (prepared.first >= prepared.end) {
-        return named({ErrorCode::range_empty,
-                      "",
-                      {short_text(from), short_text(to), short_text(recording.seconds())}});
-    }
-
     const double begun = job.now();
-    if (settings.calibration.offset_auto) {
-        const Result<Stretch> raw = read_stretch(*recording.source, prepared.first, prepared.end);
-        if (!raw) {
-            return raw.error();
+    std::shared_ptr<const SampleSource> raw = recording.source;
+    if (settings.repair_lost) {
+        const auto repaired = with_gaps_for_lost(recording, settings, prepared.diagnostics, job);
+        if (!repaired) {
+            return named(repaired.error());
         }
-        const Result<double> f0 = carrier_of(*raw, settings, rate);
+        raw = *repaired;
+    }
+    if (const Status found = find_range(*raw, rate, settings, prepared); !found) {
+        return named(found.error());
+    }
+    if (settings.calibration.offset_auto) {
+        const Result<Stretch> stretch = read_stretch(*raw, prepared.first, prepared.end);
+        if (!stretch) {
+            return stretch.error();
+        }
+        const Result<double> f0 = carrier_of(*stretch, settings, rate);
         if (!f0) {
             return named(f0.error());
         }
-        prepared.calibration.offset_c = mean_over_periods(raw->c, *f0, rate);
-        prepared.calibration.offset_d = mean_over_periods(raw->d, *f0, rate);
+        prepared.calibration.offset_c = mean_over_periods(stretch->c, *f0, rate);
+        prepared.calibration.offset_d = mean_over_periods(stretch->d, *f0, rate);
         prepared.calibration.offset_auto = false;
-    }
-    prepared.source = calibrated(recording.source, prepared.calibration, rate);
-    if (settings.filter) {
-        const auto [low, high] = *settings.filter;
-        auto filtered = band_passed(prepared.source, low, high, rate);
-        if (!filtered) {
-            return named(filtered.error());
-        }
-        prepared.source = *filtered;
-        const double lost = static_cast<double>(band_pass_reach(low, high, rate)) / rate;
-        prepared.diagnostics.push_back({DiagnosticKind::filter_transients, {short_text(lost, 3)}});
-        prepared.diagnostics.push_back({DiagnosticKind::filter_colours_noise, {}});
     }
     if (job.cancelled()) {
         return Error{ErrorCode::interrupted, "", {}};
     }
-    const Result<Stretch> stretch = read_stretch(*prepared.source, prepared.first, prepared.end);
+    const auto conditioned = condition(raw, prepared.calibration, settings.filter, rate);
+    if (!conditioned) {
+        return named(conditioned.error());
+    }
+    const Result<Stretch> stretch = read_stretch(**conditioned, prepared.first, prepared.end);
     if (!stretch) {
         return stretch.error();
     }
@@ -137,6 +195,16 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
         return named(f0.error());
     }
     prepared.f0_hz = *f0;
+    // What is read from here on goes into the windows, and past the check on its way.
+    prepared.check = std::make_shared<FaultCheck>(*f0, rate);
+    const auto watched = std::make_shared<WatchedSource>(raw, prepared.check);
+    prepared.source = *condition(watched, prepared.calibration, settings.filter, rate);
+    if (settings.filter) {
+        const auto [low, high] = *settings.filter;
+        const double lost = static_cast<double>(band_pass_reach(low, high, rate)) / rate;
+        prepared.diagnostics.push_back({DiagnosticKind::filter_transients, {short_text(lost, 3)}});
+        prepared.diagnostics.push_back({DiagnosticKind::filter_colours_noise, {}});
+    }
     prepared.carrier_s = job.now() - begun;
     return prepared;
 }

@@ -4,6 +4,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/recording/recording.h"
+#include "core/recording/recording_check.h"
 
 #include <cstdint>
 #include <memory>
@@ -19,13 +20,14 @@ struct Prepared {
     std::int64_t first = 0;                      // the range to analyse: frames [first, end)
     std::int64_t end = 0;
     double f0_hz = 0;
-    Calibration calibration;  // with the offsets that were found
+    Calibration calibration;            // with the offsets that were found
+    std::shared_ptr<FaultCheck> check;  // sees the samples of `source` as they are read
     std::vector<Diagnostic> diagnostics;
     double carrier_s = 0;  // seconds that the search for the carrier took, reading included
 };
 
-// Calibration, band-pass, range and carrier. Precondition: validate(settings). Errors as of
-// analyse().
+// Lost samples, calibration, band-pass, range and carrier. Precondition: validate(settings). Errors
+// as of analyse().
 Result<Prepared> prepare(const Recording& recording, const Settings& settings,
                          const JobControl& job);
 

@@ -32,7 +32,8 @@ struct Settings {
     std::optional<Band> band;    // where to look for the carrier
     std::optional<Band> filter;  // zero-phase band-pass before everything
     Calibration calibration;
-    int threads = 0;  // 0: as many as the machine has, which is also the most
+    bool repair_lost = false;  // make gaps of lost samples, so that time runs on behind them
+    int threads = 0;           // 0: as many as the machine has, which is also the most
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };

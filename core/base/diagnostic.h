@@ -17,6 +17,14 @@ enum class DiagnosticKind {
     context_missing,       // args: samples that the algorithm needs beyond the window
     not_converged,         // args: windows, of
     text_lines_ignored,    // args: count; header and comment lines
+    clipped,               // args: channel, samples at the rail, its level
+    samples_lost,          // args: samples, at time (s). A phase step common to both channels.
+    samples_doubled,       // args: samples, at time (s)
+    more_samples_lost,     // args: places beyond those told one by one
+    offset,                // args: channel, offset, per cent of the amplitude
+    mains,                 // args: frequency (Hz), per cent of the carrier
+    start_transient,       // args: seconds
+    gaps_inserted,         // args: samples, places. On the engineer's wish.
 };
 
 // first_frame is -1 where the diagnostic has no place in the recording; count is in frames.

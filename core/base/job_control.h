@@ -23,6 +23,9 @@ public:
         }
     }
 
+    // The same job for a part of it that has no progress of its own.
+    JobControl silent() const { return JobControl(stop_, {}, clock_); }
+
     double now() const { return clock_ ? clock_() : 0; }
 
 private:

@@ -152,6 +152,38 @@ const char* message_template(DiagnosticKind kind) {
             return VYBEG_MESSAGE("Message", "%1 of %2 windows did not converge; they are flagged.");
         case DiagnosticKind::text_lines_ignored:
             return VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.");
+        case DiagnosticKind::clipped:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1 is clipped: %2 samples lie at its rail, %3; windows "
+                                 "over them are flagged.");
+        case DiagnosticKind::samples_lost:
+            return VYBEG_MESSAGE("Message",
+                                 "Samples lost: %1 at %2 s (both phases jump there); windows over "
+                                 "them are flagged.");
+        case DiagnosticKind::samples_doubled:
+            return VYBEG_MESSAGE("Message",
+                                 "Samples doubled: %1 at %2 s (both phases jump there); windows "
+                                 "over them are flagged.");
+        case DiagnosticKind::more_samples_lost:
+            return VYBEG_MESSAGE("Message", "Samples were lost or doubled at %1 more places.");
+        case DiagnosticKind::offset:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1 has an offset of %2, %3 % of the amplitude. The "
+                                 "calibration takes it out (--offset auto).");
+        case DiagnosticKind::mains:
+            return VYBEG_MESSAGE(
+                "Message",
+                "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out "
+                "(--filter).");
+        case DiagnosticKind::start_transient:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The first %1 s do not decay as what follows. The range can leave them out "
+                "(--from).");
+        case DiagnosticKind::gaps_inserted:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 lost samples at %2 places were made gaps, as asked for; "
+                                 "windows over them have no values.");
     }
     return "";
 }
@@ -167,6 +199,14 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::context_missing: return "context-missing";
         case DiagnosticKind::not_converged: return "not-converged";
         case DiagnosticKind::text_lines_ignored: return "text-lines-ignored";
+        case DiagnosticKind::clipped: return "clipped";
+        case DiagnosticKind::samples_lost: return "samples-lost";
+        case DiagnosticKind::samples_doubled: return "samples-doubled";
+        case DiagnosticKind::more_samples_lost: return "more-samples-lost";
+        case DiagnosticKind::offset: return "offset";
+        case DiagnosticKind::mains: return "mains";
+        case DiagnosticKind::start_transient: return "start-transient";
+        case DiagnosticKind::gaps_inserted: return "gaps-inserted";
     }
     return "";
 }

@@ -4,14 +4,18 @@
 #include <utility>
 
 namespace vybeg {
+namespace {
+
+constexpr std::array<std::pair<Flag, const char*>, 6> names{{{Flag::no_quadrature, "no-quadrature"},
+                                                             {Flag::circular, "circular"},
+                                                             {Flag::gap, "gap"},
+                                                             {Flag::clipped, "clipped"},
+                                                             {Flag::not_converged, "not-converged"},
+                                                             {Flag::at_bound, "at-bound"}}};
+
+}  // namespace
 
 std::string flags_text(Flags flags) {
-    constexpr std::array<std::pair<Flag, const char*>, 5> names{
-        {{Flag::no_quadrature, "no-quadrature"},
-         {Flag::circular, "circular"},
-         {Flag::gap, "gap"},
-         {Flag::not_converged, "not-converged"},
-         {Flag::at_bound, "at-bound"}}};
     std::string text;
     for (const auto& [flag, name] : names) {
         if (has(flags, flag)) {
@@ -20,6 +24,21 @@ std::string flags_text(Flags flags) {
         }
     }
     return text;
+}
+
+Flags flags_from_text(std::string_view text) {
+    Flags flags = 0;
+    while (!text.empty()) {
+        const std::size_t end = text.find(';');
+        const std::string_view word = text.substr(0, end);
+        for (const auto& [flag, name] : names) {
+            if (word == name) {
+                set(flags, flag);
+            }
+        }
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return flags;
 }
 
 }  // namespace vybeg

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace vybeg {
 
@@ -9,9 +10,12 @@ namespace vybeg {
 enum class Flag : std::uint8_t {
     no_quadrature = 1,  // the algorithm does not estimate a_B
     circular = 2,       // a_A = |a_B| within the noise: the angle is undefined
-    gap = 4,            // samples are missing inside the window or around it where they are needed
+    // Samples are missing inside the window or around it where they are needed (no values), or were
+    // lost inside it without a trace (values that mix the times before and after).
+    gap = 4,
     not_converged = 8,
     at_bound = 16,  // the frequency ran to the edge of the main lobe
+    clipped = 32,   // samples inside the window lie at the rail of the converter
 };
 
 using Flags = std::uint8_t;  // any number of Flag, or-ed
@@ -29,5 +33,7 @@ inline constexpr void set(Flags& flags, Flag flag) {
 // The reasons as in the track CSV: joined by ';', e.g. "gap;not-converged"; empty where there is
 // none.
 std::string flags_text(Flags flags);
+// And back; a word that is none of them counts as nothing.
+Flags flags_from_text(std::string_view text);
 
 }  // namespace vybeg

@@ -1,7 +1,9 @@
 #include "core/recording/clipping_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -20,21 +22,42 @@ void ClippingCheck::Extreme::add(std::int64_t frame, double value) {
         count = 0;
         neighbours = 0;
         places.clear();
+        drawn_together = 0;
     }
     if (value == level) {
         neighbours += count > 0 && frame - last_frame <= neighbourhood ? 1 : 0;
         last_frame = frame;
         ++count;
-        if (!places.empty() && places.back().first + places.back().count == frame) {
-            ++places.back().count;
-        } else if (places.size() < most_places) {
+        if (!places.empty() && frame - places.back().end() <= drawn_together) {
+            places.back().count = frame + 1 - places.back().first;
+        } else {
             places.push_back({frame, 1});
+        }
+        if (places.size() > most_places) {
+            draw_together();
         }
     } else if (value > next) {
         next = value;
         next_count = 1;
     } else if (value == next) {
         ++next_count;
+    }
+}
+
+// Where there are too many places, those near each other become one, until half of them are gone.
+void ClippingCheck::Extreme::draw_together() {
+    while (places.size() > most_places / 2) {
+        drawn_together = std::max<std::int64_t>(2 * drawn_together, 8);
+        std::vector<FrameRange> fewer{places.front()};
+        for (const FrameRange& place : places) {
+            FrameRange& last = fewer.back();
+            if (place.first - last.end() <= drawn_together) {
+                last.count = place.end() - last.first;
+            } else {
+                fewer.push_back(place);
+            }
+        }
+        places = std::move(fewer);
     }
 }
 

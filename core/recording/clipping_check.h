@@ -11,6 +11,8 @@ struct FrameRange {
     std::int64_t first = 0;
     std::int64_t count = 0;
 
+    std::int64_t end() const { return first + count; }
+
     friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
@@ -27,12 +29,12 @@ public:
     struct Rail {
         double level = 0;
         std::int64_t count = 0;
-        std::vector<FrameRange> places;  // in order; beyond `most_places` only counted
+        std::vector<FrameRange> places;  // in order; near ones drawn together beyond `most_places`
     };
     // The rails that were met, none to two: the upper, the lower.
     std::vector<Rail> rails() const;
 
-    static constexpr std::size_t most_places = 1 << 20;
+    static constexpr std::size_t most_places = 1 << 16;
 
 private:
     // The extreme of one side, seen as a maximum.
@@ -44,8 +46,10 @@ private:
         std::int64_t last_frame = 0;
         std::int64_t neighbours = 0;  // meetings soon after the one before
         std::vector<FrameRange> places;
+        std::int64_t drawn_together = 0;  // frames between places that count as one
 
         void add(std::int64_t frame, double value);
+        void draw_together();
         bool is_rail() const;
     };
 

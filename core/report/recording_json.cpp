@@ -6,14 +6,15 @@
 
 namespace vybeg {
 
-std::string recording_json(const Recording& recording, const std::string& sha256) {
+std::string recording_json(const Recording& recording, const std::string& sha256,
+                           std::span<const Diagnostic> findings) {
     using Json = nlohmann::ordered_json;
     Json channels = Json::array();
     for (const Channel& channel : recording.channels) {
         channels.push_back({{"name", channel.name}, {"unit", channel.unit}});
     }
     Json check = Json::array();
-    for (const Diagnostic& diagnostic : recording.diagnostics) {
+    for (const Diagnostic& diagnostic : findings) {
         check.push_back({{"kind", kind_name(diagnostic.kind)},
                          {"first_frame", diagnostic.first_frame},
                          {"count", diagnostic.count},

@@ -2,11 +2,14 @@
 
 #include "core/recording/recording.h"
 
+#include <span>
 #include <string>
 
 namespace vybeg {
 
 // What `info --json` prints: INTERFACE.md, section vybeg-cli. Indented, ends with a line feed.
-std::string recording_json(const Recording& recording, const std::string& sha256);
+// `findings`: those of the recording check.
+std::string recording_json(const Recording& recording, const std::string& sha256,
+                           std::span<const Diagnostic> findings);
 
 }  // namespace vybeg

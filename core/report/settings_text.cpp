@@ -57,6 +57,7 @@ std::vector<NamedValue> settings_list(const Settings& settings) {
          calibration.offset_auto ? "auto" : joined({calibration.offset_c, calibration.offset_d})},
         {"delay", round_trip_text(calibration.delay_d_s)},
         {"angle-zero", round_trip_text(calibration.angle_zero_deg)},
+        {"repair-lost", settings.repair_lost ? "yes" : "no"},
     };
 }
 

@@ -68,7 +68,7 @@ Status Spool::spill() {
     return {};
 }
 
-Status Spool::move_to(OutputFile& file) {
+Status Spool::empty_into(const std::function<Status(std::string_view)>& take) {
     std::vector<char> bytes(spilled_ > 0 ? piece : 0);
     for (std::int64_t at = 0; at < spilled_;) {
         const auto wanted = std::min<std::int64_t>(spilled_ - at, piece);
@@ -77,8 +77,8 @@ Status Spool::move_to(OutputFile& file) {
             return failed(got == 0 ? EIO : errno);
         }
         const auto length = static_cast<std::size_t>(std::max<ssize_t>(got, 0));
-        if (const Status written = file.write({bytes.data(), length}); !written) {
-            return written;
+        if (Status taken = take({bytes.data(), length}); !taken) {
+            return taken;
         }
         at += static_cast<std::int64_t>(length);
     }
@@ -86,7 +86,7 @@ Status Spool::move_to(OutputFile& file) {
         close(std::exchange(descriptor_, -1));
     }
     spilled_ = 0;
-    return file.write(std::exchange(memory_, {}));
+    return take(std::exchange(memory_, {}));
 }
 
 }  // namespace vybeg

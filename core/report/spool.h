@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -23,8 +24,9 @@ public:
 
     Status write(std::string_view bytes);
 
-    // Writes everything to `file` and leaves the spool empty.
-    Status move_to(OutputFile& file);
+    // Hands everything out, piece by piece in order, and leaves the spool empty. Errors: also those
+    // of `take`, at which it ends.
+    Status empty_into(const std::function<Status(std::string_view piece)>& take);
 
 private:
     Status spill();

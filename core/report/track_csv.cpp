@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace vybeg {
 namespace {
@@ -61,6 +62,59 @@ void append_row(std::string& text, const Track& track, std::size_t row) {
     text += flags_text(track.flags()[row]);
     text += '\n';
 }
+
+// Sets flags in the text of rows, which comes in pieces that end anywhere.
+class LateFlags {
+public:
+    explicit LateFlags(std::span<const FlaggedRows> flagged) : flagged_(flagged) {}
+
+    // The whole lines that the piece completes.
+    std::string set_in(std::string_view piece) {
+        started_ += piece;
+        std::string text;
+        std::size_t begin = 0;
+        for (std::size_t end = started_.find('\n'); end != std::string::npos;
+             end = started_.find('\n', begin)) {
+            const std::string_view line = std::string_view(started_).substr(begin, end - begin);
+            append_line(text, line, flags_of_next_row());
+            begin = end + 1;
+        }
+        started_.erase(0, begin);
+        return text;
+    }
+
+private:
+    Flags flags_of_next_row() {
+        while (begun_ < flagged_.size() && flagged_[begun_].first <= row_) {
+            active_.push_back(flagged_[begun_++]);
+        }
+        std::erase_if(active_,
+                      [this](const FlaggedRows& rows) { return rows.first + rows.count <= row_; });
+        ++row_;
+        Flags flags = 0;
+        for (const FlaggedRows& rows : active_) {
+            set(flags, rows.flag);
+        }
+        return flags;
+    }
+
+    static void append_line(std::string& text, std::string_view line, Flags flags) {
+        if (flags == 0) {
+            text += line;
+        } else {
+            const std::size_t field = line.rfind(',') + 1;
+            text += line.substr(0, field);
+            text += flags_text(flags_from_text(line.substr(field)) | flags);
+        }
+        text += '\n';
+    }
+
+    std::span<const FlaggedRows> flagged_;
+    std::size_t begun_ = 0;            // of flagged_
+    std::vector<FlaggedRows> active_;  // of those, the ones that go on
+    std::string started_;              // a line without its end
+    std::size_t row_ = 0;
+};
 
 // Hands the rows to write(text, rows so far), some at a time.
 template <class Write>
@@ -118,9 +172,17 @@ Status TrackCsvWriter::append(const Track& rows) {
                       [this](const std::string& text, std::size_t) { return rows_.write(text); });
 }
 
-Status TrackCsvWriter::finish(std::span<const std::string> header) {
-    const Status written = file_.write(head_text(header));
-    return written ? rows_.move_to(file_) : written;
+Status TrackCsvWriter::finish(std::span<const std::string> header,
+                              std::span<const FlaggedRows> flagged) {
+    if (Status written = file_.write(head_text(header)); !written) {
+        return written;
+    }
+    if (flagged.empty()) {
+        return rows_.empty_into([this](std::string_view piece) { return file_.write(piece); });
+    }
+    LateFlags late(flagged);
+    return rows_.empty_into(
+        [&](std::string_view piece) { return file_.write(late.set_in(piece)); });
 }
 
 }  // namespace vybeg

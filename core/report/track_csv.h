@@ -29,7 +29,8 @@ public:
     TrackCsvWriter(OutputFile& file, const JobControl& job) : file_(file), rows_(file, job) {}
 
     Status append(const Track& rows);
-    Status finish(std::span<const std::string> header);
+    // `flagged`: rows that get a flag on their way from the spool into the file, by first row.
+    Status finish(std::span<const std::string> header, std::span<const FlaggedRows> flagged);
 
 private:
     OutputFile& file_;

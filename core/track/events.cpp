@@ -98,6 +98,7 @@ std::vector<Event> find_events(const Track& track) {
     std::vector<Event> events;
     find_crossings(track, events);
     find_stretches(track, Flag::gap, EventKind::gap, events);
+    find_stretches(track, Flag::clipped, EventKind::clipped, events);
     find_stretches(track, Flag::not_converged, EventKind::not_converged, events);
     std::stable_sort(events.begin(), events.end(),
                      [](const Event& a, const Event& b) { return a.time_s < b.time_s; });

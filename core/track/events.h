@@ -6,10 +6,10 @@
 
 namespace vybeg {
 
-enum class EventKind { axis_crossing, gap, not_converged };
+enum class EventKind { axis_crossing, gap, clipped, not_converged };
 
 // Something that happened in a track. An axis crossing is the instant at which 2theta_A passes a
-// multiple of pi/2 (METHOD section 7); a gap or a stretch without convergence begins at time_s and
+// multiple of pi/2 (METHOD section 7); a gap, clipping or a stretch without convergence begins at time_s and
 // lasts seconds.
 struct Event {
     EventKind kind{};

@@ -52,11 +52,23 @@ const std::map<ErrorCode, Documented> documented{
 
 // Arguments of each kind, as diagnostic.h counts them.
 const std::map<DiagnosticKind, std::size_t> documented_kinds{
-    {DiagnosticKind::time_uneven, 2},        {DiagnosticKind::time_gap, 2},
-    {DiagnosticKind::missing_samples, 1},    {DiagnosticKind::file_ends_early, 2},
-    {DiagnosticKind::filter_transients, 1},  {DiagnosticKind::filter_colours_noise, 0},
-    {DiagnosticKind::context_missing, 1},    {DiagnosticKind::not_converged, 2},
+    {DiagnosticKind::time_uneven, 2},
+    {DiagnosticKind::time_gap, 2},
+    {DiagnosticKind::missing_samples, 1},
+    {DiagnosticKind::file_ends_early, 2},
+    {DiagnosticKind::filter_transients, 1},
+    {DiagnosticKind::filter_colours_noise, 0},
+    {DiagnosticKind::context_missing, 1},
+    {DiagnosticKind::not_converged, 2},
     {DiagnosticKind::text_lines_ignored, 1},
+    {DiagnosticKind::clipped, 3},
+    {DiagnosticKind::samples_lost, 2},
+    {DiagnosticKind::samples_doubled, 2},
+    {DiagnosticKind::more_samples_lost, 1},
+    {DiagnosticKind::offset, 3},
+    {DiagnosticKind::mains, 2},
+    {DiagnosticKind::start_transient, 1},
+    {DiagnosticKind::gaps_inserted, 2},
 };
 
 // The n of every %n in a template.

@@ -43,7 +43,8 @@ private slots:
                  {"first_frame", 200},
                  {"count", 7},
                  {"text", "7 samples are missing at 0.5 s; windows over them are flagged."}}}}};
-        const QByteArray json = QByteArray::fromStdString(recording_json(recording, "0123"));
+        const QByteArray json =
+            QByteArray::fromStdString(recording_json(recording, "0123", recording.diagnostics));
         QJsonParseError error;
         QCOMPARE(QJsonDocument::fromJson(json, &error).object(), expected);
         QCOMPARE(error.error, QJsonParseError::NoError);
@@ -55,7 +56,7 @@ private slots:
         recording.rate_hz = 1;
         recording.channels = {{"\xff\xfe", ""}};
         recording.source = std::make_shared<Silence>();
-        const QByteArray json = QByteArray::fromStdString(recording_json(recording, ""));
+        const QByteArray json = QByteArray::fromStdString(recording_json(recording, "", {}));
         QVERIFY(!QJsonDocument::fromJson(json).isNull());
     }
 };

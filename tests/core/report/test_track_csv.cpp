@@ -111,13 +111,20 @@ private slots:
             for (const SlowVariable variable : all_slow_variables) {
                 std::ranges::generate(rows.values(variable), [&] { return any(engine); });
             }
+            for (std::size_t row = 0; row < rows.rows(); row += 7) {
+                rows.flags()[row] = Flag::no_quadrature | Flag::at_bound;
+            }
             QVERIFY(writer.append(rows));
             whole.append(rows);
         }
         // Besides the file's own temporary, nothing with a name.
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
         const std::vector<std::string> header{"known", "at the end"};
-        QVERIFY(writer.finish(header));
+        // Every row of the middle third and, twice over, some in the last piece.
+        const std::vector<FlaggedRows> flagged{
+            {30000, 30000, Flag::clipped}, {88000, 1500, Flag::gap}, {89000, 5000, Flag::clipped}};
+        set_flags(whole, flagged);
+        QVERIFY(writer.finish(header, flagged));
         QVERIFY(file->commit());
         QVERIFY(QDir::setCurrent(before));
         QFile read(path);
@@ -164,6 +171,7 @@ private slots:
             "offset: 0,-0.125",
             "delay: 0",
             "angle-zero: 0",
+            "repair-lost: no",
             "f0_Hz: 5300.25",
             "residual: 0.5",
             "warning: The band-pass takes 0.25 s at each end for its transient; those windows are "

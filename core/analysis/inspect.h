@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/analysis/settings.h"
+#include "core/base/job_control.h"
+#include "core/recording/recording.h"
+#include "core/recording/recording_check.h"
+
+namespace vybeg {
+
+// The recording check of METHOD section 7 over the whole recording: its own diagnostics, then what
+// the samples tell. The carrier is looked for as the settings say; where there is none, neither
+// lost samples nor a start transient are looked for. Errors: those of the source, interrupted.
+Result<SampleFaults> inspect(const Recording& recording, const Settings& settings,
+                             const JobControl& job);
+
+// Adds findings to diagnostics, but for missing samples of which these tell already.
+void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnostic>& diagnostics);
+
+}  // namespace vybeg

@@ -1,0 +1,208 @@
+#include "core/recording/recording_check.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/start_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::int64_t chunk_frames = std::int64_t{1} << 16;
+constexpr double start_s = 4;             // what is looked at for mains and transient
+constexpr double small_offset = 5e-3;     // of the amplitude
+constexpr std::size_t most_listed = 100;  // places of lost samples that are told one by one
+
+const std::array<std::string, 2> channel_names{"C", "D"};
+
+struct ChannelSums {
+    double sum = 0;
+    double squares = 0;
+    std::int64_t valid = 0;
+
+    void add(std::span<const double> x) {
+        for (const double value : x) {
+            if (std::isfinite(value)) {
+                sum += value;
+                squares += value * value;
+                ++valid;
+            }
+        }
+    }
+};
+
+void report_rails(const ClippingCheck& clipping, const std::string& channel, SampleFaults& faults) {
+    for (const ClippingCheck::Rail& rail : clipping.rails()) {
+        faults.findings.push_back({DiagnosticKind::clipped,
+                                   {channel, integer_text(rail.count), short_text(rail.level)},
+                                   rail.places.front().first,
+                                   rail.count});
+        faults.clipped.insert(faults.clipped.end(), rail.places.begin(), rail.places.end());
+    }
+}
+
+void report_steps(double rate_hz, SampleFaults& faults) {
+    std::size_t listed = 0;
+    for (const PhaseStep& step : faults.steps) {
+        if (++listed > most_listed) {
+            faults.findings.push_back(
+                {DiagnosticKind::more_samples_lost,
+                 {integer_text(static_cast<std::int64_t>(faults.steps.size() - most_listed))},
+                 step.frame,
+                 0});
+            break;
+        }
+        const double at_s = static_cast<double>(step.frame) / rate_hz;
+        faults.findings.push_back(
+            {step.lost > 0 ? DiagnosticKind::samples_lost : DiagnosticKind::samples_doubled,
+             {integer_text(std::abs(step.lost)), short_text(at_s, 9)},
+             step.frame,
+             std::abs(step.lost)});
+    }
+}
+
+void report_offsets(const std::array<ChannelSums, 2>& sums, SampleFaults& faults) {
+    // Half the square of the wave's amplitude is the power of both channels.
+    double power = 0;
+    for (const ChannelSums& channel : sums) {
+        const double mean =
+            channel.sum / static_cast<double>(std::max<std::int64_t>(1, channel.valid));
+        power += channel.valid > 0
+                     ? channel.squares / static_cast<double>(channel.valid) - mean * mean
+                     : 0;
+    }
+    const double amplitude = std::sqrt(2 * power);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double offset =
+            sums[i].valid > 0 ? sums[i].sum / static_cast<double>(sums[i].valid) : 0;
+        if (std::abs(offset) > small_offset * amplitude) {
+            faults.findings.push_back({DiagnosticKind::offset,
+                                       {channel_names[i], short_text(offset),
+                                        short_text(100 * std::abs(offset) / amplitude, 3)}});
+        }
+    }
+}
+
+Status report_start(const SampleSource& source, double rate_hz, std::optional<double> f0_hz,
+                    SampleFaults& faults) {
+    const auto frames =
+        static_cast<std::size_t>(std::min(static_cast<double>(source.frames()), start_s * rate_hz));
+    std::vector<double> c(frames);
+    std::vector<double> d(frames);
+    if (Status read = source.read(0, c, d); !read) {
+        return read;
+    }
+    for (const MainsLine& line : mains_lines(c, d, rate_hz)) {
+        faults.findings.push_back(
+            {DiagnosticKind::mains, {short_text(line.f_hz), short_text(100 * line.ratio, 2)}});
+    }
+    if (const double seconds = f0_hz ? start_transient_s(c, d, *f0_hz, rate_hz) : 0; seconds > 0) {
+        faults.findings.push_back({DiagnosticKind::start_transient,
+                                   {short_text(seconds, 2)},
+                                   0,
+                                   std::llround(seconds * rate_hz)});
+    }
+    return {};
+}
+
+// All frames in order, a portion at a time, to look(first_frame, c, d).
+template <class Look>
+Status read_through(const SampleSource& source, const JobControl& job, Look look) {
+    std::vector<double> c;
+    std::vector<double> d;
+    const std::int64_t frames = source.frames();
+    for (std::int64_t first = 0; first < frames; first += chunk_frames) {
+        if (job.cancelled()) {
+            return Error{ErrorCode::interrupted, "", {}};
+        }
+        c.resize(static_cast<std::size_t>(std::min(chunk_frames, frames - first)));
+        d.resize(c.size());
+        if (Status read = source.read(first, c, d); !read) {
+            return read;
+        }
+        look(first, std::span<const double>(c), std::span<const double>(d));
+        job.report(static_cast<double>(first) / static_cast<double>(frames));
+    }
+    return {};
+}
+
+}  // namespace
+
+FaultCheck::FaultCheck(std::optional<double> f0_hz, double rate_hz) : rate_hz_(rate_hz) {
+    if (f0_hz) {
+        steps_.emplace(*f0_hz, rate_hz);
+    }
+}
+
+void FaultCheck::add(std::int64_t first_frame, std::span<const double> c,
+                     std::span<const double> d) {
+    for (std::size_t j = 0; j < c.size(); ++j) {
+        const int missing = (std::isfinite(c[j]) ? 0 : 1) + (std::isfinite(d[j]) ? 0 : 1);
+        if (missing > 0) {
+            first_missing_ =
+                first_missing_ < 0 ? first_frame + static_cast<std::int64_t>(j) : first_missing_;
+            missing_ += missing;
+            ++frames_with_missing_;
+        }
+    }
+    clipping_[0].add(first_frame, c);
+    clipping_[1].add(first_frame, d);
+    if (steps_) {
+        steps_->add(first_frame, c, d);
+    }
+}
+
+SampleFaults FaultCheck::finish() {
+    SampleFaults faults;
+    if (missing_ > 0) {
+        faults.findings.push_back({DiagnosticKind::missing_samples,
+                                   {integer_text(missing_)},
+                                   first_missing_,
+                                   frames_with_missing_});
+    }
+    report_rails(clipping_[0], channel_names[0], faults);
+    report_rails(clipping_[1], channel_names[1], faults);
+    std::ranges::sort(faults.clipped, {}, &FrameRange::first);
+    if (steps_) {
+        faults.steps = steps_->finish();
+        report_steps(rate_hz_, faults);
+    }
+    return faults;
+}
+
+Result<SampleFaults> find_faults(const SampleSource& source, double rate_hz,
+                                 std::optional<double> f0_hz, const JobControl& job) {
+    FaultCheck check(f0_hz, rate_hz);
+    const Status read = read_through(
+        source, job, [&](std::int64_t first, auto c, auto d) { check.add(first, c, d); });
+    if (!read) {
+        return read.error();
+    }
+    return check.finish();
+}
+
+Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
+                                     std::optional<double> f0_hz, const JobControl& job) {
+    FaultCheck check(f0_hz, rate_hz);
+    std::array<ChannelSums, 2> sums;
+    const auto look = [&](std::int64_t first, std::span<const double> c,
+                          std::span<const double> d) {
+        check.add(first, c, d);
+        sums[0].add(c);
+        sums[1].add(d);
+    };
+    if (const Status read = read_through(source, job, look); !read) {
+        return read.error();
+    }
+    SampleFaults faults = check.finish();
+    report_offsets(sums, faults);
+    if (const Status read = report_start(source, rate_hz, f0_hz, faults); !read) {
+        return read.error();
+    }
+    return faults;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/clipping_check.h"
+#include "core/recording/phase_step_check.h"
+#include "core/recording/sample_source.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// Faults of the samples themselves, as they are in the file: before calibration and filter.
+struct SampleFaults {
+    std::vector<Diagnostic> findings;  // missing samples, clipping, lost and doubled samples
+    std::vector<FrameRange> clipped;   // stretches at a rail in either channel, in order
+    std::vector<PhaseStep> steps;      // lost and doubled samples, in order
+};
+
+// Looks for missing samples, clipping and lost samples as the samples come by.
+class FaultCheck {
+public:
+    // Without a carrier, lost samples are not looked for.
+    FaultCheck(std::optional<double> f0_hz, double rate_hz);
+
+    // The next frames, in order.
+    void add(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
+    // Ends the check.
+    SampleFaults finish();
+
+private:
+    double rate_hz_;
+    std::int64_t missing_ = 0;  // samples of both channels
+    std::int64_t frames_with_missing_ = 0;
+    std::int64_t first_missing_ = -1;
+    std::array<ClippingCheck, 2> clipping_;
+    std::optional<PhaseStepCheck> steps_;
+};
+
+// The faults alone. Reads the source once, front to back. Errors: those of the source, interrupted.
+Result<SampleFaults> find_faults(const SampleSource& source, double rate_hz,
+                                 std::optional<double> f0_hz, const JobControl& job);
+
+// What the samples tell about how they were recorded (METHOD section 7): their faults, offsets
+// above 0.5 % of the amplitude, lines of the mains and a start that does not decay as what follows.
+// Reads the source once, front to back; reports and repairs nothing. Errors: those of the source,
+// interrupted.
+Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
+                                     std::optional<double> f0_hz, const JobControl& job);
+
+}  // namespace vybeg

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/track/track.h"
+
+#include <cstddef>
+#include <span>
+
+namespace vybeg {
+
+// Consecutive rows of a track that get a flag after they were made: what speaks against them was
+// known only when everything had been read.
+struct FlaggedRows {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    Flag flag{};
+
+    friend bool operator==(const FlaggedRows&, const FlaggedRows&) = default;
+};
+
+// Rows beyond the track's end are left out.
+void set_flags(Track& track, std::span<const FlaggedRows> flagged);
+
+}  // namespace vybeg
