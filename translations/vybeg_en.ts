@@ -19,6 +19,26 @@
         </message>
     </context>
     <context>
+        <name>vybeg::ui::CheckList</name>
+        <message numerus="yes">
+            <source>Recording check: %n finding(s)</source>
+            <translation>
+                <numerusform>Recording check: %n finding</numerusform>
+                <numerusform>Recording check: %n findings</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::Document</name>
+        <message numerus="yes">
+            <source>%n more finding(s) in the recording check.</source>
+            <translation>
+                <numerusform>%n more finding in the recording check.</numerusform>
+                <numerusform>%n more findings in the recording check.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>vybeg::ui::EventsPanel</name>
         <message numerus="yes">
             <source>%1: %n event(s)</source>

@@ -191,7 +191,7 @@
             <translation>Сравнить &amp;окна…</translation>
         </message>
         <message>
-            <source>The article's figure: one column per window length</source>
+            <source>The article&apos;s figure: one column per window length</source>
             <translation>Рисунок из статьи: столбец на каждую длину окна</translation>
         </message>
         <message>
@@ -264,6 +264,10 @@
             <source>Not converged, %1 s</source>
             <translation>Нет сходимости, %1 с</translation>
         </message>
+        <message>
+            <source>Clipped, %1 s</source>
+            <translation>Ограничение, %1 с</translation>
+        </message>
     </context>
     <context>
         <name>Flag</name>
@@ -286,6 +290,10 @@
         <message>
             <source>frequency at its bound</source>
             <translation>частота на границе поиска</translation>
+        </message>
+        <message>
+            <source>samples at the rail</source>
+            <translation>отсчёты на пределе шкалы</translation>
         </message>
     </context>
     <context>
@@ -386,7 +394,7 @@
     <context>
         <name>Message</name>
         <message>
-            <source>%2 cannot be "%3": %4.</source>
+            <source>%2 cannot be &quot;%3&quot;: %4.</source>
             <translation>Недопустимое значение «%3» параметра %2: %4.</translation>
         </message>
         <message>
@@ -418,7 +426,7 @@
             <translation>%1: файл %2 повреждён: %3. Скопируйте его заново.</translation>
         </message>
         <message>
-            <source>%1, line %2, column %3: "%4" is not a number. Correct it, or write nan for a missing sample.</source>
+            <source>%1, line %2, column %3: &quot;%4&quot; is not a number. Correct it, or write nan for a missing sample.</source>
             <translation>%1, строка %2, столбец %3: «%4» — не число. Исправьте его или напишите nan на месте потерянного отсчёта.</translation>
         </message>
         <message>
@@ -486,7 +494,7 @@
             <translation>Не удалось записать %1: %2. Прежнее содержимое не изменено.</translation>
         </message>
         <message>
-            <source>%1: the ending "%2" is not one that can be written here.</source>
+            <source>%1: the ending &quot;%2&quot; is not one that can be written here.</source>
             <translation>%1: запись в файл с окончанием «%2» здесь невозможна.</translation>
         </message>
         <message>
@@ -534,8 +542,40 @@
             <translation>%1: файл %2 содержит %3, здесь это не читается. Сохраните запись в WAV или CSV.</translation>
         </message>
         <message>
-            <source>%1: there is no variable "%2" to read; the file has %3. Choose others with --variables.</source>
+            <source>%1: there is no variable &quot;%2&quot; to read; the file has %3. Choose others with --variables.</source>
             <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие (--variables).</translation>
+        </message>
+        <message>
+            <source>Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged.</source>
+            <translation>Канал %1 ограничен: на пределе шкалы (%3) отсчётов: %2. Окна с ними помечены.</translation>
+        </message>
+        <message>
+            <source>Samples lost: %1 at %2 s. Windows over the place are flagged.</source>
+            <translation>Потеряно отсчётов: %1, на %2 с. Окна над этим местом помечены.</translation>
+        </message>
+        <message>
+            <source>Samples doubled: %1 at %2 s. Windows over the place are flagged.</source>
+            <translation>Повторено отсчётов: %1, на %2 с. Окна над этим местом помечены.</translation>
+        </message>
+        <message>
+            <source>Samples were lost or doubled at %1 more places.</source>
+            <translation>Отсчёты потеряны или повторены ещё в стольких местах: %1.</translation>
+        </message>
+        <message>
+            <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out (--offset auto).</source>
+            <translation>В канале %1 постоянное смещение %2, %3 % амплитуды. Его убирает калибровка (--offset auto).</translation>
+        </message>
+        <message>
+            <source>A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out (--filter).</source>
+            <translation>Сетевая наводка на %1 Гц, %2 % несущей. Её убирает полосовой фильтр (--filter).</translation>
+        </message>
+        <message>
+            <source>The first %1 s do not decay as what follows. The range can leave them out (--from).</source>
+            <translation>Первые %1 с затухают не так, как дальнейшее. Их можно исключить диапазоном (--from).</translation>
+        </message>
+        <message>
+            <source>%1 lost samples at %2 places were made gaps, as asked for; windows over them have no values.</source>
+            <translation>По запросу на месте потерянных отсчётов сделаны пропуски (отсчётов: %1, мест: %2); окна над ними без значений.</translation>
         </message>
     </context>
     <context>
@@ -678,8 +718,16 @@
             <translation>Сдвиги по самим сигналам</translation>
         </message>
         <message>
-            <source>Each channel's mean over whole periods of the carrier</source>
+            <source>Each channel&apos;s mean over whole periods of the carrier</source>
             <translation>Среднее каждого канала по целому числу периодов несущей</translation>
+        </message>
+        <message>
+            <source>Make gaps of lost samples</source>
+            <translation>Пропуски вместо потерянных отсчётов</translation>
+        </message>
+        <message>
+            <source>Where the recording check finds lost samples, as many missing ones are put in, so that time runs on behind them. Windows over them have no values.</source>
+            <translation>Там, где проверка записи находит потерянные отсчёты, вставляется столько же отсутствующих, и время за ними идёт верно. Окна над ними остаются без значений.</translation>
         </message>
     </context>
     <context>
@@ -693,7 +741,7 @@
             <translation>Гц</translation>
         </message>
         <message>
-            <source>Carrier of the whole recording, around which each window looks for its ω by (7), (25). Empty: the peak common to both channels' spectra.</source>
+            <source>Carrier of the whole recording, around which each window looks for its ω by (7), (25). Empty: the peak common to both channels&apos; spectra.</source>
             <translation>Несущая частота всей записи, вокруг которой каждое окно ищет свою ω по (7), (25). Пусто: общий максимум спектров обоих каналов.</translation>
         </message>
         <message>
@@ -739,6 +787,33 @@
         <message>
             <source>auto</source>
             <translation>авто</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::CheckList</name>
+        <message>
+            <source>Recording check</source>
+            <translation>Проверка записи</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 с</translation>
+        </message>
+        <message>
+            <source>Recording check: reading…</source>
+            <translation>Проверка записи: чтение…</translation>
+        </message>
+        <message>
+            <source>Recording check: nothing found</source>
+            <translation>Проверка записи: замечаний нет</translation>
+        </message>
+        <message numerus="yes">
+            <source>Recording check: %n finding(s)</source>
+            <translation>
+                <numerusform>Проверка записи: %n замечание</numerusform>
+                <numerusform>Проверка записи: %n замечания</numerusform>
+                <numerusform>Проверка записи: %n замечаний</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -793,6 +868,17 @@
         <message>
             <source>Reason</source>
             <translation>Причина</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::Document</name>
+        <message numerus="yes">
+            <source>%n more finding(s) in the recording check.</source>
+            <translation>
+                <numerusform>В проверке записи ещё %n замечание.</numerusform>
+                <numerusform>В проверке записи ещё %n замечания.</numerusform>
+                <numerusform>В проверке записи ещё %n замечаний.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -1322,10 +1408,6 @@
             <source>SHA-256</source>
             <translation>SHA-256</translation>
         </message>
-        <message>
-            <source>Notes</source>
-            <translation>Примечания</translation>
-        </message>
     </context>
     <context>
         <name>vybeg::ui::RunList</name>
@@ -1467,7 +1549,7 @@
             <translation>Начальное приближение сопряжённого градиента в каждом окне: формулы (15), (18) алгоритма 1, результат предыдущего окна или свои значения.</translation>
         </message>
         <message>
-            <source>Start value of the functional F's parameter, in the notation of (6).</source>
+            <source>Start value of the functional F&apos;s parameter, in the notation of (6).</source>
             <translation>Начальное значение параметра функционала F в обозначениях (6).</translation>
         </message>
         <message>
@@ -1543,8 +1625,8 @@ Open a recording and press Run.</source>
     <context>
         <name>vybeg::ui::WelcomePage</name>
         <message>
-            <source>&lt;p style='font-size:large'&gt;Drop a recording of a free decay here&lt;/p&gt;&lt;p&gt;Two channels, C and D: WAV, FLAC, CSV and other tables of numbers&lt;/p&gt;</source>
-            <translation>&lt;p style='font-size:large'&gt;Перетащите сюда запись свободного выбега&lt;/p&gt;&lt;p&gt;Два канала, C и D: WAV, FLAC, CSV и другие таблицы чисел&lt;/p&gt;</translation>
+            <source>&lt;p style=&apos;font-size:large&apos;&gt;Drop a recording of a free decay here&lt;/p&gt;&lt;p&gt;Two channels, C and D: WAV, FLAC, CSV and other tables of numbers&lt;/p&gt;</source>
+            <translation>&lt;p style=&apos;font-size:large&apos;&gt;Перетащите сюда запись свободного выбега&lt;/p&gt;&lt;p&gt;Два канала, C и D: WAV, FLAC, CSV и другие таблицы чисел&lt;/p&gt;</translation>
         </message>
         <message>
             <source>Open recording…</source>

@@ -98,6 +98,16 @@ void AnalysisJob::findCarrier(int key, const Recording& recording, const Setting
         std::move(done));
 }
 
+void AnalysisJob::inspect(int key, const Recording& recording, const Settings& settings,
+                          std::function<void(Result<SampleFaults>)> done) {
+    start<SampleFaults>(
+        others_, {Kind::check, key},
+        [recording, settings](std::stop_token stop) {
+            return vybeg::inspect(recording, settings, JobControl(stop));
+        },
+        std::move(done));
+}
+
 JobControl AnalysisJob::reporting(int key, std::stop_token stop) {
     QElapsedTimer started;
     started.start();

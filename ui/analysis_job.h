@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/analyse.h"
+#include "core/analysis/inspect.h"
 #include "core/recording/envelope.h"
 #include "core/recording/open_recording.h"
 #include "core/track/events.h"
@@ -45,6 +46,9 @@ public:
     void hash(int key, const QString& path, std::function<void(Result<std::string>)> done);
     void findCarrier(int key, const Recording& recording, const Settings& settings,
                      std::function<void(Result<double>)> done);
+    // The recording check over the whole recording.
+    void inspect(int key, const Recording& recording, const Settings& settings,
+                 std::function<void(Result<SampleFaults>)> done);
     void analyse(int key, const Recording& recording, const Settings& settings,
                  std::function<void(Result<AnalysisOutcome>)> done);
 
@@ -64,7 +68,7 @@ signals:
     void analysisStarted(int key);
 
 private:
-    enum class Kind { open, envelope, hash, carrier, analysis, write };
+    enum class Kind { open, envelope, hash, carrier, check, analysis, write };
     struct Task {
         quint64 generation = 0;
         std::stop_source stop;

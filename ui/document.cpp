@@ -135,6 +135,7 @@ void Document::whenOpened(int id, Result<Recording> result) {
                            }
                        });
     searchCarrier(id);
+    checkSamples(id);
     for (const Diagnostic& diagnostic : entry->recording->diagnostics) {
         if (diagnostic.kind != DiagnosticKind::text_lines_ignored) {
             emit reported({Severity::warning,
@@ -201,6 +202,35 @@ void Document::searchCarrier(int id) {
                 emit carrierChanged();
             }
         }
+    });
+}
+
+void Document::checkSamples(int id) {
+    const Recording& recording = *find(id)->recording;
+    const std::size_t known = recording.diagnostics.size();
+    job_.inspect(id, recording, settings_, [this, id, known](Result<SampleFaults> faults) {
+        RecordingEntry* checked = find(id);
+        if (!checked || !faults) {
+            return;  // a file that cannot be read is told of by its envelope
+        }
+        checked->faults = std::move(*faults);
+        emit recordingChanged(id);
+        const std::vector<Diagnostic>& findings = checked->faults->findings;
+        if (findings.size() == known) {
+            return;
+        }
+        const auto more = static_cast<int>(findings.size() - known) - 1;
+        emit reported({Severity::warning,
+                       [name = checked->name, first = findings[known], more] {
+                           const QString text =
+                               QStringLiteral("%1: %2").arg(name, diagnosticText(first));
+                           return more == 0 ? text
+                                            : text + QLatin1Char(' ') +
+                                                  tr("%n more finding(s) in the recording check.",
+                                                     nullptr, more);
+                       },
+                       {},
+                       {}});
     });
 }
 

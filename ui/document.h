@@ -27,6 +27,7 @@ struct RecordingEntry {
     std::optional<double> f0_hz;  // once the search has found it
     QString sha256;               // once it is computed
     std::shared_ptr<const Envelope> envelope;
+    std::optional<SampleFaults> faults;  // once the recording check is through
 };
 
 // A run, where it comes from, and what was made of it in the background.
@@ -125,6 +126,7 @@ private:
     RecordingEntry* find(int id);
     void whenOpened(int id, Result<Recording> result);
     void searchCarrier(int id);
+    void checkSamples(int id);
     void ask(int recording_id, const Settings& settings, int batch);
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
     int addRun(const Request& request, const AnalysisOutcome& outcome);

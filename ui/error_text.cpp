@@ -13,9 +13,21 @@ namespace vybeg::ui {
 
 namespace {
 
+// A decimal fraction with the interface's decimal sign; anything else as it is.
+QString localisedNumber(QString text) {
+    static const QRegularExpression fraction(QStringLiteral("^-?\\d+\\.\\d+(e[-+]?\\d+)?$"));
+    return fraction.match(text).hasMatch()
+               ? text.replace(QLatin1Char('.'), QLocale().decimalPoint())
+               : text;
+}
+
 QString filled(const char* text, const std::vector<std::string>& args) {
     const QString translated = QCoreApplication::translate("Message", text);
-    return QString::fromStdString(fill_template(translated.toStdString(), args));
+    std::vector<std::string> localised;
+    for (const std::string& arg : args) {
+        localised.push_back(localisedNumber(QString::fromStdString(arg)).toStdString());
+    }
+    return QString::fromStdString(fill_template(translated.toStdString(), localised));
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ void MainWindow::buildDocks() {
     // The tabs say what the title bar would say.
     readings->setTitleBarWidget(new QWidget(readings));
     auto* runs = dock(runs_, "runs", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea);
-    resizeDocks({recordings, settings}, {220, 480}, Qt::Vertical);
+    resizeDocks({recordings, settings}, {340, 420}, Qt::Vertical);
     resizeDocks({settings, readings}, {300, 270}, Qt::Horizontal);
     resizeDocks({runs}, {130}, Qt::Vertical);
 }
@@ -161,6 +161,7 @@ void MainWindow::connectDocument() {
 void MainWindow::connectViews() {
     connect(welcome_, &WelcomePage::openWanted, this, &MainWindow::askForFiles);
     connect(messages_, &MessageBar::reopenWanted, this, &MainWindow::askForOptions);
+    connect(recordings_, &RecordingPanel::placeChosen, this, &MainWindow::goToEvent);
     connect(recordings_, &RecordingPanel::reopenWanted, this, &MainWindow::askForOptions);
     connect(settings_, &SettingsPanel::visibleRangeWanted, this, [this] {
         const AxisRange range = tracks_->timeRange();

@@ -1,5 +1,6 @@
 #include "ui/recording_panel.h"
 
+#include "ui/check_list.h"
 #include "ui/error_text.h"
 
 #include <QAction>
@@ -90,7 +91,10 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     layout->setContentsMargins(2, 2, 2, 2);
     layout->setSpacing(2);
     layout->addWidget(list_, 1);
-    layout->addWidget(scroll, 2);
+    layout->addWidget(scroll, 3);
+    check_ = new CheckList(this);
+    layout->addWidget(check_, 2);
+    connect(check_, &CheckList::placeChosen, this, &RecordingPanel::placeChosen);
 
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
         if (row >= 0) {
@@ -122,7 +126,11 @@ void RecordingPanel::rebuildList() {
         auto* item = new QListWidgetItem(text, list_);
         item->setData(Qt::UserRole, entry.id);
         item->setToolTip(QDir::toNativeSeparators(entry.path));
-        if (entry.recording && std::ranges::any_of(entry.recording->diagnostics, isWorthAWarning)) {
+        const bool doubtful =
+            entry.faults ? std::ranges::any_of(entry.faults->findings, isWorthAWarning)
+                         : entry.recording &&
+                               std::ranges::any_of(entry.recording->diagnostics, isWorthAWarning);
+        if (doubtful) {
             item->setIcon(style()->standardIcon(QStyle::SP_MessageBoxWarning));
         }
         if (document_.currentRecording() && document_.currentRecording()->id == entry.id) {
@@ -139,6 +147,7 @@ void RecordingPanel::refreshInfo() {
     const RecordingEntry* entry = document_.currentRecording();
     const bool known = entry && entry->recording;
     info_->parentWidget()->setVisible(known);
+    check_->setVisible(known);
     if (!known) {
         return;
     }
@@ -168,11 +177,11 @@ void RecordingPanel::refreshInfo() {
     set(carrier, entry->f0_hz ? tr("%1 Hz").arg(locale.toString(*entry->f0_hz, 'f', 4))
                               : QStringLiteral("…"));
     set(sha256, entry->sha256.isEmpty() ? QStringLiteral("…") : breakable(entry->sha256));
-    QStringList sentences;
-    for (const Diagnostic& diagnostic : recording.diagnostics) {
-        sentences << diagnosticText(diagnostic);
+    if (entry->faults) {
+        check_->setFindings(entry->faults->findings, recording.rate_hz);
+    } else {
+        check_->setRunning();
     }
-    set(notes, sentences.join(QLatin1Char('\n')));
 }
 
 void RecordingPanel::changeEvent(QEvent* event) {
@@ -186,9 +195,8 @@ void RecordingPanel::retranslate() {
     list_->setAccessibleName(tr("Open recordings"));
     close_->setText(tr("Close recording"));
     reopen_->setText(tr("Open with options…"));
-    const QString texts[row_count] = {tr("File"),   tr("Format"),   tr("Rate"),
-                                      tr("Length"), tr("Channels"), tr("Start"),
-                                      tr("f₀"),     tr("SHA-256"),  tr("Notes")};
+    const QString texts[row_count] = {tr("File"),     tr("Format"), tr("Rate"), tr("Length"),
+                                      tr("Channels"), tr("Start"),  tr("f₀"),   tr("SHA-256")};
     for (int row = 0; row < row_count; ++row) {
         names_[static_cast<std::size_t>(row)]->setText(texts[row]);
         values_[static_cast<std::size_t>(row)]->setAccessibleName(texts[row]);

@@ -186,6 +186,13 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
         settings.calibration.offset_auto = automatic;
         emit edited(settings);
     });
+    repair_lost_ = new QCheckBox(this);
+    addWide(repair_lost_);
+    connect(repair_lost_, &QCheckBox::clicked, this, [this](bool wanted) {
+        Settings settings = state().settings;
+        settings.repair_lost = wanted;
+        emit edited(settings);
+    });
     retranslate();
 }
 
@@ -198,10 +205,15 @@ void CalibrationFields::edit(double Calibration::*member, double value) {
 void CalibrationFields::retranslate() {
     offset_auto_->setText(tr("Take the offsets from the signals"));
     offset_auto_->setToolTip(tr("Each channel's mean over whole periods of the carrier"));
+    repair_lost_->setText(tr("Make gaps of lost samples"));
+    repair_lost_->setToolTip(
+        tr("Where the recording check finds lost samples, as many missing ones are put in, so that "
+           "time runs on behind them. Windows over them have no values."));
     SettingsFields::retranslate();
 }
 
 void CalibrationFields::refresh() {
+    repair_lost_->setChecked(state().settings.repair_lost);
     const Calibration& calibration = state().settings.calibration;
     kappa_->setValue(calibration.kappa);
     offset_c_->setValue(calibration.offset_c);

@@ -69,6 +69,7 @@ private:
     NumberField* offset_c_;
     NumberField* offset_d_;
     QCheckBox* offset_auto_;
+    QCheckBox* repair_lost_;
     NumberField* delay_;
     NumberField* angle_zero_;
 };

@@ -154,16 +154,14 @@ const char* message_template(DiagnosticKind kind) {
             return VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.");
         case DiagnosticKind::clipped:
             return VYBEG_MESSAGE("Message",
-                                 "Channel %1 is clipped: %2 samples lie at its rail, %3; windows "
-                                 "over them are flagged.");
+                                 "Channel %1 is clipped: %2 samples at its rail, %3. Windows over "
+                                 "them are flagged.");
         case DiagnosticKind::samples_lost:
             return VYBEG_MESSAGE("Message",
-                                 "Samples lost: %1 at %2 s (both phases jump there); windows over "
-                                 "them are flagged.");
+                                 "Samples lost: %1 at %2 s. Windows over the place are flagged.");
         case DiagnosticKind::samples_doubled:
-            return VYBEG_MESSAGE("Message",
-                                 "Samples doubled: %1 at %2 s (both phases jump there); windows "
-                                 "over them are flagged.");
+            return VYBEG_MESSAGE(
+                "Message", "Samples doubled: %1 at %2 s. Windows over the place are flagged.");
         case DiagnosticKind::more_samples_lost:
             return VYBEG_MESSAGE("Message", "Samples were lost or doubled at %1 more places.");
         case DiagnosticKind::offset:

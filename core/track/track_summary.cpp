@@ -24,7 +24,7 @@ TrackSummary summarise(const Track& track, double independent) {
     double errors = 0;
     for (std::size_t k = 0; k < track.rows(); ++k) {
         summary.flagged += (flags[k] & static_cast<Flags>(~harmless)) != 0 ? 1 : 0;
-        if (std::isfinite(f[k])) {
+        if (std::isfinite(f[k]) && !has(flags[k], Flag::gap)) {
             count += 1;
             const double step = f[k] - mean;
             mean += step / count;

@@ -10,7 +10,7 @@ namespace vybeg {
 struct TrackSummary {
     std::size_t windows = 0;
     std::size_t flagged = 0;  // windows with a reason other than no_quadrature
-    double mean_f_hz = 0;     // NaN where no window has a frequency
+    double mean_f_hz = 0;     // of the windows without Flag::gap; NaN where none has a frequency
     double sd_mean_f_hz = 0;  // from the scatter between windows; NaN for fewer than two windows
     double rms = 0;           // root of the mean of F over the windows, recording units; NaN: none
 };

@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace vybeg;
@@ -37,6 +38,38 @@ private slots:
             return current->envelope && current->sha256.size() == 64 && current->f0_hz;
         }));
         QVERIFY(std::abs(*document.currentRecording()->f0_hz - 1000) < 0.01);
+    }
+
+    void the_recording_check_finds_lost_samples_and_flags_their_windows() {
+        QByteArray text = "# fs = 8000 Hz\nC,D\n";
+        for (int j = 0; j < 16000; ++j) {
+            if (j != 8000) {
+                const double x = std::cos(0.8 * j + 1);
+                const double noise = 1e-3 * std::sin(1.7 * j * j);
+                text += QByteArray::number(0.9 * x + noise) + ',' +
+                        QByteArray::number(0.4 * x - noise) + '\n';
+            }
+        }
+        Document document;
+        QStringList messages;
+        connect(&document, &Document::reported, this,
+                [&](const Message& message) { messages << message.text(); });
+        OpenOptions options;
+        options.rate_hz = 8000;
+        document.open({home_.file("lost.csv", text)}, options);
+        QVERIFY(idle(document, 1));
+        const auto checked = [&] { return document.currentRecording()->faults.has_value(); };
+        QVERIFY(QTest::qWaitFor(checked));
+        const SampleFaults& faults = *document.currentRecording()->faults;
+        QCOMPARE(faults.steps.size(), std::size_t(1));
+        QVERIFY(std::abs(faults.steps[0].frame - 8000) <= 1);
+        QCOMPARE(messages.filter("lost.csv: Samples lost: 1 at ").size(), 1);
+        const auto gaps = [&] {
+            return std::ranges::count_if(document.runs().back().run.analysis->track.flags(),
+                                         [](Flags flags) { return has(flags, Flag::gap); });
+        };
+        QCOMPARE(gaps(), 1);
+        QCOMPARE(document.runs().back().events.front().kind, EventKind::gap);
     }
 
     void several_recordings_are_open_at_once_and_each_has_its_run() {

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QTextBrowser;
+class QUrl;
+
+namespace vybeg::ui {
+
+// What the recording check found, with the places. Choosing a place goes there.
+class CheckList : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CheckList(QWidget* parent = nullptr);
+
+    // The check still runs.
+    void setRunning();
+    void setFindings(const std::vector<Diagnostic>& findings, double rate_hz);
+
+signals:
+    void placeChosen(double time_s, double seconds);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+    void choose(const QUrl& link);
+    double seconds(std::int64_t frames) const { return static_cast<double>(frames) / rate_hz_; }
+
+    QLabel* title_;
+    QTextBrowser* list_;
+    std::vector<Diagnostic> findings_;
+    double rate_hz_ = 1;
+    bool running_ = true;
+};
+
+}  // namespace vybeg::ui
