@@ -20,6 +20,9 @@ public:
 
     virtual std::int64_t size() const = 0;
 
+    // Whether any bytes can be read without going through those before them first.
+    virtual bool seeks() const { return true; }
+
     // Fills `out` with the bytes from `offset` on. Precondition: they lie in [0, size()). Errors:
     // file_read_failed, format_damaged.
     virtual Status read(std::int64_t offset, std::span<char> out) const = 0;

@@ -24,6 +24,7 @@ public:
           delay_(delay_samples) {}
 
     std::int64_t frames() const override { return source_->frames(); }
+    bool seeks() const override { return source_->seeks(); }
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
         const Status status = delayed_ ? read_delayed(first, c, d) : source_->read(first, c, d);

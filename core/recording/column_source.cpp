@@ -84,6 +84,7 @@ public:
         : c_(std::move(c)), d_(std::move(d)), frames_(std::min(c_.frames(), d_.frames())) {}
 
     std::int64_t frames() const override { return frames_; }
+    bool seeks() const override { return c_.bytes->seeks() && d_.bytes->seeks(); }
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
         std::vector<char> bytes;

@@ -77,6 +77,7 @@ public:
     }
 
     std::int64_t frames() const override { return source_->frames(); }
+    bool seeks() const override { return source_->seeks(); }
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
         const std::int64_t end = first + std::ssize(c);

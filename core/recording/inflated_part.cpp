@@ -88,6 +88,7 @@ public:
                             part_.size / static_cast<std::int64_t>(spread_states) + 1)) {}
 
     std::int64_t size() const override { return part_.size; }
+    bool seeks() const override { return false; }
 
     Status read(std::int64_t offset, std::span<char> out) const override {
         const std::lock_guard lock(mutex_);

@@ -20,6 +20,9 @@ public:
 
     virtual std::int64_t frames() const = 0;
 
+    // Whether any frames can be read without going through those before them first.
+    virtual bool seeks() const { return true; }
+
     // Fills c and d, which have equal length, with the frames [first, first + length), in recording
     // units. A missing sample is NaN. Precondition: the frames lie in [0, frames()).
     virtual Status read(std::int64_t first, std::span<double> c, std::span<double> d) const = 0;

@@ -15,6 +15,7 @@ public:
         : reader_(std::move(reader)), c_(c), d_(d), frames_(frames) {}
 
     std::int64_t frames() const override { return frames_; }
+    bool seeks() const override { return false; }  // a packed variable is unpacked from its start
 
     // In turn, so that what the library has decoded for C serves D.
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {

@@ -1,7 +1,9 @@
-#include "core/recording/envelope.h"
+#include "core/recording/envelope_builder.h"
 #include "tests/core/recording/source_reading.h"
 
 #include <QTest>
+
+#include <numeric>
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -52,7 +54,7 @@ bool same(const EnvelopeBucket& a, const EnvelopeBucket& b) {
 }
 
 std::shared_ptr<const Envelope> envelope_of(const Samples& samples) {
-    return *Envelope::build(*source_of(samples), JobControl());
+    return *build_envelope(*source_of(samples), JobControl());
 }
 
 // Remembers where it was read.
@@ -69,12 +71,44 @@ public:
         return {};
     }
 
+    bool seeks() const override { return seeking; }
+
+    bool seeking = true;
     mutable bool in_order = true;
     mutable std::int64_t next = 0;
     mutable std::int64_t longest = 0;
 
 private:
     std::int64_t frames_;
+};
+
+// C counts the frames.
+class RisingSource final : public SampleSource {
+public:
+    explicit RisingSource(std::int64_t frames) : frames_(frames) {}
+    std::int64_t frames() const override { return frames_; }
+    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
+        std::iota(c.begin(), c.end(), static_cast<double>(first));
+        std::ranges::fill(d, 0.0);
+        looked += c.size() < 1000 ? std::ssize(c) : 0;
+        return {};
+    }
+
+    mutable std::int64_t looked = 0;  // in reads of less than 1000 frames
+
+private:
+    std::int64_t frames_;
+};
+
+// Pictures of a growing envelope, with a clock that goes on by one step whenever it is read.
+struct Pictures {
+    explicit Pictures(double clock_step_s)
+        : job({}, {}, [this, clock_step_s] { return time_s += clock_step_s; }) {}
+
+    double time_s = 0;
+    JobControl job;
+    std::vector<std::shared_ptr<const Envelope>> taken;
+    EnvelopeSink sink = [this](auto picture) { taken.push_back(std::move(picture)); };
 };
 
 }  // namespace
@@ -141,7 +175,7 @@ private slots:
 
     void the_source_is_read_once_front_to_back_in_pieces() {
         const WatchedSource source(1'000'003);
-        QVERIFY(bool(Envelope::build(source, JobControl())));
+        QVERIFY(bool(build_envelope(source, JobControl())));
         QVERIFY(source.in_order);
         QCOMPARE(source.next, source.frames());
         QVERIFY(source.longest <= 100'000);
@@ -150,7 +184,7 @@ private slots:
     void progress_rises_to_one() {
         std::vector<double> reported;
         const JobControl job({}, [&](double fraction) { reported.push_back(fraction); });
-        QVERIFY(bool(Envelope::build(WatchedSource(1'000'003), job)));
+        QVERIFY(bool(build_envelope(WatchedSource(1'000'003), job)));
         QVERIFY(reported.size() > 5);
         QVERIFY(std::ranges::is_sorted(reported));
         QVERIFY(reported.front() > 0);
@@ -165,14 +199,104 @@ private slots:
             }
         });
         const WatchedSource source(1'000'003);
-        const auto result = Envelope::build(source, job);
+        const auto result = build_envelope(source, job);
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::interrupted);
         QVERIFY(source.next < source.frames() / 2);
     }
 
+    void it_is_shown_as_it_grows() {
+        const Samples samples = holed_noise(1'000'003, 5);
+        const auto source = source_of(samples);
+        Pictures pictures(0.05);
+        const auto whole = build_envelope(*source, pictures.job, pictures.sink);
+        QVERIFY((*whole)->whole());
+        QVERIFY(pictures.taken.size() > 3);
+        std::int64_t read_before = -1;
+        for (const auto& picture : pictures.taken) {
+            QCOMPARE(picture->frames(), std::int64_t{1'000'003});
+            QVERIFY(!picture->whole());
+            // Front to back: where all has been read the values are those of the end.
+            std::int64_t read = 0;
+            while (read < 1'000'000 &&
+                   picture->buckets(read, read + 8, 1).at(0).coverage == Coverage::all) {
+                QVERIFY(same(picture->buckets(read, read + 8, 1).at(0),
+                             by_brute_force(samples, read / 16 * 16, read / 16 * 16 + 16)));
+                read += 10'000;
+            }
+            QVERIFY(read > read_before);
+            QVERIFY(read < 1'000'000);
+            read_before = read;
+        }
+    }
+
+    void a_first_look_is_spread_over_the_whole_recording() {
+        constexpr std::int64_t frames = 10'000'000;
+        constexpr int columns = 100;
+        const RisingSource source(frames);
+        Pictures pictures(0);
+        QVERIFY(bool(build_envelope(source, pictures.job, pictures.sink)));
+        const auto buckets = pictures.taken.at(0)->buckets(0, frames, columns);
+        for (int i = 0; i < columns; ++i) {
+            // 2048 parts: a column holds 20 of them, each known by its beginning.
+            QVERIFY(buckets[i].coverage == Coverage::some);
+            QVERIFY(std::abs(static_cast<double>(buckets[i].c_min) - 1e5 * i) <= 1e4);
+            QVERIFY(std::abs(static_cast<double>(buckets[i].c_max) - 1e5 * (i + 1)) <= 1e4);
+        }
+        // 2048 looks of 256 frames.
+        QVERIFY(source.looked <= frames / 16);
+    }
+
+    void a_slow_disk_gives_a_coarser_first_look_or_none() {
+        constexpr std::int64_t frames = 10'000'000;
+        // 0.3 s for looks of 1.5 ms: 128 are ready in time, 256 are not. Of 10 ms: not even 64.
+        for (const auto& [clock_step_s, parts] : {std::pair{0.0015, 128}, {0.010, 0}}) {
+            const RisingSource source(frames);
+            Pictures pictures(clock_step_s);
+            QVERIFY(bool(build_envelope(source, pictures.job, pictures.sink)));
+            const auto buckets = pictures.taken.at(0)->buckets(frames / 2, frames, 1000);
+            std::vector<float> different;
+            for (const EnvelopeBucket& bucket : buckets) {
+                QVERIFY(bucket.coverage == (parts > 0 ? Coverage::some : Coverage::none));
+                if (parts > 0) {
+                    different.push_back(bucket.c_min);
+                }
+            }
+            const auto rest = std::ranges::unique(different);
+            QCOMPARE(std::distance(different.begin(), rest.begin()), parts / 2);
+        }
+    }
+
+    void a_source_that_cannot_seek_is_not_looked_at_in_advance() {
+        WatchedSource source(10'000'000);
+        source.seeking = false;
+        Pictures pictures(0.02);
+        QVERIFY(bool(build_envelope(source, pictures.job, pictures.sink)));
+        QVERIFY(source.in_order);
+        QVERIFY(pictures.taken.size() > 3);
+        const auto last = pictures.taken.at(0)->buckets(9'999'000, 10'000'000, 1);
+        QVERIFY(last.at(0).coverage == Coverage::none);
+        QVERIFY(std::isnan(last.at(0).c_min));
+    }
+
+    void a_picture_keeps_what_it_showed() {
+        const Samples samples = noise(2'000'000, 6);
+        Pictures pictures(0.05);
+        const auto source = source_of(samples);
+        std::vector<EnvelopeBucket> then;
+        const auto whole = build_envelope(*source, pictures.job, [&](const auto& picture) {
+            pictures.sink(picture);
+            if (pictures.taken.size() == 2) {
+                then = picture->buckets(0, 2'000'000, 50);
+            }
+        });
+        const auto now = pictures.taken.at(1)->buckets(0, 2'000'000, 50);
+        QVERIFY(std::ranges::equal(then, now, same));
+        QVERIFY(!std::ranges::equal(now, (*whole)->buckets(0, 2'000'000, 50), same));
+    }
+
     void errors_of_the_source_are_passed_on() {
-        const auto result = Envelope::build(FailingSource(100), JobControl());
+        const auto result = build_envelope(FailingSource(100), JobControl());
         QVERIFY(!result);
         QCOMPARE(result.error(), FailingSource::error());
     }
