@@ -18,41 +18,66 @@ std::filesystem::path toPath(const QString& path) {
     return std::filesystem::path(path.toStdU16String());
 }
 
+// Gives the memory of a long recording's results back in the background: that takes longer than the
+// window may stand still.
+template <class Value>
+std::shared_ptr<const Value> freedInBackground(std::shared_ptr<const Value> value) {
+    const Value* place = value.get();
+    return {place, [value = std::move(value)](const Value*) mutable {
+                QThreadPool::globalInstance()->start([value = std::move(value)] {});
+            }};
+}
+
+// Seconds from now on.
+std::function<double()> stopwatch() {
+    QElapsedTimer started;
+    started.start();
+    return [started] { return 1e-9 * static_cast<double>(started.nsecsElapsed()); };
+}
+
 }  // namespace
 
 AnalysisJob::AnalysisJob(QObject* parent) : QObject(parent) {
+    // More than processors: most of them wait for a disk, and none may keep a file from opening.
+    openings_.setMaxThreadCount(4);
     analyses_.setMaxThreadCount(1);
-    others_.setMaxThreadCount(2);
+    others_.setMaxThreadCount(4);
 }
 
 AnalysisJob::~AnalysisJob() {
     for (auto& [id, task] : tasks_) {
         task.stop.request_stop();
     }
-    analyses_.clear();
-    others_.clear();
-    analyses_.waitForDone();
-    others_.waitForDone();
+    for (QThreadPool* pool : {&openings_, &analyses_, &others_}) {
+        pool->clear();
+    }
+    for (QThreadPool* pool : {&openings_, &analyses_, &others_}) {
+        pool->waitForDone();
+    }
+}
+
+bool AnalysisJob::isStale(const Ticket& ticket) const {
+    const auto found = tasks_.find(ticket.id);
+    return found == tasks_.end() || found->second.generation != ticket.generation;
 }
 
 template <class Value>
 void AnalysisJob::start(QThreadPool& pool, TaskId id,
-                        std::function<Result<Value>(std::stop_token)> work,
+                        std::function<Result<Value>(const Ticket&)> work,
                         std::function<void(Result<Value>)> done) {
     Task& task = tasks_[id];
     task.stop.request_stop();
     task = Task{++generation_, std::stop_source{}};
-    pool.start([this, id, generation = task.generation, stop = task.stop.get_token(),
+    pool.start([this, ticket = Ticket{id, task.generation, task.stop.get_token()},
                 work = std::move(work), done = std::move(done)] {
-        Result<Value> result = stop.stop_requested()
+        Result<Value> result = ticket.stop.stop_requested()
                                    ? Result<Value>(Error{ErrorCode::interrupted, {}, {}})
-                                   : work(stop);
-        auto deliver = [this, id, generation, result = std::move(result), done]() mutable {
-            const auto found = tasks_.find(id);
-            if (found == tasks_.end() || found->second.generation != generation) {
-                return;  // stale: a newer job of its kind and key has taken its place
+                                   : work(ticket);
+        auto deliver = [this, ticket, result = std::move(result), done]() mutable {
+            if (isStale(ticket)) {
+                return;  // a newer job of its kind and key has taken its place
             }
-            tasks_.erase(found);
+            tasks_.erase(ticket.id);
             done(std::move(result));
         };
         // The destructor waits for this thread, so that `this` is still there.
@@ -63,19 +88,32 @@ void AnalysisJob::start(QThreadPool& pool, TaskId id,
 void AnalysisJob::open(int key, const QString& path, const OpenOptions& options,
                        std::function<void(Result<Recording>)> done) {
     start<Recording>(
-        others_, {Kind::open, key},
-        [path = toPath(path), options](std::stop_token stop) {
-            return open_recording(path, options, JobControl(stop));
+        openings_, {Kind::open, key},
+        [path = toPath(path), options](const Ticket& ticket) {
+            return open_recording(path, options, JobControl(ticket.stop));
         },
         std::move(done));
 }
 
-void AnalysisJob::buildEnvelope(int key, const Recording& recording,
+void AnalysisJob::buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
                                 std::function<void(Result<std::shared_ptr<const Envelope>>)> done) {
-    start<std::shared_ptr<const Envelope>>(
+    using Picture = std::shared_ptr<const Envelope>;
+    start<Picture>(
         others_, {Kind::envelope, key},
-        [source = recording.source](std::stop_token stop) {
-            return Envelope::build(*source, JobControl(stop));
+        [this, source = recording.source, grown = std::move(grown)](const Ticket& ticket) {
+            const EnvelopeSink show = [&](const Picture& picture) {
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, ticket, grown, picture = freedInBackground(picture)] {
+                        if (!isStale(ticket)) {
+                            grown(picture);
+                        }
+                    },
+                    Qt::QueuedConnection);
+            };
+            Result<Picture> whole =
+                build_envelope(*source, JobControl(ticket.stop, {}, stopwatch()), show);
+            return whole ? Result<Picture>(freedInBackground(*whole)) : whole;
         },
         std::move(done));
 }
@@ -84,7 +122,9 @@ void AnalysisJob::hash(int key, const QString& path,
                        std::function<void(Result<std::string>)> done) {
     start<std::string>(
         others_, {Kind::hash, key},
-        [path = toPath(path)](std::stop_token stop) { return file_sha256(path, JobControl(stop)); },
+        [path = toPath(path)](const Ticket& ticket) {
+            return file_sha256(path, JobControl(ticket.stop));
+        },
         std::move(done));
 }
 
@@ -92,8 +132,8 @@ void AnalysisJob::findCarrier(int key, const Recording& recording, const Setting
                               std::function<void(Result<double>)> done) {
     start<double>(
         others_, {Kind::carrier, key},
-        [recording, settings](std::stop_token stop) {
-            return find_recording_carrier(recording, settings, JobControl(stop));
+        [recording, settings](const Ticket& ticket) {
+            return find_recording_carrier(recording, settings, JobControl(ticket.stop));
         },
         std::move(done));
 }
@@ -102,16 +142,15 @@ void AnalysisJob::inspect(int key, const Recording& recording, const Settings& s
                           std::function<void(Result<SampleFaults>)> done) {
     start<SampleFaults>(
         others_, {Kind::check, key},
-        [recording, settings](std::stop_token stop) {
-            return vybeg::inspect(recording, settings, JobControl(stop));
+        [recording, settings](const Ticket& ticket) {
+            return vybeg::inspect(recording, settings, JobControl(ticket.stop));
         },
         std::move(done));
 }
 
 JobControl AnalysisJob::reporting(int key, std::stop_token stop) {
-    QElapsedTimer started;
-    started.start();
-    auto last = std::make_shared<QElapsedTimer>(started);
+    auto last = std::make_shared<QElapsedTimer>();
+    last->start();
     return JobControl(
         stop,
         [this, key, last](double fraction) {
@@ -122,17 +161,18 @@ JobControl AnalysisJob::reporting(int key, std::stop_token stop) {
                     Qt::QueuedConnection);
             }
         },
-        [started] { return 1e-9 * static_cast<double>(started.nsecsElapsed()); });
+        stopwatch());
 }
 
 void AnalysisJob::analyse(int key, const Recording& recording, const Settings& settings,
                           std::function<void(Result<AnalysisOutcome>)> done) {
     start<AnalysisOutcome>(
         analyses_, {Kind::analysis, key},
-        [this, key, recording, settings](std::stop_token stop) -> Result<AnalysisOutcome> {
+        [this, key, recording, settings](const Ticket& ticket) -> Result<AnalysisOutcome> {
             QMetaObject::invokeMethod(
                 this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
-            Result<Analysis> found = vybeg::analyse(recording, settings, reporting(key, stop));
+            Result<Analysis> found =
+                vybeg::analyse(recording, settings, reporting(key, ticket.stop));
             if (!found) {
                 return found.error();
             }
@@ -142,7 +182,11 @@ void AnalysisJob::analyse(int key, const Recording& recording, const Settings& s
                 found->track,
                 std::min(1.0, static_cast<double>(plan.hop) / static_cast<double>(plan.length)));
             outcome.events = find_events(found->track);
-            outcome.analysis = std::make_shared<const Analysis>(std::move(*found));
+            outcome.analysis =
+                freedInBackground(std::make_shared<const Analysis>(std::move(*found)));
+            for (const auto& curve : curvesOf(outcome.analysis)) {
+                outcome.curves.push_back(freedInBackground(curve));
+            }
             return outcome;
         },
         std::move(done));
@@ -153,8 +197,8 @@ void AnalysisJob::writeTrack(int key, const Recording& recording,
                              const QString& path, std::function<void(Status)> done) {
     struct Nothing {};
     const auto write = [recording, analysis = std::move(analysis), name = program.toStdString(),
-                        path = toPath(path)](std::stop_token stop) -> Status {
-        const JobControl job(stop);
+                        path = toPath(path)](const Ticket& ticket) -> Status {
+        const JobControl job(ticket.stop);
         const Result<std::string> hash = file_sha256(recording.path, job);
         if (!hash) {
             return hash.error();
@@ -171,8 +215,8 @@ void AnalysisJob::writeTrack(int key, const Recording& recording,
     };
     start<Nothing>(
         others_, {Kind::write, key},
-        [write](std::stop_token stop) -> Result<Nothing> {
-            const Status status = write(stop);
+        [write](const Ticket& ticket) -> Result<Nothing> {
+            const Status status = write(ticket);
             return status ? Result<Nothing>(Nothing{}) : Result<Nothing>(status.error());
         },
         [done = std::move(done)](const Result<Nothing>& result) {

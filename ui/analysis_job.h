@@ -2,10 +2,11 @@
 
 #include "core/analysis/analyse.h"
 #include "core/analysis/inspect.h"
-#include "core/recording/envelope.h"
+#include "core/recording/envelope_builder.h"
 #include "core/recording/open_recording.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
+#include "ui/curve_data.h"
 
 #include <QObject>
 #include <QString>
@@ -18,10 +19,11 @@
 
 namespace vybeg::ui {
 
-// What an analysis gives the window: the track, what one line says about it, and its events. Made
-// in the background, so that nothing is left to compute where the window draws.
+// What an analysis gives the window: the track, its curves, what one line says about it, and its
+// events. Made in the background, so that nothing is left to compute where the window draws.
 struct AnalysisOutcome {
     std::shared_ptr<const Analysis> analysis;
+    Curves curves;
     TrackSummary summary;
     std::vector<Event> events;
 };
@@ -30,7 +32,8 @@ struct AnalysisOutcome {
 // value to the thread of this object; `done` is called there. Jobs are told apart by kind and key:
 // a new job of the same kind and key stops the one before it, and whatever that still delivers is
 // dropped by its generation number. Analyses run one after the other, each on all processors;
-// everything else runs beside them.
+// everything else runs beside them. What is large in a result (track, curves, envelope) is also
+// freed in the background, whoever lets go of it last.
 class AnalysisJob : public QObject {
     Q_OBJECT
 
@@ -41,7 +44,8 @@ public:
 
     void open(int key, const QString& path, const OpenOptions& options,
               std::function<void(Result<Recording>)> done);
-    void buildEnvelope(int key, const Recording& recording,
+    // `grown` gets pictures of the envelope while it grows, some ten a second.
+    void buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
                        std::function<void(Result<std::shared_ptr<const Envelope>>)> done);
     void hash(int key, const QString& path, std::function<void(Result<std::string>)> done);
     void findCarrier(int key, const Recording& recording, const Settings& settings,
@@ -74,14 +78,22 @@ private:
         std::stop_source stop;
     };
     using TaskId = std::pair<Kind, int>;
+    // What a job knows of itself while it works.
+    struct Ticket {
+        TaskId id;
+        quint64 generation = 0;
+        std::stop_token stop;
+    };
 
     template <class Value>
-    void start(QThreadPool& pool, TaskId id, std::function<Result<Value>(std::stop_token)> work,
+    void start(QThreadPool& pool, TaskId id, std::function<Result<Value>(const Ticket&)> work,
                std::function<void(Result<Value>)> done);
+    bool isStale(const Ticket& ticket) const;
     JobControl reporting(int key, std::stop_token stop);
 
     quint64 generation_ = 0;
     std::map<TaskId, Task> tasks_;
+    QThreadPool openings_;
     QThreadPool analyses_;
     QThreadPool others_;
 };

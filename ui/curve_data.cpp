@@ -41,13 +41,13 @@ CurveData::CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable vari
       value_(analysis_->track.values(variable)),
       sd_(analysis_->track.sds(variable)),
       wrapped_(isWrapped(variable)) {
-    blocks_.reserve(rows() / block);
-    for (std::size_t begin = 0; begin + block <= rows(); begin += block) {
-        CurveColumn summary;
-        for (std::size_t row = begin; row < begin + block; ++row) {
-            addRow(summary, row);
+    for (std::size_t size = fan; size <= rows(); size *= fan) {
+        std::vector<CurveColumn> level;
+        level.reserve(rows() / size);
+        for (std::size_t begin = 0; begin + size <= rows(); begin += size) {
+            level.push_back(summarise(begin, begin + size));
         }
-        blocks_.push_back(summary);
+        levels_.push_back(std::move(level));
     }
     empty_ = std::none_of(value_.begin(), value_.end(), [](double v) { return std::isfinite(v); });
 }
@@ -76,13 +76,20 @@ CurveColumn CurveData::summarise(std::size_t begin, std::size_t end) const {
     CurveColumn column;
     std::size_t row = begin;
     while (row < end) {
-        if (row % block == 0 && row + block <= end) {
-            append(column, blocks_[row / block]);
-            column.wraps = column.wraps && wrapped_;
-            row += block;
-        } else {
-            addRow(column, row++);
+        // The largest block that begins here.
+        std::size_t size = 1;
+        std::size_t level = 0;
+        while (level < levels_.size() && row % (size * fan) == 0 && row + size * fan <= end) {
+            size *= fan;
+            ++level;
         }
+        if (level == 0) {
+            addRow(column, row);
+        } else {
+            append(column, levels_[level - 1][row / size]);
+            column.wraps = column.wraps && wrapped_;
+        }
+        row += size;
     }
     return column;
 }
@@ -133,6 +140,14 @@ std::size_t CurveData::nearest(double time_s) const {
     const auto before = after - 1;
     return static_cast<std::size_t>((time_s - *before <= *after - time_s ? before : after) -
                                     time_.begin());
+}
+
+Curves curvesOf(const std::shared_ptr<const Analysis>& analysis) {
+    Curves curves;
+    for (const SlowVariable variable : all_slow_variables) {
+        curves.push_back(std::make_shared<const CurveData>(analysis, variable));
+    }
+    return curves;
 }
 
 }  // namespace vybeg::ui

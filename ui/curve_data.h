@@ -31,8 +31,8 @@ struct CurveColumn {
 };
 
 // One variable of one run as it is drawn: finds the least and greatest value of every pixel column
-// without touching each window (blocks of 64 are summarised once). Immutable, refers to the track
-// of the analysis that it keeps alive.
+// without touching each window (64 of them, 64 times 64 and so on are summarised once). Immutable,
+// refers to the track of the analysis that it keeps alive.
 class CurveData {
 public:
     CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable);
@@ -55,7 +55,7 @@ public:
     const Analysis& analysis() const { return *analysis_; }
 
 private:
-    static constexpr std::size_t block = 64;
+    static constexpr std::size_t fan = 64;  // rows in a block, blocks in one of the next level
 
     void addRow(CurveColumn& column, std::size_t row) const;
     CurveColumn summarise(std::size_t begin, std::size_t end) const;
@@ -67,7 +67,11 @@ private:
     std::span<const double> sd_;
     bool wrapped_ = false;
     bool empty_ = true;
-    std::vector<CurveColumn> blocks_;
+    std::vector<std::vector<CurveColumn>> levels_;
 };
+
+// The curves of all slow variables, in their order.
+using Curves = std::vector<std::shared_ptr<const CurveData>>;
+Curves curvesOf(const std::shared_ptr<const Analysis>& analysis);
 
 }  // namespace vybeg::ui

@@ -113,27 +113,7 @@ void Document::whenOpened(int id, Result<Recording> result) {
         return;
     }
     entry->recording = std::move(*result);
-    const QString path = entry->path;
-    job_.hash(id, path, [this, id](Result<std::string> hash) {
-        RecordingEntry* hashed = find(id);
-        if (hashed && hash) {
-            hashed->sha256 = QString::fromStdString(*hash);
-            emit recordingChanged(id);
-        }
-    });
-    job_.buildEnvelope(id, *entry->recording,
-                       [this, id](Result<std::shared_ptr<const Envelope>> envelope) {
-                           RecordingEntry* drawn = find(id);
-                           if (!drawn) {
-                               return;
-                           }
-                           if (envelope) {
-                               drawn->envelope = *envelope;
-                               emit recordingChanged(id);
-                           } else {
-                               reportError(envelope.error());
-                           }
-                       });
+    readEnvelope(id);
     searchCarrier(id);
     checkSamples(id);
     for (const Diagnostic& diagnostic : entry->recording->diagnostics) {
@@ -149,8 +129,40 @@ void Document::whenOpened(int id, Result<Recording> result) {
     }
     setCurrentRecording(id);
     emit recordingChanged(id);
-    emit opened(path);
+    emit opened(entry->path);
     ask(id, settings_, 0);
+}
+
+void Document::readEnvelope(int id) {
+    using Picture = std::shared_ptr<const Envelope>;
+    const auto show = [this, id](const Picture& picture) {
+        if (RecordingEntry* entry = find(id)) {
+            entry->envelope = picture;
+            emit envelopeGrown(id);
+        }
+    };
+    job_.buildEnvelope(id, *find(id)->recording, show, [this, id, show](Result<Picture> whole) {
+        if (whole) {
+            show(*whole);
+        } else {
+            reportError(whole.error());
+        }
+        hashFile(id);
+    });
+}
+
+// Behind the envelope: what is to be seen comes first, and the file then is in memory as far as it
+// fits.
+void Document::hashFile(int id) {
+    if (const RecordingEntry* entry = find(id)) {
+        job_.hash(id, entry->path, [this, id](Result<std::string> hash) {
+            RecordingEntry* hashed = find(id);
+            if (hashed && hash) {
+                hashed->sha256 = QString::fromStdString(*hash);
+                emit recordingChanged(id);
+            }
+        });
+    }
 }
 
 void Document::closeRecording(int id) {

@@ -24,10 +24,10 @@ struct RecordingEntry {
     QString name;
     OpenOptions options;
     std::optional<Recording> recording;
-    std::optional<double> f0_hz;  // once the search has found it
-    QString sha256;               // once it is computed
-    std::shared_ptr<const Envelope> envelope;
-    std::optional<SampleFaults> faults;  // once the recording check is through
+    std::optional<double> f0_hz;               // once the search has found it
+    QString sha256;                            // once it is computed
+    std::shared_ptr<const Envelope> envelope;  // as far as it has been read
+    std::optional<SampleFaults> faults;        // once the recording check is through
 };
 
 // A run, where it comes from, and what was made of it in the background.
@@ -104,6 +104,7 @@ public:
 signals:
     void recordingsChanged();       // the list
     void recordingChanged(int id);  // something became known about one
+    void envelopeGrown(int id);     // there is more of it to see
     void currentRecordingChanged();
     void settingsChanged();
     void carrierChanged();
@@ -127,9 +128,11 @@ private:
     void whenOpened(int id, Result<Recording> result);
     void searchCarrier(int id);
     void checkSamples(int id);
+    void readEnvelope(int id);
+    void hashFile(int id);
     void ask(int recording_id, const Settings& settings, int batch);
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
-    int addRun(const Request& request, const AnalysisOutcome& outcome);
+    int addRun(const Request& request, AnalysisOutcome outcome);
     void apply(const Settings& settings);
     void requestDone(int key);
     QString freeName(const QString& wish) const;

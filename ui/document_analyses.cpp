@@ -78,11 +78,12 @@ void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
     }
     const Request request = found->second;
     if (result) {
-        const int id = addRun(request, *result);
+        const double seconds = result->analysis->timing.estimate_s;
+        const int id = addRun(request, std::move(*result));
         if (request.batch != 0) {
             batches_[request.batch].push_back(id);
         }
-        emit finished(id, result->analysis->timing.estimate_s);
+        emit finished(id, seconds);
     } else if (result.error().code != ErrorCode::interrupted) {
         reportError(result.error());
     }
@@ -107,13 +108,13 @@ void Document::requestDone(int key) {
     emit busyChanged();
 }
 
-int Document::addRun(const Request& request, const AnalysisOutcome& outcome) {
+int Document::addRun(const Request& request, AnalysisOutcome outcome) {
     const RecordingEntry& entry = *recording(request.recording_id);
     RunEntry added;
     added.recording_id = entry.id;
     added.requested = request.settings;
     added.summary = outcome.summary;
-    added.events = outcome.events;
+    added.events = std::move(outcome.events);
     const auto same = std::ranges::find_if(runs_, [&](const RunEntry& other) {
         return other.recording_id == entry.id && other.requested == request.settings;
     });
@@ -132,7 +133,8 @@ int Document::addRun(const Request& request, const AnalysisOutcome& outcome) {
         added.run.rate_hz = entry.recording->rate_hz;
     }
     added.run.seconds_taken = outcome.analysis->timing.estimate_s;
-    added.run.analysis = outcome.analysis;
+    added.run.analysis = std::move(outcome.analysis);
+    added.run.curves = std::move(outcome.curves);
     const int id = added.run.id;
     if (same != runs_.end()) {
         *same = std::move(added);

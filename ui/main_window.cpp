@@ -138,6 +138,7 @@ void MainWindow::buildStatusBar() {
 void MainWindow::connectDocument() {
     connect(&document_, &Document::recordingsChanged, this, &MainWindow::showCurrentRecording);
     connect(&document_, &Document::recordingChanged, this, &MainWindow::showCurrentRecording);
+    connect(&document_, &Document::envelopeGrown, this, &MainWindow::showEnvelope);
     connect(&document_, &Document::currentRecordingChanged, this,
             &MainWindow::showCurrentRecording);
     connect(&document_, &Document::settingsChanged, this, &MainWindow::showAnalysedRange);
@@ -190,7 +191,7 @@ void MainWindow::showCurrentRecording() {
         const Recording& recording = *entry->recording;
         title = entry->name + QStringLiteral(" — ") + title;
         if (entry->envelope) {
-            signal_->setEnvelope(entry->envelope, recording.rate_hz);
+            showEnvelope();
         } else {
             signal_->setReading(recording.seconds());
         }
@@ -203,6 +204,13 @@ void MainWindow::showCurrentRecording() {
     }
     setWindowTitle(title);
     refreshActions();
+}
+
+void MainWindow::showEnvelope() {
+    const RecordingEntry* entry = document_.currentRecording();
+    if (entry && entry->recording && entry->envelope) {
+        signal_->setEnvelope(entry->envelope, entry->recording->rate_hz);
+    }
 }
 
 void MainWindow::showAnalysedRange() {

@@ -105,6 +105,7 @@ private:
     void connectDocument();
     void connectViews();
     void showCurrentRecording();
+    void showEnvelope();
     void showAnalysedRange();
     void showRuns();
     void showProgress();

@@ -53,23 +53,18 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     font_ = font;
     tick_font_ = font;
     tick_font_.setPixelSize(std::max(9, font.pixelSize() - 1));
-    // Summaries of long tracks are kept while the same analysis is shown.
-    std::vector<std::shared_ptr<const CurveData>> known;
-    for (const CrispGraph* graph : graphs_) {
-        known.push_back(graph->sharedData());
-    }
     removeGraphs();
     const DisplayScale scale = displayScale(variable_, units_, referenceFrequency(content.runs));
     for (const Run& run : content.runs) {
         if (!run.visible || !run.analysis || run.analysis->track.rows() == 0) {
             continue;
         }
-        const auto same = std::find_if(known.begin(), known.end(), [&](const auto& data) {
-            return &data->analysis() == run.analysis.get();
-        });
-        auto* graph = new CrispGraph(
-            timeAxis(), valueAxis(),
-            same == known.end() ? std::make_shared<CurveData>(run.analysis, variable_) : *same);
+        const auto made = std::ranges::find(run.curves, variable_,
+                                            [](const auto& curve) { return curve->variable(); });
+        auto* graph = new CrispGraph(timeAxis(), valueAxis(),
+                                     made == run.curves.end()
+                                         ? std::make_shared<CurveData>(run.analysis, variable_)
+                                         : *made);
         graph->setScale(scale);
         graph->setBand(units_.sigma_bands && info(variable_).has_sd);
         graph->setLook(readable(run.color, theme_), run.dash, theme_.warning);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/analyse.h"
+#include "ui/curve_data.h"
 
 #include <QColor>
 #include <QString>
@@ -21,6 +22,7 @@ struct Run {
     double rate_hz = 0;
     double seconds_taken = 0;  // the estimators alone
     std::shared_ptr<const Analysis> analysis;
+    Curves curves;  // of the analysis; where there are none, they are made when they are drawn
 };
 
 }  // namespace vybeg::ui

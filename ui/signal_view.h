@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace vybeg::ui {
 
@@ -27,8 +28,10 @@ public:
 
     // No recording: the strip is empty.
     void clear();
-    // A recording of that length whose envelope is still being read.
+    // A recording of that length of which nothing is known yet.
     void setReading(double seconds);
+    // As much as has been read; what has only been looked at is paler, the rest hatched. The time
+    // axis is that of the whole recording from the start.
     void setEnvelope(std::shared_ptr<const Envelope> envelope, double rate_hz);
     void setVisibleRange(AxisRange range);
     void setAnalysedRange(AxisRange range);
@@ -68,6 +71,10 @@ private:
         analysed_all
     };
 
+    // Heights of the rows below the signals: tick labels, bar of the analysed range.
+    static constexpr int time_row = 15;
+    static constexpr int range_row = 9;
+
     QRect plotArea() const;
     double toPixel(double time_s) const;
     double toTime(double pixel) const;
@@ -77,7 +84,14 @@ private:
     void editAnalysed(AxisRange range);
     void zoomVisible(double factor, double about_s);
     void drawEnvelope(QPainter& painter, const QRect& area) const;
+    void drawSignals(QPainter& painter, const QRect& area,
+                     const std::vector<EnvelopeBucket>& columns) const;
+    void drawMissing(QPainter& painter, const QRect& area,
+                     const std::vector<EnvelopeBucket>& columns) const;
+    void drawUnread(QPainter& painter, const QRect& area,
+                    const std::vector<EnvelopeBucket>& columns) const;
     void drawRanges(QPainter& painter, const QRect& area) const;
+    void drawLabel(QPainter& painter, const QRect& area, int alignment, const QString& text) const;
     void drawTimes(QPainter& painter, const QRect& area) const;
 
     std::shared_ptr<const Envelope> envelope_;

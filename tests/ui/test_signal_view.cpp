@@ -1,3 +1,4 @@
+#include "core/recording/envelope_builder.h"
 #include "ui/signal_view.h"
 
 #include <QSignalSpy>
@@ -40,7 +41,7 @@ struct Bench {
         view.resize(1016, 84);
         view.setMargins(8, 8);
         view.setTheme(lightTheme());
-        const auto envelope = Envelope::build(Swing(), {});
+        const auto envelope = build_envelope(Swing(), {});
         view.setEnvelope(*envelope, rate);
         view.setVisibleRange({2, 6});
         view.setAnalysedRange({1, 9});
@@ -174,6 +175,44 @@ private slots:
         QCOMPARE(pixelsLike(image, 37, lightTheme().signalD), 0);
         const int marked = pixelsLike(image, 58, lightTheme().warning);
         QVERIFY2(45 <= marked && marked <= 60, qPrintable(QString::number(marked)));
+    }
+
+    void what_has_been_read_is_seen_and_the_rest_is_not() {
+        Bench bench;
+        bench.view.setVisibleRange({0, 10});
+        // Two blocks of 5 s, of which the first has been read.
+        const auto two_blocks = 2 * EnvelopeBlock::frames;
+        std::vector<double> c(EnvelopeBlock::frames);
+        std::vector<double> d(EnvelopeBlock::frames);
+        for (std::size_t i = 0; i < c.size(); ++i) {
+            c[i] = i % 2 ? 1 : -1;
+            d[i] = 0.1 * c[i];
+        }
+        const auto block = std::make_shared<const EnvelopeBlock>(c, d);
+        bench.view.setEnvelope(
+            std::make_shared<Envelope>(two_blocks, std::vector{block, decltype(block){}}, nullptr),
+            static_cast<double>(two_blocks) / 10);
+        const QImage image = bench.view.grab().toImage().scaled(bench.view.size());
+        const int seen = pixelsLike(image, 12, lightTheme().signalC);
+        QVERIFY2(450 < seen && seen <= 501, qPrintable(QString::number(seen)));
+        // The axis is that of the whole, and can be used at once.
+        bench.drag(bench.signalAt(10), bench.signalAt(8));
+        QVERIFY(bench.shows(0, 8));
+    }
+
+    void what_has_only_been_looked_at_is_paler() {
+        Bench bench;
+        bench.view.setVisibleRange({0, 10});
+        EnvelopeBucket look{-1, 1, -0.1f, 0.1f};
+        bench.view.setEnvelope(sampled_envelope(length, {look, look}), rate);
+        const QImage image = bench.view.grab().toImage().scaled(bench.view.size());
+        QCOMPARE(pixelsLike(image, 12, lightTheme().signalC), 0);
+        const QColor strong = lightTheme().signalC;
+        const QColor ground = lightTheme().plotBackground;
+        const auto mixed = [](int a, int b) { return qRound(0.45 * a + 0.55 * b); };
+        const QColor pale(mixed(strong.red(), ground.red()), mixed(strong.green(), ground.green()),
+                          mixed(strong.blue(), ground.blue()));
+        QVERIFY(pixelsLike(image, 12, pale) > 850);
     }
 
     void nothing_can_be_dragged_while_reading() {
