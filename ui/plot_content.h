@@ -24,7 +24,7 @@ struct PlotContent {
     DisplayUnits units;
     Theme theme = lightTheme();
     ZoomState zoom;
-    std::vector<double> marks_s;
+    std::vector<double> marks_s;  // rising
     std::optional<TrendCurve> trend;
 };
 

@@ -7,12 +7,14 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <limits>
 
 namespace vybeg::ui {
 namespace {
 
 constexpr int least_left_margin = 60;
 constexpr double unit_gap = 8;
+constexpr double least_mark_spacing = 4;
 
 }  // namespace
 
@@ -199,19 +201,27 @@ QString PlotPanel::emptyReason() const {
 
 void PlotPanel::draw(QCPPainter* painter) {
     QCPAxisRect::draw(painter);
-    painter->setAntialiasing(false);
-    painter->setPen(QPen(theme_.mutedText, 1, Qt::DotLine));
-    for (const double mark : marks_s_) {
-        if (time().contains(mark)) {
-            const double x = timeAxis()->coordToPixel(mark);
-            painter->drawLine(QLineF(x, rect().top(), x, rect().bottom()));
-        }
-    }
+    drawMarks(*painter);
     drawHead(*painter);
     if (const QString reason = emptyReason(); !reason.isEmpty()) {
         painter->setPen(theme_.mutedText);
         painter->setFont(font_);
         painter->drawText(QRectF(rect()), int(Qt::AlignCenter), reason);
+    }
+}
+
+void PlotPanel::drawMarks(QCPPainter& painter) const {
+    painter.setAntialiasing(false);
+    painter.setPen(QPen(theme_.mutedText, 1, Qt::DotLine));
+    double last = -std::numeric_limits<double>::infinity();
+    for (auto mark = std::ranges::lower_bound(marks_s_, time().lower);
+         mark != marks_s_.end() && *mark <= time().upper; ++mark) {
+        const double x = timeAxis()->coordToPixel(*mark);
+        // Marks that cannot be told apart are not drawn one over the other.
+        if (x - last >= least_mark_spacing) {
+            painter.drawLine(QLineF(x, rect().top(), x, rect().bottom()));
+            last = x;
+        }
     }
 }
 

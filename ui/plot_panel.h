@@ -24,6 +24,8 @@ public:
 
     // Curves, units and colours; replaces what was there.
     void setContent(const PlotContent& content, const QFont& font);
+    // Instants marked by thin lines, s, in rising order.
+    void setMarks(const std::vector<double>& times_s) { marks_s_ = times_s; }
     // The labels of the time axis stand under the lowest panel alone.
     void setTimeLabels(bool shown);
     // A letter at the right end of the head line, for figures.
@@ -61,6 +63,7 @@ protected:
 
 private:
     void setLook(const Theme& theme);
+    void drawMarks(QCPPainter& painter) const;
     void drawHead(QCPPainter& painter) const;
     QString emptyReason() const;
 

@@ -71,6 +71,13 @@ void PlotStack::setContent(const PlotContent& content) {
     setZoom(content.zoom);
 }
 
+void PlotStack::setMarks(const std::vector<double>& times_s) {
+    content_.marks_s = times_s;
+    for (PlotPanel* panel : panels_) {
+        panel->setMarks(times_s);
+    }
+}
+
 void PlotStack::removeElements() {
     QCPLayoutGrid& grid = *plot_.plotLayout();
     for (PlotPanel* panel : panels_) {

@@ -24,6 +24,8 @@ public:
     // Builds the panels anew where the variables have changed; sets zoom and value axes.
     void setContent(const PlotContent& content);
     void setTitle(const QString& title);
+    // Instants marked in all plots, s, in rising order.
+    void setMarks(const std::vector<double>& times_s);
     // Time and value axes: the fixed ones as they are, the others after the visible data.
     void setZoom(const ZoomState& zoom);
     // The size (device-independent pixels) that this column is about to get: tick steps and the

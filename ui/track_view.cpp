@@ -86,8 +86,11 @@ void TrackView::setTheme(const Theme& theme) {
 }
 
 void TrackView::setMarks(std::vector<double> times_s) {
-    content_.marks_s = std::move(times_s);
-    rebuild();
+    if (times_s != content_.marks_s) {
+        content_.marks_s = std::move(times_s);
+        stack_->setMarks(content_.marks_s);
+        plot_->replot(QCustomPlot::rpQueuedReplot);
+    }
 }
 
 void TrackView::setTrend(std::optional<TrendCurve> trend) {
@@ -164,7 +167,7 @@ void TrackView::rebuild() {
     }
     matchFocusWidgets();
     updateGeometry();
-    refreshOverlay();
+    fillOverlay();
     redraw();
 }
 
@@ -199,9 +202,13 @@ void TrackView::redraw() {
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void TrackView::refreshOverlay() {
+void TrackView::fillOverlay() {
     overlay_->setTracker(tracker_);
     overlay_->setCursors(cursors_);
+}
+
+void TrackView::refreshOverlay() {
+    fillOverlay();
     if (isVisible()) {
         plot_->layer(QStringLiteral("overlay"))->replot();
     }

@@ -68,7 +68,7 @@ public:
     void setTracker(std::optional<double> time_s);
     std::optional<double> cursor(Cursor which) const;
     void setCursor(Cursor which, std::optional<double> time_s);
-    // Instants marked by thin lines in all plots: axis crossings, for example.
+    // Instants in rising order, marked by thin lines in all plots: axis crossings, for example.
     void setMarks(std::vector<double> times_s);
     // A fitted curve drawn over one plot, displayed units; nullopt takes it away.
     void setTrend(std::optional<TrendCurve> trend);
@@ -132,6 +132,7 @@ private:
     void moveCursor(Cursor which, std::optional<double> time_s);
     void rebuild();
     void redraw();
+    void fillOverlay();
     void refreshOverlay();
     void matchFocusWidgets();
     void placeFocusWidgets();

@@ -1,0 +1,225 @@
+// A long recording in the window: what is seen when, and that nothing stands still meanwhile.
+//
+// The recording has ten minutes; for another one, an hour for example, give its file in the
+// environment variable VYBEG_LONG_RECORDING.
+#include "tests/ui/gui_test.h"
+#include "tests/ui/heartbeat.h"
+#include "ui/main_window.h"
+#include "ui/run_list.h"
+#include "ui/signal_view.h"
+#include "ui/track_view.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+#include <qcustomplot.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+namespace {
+
+constexpr double longest_gap_ms = 50;
+constexpr double at_once_ms = 200;
+
+}  // namespace
+
+class TestLongRecording : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    QString path_;
+    OpenOptions options_;
+    std::unique_ptr<MainWindow> window_;
+    Heartbeat heart_;
+
+    Document& document() { return window_->document(); }
+    template <class Widget>
+    Widget& the() {
+        return *window_->findChild<Widget*>();
+    }
+
+    // 600 s at 33333 Hz, 16 bit: one second over and over, in which the carrier of 5300 Hz has
+    // whole periods and the wave crosses the axis of C twice.
+    void writeRecording() {
+        constexpr int rate = 33333;
+        std::mt19937 random(1);
+        std::normal_distribution<double> noise(0, 20);
+        std::vector<qint16> second;
+        for (int k = 0; k < rate; ++k) {
+            const double second_turn = 2 * std::numbers::pi * k / rate;
+            const double crest = 20000 * std::cos(5300 * second_turn);
+            const double trough = 2000 * std::sin(5300 * second_turn);
+            const double angle = 0.3 * std::sin(second_turn);
+            const double c = crest * std::cos(angle) - trough * std::sin(angle);
+            const double d = crest * std::sin(angle) + trough * std::cos(angle);
+            second.push_back(static_cast<qint16>(c + noise(random)));
+            second.push_back(static_cast<qint16>(d + noise(random)));
+        }
+        const QByteArray bytes(reinterpret_cast<const char*>(second.data()),
+                               static_cast<qsizetype>(second.size() * sizeof(qint16)));
+        path_ = home_.path("long.raw");
+        QFile file(path_);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        for (int i = 0; i < 600; ++i) {
+            QCOMPARE(file.write(bytes), bytes.size());
+        }
+        options_.raw = RawLayout{};
+        options_.rate_hz = rate;
+    }
+
+    bool seen() {
+        const auto* entry = document().currentRecording();
+        return entry && entry->envelope;
+    }
+    bool whole() { return seen() && document().currentRecording()->envelope->whole(); }
+    bool analysed() { return !document().busy() && !document().runs().empty(); }
+
+    // Does something in the event loop and fails where that makes a gap.
+    template <class Act>
+    void act(const char* what, Act act) {
+        heart_.reset();
+        QTimer::singleShot(0, this, act);
+        QTest::qWait(150);
+        told(what);
+    }
+    void told(const char* what) {
+        qInfo("%s: %s", what, qPrintable(heart_.text()));
+        QVERIFY2(heart_.beats() > 1, what);
+        QVERIFY2(heart_.longestMs() <= longest_gap_ms, what);
+    }
+
+    // What that takes, ms, less the time in which others ran.
+    template <class Act>
+    static double duration(Act act) {
+        QElapsedTimer clock;
+        clock.start();
+        const double delay = Heartbeat::readDelay();
+        act();
+        const double delayed = Heartbeat::readDelay() - delay;
+        return 1e-6 * static_cast<double>(clock.nsecsElapsed()) - delayed;
+    }
+
+private slots:
+    void initTestCase() {
+        path_ = qEnvironmentVariable("VYBEG_LONG_RECORDING");
+        if (path_.isEmpty()) {
+            writeRecording();
+        }
+    }
+    void init() {
+        QSettings().clear();
+        window_ = std::make_unique<MainWindow>();
+        window_->setLanguage("en");
+        window_->resize(1400, 900);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QTest::qWait(100);
+        heart_.reset();
+    }
+    void cleanup() { window_.reset(); }
+
+    void the_first_overview_comes_within_a_second() {
+        QElapsedTimer clock;
+        clock.start();
+        document().open({path_}, options_);
+        QVERIFY(QTest::qWaitFor([&] { return seen(); }, 60000));
+        const qint64 first_ms = clock.elapsed();
+        const auto envelope = document().currentRecording()->envelope;
+        qInfo("first overview after %lld ms", first_ms);
+        QVERIFY(first_ms < 1000);
+        // Of all of the recording.
+        QVERIFY(!envelope->whole());
+        for (const EnvelopeBucket& bucket : envelope->buckets(0, envelope->frames(), 64)) {
+            QVERIFY(bucket.coverage != Coverage::none);
+        }
+    }
+
+    void the_window_never_stands_still() {
+        QElapsedTimer clock;
+        clock.start();
+        document().open({path_}, options_);
+        QVERIFY(QTest::qWaitFor([&] { return whole() && analysed(); }, 120000));
+        qInfo("whole and analysed after %lld ms, %zu windows", clock.elapsed(),
+              document().runs().front().summary.windows);
+        QTest::qWait(300);  // until it is drawn
+        told("opening and analysis");
+
+        auto& tracks = the<TrackView>();
+        const auto wheel = [&](QWidget& widget, int steps) {
+            const QPointF middle(widget.width() / 2.0, widget.height() / 2.0);
+            QWheelEvent event(middle, widget.mapToGlobal(middle), {}, QPoint(0, 120 * steps),
+                              Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&widget, &event);
+        };
+        for (int i = 0; i < 4; ++i) {
+            act("zooming in", [&] { wheel(tracks, 1); });
+        }
+        act("fitting", [&] { tracks.fit(); });
+        act("zooming in the overview", [&] { wheel(the<SignalView>(), 2); });
+        act("the tracker", [&] {
+            auto* plot = tracks.findChild<QCustomPlot*>();
+            QTest::mouseMove(plot, QPoint(plot->width() / 2, plot->height() / 2));
+        });
+        act("another length of window", [&] {
+            Settings settings = document().settings();
+            settings.window = 120;
+            document().setSettings(settings);
+            document().analyse();
+        });
+        heart_.reset();
+        QVERIFY(QTest::qWaitFor([&] { return document().runs().size() == 2; }, 60000));
+        told("a second run");
+        const int second = document().runs().back().run.id;
+        act("hiding a run", [&] { document().setRunVisible(second, false); });
+        act("showing a run", [&] { document().setRunVisible(second, true); });
+        act("the dark theme", [&] { window_->setThemeMode(ThemeMode::dark); });
+        act("the light theme", [&] { window_->setThemeMode(ThemeMode::light); });
+        act("the other language", [&] { window_->setLanguage("ru"); });
+        act("resizing", [&] { window_->resize(1200, 800); });
+        act("removing a run", [&] { document().removeRun(second); });
+        act("closing the recording",
+            [&] { document().closeRecording(document().currentRecording()->id); });
+    }
+
+    void the_window_closes_at_once_while_loading() {
+        document().open({path_}, options_);
+        QVERIFY(QTest::qWaitFor([&] { return seen(); }, 60000));
+        QVERIFY(!whole());
+        QVERIFY(!analysed());
+        const double closing = duration([&] { window_->close(); });
+        const double going = duration([&] { window_.reset(); });
+        qInfo("closed in %.1f ms, gone in %.1f ms", closing, going);
+        QVERIFY(closing + going < at_once_ms);
+    }
+
+    void a_recording_closes_at_once_while_loading_and_another_opens() {
+        document().open({path_}, options_);
+        QVERIFY(QTest::qWaitFor([&] { return seen(); }, 60000));
+        const int id = document().currentRecording()->id;
+        const double closing = duration([&] { document().closeRecording(id); });
+        qInfo("closed in %.1f ms", closing);
+        QVERIFY(closing < at_once_ms);
+        QVERIFY(document().recordings().empty());
+        QVERIFY(!document().busy());
+
+        document().open({path_}, options_);
+        QVERIFY(QTest::qWaitFor([&] { return seen(); }, 60000));
+        // The long one is still being read.
+        QElapsedTimer clock;
+        clock.start();
+        document().open({home_.recording("short.wav")});
+        QVERIFY(static_cast<double>(clock.elapsed()) < at_once_ms);
+        QVERIFY(QTest::qWaitFor([&] { return window_->windowTitle().startsWith("short.wav"); }));
+        QVERIFY(QTest::qWaitFor([&] { return whole(); }));
+        qInfo("another is open and seen after %lld ms", clock.elapsed());
+        QVERIFY(clock.elapsed() < 1000);
+    }
+};
+
+QTEST_MAIN(TestLongRecording)
+#include "test_long_recording.moc"
