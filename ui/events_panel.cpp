@@ -29,6 +29,7 @@ EventsPanel::EventsPanel(Document& document, QWidget* parent)
     list_->setColumnCount(2);
     list_->setItemDelegateForColumn(1, new IndexDelegate(list_));
     list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    list_->header()->setResizeContentsPrecision(0);  // of the rows that are seen
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -49,31 +50,42 @@ void EventsPanel::setRun(int run_id) {
 }
 
 void EventsPanel::refresh() {
-    list_->clear();
     const RunEntry* entry = document_.run(run_id_);
+    if (listed_ != (entry ? entry->run.analysis : nullptr)) {
+        fillList(entry);
+    }
     list_->setVisible(entry && !entry->events.empty());
     if (!entry) {
         title_->setText(
             tr("Axis crossings, gaps and windows without convergence of the chosen "
                "run appear here."));
-        return;
-    }
-    if (entry->events.empty()) {
+    } else if (entry->events.empty()) {
         title_->setText(tr("%1: no axis crossings, no gaps.").arg(entry->run.name));
+    } else {
+        title_->setText(tr("%1: %n event(s)", nullptr, static_cast<int>(entry->events.size()))
+                            .arg(entry->run.name));
+    }
+}
+
+void EventsPanel::fillList(const RunEntry* entry) {
+    list_->clear();
+    listed_.reset();
+    if (!entry) {
         return;
     }
-    title_->setText(tr("%1: %n event(s)", nullptr, static_cast<int>(entry->events.size()))
-                        .arg(entry->run.name));
+    listed_ = entry->run.analysis;
     const QLocale locale;
+    QList<QTreeWidgetItem*> items;
     for (std::size_t i = 0; i < std::min(entry->events.size(), most_rows); ++i) {
         const Event& event = entry->events[i];
-        auto* item =
-            new QTreeWidgetItem(list_, {locale.toString(event.time_s, 'f', 4), eventText(event)});
+        auto* item = new QTreeWidgetItem({locale.toString(event.time_s, 'f', 4), eventText(event)});
         item->setData(0, Qt::UserRole, event.time_s);
         item->setData(1, Qt::UserRole, event.seconds);
         item->setTextAlignment(0, Qt::AlignRight | Qt::AlignVCenter);
         item->setToolTip(1, richTip(item->text(1)));
+        items << item;
     }
+    list_->addTopLevelItems(items);
 }
 
 void EventsPanel::changeEvent(QEvent* event) {
@@ -86,6 +98,7 @@ void EventsPanel::changeEvent(QEvent* event) {
 void EventsPanel::retranslate() {
     list_->setAccessibleName(tr("Events"));
     list_->setHeaderLabels({tr("t, s"), tr("What")});
+    fillList(document_.run(run_id_));
     refresh();
 }
 

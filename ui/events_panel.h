@@ -27,12 +27,14 @@ protected:
 
 private:
     void refresh();
+    void fillList(const RunEntry* entry);
     void retranslate();
 
     Document& document_;
     QLabel* title_;
     QTreeWidget* list_;
     int run_id_ = 0;
+    std::shared_ptr<const Analysis> listed_;  // whose events stand in the list
 };
 
 }  // namespace vybeg::ui

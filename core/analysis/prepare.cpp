@@ -24,16 +24,32 @@ struct Stretch {
     std::vector<double> d;
 };
 
-Result<Stretch> read_stretch(const SampleSource& source, std::int64_t first, std::int64_t end) {
+// Read in blocks, between which the stop token is heard.
+Result<Stretch> read_stretch(const SampleSource& source, std::int64_t first, std::int64_t end,
+                             const JobControl& job) {
+    constexpr std::size_t block = std::size_t{1} << 16;
     const auto count = static_cast<std::size_t>(std::min(end - first, search_frames));
     Stretch stretch{std::vector<double>(count), std::vector<double>(count)};
-    if (const Status read = source.read(first, stretch.c, stretch.d); !read) {
-        return read.error();
+    for (std::size_t at = 0; at < count; at += block) {
+        if (job.cancelled()) {
+            return Error{ErrorCode::interrupted, "", {}};
+        }
+        const std::size_t length = std::min(block, count - at);
+        const Status read = source.read(first + static_cast<std::int64_t>(at),
+                                        std::span(stretch.c).subspan(at, length),
+                                        std::span(stretch.d).subspan(at, length));
+        if (!read) {
+            return read.error();
+        }
+    }
+    if (job.cancelled()) {
+        return Error{ErrorCode::interrupted, "", {}};
     }
     return stretch;
 }
 
-Result<double> carrier_of(const Stretch& stretch, const Settings& settings, double rate_hz) {
+Result<double> carrier_of(const Stretch& stretch, const Settings& settings, double rate_hz,
+                          const JobControl& job) {
     if (settings.f0_hz) {
         if (*settings.f0_hz >= rate_hz / 2) {
             return Error{ErrorCode::carrier_above_half_rate,
@@ -51,7 +67,7 @@ Result<double> carrier_of(const Stretch& stretch, const Settings& settings, doub
     if (settings.band) {
         band = *settings.band;
     }
-    return find_carrier(stretch.c, stretch.d, rate_hz, band.low_hz, band.high_hz);
+    return find_carrier(stretch.c, stretch.d, rate_hz, band.low_hz, band.high_hz, job);
 }
 
 // Mean over as many whole periods as the stretch holds; missing samples do not count.
@@ -95,11 +111,11 @@ Result<std::shared_ptr<const SampleSource>> with_gaps_for_lost(const Recording& 
                                                                const Settings& settings,
                                                                std::vector<Diagnostic>& diagnostics,
                                                                const JobControl& job) {
-    const Result<Stretch> stretch = read_stretch(*recording.source, 0, recording.frames());
+    const Result<Stretch> stretch = read_stretch(*recording.source, 0, recording.frames(), job);
     if (!stretch) {
         return stretch.error();
     }
-    const Result<double> f0 = carrier_of(*stretch, settings, recording.rate_hz);
+    const Result<double> f0 = carrier_of(*stretch, settings, recording.rate_hz, job);
     if (!f0) {
         return f0.error();
     }
@@ -167,11 +183,11 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
         return named(found.error());
     }
     if (settings.calibration.offset_auto) {
-        const Result<Stretch> stretch = read_stretch(*raw, prepared.first, prepared.end);
+        const Result<Stretch> stretch = read_stretch(*raw, prepared.first, prepared.end, job);
         if (!stretch) {
             return stretch.error();
         }
-        const Result<double> f0 = carrier_of(*stretch, settings, rate);
+        const Result<double> f0 = carrier_of(*stretch, settings, rate, job);
         if (!f0) {
             return named(f0.error());
         }
@@ -179,18 +195,15 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
         prepared.calibration.offset_d = mean_over_periods(stretch->d, *f0, rate);
         prepared.calibration.offset_auto = false;
     }
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, "", {}};
-    }
     const auto conditioned = condition(raw, prepared.calibration, settings.filter, rate);
     if (!conditioned) {
         return named(conditioned.error());
     }
-    const Result<Stretch> stretch = read_stretch(**conditioned, prepared.first, prepared.end);
+    const Result<Stretch> stretch = read_stretch(**conditioned, prepared.first, prepared.end, job);
     if (!stretch) {
         return stretch.error();
     }
-    const Result<double> f0 = carrier_of(*stretch, settings, rate);
+    const Result<double> f0 = carrier_of(*stretch, settings, rate, job);
     if (!f0) {
         return named(f0.error());
     }

@@ -25,9 +25,9 @@ double mean_of_finite(std::span<const double> x) {
     return count > 0 ? sum / count : std::nan("");
 }
 
-// |C_k|^2 + |D_k|^2 for k = 0 .. size/2, from one complex transform of C + iD.
-std::vector<double> summed_power(std::span<const double> c, std::span<const double> d,
-                                 double mean_c, double mean_d, std::size_t size) {
+// C + iD, Hann-windowed and padded.
+std::vector<std::complex<double>> windowed(std::span<const double> c, std::span<const double> d,
+                                           double mean_c, double mean_d, std::size_t size) {
     std::vector<std::complex<double>> data(size);
     const double turn = 2 * std::numbers::pi / static_cast<double>(c.size());
     for (std::size_t j = 0; j < c.size(); ++j) {
@@ -36,10 +36,15 @@ std::vector<double> summed_power(std::span<const double> c, std::span<const doub
         const double imag = std::isfinite(d[j]) ? d[j] - mean_d : 0;
         data[j] = hann * std::complex<double>{real, imag};
     }
-    Fft(size).forward(data);
+    return data;
+}
+
+// |C_k|^2 + |D_k|^2 for k = 0 .. size/2, from the transform of C + iD.
+std::vector<double> summed_power(const std::vector<std::complex<double>>& spectrum) {
+    const std::size_t size = spectrum.size();
     std::vector<double> power(size / 2 + 1);
     for (std::size_t k = 0; k < power.size(); ++k) {
-        power[k] = 0.5 * (std::norm(data[k]) + std::norm(data[(size - k) % size]));
+        power[k] = 0.5 * (std::norm(spectrum[k]) + std::norm(spectrum[(size - k) % size]));
     }
     return power;
 }
@@ -47,7 +52,7 @@ std::vector<double> summed_power(std::span<const double> c, std::span<const doub
 }  // namespace
 
 Result<double> find_carrier(std::span<const double> c, std::span<const double> d, double rate_hz,
-                            double low_hz, double high_hz) {
+                            double low_hz, double high_hz, const JobControl& job) {
     const double mean_c = mean_of_finite(c);
     const double mean_d = mean_of_finite(d);
     if (std::isnan(mean_c) || std::isnan(mean_d)) {
@@ -69,7 +74,21 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
                      {short_text(low_hz), short_text(high_hz), short_text(rate_hz / 2)}};
     }
 
-    const std::vector<double> power = summed_power(c, d, mean_c, mean_d, size);
+    // A million samples take some tenths of a second: the stop token is heard on the way.
+    const Error interrupted{ErrorCode::interrupted, "", {}};
+    std::vector<std::complex<double>> data = windowed(c, d, mean_c, mean_d, size);
+    if (job.cancelled()) {
+        return interrupted;
+    }
+    const Fft transform(size);
+    if (job.cancelled()) {
+        return interrupted;
+    }
+    transform.forward(data);
+    if (job.cancelled()) {
+        return interrupted;
+    }
+    const std::vector<double> power = summed_power(data);
     const auto begin = power.begin();
     const auto peak =
         static_cast<std::size_t>(std::max_element(begin + static_cast<std::ptrdiff_t>(low),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/job_control.h"
 #include "core/base/result.h"
 
 #include <span>
@@ -10,8 +11,8 @@ namespace vybeg {
 // summed) of the Hann-windowed spectrum between low_hz and high_hz, refined below a hundredth of a
 // bin, where a bin is rate / length. Missing samples (NaN) count as zero. An offset is taken out
 // first. Errors (without `where`): band_invalid, no_valid_samples, carrier_not_found (no peak
-// stands 16 dB above the band's median).
+// stands 16 dB above the band's median), interrupted.
 Result<double> find_carrier(std::span<const double> c, std::span<const double> d, double rate_hz,
-                            double low_hz, double high_hz);
+                            double low_hz, double high_hz, const JobControl& job = {});
 
 }  // namespace vybeg
