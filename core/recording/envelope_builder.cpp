@@ -1,5 +1,7 @@
 #include "core/recording/envelope_builder.h"
 
+#include "core/recording/look_around.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -10,9 +12,7 @@ namespace {
 using Samples = std::vector<EnvelopeBucket>;
 
 constexpr double picture_interval_s = 0.1;
-constexpr double look_s = 0.3;             // a disk that has to move its head is not asked longer
 constexpr std::int64_t most_looks = 2048;  // about the pixels of a window's width
-constexpr std::int64_t least_looks = 64;
 // A look is long enough to see the crests of any carrier above 1/256 of the sample rate, and all
 // looks together are no more than a sixteenth of the recording.
 constexpr std::int64_t frames_per_look = 256;
@@ -31,21 +31,23 @@ public:
           blocks_(static_cast<std::size_t>(block_count(source.frames()))),
           published_(job.now()) {}
 
-    // The parts' number is doubled as long as there is time: whatever was reached is spread over
-    // the whole recording.
     Status look() {
-        const double until = job_.now() + look_s;
-        for (std::int64_t parts = least_looks;
-             parts <= most_looks && source_.frames() / parts >= frames_per_part; parts *= 2) {
-            const Result<bool> in_time = look_at(parts, until);
-            if (!in_time) {
-                return in_time.error();
-            }
-            if (!*in_time) {
-                break;
-            }
+        const std::int64_t frames = source_.frames();
+        auto seen =
+            look_around(std::min(most_looks, frames / frames_per_part), job_,
+                        [&](std::int64_t part, std::int64_t parts) -> Result<Look> {
+                            const Status read = read_frames(frames * part / parts, frames_per_look);
+                            if (!read) {
+                                return read.error();
+                            }
+                            return Look{static_cast<double>(part) / static_cast<double>(parts),
+                                        bucket_of(c_, d_)};
+                        });
+        if (!seen) {
+            return seen.error();
         }
-        if (samples_) {
+        if (!seen->empty()) {
+            samples_ = std::make_shared<const Samples>(std::move(*seen));
             publish();
         }
         return {};
@@ -73,28 +75,6 @@ public:
     }
 
 private:
-    // Looks at the beginning of each part; every other one is known from half as many parts.
-    Result<bool> look_at(std::int64_t parts, double until) {
-        Samples samples(static_cast<std::size_t>(parts));
-        for (std::int64_t part = 0; part < parts; ++part) {
-            EnvelopeBucket& sample = samples[static_cast<std::size_t>(part)];
-            if (samples_ && part % 2 == 0) {
-                sample = (*samples_)[static_cast<std::size_t>(part / 2)];
-                continue;
-            }
-            if (job_.now() > until) {
-                return false;
-            }
-            const std::int64_t first = source_.frames() * part / parts;
-            if (const Status read = read_frames(first, frames_per_look); !read) {
-                return read.error();
-            }
-            sample = bucket_of(c_, d_);
-        }
-        samples_ = std::make_shared<const Samples>(std::move(samples));
-        return true;
-    }
-
     Status read_frames(std::int64_t first, std::int64_t length) {
         if (job_.cancelled()) {
             return Error{.code = ErrorCode::interrupted, .where = "", .args = {}};

@@ -33,6 +33,7 @@ public:
     }
 
     std::int64_t frames() const override { return frames_; }
+    bool seeks() const override { return source_->seeks(); }
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
         std::ranges::fill(c, std::numeric_limits<double>::quiet_NaN());

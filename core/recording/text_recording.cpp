@@ -163,8 +163,8 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
 
 }  // namespace
 
-Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
-                            const JobControl& job) {
+Result<ChosenTable> choose_table(const std::shared_ptr<const FileBytes>& file,
+                                 const OpenOptions& options) {
     const auto guess = guess_from_head(file);
     if (!guess) {
         return guess.error();
@@ -173,7 +173,7 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
         return file->error(ErrorCode::text_no_data);
     }
     const TextFormat& format = **guess;
-    const std::vector<int> columns = channel_columns(format);
+    std::vector<int> columns = channel_columns(format);
     if (const Status status = check_channels(*file, static_cast<int>(columns.size()), options);
         !status) {
         return status.error();
@@ -181,11 +181,6 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
     if (format.time_column < 0 && !options.rate_hz) {
         return file->error(ErrorCode::rate_unknown);  // before the work of reading it
     }
-    Recording recording;
-    recording.path = file->path();
-    recording.channel_c = options.channel_c;
-    recording.channel_d = options.channel_d;
-    describe(format, columns, recording);
     auto table = find_table(file, format,
                             {.time = format.time_column,
                              .c = columns[static_cast<std::size_t>(options.channel_c - 1)],
@@ -193,7 +188,21 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
     if (!table) {
         return table.error();
     }
-    if (const Status status = take_table(*file, std::move(*table), options, job, recording);
+    return ChosenTable{std::move(*table), std::move(columns)};
+}
+
+Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                            const JobControl& job) {
+    auto chosen = choose_table(file, options);
+    if (!chosen) {
+        return chosen.error();
+    }
+    Recording recording;
+    recording.path = file->path();
+    recording.channel_c = options.channel_c;
+    recording.channel_d = options.channel_d;
+    describe(chosen->table.format, chosen->channels, recording);
+    if (const Status status = take_table(*file, std::move(chosen->table), options, job, recording);
         !status) {
         return status.error();
     }

@@ -4,8 +4,10 @@
 #include "core/base/result.h"
 #include "core/recording/file_bytes.h"
 #include "core/recording/open_recording.h"
+#include "core/recording/text_table.h"
 
 #include <memory>
+#include <vector>
 
 namespace vybeg {
 
@@ -15,5 +17,13 @@ namespace vybeg {
 // those of scan_text().
 Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job);
+
+// The table that open_text() reads, before its rows are looked at.
+struct ChosenTable {
+    TextTable table;
+    std::vector<int> channels;  // its columns that are channels, from 0
+};
+Result<ChosenTable> choose_table(const std::shared_ptr<const FileBytes>& file,
+                                 const OpenOptions& options);
 
 }  // namespace vybeg

@@ -17,6 +17,7 @@ public:
     WatchedSource(std::shared_ptr<const SampleSource> source, std::shared_ptr<FaultCheck> check);
 
     std::int64_t frames() const override { return source_->frames(); }
+    bool seeks() const override { return source_->seeks(); }
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override;
 
 private:
