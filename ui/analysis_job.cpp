@@ -85,12 +85,28 @@ void AnalysisJob::start(QThreadPool& pool, TaskId id,
     });
 }
 
+void AnalysisJob::post(const Ticket& ticket, std::function<void()> act) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, ticket, act = std::move(act)] {
+            if (!isStale(ticket)) {
+                act();
+            }
+        },
+        Qt::QueuedConnection);
+}
+
 void AnalysisJob::open(int key, const QString& path, const OpenOptions& options,
+                       std::function<void(const FirstLook&)> looked,
                        std::function<void(Result<Recording>)> done) {
     start<Recording>(
         openings_, {Kind::open, key},
-        [path = toPath(path), options](const Ticket& ticket) {
-            return open_recording(path, options, JobControl(ticket.stop));
+        [this, path = toPath(path), options, looked = std::move(looked)](const Ticket& ticket) {
+            const JobControl job(ticket.stop, {}, stopwatch());
+            if (const auto look = first_look(path, options, job)) {
+                post(ticket, [looked, look = *look] { looked(look); });
+            }
+            return open_recording(path, options, job);
         },
         std::move(done));
 }
@@ -102,14 +118,7 @@ void AnalysisJob::buildEnvelope(int key, const Recording& recording, EnvelopeSin
         others_, {Kind::envelope, key},
         [this, source = recording.source, grown = std::move(grown)](const Ticket& ticket) {
             const EnvelopeSink show = [&](const Picture& picture) {
-                QMetaObject::invokeMethod(
-                    this,
-                    [this, ticket, grown, picture = freedInBackground(picture)] {
-                        if (!isStale(ticket)) {
-                            grown(picture);
-                        }
-                    },
-                    Qt::QueuedConnection);
+                post(ticket, [grown, picture = freedInBackground(picture)] { grown(picture); });
             };
             Result<Picture> whole =
                 build_envelope(*source, JobControl(ticket.stop, {}, stopwatch()), show);

@@ -3,6 +3,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/inspect.h"
 #include "core/recording/envelope_builder.h"
+#include "core/recording/first_look.h"
 #include "core/recording/open_recording.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
@@ -42,7 +43,9 @@ public:
     // Stops every job and waits until the last has heard it.
     ~AnalysisJob() override;
 
+    // `looked` gets what can be seen of a file whose opening takes long, before it is open.
     void open(int key, const QString& path, const OpenOptions& options,
+              std::function<void(const FirstLook&)> looked,
               std::function<void(Result<Recording>)> done);
     // `grown` gets pictures of the envelope while it grows, some ten a second.
     void buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
@@ -89,6 +92,8 @@ private:
     void start(QThreadPool& pool, TaskId id, std::function<Result<Value>(const Ticket&)> work,
                std::function<void(Result<Value>)> done);
     bool isStale(const Ticket& ticket) const;
+    // Lets `act` run in the window's thread, unless the job is stale by then.
+    void post(const Ticket& ticket, std::function<void()> act);
     JobControl reporting(int key, std::stop_token stop);
 
     quint64 generation_ = 0;

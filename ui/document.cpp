@@ -76,8 +76,9 @@ void Document::open(const QStringList& paths, const OpenOptions& options) {
         entry.name = QFileInfo(path).fileName();
         entry.options = options;
         recordings_.push_back(std::move(entry));
-        job_.open(id, path, options,
-                  [this, id](Result<Recording> result) { whenOpened(id, std::move(result)); });
+        job_.open(
+            id, path, options, [this, id](const FirstLook& look) { whenLookedAt(id, look); },
+            [this, id](Result<Recording> result) { whenOpened(id, std::move(result)); });
     }
     if (!paths.isEmpty()) {
         emit recordingsChanged();
@@ -92,6 +93,15 @@ void Document::reopen(int id, const OpenOptions& options) {
     const QString path = entry->path;
     closeRecording(id);
     open({path}, options);
+}
+
+void Document::whenLookedAt(int id, const FirstLook& look) {
+    if (RecordingEntry* entry = find(id)) {
+        entry->envelope = look.envelope;
+        entry->envelope_rate_hz = look.rate_hz;
+        setCurrentRecording(id);
+        emit recordingChanged(id);
+    }
 }
 
 void Document::whenOpened(int id, Result<Recording> result) {
@@ -127,6 +137,9 @@ void Document::whenOpened(int id, Result<Recording> result) {
                            {}});
         }
     }
+    if (id == current_) {
+        emit currentRecordingChanged();  // it has been looked at, and there is more to tell now
+    }
     setCurrentRecording(id);
     emit recordingChanged(id);
     emit opened(entry->path);
@@ -138,6 +151,7 @@ void Document::readEnvelope(int id) {
     const auto show = [this, id](const Picture& picture) {
         if (RecordingEntry* entry = find(id)) {
             entry->envelope = picture;
+            entry->envelope_rate_hz = entry->recording->rate_hz;
             emit envelopeGrown(id);
         }
     };

@@ -17,7 +17,8 @@
 
 namespace vybeg::ui {
 
-// A recording in the window's list. `recording` is empty while the file is being opened.
+// A recording in the window's list. `recording` is empty while the file is being opened; where that
+// takes long it has an envelope already.
 struct RecordingEntry {
     int id = 0;
     QString path;
@@ -26,7 +27,8 @@ struct RecordingEntry {
     std::optional<Recording> recording;
     std::optional<double> f0_hz;               // once the search has found it
     QString sha256;                            // once it is computed
-    std::shared_ptr<const Envelope> envelope;  // as far as it has been read
+    std::shared_ptr<const Envelope> envelope;  // as far as it has been read, or looked at
+    double envelope_rate_hz = 0;               // frames of the envelope in a second
     std::optional<SampleFaults> faults;        // once the recording check is through
 };
 
@@ -125,6 +127,7 @@ private:
     };
 
     RecordingEntry* find(int id);
+    void whenLookedAt(int id, const FirstLook& look);
     void whenOpened(int id, Result<Recording> result);
     void searchCarrier(int id);
     void checkSamples(int id);

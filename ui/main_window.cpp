@@ -190,15 +190,17 @@ void MainWindow::showCurrentRecording() {
     if (entry && entry->recording) {
         const Recording& recording = *entry->recording;
         title = entry->name + QStringLiteral(" — ") + title;
-        if (entry->envelope) {
-            showEnvelope();
-        } else {
-            signal_->setReading(recording.seconds());
-        }
+        signal_->setReading(recording.seconds());
+        showEnvelope();
         if (!document_.runs().empty()) {
             signal_->setVisibleRange(tracks_->timeRange());
         }
         showAnalysedRange();
+    } else if (entry && entry->envelope) {
+        title = entry->name + QStringLiteral(" — ") + title;
+        signal_->setReading(static_cast<double>(entry->envelope->frames()) /
+                            entry->envelope_rate_hz);
+        showEnvelope();
     } else {
         signal_->clear();
     }
@@ -208,8 +210,8 @@ void MainWindow::showCurrentRecording() {
 
 void MainWindow::showEnvelope() {
     const RecordingEntry* entry = document_.currentRecording();
-    if (entry && entry->recording && entry->envelope) {
-        signal_->setEnvelope(entry->envelope, entry->recording->rate_hz);
+    if (entry && entry->envelope) {
+        signal_->setEnvelope(entry->envelope, entry->envelope_rate_hz);
     }
 }
 

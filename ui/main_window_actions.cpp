@@ -322,7 +322,8 @@ void MainWindow::refreshActions() {
         }
     };
     const bool plots = !document_.runs().empty();
-    enable({Command::open_with, Command::close_recording, Command::run, Command::compare}, open);
+    enable({Command::open_with, Command::run, Command::compare}, open);
+    enable({Command::close_recording}, entry != nullptr);
     enable({Command::export_plots, Command::export_track, Command::copy_plot, Command::copy_table,
             Command::zoom_in, Command::zoom_out, Command::zoom_fit},
            plots);

@@ -209,6 +209,34 @@ private slots:
         QVERIFY(least_gap_ms_.size() > 12);
     }
 
+    void a_text_file_is_seen_before_it_is_open() {
+        // 20 s at 33333 Hz and a row of 80 characters: twice the length from which text is looked
+        // at.
+        const QString path = home_.path("long.csv");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("t_s,C,D\n");
+        for (int i = 0; i < 20 * 33333; ++i) {
+            const double turn = 2 * std::numbers::pi * 5300 * i / 33333;
+            file.write(QByteArray::number(i / 33333., 'f', 25) + ',' +
+                       QByteArray::number(std::cos(turn), 'f', 22) + ',' +
+                       QByteArray::number(0.5 * std::cos(turn), 'f', 22) + '\n');
+        }
+        file.close();
+        bool seen_first = false;
+        connect(&document(), &Document::recordingChanged, this, [&] {
+            const auto* entry = document().currentRecording();
+            seen_first = seen_first || (entry && entry->envelope && !entry->recording);
+        });
+        document().open({path});
+        QVERIFY(QTest::qWaitFor([&] { return whole() && analysed(); }, 60000));
+        QVERIFY(seen_first);
+        const auto* entry = document().currentRecording();
+        QCOMPARE(entry->envelope->frames(), entry->recording->frames());
+        QCOMPARE(entry->envelope_rate_hz, entry->recording->rate_hz);
+        QVERIFY(window_->windowTitle().startsWith("long.csv"));
+    }
+
     void the_window_closes_at_once_while_loading() {
         document().open({path_}, options_);
         QVERIFY(QTest::qWaitFor([&] { return seen(); }, 60000));
