@@ -103,7 +103,7 @@ void scale_amplitudes(Track& track, double factor) {
     }
 }
 
-Status write_truth(OutputFile& file, const SimulateRequest& request, const SimulatedDecay& samples,
+Status write_truth(OutputFile& file, const SimulateRequest& request, double full_scale,
                    bool fractions_of_full_scale, const JobControl& job) {
     Result<Track> truth = true_track(request.decay, request.window);
     if (!truth) {
@@ -115,9 +115,8 @@ Status write_truth(OutputFile& file, const SimulateRequest& request, const Simul
     }
     if (fractions_of_full_scale) {
         // The samples read back from PCM are fractions of full scale, and so is their truth.
-        scale_amplitudes(*truth, 1 / samples.full_scale);
-        header.push_back("amplitudes: fractions of the full scale " +
-                         round_trip_text(samples.full_scale));
+        scale_amplitudes(*truth, 1 / full_scale);
+        header.push_back("amplitudes: fractions of the full scale " + round_trip_text(full_scale));
     }
     if (const Status written = write_track_csv(file, *truth, header, job); !written) {
         return written;
@@ -215,21 +214,32 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
     if (!output) {
         return log.fail(output.error());
     }
-    const Result<SimulatedDecay> samples = simulate(request.decay, job_of(stop, log));
-    if (!samples) {
-        return log.fail(samples.error());
+    const FreeDecay& decay = request.decay;
+    // The signals are made anew for each time that they are gone through.
+    const bool peak_unknown = decay.bits > 0 && decay.full_scale == 0;
+    const int runs = (*format == SampleFormat::mat ? 2 : 1) + (peak_unknown ? 1 : 0);
+    const JobControl whole = job_of(stop, log);
+    int done = 0;
+    const JobControl job(stop, [&](double fraction) {
+        whole.report((done + fraction) / runs);
+        done += fraction == 1 ? 1 : 0;
+    });
+    const Result<double> full_scale = find_full_scale(decay, job);
+    if (!full_scale) {
+        return log.fail(full_scale.error());
     }
-    const bool pcm = *format == SampleFormat::wav && request.decay.bits > 0;
-    Status written = write_samples(
-        *output, *format,
-        {samples->c, samples->d, request.decay.rate_hz, request.decay.bits, samples->full_scale},
-        silent(stop));
+    const bool pcm = *format == SampleFormat::wav && decay.bits > 0;
+    const auto run = [&](const SampleSink& sink) {
+        return simulate(decay, *full_scale, sink, job);
+    };
+    Status written = write_stream(
+        *output, *format, {frame_count(decay), decay.rate_hz, decay.bits, *full_scale, run});
     if (written) {
         written = output->flush();  // a full disk shows before the truth is put in place
     }
     if (written && !request.truth.empty()) {
         Result<OutputFile> truth = open_output(request.truth, silent(stop));
-        written = truth ? write_truth(*truth, request, *samples, pcm, silent(stop))
+        written = truth ? write_truth(*truth, request, *full_scale, pcm, silent(stop))
                         : Status(truth.error());
     }
     if (written) {

@@ -4,7 +4,7 @@
 
 namespace vybeg {
 
-// The WAV part of write_samples().
-Status write_wav(OutputFile& file, const Samples& samples, const JobControl& job);
+// The WAV part of write_stream().
+Status write_wav(OutputFile& file, const SampleStream& stream);
 
 }  // namespace vybeg

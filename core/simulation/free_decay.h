@@ -5,6 +5,8 @@
 #include "core/track/track.h"
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -39,6 +41,9 @@ struct FreeDecay {
     friend bool operator==(const FreeDecay&, const FreeDecay&) = default;
 };
 
+// Takes frames of both signals in their order; an error ends the simulation.
+using DecaySink = std::function<Status(std::span<const double> c, std::span<const double> d)>;
+
 struct SimulatedDecay {
     std::vector<double> c;
     std::vector<double> d;
@@ -54,10 +59,19 @@ Status check(const FreeDecay& decay);
 // as whole. Precondition: check() passes.
 std::int64_t frame_count(const FreeDecay& decay);
 
+// Full scale of the quantiser, as used; 0 without one. Where it is not given the decay is simulated
+// once to find its largest sample. Errors: simulation_impossible, interrupted.
+Result<double> find_full_scale(const FreeDecay& decay, const JobControl& job);
+
 // The two signals by the exact matrix exponential of the slow dynamics: signal, D divided by
-// kappa, plus offset, plus noise, then the quantiser, which clips. The same seed gives the same
-// samples on every machine, to the rounding of its sin, cos, exp and log. Errors:
-// simulation_impossible, interrupted.
+// kappa, plus offset, plus noise, then the quantiser, which clips; `full_scale` is that of
+// find_full_scale(). The sink gets some thousand frames at a time: memory does not grow with the
+// length. The same seed gives the same samples on every machine, to the rounding of its sin, cos,
+// exp and log. Errors: those of the sink, simulation_impossible, interrupted.
+Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink,
+                const JobControl& job);
+
+// The same in memory, which must have room for it.
 Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job);
 
 // The exact slow variables at the centres of windows of `window` samples, one after the other, from

@@ -17,6 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr std::int64_t most_rows = std::int64_t{1} << 26;  // 9 GB of track
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // Relative to the amplitude: four digits above the rounding of what is compared.
 constexpr double vanishing = 1e-12;
@@ -70,6 +71,12 @@ Result<Track> true_track(const FreeDecay& decay, std::int64_t window) {
                      {"its truth needs a window of 1 to " + integer_text(frames) + " samples"}};
     }
     const WindowPlan plan = plan_windows(0, frames, window, window);
+    if (plan.count > most_rows) {
+        return Error{ErrorCode::simulation_impossible,
+                     "simulate",
+                     {"its truth would have " + integer_text(plan.count) +
+                      " windows; the most is " + integer_text(most_rows)}};
+    }
     const SlowMotion motion(decay);
     Track track(static_cast<std::size_t>(plan.count));
     std::optional<double> previous;
