@@ -125,7 +125,6 @@ void Document::whenOpened(int id, Result<Recording> result) {
     entry->recording = std::move(*result);
     readEnvelope(id);
     searchCarrier(id);
-    checkSamples(id);
     for (const Diagnostic& diagnostic : entry->recording->diagnostics) {
         if (diagnostic.kind != DiagnosticKind::text_lines_ignored) {
             emit reported({Severity::warning,
@@ -161,12 +160,12 @@ void Document::readEnvelope(int id) {
         } else {
             reportError(whole.error());
         }
+        // What is to be seen comes first, and the file then is in memory as far as it fits.
+        checkSamples(id);
         hashFile(id);
     });
 }
 
-// Behind the envelope: what is to be seen comes first, and the file then is in memory as far as it
-// fits.
 void Document::hashFile(int id) {
     if (const RecordingEntry* entry = find(id)) {
         job_.hash(id, entry->path, [this, id](Result<std::string> hash) {
