@@ -1,0 +1,223 @@
+#include "tests/fuzz/seeds.h"
+
+#include "tests/core/recording/audio_files.h"
+#include "tests/core/recording/demo_files.h"
+#include "tests/core/recording/tdms_file.h"
+#include "tests/core/recording/uff_file.h"
+
+#include <functional>
+#include <map>
+
+namespace vybeg::fuzz {
+namespace {
+
+using namespace vybeg::test;
+using Files = std::vector<std::string>;
+
+constexpr std::size_t frames = 40;
+
+Files audio_files() {
+    const Folder folder;
+    Files files;
+    for (const int format : {SF_FORMAT_WAV | SF_FORMAT_PCM_16, SF_FORMAT_WAV | SF_FORMAT_DOUBLE,
+                             SF_FORMAT_WAV | SF_ENDIAN_BIG | SF_FORMAT_PCM_24,
+                             SF_FORMAT_WAVEX | SF_FORMAT_FLOAT, SF_FORMAT_WAV | SF_FORMAT_MS_ADPCM,
+                             SF_FORMAT_RF64 | SF_FORMAT_PCM_32, SF_FORMAT_W64 | SF_FORMAT_PCM_16,
+                             SF_FORMAT_AIFF | SF_FORMAT_PCM_16, SF_FORMAT_CAF | SF_FORMAT_PCM_24,
+                             SF_FORMAT_AU | SF_FORMAT_PCM_16, SF_FORMAT_FLAC | SF_FORMAT_PCM_16}) {
+        write_audio(folder.file("run"), wave(frames), format, 33333, 2, "2020");
+        files.push_back(bytes_of(folder.file("run")));
+    }
+    return files;
+}
+
+// Rows of a time, C and D.
+std::string table(
+    const std::string& head, const std::string& delimiter, double step_s,
+    const std::function<double(int)>& row_of = [](int i) { return i; }) {
+    std::string text = head;
+    for (int i = 0; i < static_cast<int>(frames); ++i) {
+        const double t = step_s * row_of(i);
+        text += (step_s > 0 ? std::to_string(t) + delimiter : "") +
+                std::to_string(std::cos(0.9 * i)) + delimiter + std::to_string(std::sin(0.9 * i)) +
+                "\n";
+    }
+    return text;
+}
+
+std::string utf16(const std::string& text, bool big_endian) {
+    std::string bytes = store(char16_t{0xFEFF}, big_endian);
+    for (const char letter : text) {
+        bytes += store(static_cast<char16_t>(letter), big_endian);
+    }
+    return bytes;
+}
+
+Files text_files() {
+    std::string commas = table("t;C;D\n", ";", 1e-3);
+    std::replace(commas.begin(), commas.end(), '.', ',');
+    const std::string plain = table("t_s,C_V,D_V\n", ",", 3e-3);
+    return {plain,
+            commas,
+            table("# rate 33333 Hz\n", "\t", 0),
+            table("", " ", 1e-2),
+            table("Run 5\nt [ms],C [mV],D [mV]\n", ",", 1e-2,
+                  [](int i) { return i < 20 ? i : i + 300; }),
+            table("time,C,D\n", ",", 1e-2, [](int i) { return i + 0.2 * std::sin(i); }),
+            utf16(plain, false),
+            utf16(table("", "\t", 1e-2), true),
+            "\"C\",\"D\"\r\n\"1\",\"2\"\r\n,3\r\nnan,4\r\n5,6\r\n7,8\r\n9,10\r\n11,12"};
+}
+
+Files uff_files() {
+    const Samples samples = wave(frames);
+    UffText wide;
+    wide.doubles = true;
+    wide.line_end = "\r\n";
+    UffText tight;
+    tight.blanks = false;
+    Files files;
+    for (const UffText& layout : {UffText{}, wide, tight}) {
+        files.push_back(uff58(samples.c, layout) + uff58(samples.d, layout));
+    }
+    files.push_back("    -1\n   151\nmodel\n    -1\n" + files[0]);
+    return files;
+}
+
+Files tdms_files() {
+    Files files;
+    for (const bool big_endian : {false, true}) {
+        const Tdms t{big_endian};
+        const std::uint32_t order = big_endian ? toc_interleaved : 0;
+        const std::string raw(2 * 2 * 20, '\2');
+        files.push_back(
+            t.segment(first_segment | order, both_channels(t, tds_i16, 20), raw) +
+            t.segment(toc_raw | order, "", raw) +
+            t.segment(toc_raw | toc_metadata | order,
+                      t.metadata({t.object(path_d, t.as_before(), {t.words("unit_string", "V")})}),
+                      raw));
+        files.push_back(small_file(whole_numbers(frames), t));
+    }
+    const Tdms t;
+    files.push_back(t.segment(
+        first_segment,
+        t.metadata(
+            {t.object("/'Run'", t.no_values(), {t.time("wf_start_time", 3600, 7)}),
+             t.object(
+                 path_c, t.values(tds_f32, 10),
+                 {t.real("wf_increment", 1e-4), t.words("NI_Scaling_Status", "unscaled"),
+                  t.whole("NI_Number_Of_Scales", 1), t.words("NI_Scale[0]_Scale_Type", "Linear"),
+                  t.real("NI_Scale[0]_Linear_Slope", 2),
+                  t.real("NI_Scale[0]_Linear_Y_Intercept", 1)}),
+             t.object("/'Run'/'Note'", t.strings(2, 12)), t.object(path_d, t.values(tds_f32, 10))}),
+        std::string(40 + 12 + 40, '\1') + std::string(40 + 12 + 40, '\2')));
+    return files;
+}
+
+Files raw_files() {
+    Files files;
+    for (int kind = 0; kind < 8; ++kind) {
+        // The choice of try_raw(), which is skipped, then samples.
+        std::string bytes(4, static_cast<char>(kind));
+        bytes += store(std::int32_t{2 + kind % 3}, false) + store(std::int64_t{24}, false) +
+                 store(0.5 * (kind + 1), false);
+        for (const double sample : wave(2 * frames).c) {
+            bytes += store(sample, false);
+        }
+        files.push_back(std::move(bytes));
+    }
+    return files;
+}
+
+// The files in the current folder that a script writes for Samples of a wave.
+Files python_files(const QString& script, const QStringList& names) {
+    const Folder folder;
+    write_with_python(folder, wave(frames), script);
+    Files files;
+    for (const QString& name : names) {
+        files.push_back(bytes_of(folder.file(name.toStdString())));
+    }
+    return files;
+}
+
+Files npy_files() {
+    return python_files(R"(
+both = np.stack([c, d], 1)
+np.save('1', both)
+np.save('2', np.asfortranarray(both).astype('>f4'))
+np.save('3', (1000 * both.T).astype('i2'))
+with open('4.npy', 'wb') as f:
+    np.lib.format.write_array(f, both.astype('>i4'), version=(2, 0))
+)",
+                        {"1.npy", "2.npy", "3.npy", "4.npy"});
+}
+
+Files npz_files() {
+    return python_files(R"(
+t = np.arange(len(c)) / fs
+np.savez('1', C=c, D=d, fs=fs)
+np.savez_compressed('2', C=c, D=d, fs=fs)
+np.savez_compressed('3', t=t, run=np.stack([c, d], 1))
+np.savez('4', t=t + 0.2 / fs * np.sin(np.arange(len(c))), C=c, D=d)
+)",
+                        {"1.npz", "2.npz", "3.npz", "4.npz"});
+}
+
+Files mat_files() {
+    return python_files(R"(
+import scipy.io as sio
+run = {'C': c, 'D': d, 'fs': fs, 's': {'x': np.arange(9.0)}, 'e': np.array(['a', 3.0], object)}
+flat = {'C': c, 'D': d, 'fs': fs, 'x': np.arange(9, dtype='i2')}
+sio.savemat('v4', flat, format='4')
+sio.savemat('v5', run)
+sio.savemat('v7', run, do_compression=True)
+)",
+                        {"v4", "v5", "v7"});
+}
+
+Files mat73_files() {
+    return python_files(R"(
+import h5py
+with h5py.File('v73', 'w', userblock_size=512) as f:
+    for name, x in (('C', c), ('D', d), ('fs', np.array([[fs]]))):
+        f.create_dataset(name, data=x.reshape(1, -1)).attrs['MATLAB_class'] = np.bytes_('double')
+    f.create_group('run')['x'] = np.arange(9, dtype='u1')
+with open('v73', 'r+b') as f:
+    f.write(b'MATLAB 7.3 MAT-file, made for a test'.ljust(124) + b'\0\2IM')
+)",
+                        {"v73"});
+}
+
+Files hdf5_files() {
+    return python_files(R"(
+import h5py
+with h5py.File('chunked', 'w') as f:
+    for name, x in (('C', c), ('D', d)):
+        f.create_dataset('run/' + name, data=x, chunks=(10,), compression='gzip',
+                         fletcher32=True).attrs['unit'] = 'V'
+    f['run'].attrs['fs'] = fs
+with h5py.File('latest', 'w', libver='latest') as f:
+    f['C'], f['D'], f['fs'] = c, d, fs
+with h5py.File('deep', 'w') as f:
+    group = f
+    for i in range(40):
+        group = group.create_group('g')
+    group['C'], group['D'] = c, d
+    group['back'] = f['g/g']
+    group['soft'] = h5py.SoftLink('/g')
+    group['far'] = h5py.ExternalLink('elsewhere', '/C')
+)",
+                        {"chunked", "latest", "deep"});
+}
+
+}  // namespace
+
+std::vector<std::string> sound_files(const QString& format) {
+    const std::map<QString, Files (*)()> writers{
+        {"audio", audio_files}, {"text", text_files}, {"npy", npy_files}, {"npz", npz_files},
+        {"uff", uff_files},     {"tdms", tdms_files}, {"raw", raw_files}, {"mat", mat_files},
+        {"mat73", mat73_files}, {"hdf5", hdf5_files}};
+    return writers.at(format)();
+}
+
+}  // namespace vybeg::fuzz

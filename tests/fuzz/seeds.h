@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QString>
+
+#include <string>
+#include <vector>
+
+namespace vybeg::fuzz {
+
+// Sound small files of a format, to be damaged: "audio", "text", "npy", "npz", "uff", "tdms",
+// "raw", "mat", "mat73", "hdf5". Those of NumPy, SciPy and h5py are written by Python.
+std::vector<std::string> sound_files(const QString& format);
+
+}  // namespace vybeg::fuzz
