@@ -53,7 +53,7 @@ std::string tdms_time_text(std::int64_t seconds, std::uint64_t fraction) {
     using namespace std::chrono;
     constexpr std::int64_t day = 86400;
     constexpr std::int64_t farthest_days = 4'000'000;
-    const std::int64_t days_after = (seconds >= 0 ? seconds : seconds - (day - 1)) / day;
+    const std::int64_t days_after = seconds / day - (seconds % day < 0 ? 1 : 0);
     if (days_after < -farthest_days || days_after > farthest_days) {
         return {};
     }

@@ -25,7 +25,12 @@ void subtract(std::size_t bytes) {
 
 #ifdef __SANITIZE_ADDRESS__
 
-#include <sanitizer/allocator_interface.h>
+// Of sanitizer/allocator_interface.h, which Debian's GCC does not bring.
+extern "C" {
+std::size_t __sanitizer_get_allocated_size(const volatile void* place);
+int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*, std::size_t),
+                                              void (*freed)(const volatile void*));
+}
 
 namespace {
 
@@ -35,7 +40,7 @@ void allocated(const volatile void*, std::size_t size) {
 
 void freed(const volatile void* place) {
     if (place) {
-        subtract(__sanitizer_get_allocated_size(const_cast<const void*>(place)));
+        subtract(__sanitizer_get_allocated_size(place));
     }
 }
 

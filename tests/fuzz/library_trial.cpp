@@ -55,13 +55,13 @@ Verdict try_mat(std::string_view bytes) {
 }
 
 Verdict try_mat73(std::string_view bytes) {
-    const MemoryFile memory(bytes);
-    return judge(open_hdf5_file(memory.path(), Naming::matlab));
+    const NamedFile file(bytes);
+    return judge(open_hdf5_file(file.path(), Naming::matlab));
 }
 
 Verdict try_hdf5(std::string_view bytes) {
-    const MemoryFile memory(bytes);
-    return judge(open_hdf5_file(memory.path(), Naming::hdf5));
+    const NamedFile file(bytes);
+    return judge(open_hdf5_file(file.path(), Naming::hdf5));
 }
 
 }  // namespace vybeg::fuzz

@@ -65,6 +65,9 @@ private:
 
     // Over what stands there, as far as the file goes; mostly where fields begin.
     void write(const std::string& bytes) {
+        if (bytes.empty()) {
+            return;
+        }
         std::size_t at = place();
         at -= below(2) == 0 ? at % std::min<std::size_t>(bytes.size(), 4) : 0;
         const std::size_t count = std::min(bytes.size(), bytes_.size() - at);

@@ -200,7 +200,7 @@ with h5py.File('latest', 'w', libver='latest') as f:
     f['C'], f['D'], f['fs'] = c, d, fs
 with h5py.File('deep', 'w') as f:
     group = f
-    for i in range(40):
+    for i in range(20):
         group = group.create_group('g')
     group['C'], group['D'] = c, d
     group['back'] = f['g/g']
@@ -210,13 +210,33 @@ with h5py.File('deep', 'w') as f:
                         {"chunked", "latest", "deep"});
 }
 
+// More groups in each other than any recording has: soundly written, and to be refused.
+Files bottomless_files() {
+    return python_files(R"(
+import h5py
+with h5py.File('deep', 'w') as f:
+    group = f
+    for i in range(3000):
+        group = group.create_group('g')
+    group['C'], group['D'] = c, d
+)",
+                        {"deep"});
+}
+
 }  // namespace
 
 std::vector<std::string> sound_files(const QString& format) {
-    const std::map<QString, Files (*)()> writers{
-        {"audio", audio_files}, {"text", text_files}, {"npy", npy_files}, {"npz", npz_files},
-        {"uff", uff_files},     {"tdms", tdms_files}, {"raw", raw_files}, {"mat", mat_files},
-        {"mat73", mat73_files}, {"hdf5", hdf5_files}};
+    const std::map<QString, Files (*)()> writers{{"audio", audio_files},
+                                                 {"text", text_files},
+                                                 {"npy", npy_files},
+                                                 {"npz", npz_files},
+                                                 {"uff", uff_files},
+                                                 {"tdms", tdms_files},
+                                                 {"raw", raw_files},
+                                                 {"mat", mat_files},
+                                                 {"mat73", mat73_files},
+                                                 {"hdf5", hdf5_files},
+                                                 {"bottomless", bottomless_files}};
     return writers.at(format)();
 }
 

@@ -1,0 +1,120 @@
+// 10,000 damaged MAT and as many HDF5 files, read as vybeg-reader reads them, in processes that may
+// die as it may: the libraries fall on some of them. What must not be is that our own code between
+// falls, or that more memory is taken than vybeg-reader has. That the program outlives its
+// vybeg-reader, and gives it up where it does not come to an end, is for
+// tests/core/recording/test_damaged_libraries.
+#include "tests/fuzz/batch.h"
+#include "tests/fuzz/mutation.h"
+#include "tests/fuzz/seeds.h"
+#include "tests/fuzz/trial.h"
+
+#include <QTest>
+
+#include <array>
+
+using namespace vybeg::fuzz;
+
+namespace {
+
+constexpr std::uint64_t files = 10000;
+
+}  // namespace
+
+Q_DECLARE_METATYPE(TryFile)
+
+class TestMutatedLibraries : public QObject {
+    Q_OBJECT
+
+private slots:
+    void sound_files_are_read_data() { formats(); }
+    void sound_files_are_read();
+    void damaged_files_do_no_harm_data() { formats(); }
+    void damaged_files_do_no_harm();
+    void groups_in_each_other_without_bottom_are_refused();
+    void faults_and_files_without_end_are_told();
+
+private:
+    static void formats();
+};
+
+void TestMutatedLibraries::formats() {
+    QTest::addColumn<TryFile>("try_file");
+    QTest::addColumn<std::uint64_t>("first");
+    QTest::addColumn<std::uint64_t>("count");
+    QTest::newRow("mat") << TryFile(try_mat) << std::uint64_t{0} << files;
+    // Two namings of one reader.
+    QTest::newRow("mat73") << TryFile(try_mat73) << std::uint64_t{0} << files / 4;
+    QTest::newRow("hdf5") << TryFile(try_hdf5) << files / 4 << files - files / 4;
+}
+
+void TestMutatedLibraries::sound_files_are_read() {
+    QFETCH(TryFile, try_file);
+    const std::vector<std::string> sound = sound_files(QTest::currentDataTag());
+    const BatchCount count = try_batch(
+        0, sound.size(),
+        [&](std::uint64_t i) {
+            return Mutation{sound[i], "none"};
+        },
+        try_file);
+    QCOMPARE(count.faults, std::vector<std::string>());
+    QCOMPARE(count.outcomes[static_cast<std::size_t>(Outcome::read)], sound.size());
+}
+
+void TestMutatedLibraries::damaged_files_do_no_harm() {
+    QFETCH(TryFile, try_file);
+    QFETCH(std::uint64_t, first);
+    QFETCH(std::uint64_t, count);
+    const std::vector<std::string> sound = sound_files(QTest::currentDataTag());
+    const BatchCount found = try_batch(
+        first, count, [&](std::uint64_t seed) { return mutated(sound, seed); }, try_file);
+    const auto [refused, unreadable, read] = found.outcomes;
+    qInfo("%d refused, %d unreadable, %d read, %d deaths of the library, %d without end",
+          static_cast<int>(refused), static_cast<int>(unreadable), static_cast<int>(read),
+          static_cast<int>(found.deaths), static_cast<int>(found.endless));
+    QVERIFY2(found.faults.empty(), found.faults.empty() ? "" : found.faults.front().c_str());
+    QCOMPARE(refused + unreadable + read + found.deaths + found.endless, count);
+    QVERIFY(refused > count / 50);
+    QVERIFY(read > count / 50);
+    QVERIFY(found.deaths < count / 100);
+    QVERIFY(found.endless < count / 500);  // vybeg-reader, too, is given up after 2 s
+}
+
+void TestMutatedLibraries::groups_in_each_other_without_bottom_are_refused() {
+    const std::string deep = sound_files("bottomless").front();
+    const BatchCount found = try_batch(
+        0, 1,
+        [&](std::uint64_t) {
+            return Mutation{deep, "deep"};
+        },
+        try_hdf5);
+    QCOMPARE(found.outcomes[static_cast<std::size_t>(Outcome::refused)], std::uint64_t{1});
+    QCOMPARE(found.faults, std::vector<std::string>());
+    QVERIFY(found.slowest_s < 1);
+}
+
+void TestMutatedLibraries::faults_and_files_without_end_are_told() {
+    const BatchCount found = try_batch(
+        0, 3,
+        [](std::uint64_t) {
+            return Mutation{"", "none"};
+        },
+        [](std::string_view) -> Verdict {
+            return {Outcome::read, "a fault"};
+        });
+    QCOMPARE(found.faults.size(), std::size_t{3});
+    const BatchCount endless = try_batch(
+        7, 1,
+        [](std::uint64_t) {
+            return Mutation{"", "none"};
+        },
+        [](std::string_view) -> Verdict {
+            const volatile bool on = true;
+            while (on) {
+            }
+            return {};
+        });
+    QCOMPARE(endless.endless, std::uint64_t{1});
+}
+
+QTEST_GUILESS_MAIN(TestMutatedLibraries)
+#include "test_mutated_libraries.moc"
