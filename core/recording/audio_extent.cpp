@@ -26,6 +26,35 @@ struct Chunk {
     const char* payload;  // its first payload_head bytes, zeros behind the end of the file
 };
 
+// Whether the chunks in a LIST chunk lie inside of it.
+Result<bool> is_sound_list(const FileBytes& file, const Chunk& list, bool big_endian) {
+    constexpr std::int64_t head_bytes = 8;
+    std::int64_t at = list.payload_at + 4;  // behind the list's type
+    const std::int64_t end = list.payload_at + list.size;
+    if (end > file.size()) {
+        return false;
+    }
+    for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
+        std::array<char, head_bytes> head{};
+        if (const auto got = file.read(at, head); !got) {
+            return got.error();
+        }
+        const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
+        at += head_bytes + size + size % 2;
+    }
+    return at <= end + 1;  // the last one need not be padded
+}
+
+// Whether the decoder may see a chunk of a WAV or RF64 file: the samples, what describes them, and
+// the date.
+Result<bool> is_wanted(const FileBytes& file, const Chunk& chunk, bool big_endian) {
+    constexpr std::array<std::string_view, 5> wanted{"fmt ", "fact", "data", "ds64", "bext"};
+    if (chunk.id == "LIST") {
+        return is_sound_list(file, chunk, big_endian);
+    }
+    return std::find(wanted.begin(), wanted.end(), chunk.id) != wanted.end();
+}
+
 // How a container writes the heads of its chunks.
 struct Layout {
     std::int64_t first_chunk;
@@ -71,6 +100,8 @@ public:
         }
         return true;
     }
+
+    void hide(const Chunk& chunk) { extent_.patches.push_back({chunk.payload_at - 8, "JUNK"}); }
 
     const AudioExtent& extent() const { return extent_; }
 
@@ -154,6 +185,8 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
     const Layout layout = layout_of(*container, head[3] == 'X');
     const std::int64_t head_bytes = layout.id_bytes + layout.size_bytes;
     ExtentReader reader(*container, layout.big_endian, file.size());
+    const bool is_riff = *container == Container::wav || *container == Container::rf64;
+    bool searching = true;
     std::int64_t at = layout.first_chunk;
     for (int i = 0; i < most_chunks && at <= file.size() - head_bytes; ++i) {
         std::array<char, 24 + payload_head> bytes{};
@@ -167,9 +200,18 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
         if (layout.size_counts_head) {
             size -= head_bytes;
         }
-        const bool more =
-            reader.take({{bytes.data(), 4}, size, at + head_bytes, bytes.data() + head_bytes});
-        if (!more || size < 0 || size > file.size()) {
+        const Chunk chunk{{bytes.data(), 4}, size, at + head_bytes, bytes.data() + head_bytes};
+        if (is_riff) {
+            const auto wanted = is_wanted(file, chunk, layout.big_endian);
+            if (!wanted) {
+                return wanted.error();
+            }
+            if (!*wanted) {
+                reader.hide(chunk);
+            }
+        }
+        searching = searching && reader.take(chunk);
+        if (!(searching || is_riff) || size < 0 || size > file.size()) {
             break;
         }
         at += (head_bytes + size + layout.alignment - 1) / layout.alignment * layout.alignment;

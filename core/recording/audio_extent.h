@@ -28,12 +28,14 @@ struct AudioExtent {
     std::optional<std::int64_t> promised_frames;
     // Of the first sample in a WAV, RF64 or W64 file, in bytes; 0 where there is none.
     std::int64_t samples_at = 0;
-    bool rate_is_zero = false;         // in a WAV, RF64 or W64 file; patched to 1 Hz
-    std::vector<HeaderPatch> patches;  // also a CAF file's length, where the file ends before
+    bool rate_is_zero = false;  // in a WAV, RF64 or W64 file; patched to 1 Hz
+    // Also a CAF file's length, where the file ends before; and the names of WAV and RF64 chunks
+    // that the decoder need not see, some of which make it go round for ever.
+    std::vector<HeaderPatch> patches;
 };
 
-// Walks the chunks up to the samples. Never fails on what the chunks say: that is the decoder's
-// task. Errors: file_read_failed.
+// Walks the chunks, in WAV and RF64 files also those behind the samples. Never fails on what the
+// chunks say: that is the decoder's task. Errors: file_read_failed.
 Result<AudioExtent> audio_extent(const FileBytes& file);
 
 }  // namespace vybeg

@@ -9,6 +9,23 @@ namespace {
 // Bytes that are fetched at once: large for the disk, small for the processor's cache.
 constexpr std::int64_t block_bytes = std::int64_t{1} << 18;
 
+// Room for the bytes of a block, which need not be zeroed before they are read.
+class Scratch {
+public:
+    std::span<char> room(std::size_t size) {
+        if (size > size_) {
+            bytes_ = std::make_unique_for_overwrite<char[]>(size);
+            size_ = size;
+        }
+        return {bytes_.get(), size};
+    }
+    const char* data() const { return bytes_.get(); }
+
+private:
+    std::unique_ptr<char[]> bytes_;
+    std::size_t size_ = 0;
+};
+
 // The bytes [begin, end) of a source.
 struct ByteRange {
     std::int64_t begin = 0;
@@ -87,7 +104,7 @@ public:
     bool seeks() const override { return c_.bytes->seeks() && d_.bytes->seeks(); }
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        std::vector<char> bytes;
+        Scratch bytes;
         const auto length = static_cast<std::int64_t>(c.size());
         for (std::int64_t done = 0; done < length;) {
             const std::int64_t at = first + done;
@@ -106,7 +123,7 @@ public:
 
 private:
     Status read_block(std::int64_t at, std::span<double> c, std::span<double> d,
-                      std::vector<char>& bytes) const {
+                      Scratch& bytes) const {
         const auto count = static_cast<std::int64_t>(c.size());
         const ByteRange range_c = range_of(c_, at, count);
         const ByteRange range_d = range_of(d_, at, count);
@@ -138,10 +155,8 @@ private:
         return {};
     }
 
-    static Status fetch(const ByteSource& source, ByteRange range, std::vector<char>& bytes) {
-        const auto size = static_cast<std::size_t>(range.size());
-        bytes.resize(std::max(bytes.size(), size));
-        return source.read(range.begin, std::span(bytes).first(size));
+    static Status fetch(const ByteSource& source, ByteRange range, Scratch& bytes) {
+        return source.read(range.begin, bytes.room(static_cast<std::size_t>(range.size())));
     }
 
     SampleColumn c_;

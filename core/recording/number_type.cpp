@@ -1,6 +1,7 @@
 #include "core/recording/number_type.h"
 
 #include "core/recording/byte_order.h"
+#include "core/recording/number_pairs.h"
 
 #include <array>
 #include <type_traits>
@@ -113,6 +114,9 @@ void decode(NumberType type, bool big_endian, const char* bytes, std::int64_t st
 
 void decode_pairs(NumberType type, bool big_endian, const char* bytes, const Scale& scale,
                   std::span<double> left, std::span<double> right) {
+    if (!big_endian && split_pairs(type, bytes, scale, left, right)) {
+        return;
+    }
     with_sample(type, big_endian, scale, [&](auto sample, auto width) {
         for (std::size_t i = 0; i < left.size(); ++i) {
             left[i] = sample(bytes + 2 * i * width);

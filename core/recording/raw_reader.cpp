@@ -23,14 +23,18 @@ NumberType number_type(RawType type) {
     return NumberType::i16;
 }
 
+std::int64_t frame_count(const FileBytes& file, const RawLayout& layout) {
+    const std::int64_t stride = bytes_of(number_type(layout.type)) * layout.channels;
+    return std::max<std::int64_t>(file.size() - layout.skip_bytes, 0) / stride;
+}
+
+// Precondition: a frame or more, so that the samples begin inside of the file.
 std::shared_ptr<const SampleSource> raw_source(const std::shared_ptr<const FileBytes>& file,
-                                               const OpenOptions& options) {
+                                               const OpenOptions& options, std::int64_t frames) {
     const RawLayout& layout = *options.raw;
     const NumberType type = number_type(layout.type);
     const std::int64_t width = bytes_of(type);
     const std::int64_t stride = width * layout.channels;
-    const std::int64_t frames =
-        std::max<std::int64_t>(file->size() - layout.skip_bytes, 0) / stride;
     const auto bytes = file_part(file, 0, file->size());
     const auto column = [&](int channel) {
         const std::int64_t offset = layout.skip_bytes + (channel - 1) * width;
@@ -84,10 +88,11 @@ Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOpti
     recording.channels = numbered_channels(layout.channels);
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
-    recording.source = raw_source(file, options);
-    if (const Status status = check_frames(*file, recording.frames()); !status) {
+    const std::int64_t frames = frame_count(*file, layout);
+    if (const Status status = check_frames(*file, frames); !status) {
         return status.error();
     }
+    recording.source = raw_source(file, options, frames);
     return recording;
 }
 

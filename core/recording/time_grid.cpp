@@ -161,6 +161,11 @@ UniformSamples interpolate(const TimedSamples& samples, std::span<const Stretch>
         interpolate_cubic(nodes, std::span(samples.d).subspan(stretch.first, rows), start, step,
                           std::span(grid.d).subspan(first, count));
     }
+    // Samples near the end of the range may have none between them.
+    for (std::vector<double>* values : {&grid.c, &grid.d}) {
+        std::replace_if(
+            values->begin(), values->end(), [](double x) { return std::isinf(x); }, missing);
+    }
     return grid;
 }
 

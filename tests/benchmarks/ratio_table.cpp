@@ -11,7 +11,7 @@ void RatioReporter::ReportRuns(const std::vector<Run>& runs) {
         if (run.run_type != Run::RT_Iteration || run.iterations == 0) {
             continue;
         }
-        const double seconds = run.cpu_accumulated_time / static_cast<double>(run.iterations);
+        const double seconds = run.real_accumulated_time / static_cast<double>(run.iterations);
         const auto [known, first] = seconds_.emplace(run.run_name.function_name, seconds);
         known->second = std::min(known->second, seconds);
     }

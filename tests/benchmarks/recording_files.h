@@ -13,8 +13,8 @@ struct RecordingFile {
     OpenOptions open;
 };
 
-// The same simulated decay of 2^21 frames in several formats, in a folder that goes with the
-// object. Ends the program where the disk does not take it.
+// The same simulated decay in several formats, in a folder that goes with the object: 2^23 frames,
+// four minutes; as text the first 2^21 of them. Ends the program where the disk does not take it.
 class RecordingFiles {
 public:
     RecordingFiles();
@@ -24,8 +24,11 @@ public:
 
     RecordingFile raw;
     RecordingFile npy;
-    RecordingFile wav;      // 64 bit float
-    RecordingFile wav_pcm;  // 16 bit
+    RecordingFile wav_f64;
+    RecordingFile wav_f32;
+    RecordingFile wav_i32;
+    RecordingFile wav_i24;
+    RecordingFile wav_i16;
     RecordingFile csv;
 
 private:

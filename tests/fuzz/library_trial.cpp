@@ -42,9 +42,7 @@ Verdict judge(Result<std::unique_ptr<LibraryFile>> opened) {
         return {Outcome::refused,
                 decode_error(encode(opened.error())) ? "" : "an error that cannot be sent"};
     }
-    // Left open, as vybeg-reader leaves it: of a damaged file the libraries' clearing up may fail.
-    LibraryFile* const file = opened->release();
-    return read_through(*file);
+    return read_through(**opened);
 }
 
 }  // namespace

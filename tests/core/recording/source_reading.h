@@ -57,6 +57,13 @@ inline bool same_bits(std::span<const double> a, std::span<const double> b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
 
+// Equal to the last bit, but for what is NaN in both.
+inline bool same_numbers(std::span<const double> a, std::span<const double> b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+        return (std::isnan(x) && std::isnan(y)) || std::memcmp(&x, &y, sizeof x) == 0;
+    });
+}
+
 // Whether 300 random reads of 1 to `longest` frames, and one through the whole in steps of 777,
 // give the bits of one read of everything.
 inline bool same_however_cut(const SampleSource& source, std::int64_t longest) {

@@ -17,6 +17,7 @@ private slots:
     void a_flac_that_is_cut_anywhere_gives_its_true_first_samples_or_an_error();
     void a_header_alone_is_no_recording_data();
     void a_header_alone_is_no_recording();
+    void a_list_that_makes_the_decoder_go_round_for_ever_is_not_shown_to_it();
     void random_damage_to_headers_never_hangs_or_crashes_data();
     void random_damage_to_headers_never_hangs_or_crashes();
 };
@@ -172,6 +173,18 @@ void TestDamagedAudio::a_header_alone_is_no_recording() {
     const auto recording = open(folder.write("head", head.toStdString()));
     QVERIFY(!recording);
     QCOMPARE(recording.error().code, ErrorCode::format_damaged);
+}
+
+void TestDamagedAudio::a_list_that_makes_the_decoder_go_round_for_ever_is_not_shown_to_it() {
+    const Folder folder;
+    write_audio(folder.file("whole"), wave(100), SF_FORMAT_WAV | SF_FORMAT_PCM_16);
+    std::string bytes = bytes_of(folder.file("whole"));
+    std::string list("LIST\x60\0\0\0", 8);
+    list += std::string(0x60, '\xFF');
+    bytes.insert(bytes.find("data"), list);
+    const Recording recording = opened(folder.write("damaged", bytes));
+    QCOMPARE(recording.frames(), 100);
+    QCOMPARE(read_all(recording).c, read_all(opened(folder.file("whole"))).c);
 }
 
 void TestDamagedAudio::random_damage_to_headers_never_hangs_or_crashes_data() {

@@ -82,6 +82,7 @@ private slots:
     void at_most_twenty_gaps_are_listed_and_none_is_forgotten_data();
     void at_most_twenty_gaps_are_listed_and_none_is_forgotten();
     void a_missing_sample_stays_missing_at_its_own_time();
+    void no_sample_between_huge_ones_is_infinite();
     void a_jump_of_the_clock_by_years_is_an_error_and_no_memory_hog();
     void the_unit_of_the_header_scales_the_time_data();
     void the_unit_of_the_header_scales_the_time();
@@ -340,6 +341,18 @@ void TestTimeGrid::a_jump_of_the_clock_by_years_is_an_error_and_no_memory_hog() 
     QVERIFY(!grid);
     QCOMPARE(grid.error().code, ErrorCode::format_damaged);
     QCOMPARE(grid.error().where, std::string("run.csv"));
+}
+
+void TestTimeGrid::no_sample_between_huge_ones_is_infinite() {
+    TimedSamples samples = samples_at(even_times(30));
+    for (std::size_t i = 0; i < samples.c.size(); ++i) {
+        samples.time_s[i] += (i % 2 == 0 ? 0.2 : 0) * (samples.time_s[1] - samples.time_s[0]);
+        samples.c[i] = i % 2 == 0 ? 1.7e308 : -1.7e308;
+    }
+    const auto grid = to_uniform_grid(samples, "run.csv");
+    QVERIFY(grid);
+    QCOMPARE(std::ranges::count_if(grid->c, [](double x) { return std::isinf(x); }), 0);
+    QVERIFY(std::ranges::count_if(grid->c, [](double x) { return std::isnan(x); }) > 0);
 }
 
 void TestTimeGrid::the_unit_of_the_header_scales_the_time_data() {
