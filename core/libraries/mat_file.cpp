@@ -1,5 +1,7 @@
 #include "core/libraries/library_file.h"
 #include "core/libraries/mat_elements.h"
+#include "core/libraries/mat_packed.h"
+#include "core/recording/column_source.h"
 
 #include <matio.h>
 
@@ -7,6 +9,8 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,9 +19,6 @@ namespace {
 
 constexpr int most_struct_depth = 8;
 constexpr std::size_t most_variables = 10000;
-// Numbers of a compressed variable that are decoded at once: libmatio decodes from the variable's
-// start for every read, so that the way there is paid for rarely.
-constexpr std::int64_t cached_numbers = std::int64_t{2} << 20;
 
 // libmatio tells of damage by its log alone, and its callback knows nothing of the file: one file
 // for each process.
@@ -96,7 +97,7 @@ struct Array {
 
 class MatFile : public LibraryFile {
 public:
-    explicit MatFile(mat_t* mat) : mat_(mat) {}
+    MatFile(mat_t* mat, std::string path) : mat_(mat), path_(std::move(path)) {}
 
     Status list() {
         catalogue_.format = Mat_GetVersion(mat_.get()) == MAT_FT_MAT4 ? "MAT 4" : "MAT 5";
@@ -118,34 +119,15 @@ public:
         if (array.variable->compression == MAT_COMPRESSION_NONE) {
             return decode(array, request.channel, request.first, out);
         }
-        for (std::int64_t done = 0; done < request.count;) {
-            const std::int64_t frame = request.first + done;
-            const auto block = decoded_block(request.variable, request.channel,
-                                             frame / cached_numbers * cached_numbers);
-            if (!block) {
-                return block.error();
-            }
-            const std::span<const double> rest = (*block)->rest_from(frame);
-            const std::int64_t count =
-                std::min(static_cast<std::int64_t>(rest.size()), request.count - done);
-            std::copy_n(rest.begin(), count, out.begin() + done);
-            done += count;
+        const auto source = packed_source(request);
+        if (!source) {
+            return source.error();
         }
-        return {};
+        std::vector<double> again(out.size());
+        return (*source)->read(request.first, out, again);
     }
 
 private:
-    struct Block {
-        std::int64_t variable = -1;
-        std::int64_t channel = -1;
-        std::int64_t first = 0;
-        std::vector<double> samples;
-
-        std::span<const double> rest_from(std::int64_t frame) const {
-            return std::span(samples).subspan(static_cast<std::size_t>(frame - first));
-        }
-    };
-
     void add(matvar_t* variable, const std::string& name, int depth) {
         if (variable->class_type == MAT_C_STRUCT) {
             add_fields(variable, name, depth);
@@ -223,30 +205,41 @@ private:
         return {};
     }
 
-    // The block of one channel that begins at the frame `first`. Two are kept: C and D are read in
-    // turn.
-    Result<const Block*> decoded_block(std::int64_t variable, std::int64_t channel,
-                                       std::int64_t first) {
-        Block* place = &blocks_[next_];
-        for (Block& block : blocks_) {
-            if (block.variable == variable && block.channel == channel) {
-                if (block.first == first) {
-                    return &block;
-                }
-                place = &block;
+    // One channel of a compressed variable. It is kept, to be read on from where the last read
+    // ended.
+    Result<std::shared_ptr<const SampleSource>> packed_source(const SampleRequest& request) {
+        auto& source = packed_sources_[{request.variable, request.channel}];
+        if (source) {
+            return source;
+        }
+        if (!packed_) {
+            auto opened = PackedVariables::open(path_);
+            if (!opened) {
+                return opened.error();
             }
+            packed_ = std::move(*opened);
         }
-        const Array& array = arrays_[static_cast<std::size_t>(variable)];
+        const auto place = static_cast<std::size_t>(request.variable);
+        const Array& array = arrays_[place];
+        const std::string& name = catalogue_.variables[place].name;
+        auto found = packed_->find(name);
+        if (!found) {
+            return found.error();
+        }
         const std::int64_t frames = std::max(array.rows, array.columns);
-        *place = {};
-        std::vector<double> samples(
-            static_cast<std::size_t>(std::min(cached_numbers, frames - first)));
-        if (const Status status = decode(array, channel, first, samples); !status) {
-            return status.error();
+        if (found->count != array.rows * array.columns) {
+            return damaged("the size of " + name + " does not fit its numbers");
         }
-        *place = {variable, channel, first, std::move(samples)};
-        next_ = place == &blocks_[0] ? 1 : 0;
-        return place;
+        const bool upright = array.rows >= array.columns;
+        const std::int64_t width = bytes_of(found->type);
+        const std::int64_t offset =
+            found->offset + request.channel * width * (upright ? array.rows : 1);
+        const SampleColumn column{
+            std::move(found->bytes),
+            found->type,
+            {even_run(frames, offset, width * (upright ? 1 : array.rows), found->big_endian)}};
+        source = column_source(column, column);
+        return source;
     }
 
     Error damaged(const std::string& reason) const {
@@ -254,11 +247,14 @@ private:
     }
 
     std::unique_ptr<mat_t, MatCloser> mat_;
+    std::string path_;
     std::vector<std::unique_ptr<matvar_t, VariableCloser>> top_;
     std::vector<Array> arrays_;  // one for each variable of the catalogue
     Catalogue catalogue_;
-    std::array<Block, 2> blocks_;
-    std::size_t next_ = 0;  // the block to give up
+    std::optional<PackedVariables> packed_;
+    // By variable and channel: no more than the times, C and D are read.
+    std::map<std::pair<std::int64_t, std::int64_t>, std::shared_ptr<const SampleSource>>
+        packed_sources_;
 };
 
 }  // namespace
@@ -272,7 +268,7 @@ Result<std::unique_ptr<LibraryFile>> open_mat_file(const std::string& path) {
     if (!mat) {
         return Error{ErrorCode::format_damaged, "", {"MAT", "its header cannot be read"}};
     }
-    auto file = std::make_unique<MatFile>(mat);
+    auto file = std::make_unique<MatFile>(mat, path);
     if (const Status status = file->list(); !status) {
         return status.error();
     }

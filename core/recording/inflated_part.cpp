@@ -147,7 +147,7 @@ private:
         if (damaged || *got < static_cast<std::int64_t>(out.size())) {
             return error("its packed data are wrong or end early");
         }
-        if (now_->position() == part_.size && now_->crc() != part_.crc32) {
+        if (now_->position() == part_.size && part_.crc32.value_or(now_->crc()) != now_->crc()) {
             return error("its checksum is wrong");
         }
         failed_ = false;
@@ -169,7 +169,7 @@ private:
     }
 
     Error error(const std::string& reason) const {
-        return file_->error(ErrorCode::format_damaged, {"NPZ", part_.name + ": " + reason});
+        return file_->error(ErrorCode::format_damaged, {part_.format, part_.name + ": " + reason});
     }
 
     std::shared_ptr<const FileBytes> file_;

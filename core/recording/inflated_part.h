@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace vybeg {
@@ -12,9 +13,10 @@ namespace vybeg {
 struct DeflatedPart {
     std::int64_t offset = 0;
     std::int64_t packed_size = 0;
-    std::int64_t size = 0;    // unpacked
-    std::uint32_t crc32 = 0;  // of the unpacked bytes
-    std::string name;         // for messages
+    std::int64_t size = 0;               // unpacked
+    std::optional<std::uint32_t> crc32;  // of the unpacked bytes, where it is known
+    std::string format;                  // and what the part is, for messages
+    std::string name;
 };
 
 // The unpacked bytes, inflated on demand and never held: reading on continues where the last read

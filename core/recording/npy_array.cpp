@@ -279,7 +279,8 @@ SampleColumn npy_column(const NpyArray& array, std::shared_ptr<const ByteSource>
     run.stride = apart ? size : array.channels() * size;
     run.offset = array.data_offset + channel * (apart ? array.frames() * size : size);
     const std::int64_t room = bytes->size() - run.offset - size;
-    run.count = room < 0 ? 0 : std::min(array.frames(), room / run.stride + 1);
+    run.count =
+        room < 0 || array.channels() == 0 ? 0 : std::min(array.frames(), room / run.stride + 1);
     run.per_chunk = std::max<std::int64_t>(run.count, 1);
     run.chunk_stride = run.per_chunk * run.stride;
     run.big_endian = array.big_endian;

@@ -21,6 +21,11 @@ namespace {
 constexpr std::string_view data_tag = "TDSm";
 constexpr std::string_view index_tag = "TDSh";
 
+// So that where the samples stand never takes more than the file's size and this: a vector that
+// grows holds the old runs and up to twice as many places.
+constexpr std::int64_t held_bytes = std::int64_t{32} << 20;
+constexpr std::int64_t held_bytes_of_run = 3 * sizeof(SampleRun);
+
 struct FoundChannel {
     std::size_t object = 0;
     NumberType type = NumberType::f64;
@@ -82,6 +87,8 @@ public:
         TdmsRuns runs_c(c.object);
         TdmsRuns runs_d(d.object);
         TdmsFile tdms(file_, job_);
+        const auto most_runs =
+            static_cast<std::size_t>((file_->size() + held_bytes) / held_bytes_of_run);
         const Status status = tdms.walk(
             [&](const TdmsSegment& segment, const std::vector<TdmsRawIndex>& chunk) -> Status {
                 for (TdmsRuns* runs : {&runs_c, &runs_d}) {
@@ -89,14 +96,17 @@ public:
                         return file_->error(ErrorCode::format_damaged, {"TDMS", *wrong});
                     }
                 }
-                return {};
+                return runs_c.runs().size() + runs_d.runs().size() <= most_runs
+                           ? Status{}
+                           : unsupported("samples in more than " + std::to_string(most_runs) +
+                                         " separate pieces");
             });
         if (!status) {
             return status.error();
         }
         const auto bytes = file_part(file_, 0, file_->size());
-        std::pair<SampleColumn, SampleColumn> both{{bytes, c.type, runs_c.runs()},
-                                                   {bytes, d.type, runs_d.runs()}};
+        std::pair<SampleColumn, SampleColumn> both{{bytes, c.type, runs_c.take_runs()},
+                                                   {bytes, d.type, runs_d.take_runs()}};
         for (const auto& [column, object] :
              {std::pair(&both.first, c.object), std::pair(&both.second, d.object)}) {
             if (const Status scaled = scale(contents.objects[object], *column); !scaled) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -22,6 +23,7 @@ public:
                                     const std::vector<TdmsRawIndex>& chunk);
 
     const std::vector<SampleRun>& runs() const { return runs_; }
+    std::vector<SampleRun> take_runs() { return std::move(runs_); }
     std::int64_t promised() const { return promised_; }  // values, by the segments' lead-ins
 
 private:

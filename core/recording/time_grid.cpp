@@ -17,6 +17,7 @@ constexpr double even_tolerance = 1e-3;  // of a sample period
 constexpr std::size_t most_gaps_listed = 20;
 constexpr double most_frames_per_row = 20;  // a grid beyond this and the next is no recording
 constexpr double frames_always_allowed = 1e7;
+constexpr double frames_always_held = 1.5e6;   // where the grid is held in memory
 constexpr double grid_slack = even_tolerance;  // a frame this near to a row is where the row is
 
 double median_step(std::span<const double> time) {
@@ -224,7 +225,9 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
     const std::vector<Stretch> stretches = find_stretches(samples, median_step(time));
     const double step = fit_step(time, stretches);
     const double frames = (time.back() - time[0]) / step;
-    if (!is_plausible_grid(frames, static_cast<double>(time.size()))) {
+    const auto rows = static_cast<double>(time.size());
+    if (!is_plausible_grid(frames, rows) ||
+        frames > most_frames_per_row * rows + frames_always_held) {
         return Error{ErrorCode::format_damaged,
                      where,
                      {"text", "its " + std::to_string(time.size()) + " times reach over " +

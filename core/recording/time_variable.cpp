@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace vybeg {
@@ -23,6 +24,15 @@ Status TimeVariable::read(const VariableReader& reader, std::int64_t first,
 
 Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader,
                              const TimeVariable& time, std::int64_t frames, const JobControl& job) {
+    // Before the last time is looked at, which may lie behind much that has to be unpacked: most
+    // of what is none does not even begin like one.
+    std::vector<double> block(static_cast<std::size_t>(std::min(frames, frames_per_request)));
+    if (const Status status = time.read(reader, 0, block); !status) {
+        return status.error();
+    }
+    if (std::adjacent_find(block.begin(), block.end(), std::not_fn(std::less{})) != block.end()) {
+        return TimeSteps{};
+    }
     double first = 0;
     double last = 0;
     for (const auto& [frame, value] : {std::pair{std::int64_t{0}, &first}, {frames - 1, &last}}) {
@@ -37,7 +47,6 @@ Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader
     }
     steps.is_time = true;
     steps.even = true;
-    std::vector<double> block(static_cast<std::size_t>(std::min(frames, frames_per_request)));
     double before = first - 1;
     for (std::int64_t at = 0; at < frames && steps.is_time; at += frames_per_request) {
         if (job.cancelled()) {

@@ -229,8 +229,8 @@ Result<std::shared_ptr<const ByteSource>> zip_content(std::shared_ptr<const File
     if (member.size < 0 || member.size / best_ratio > member.packed_size) {
         return damaged(*file, member.name + " cannot be as long as its directory says");
     }
-    return inflated_part(file,
-                         {offset, member.packed_size, member.size, member.crc32, member.name});
+    return inflated_part(
+        file, {offset, member.packed_size, member.size, member.crc32, "NPZ", member.name});
 }
 
 }  // namespace vybeg

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#ifdef VYBEG_FOREIGN_LEAKS  // libmatio and HDF5 leave some behind of what they cannot read
+#ifdef VYBEG_LIBRARY  // what vybeg-reader has for memory; and the libraries leave some of it behind
 extern "C" const char* __asan_default_options() {
-    return "detect_leaks=0";
+    return "detect_leaks=0:allocator_may_return_null=1:max_allocation_size_mb=64";
 }
 #endif
 
