@@ -17,6 +17,7 @@ packages=(
     libbenchmark-dev                        # reading speed, tests/benchmarks
 )
 developer_packages=(clang-format clang-tidy)
+fuzz_packages=(clang-14 libclang-rt-14-dev)
 
 demo_folder=build/demo
 programs=build/release/bin
@@ -32,6 +33,9 @@ Usage: ./build.sh COMMAND
                 the same under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan,
                 without the long and the statistical tests
   tidy          clang-tidy over core/, a quarter of an hour (not part of .ci/run)
+  fuzz FORMAT [SECONDS]
+                feed the reader of a format (audio text npy npz uff tdms raw mat mat73 hdf5) with
+                what libFuzzer makes of sound and damaged files, in build/fuzz; 60 s if not told
   build         build everything into build/release
   install-deps  only install what is missing from Debian (--dev: also clang-format, clang-tidy)
 
@@ -144,12 +148,23 @@ run_tidy() {
         xargs -0 -n 1 -P 2 clang-tidy --quiet -p build/release
 }
 
+# Of MAT and HDF5 it is libmatio and libhdf5 that fall, which vybeg-reader is there for.
+run_fuzzer() {
+    local format=$1 seconds=$2 corpus=build/fuzz/corpus-$1
+    install_packages "${fuzz_packages[@]}"
+    build fuzz --target "fuzz-$format" fuzz-corpus
+    build/fuzz/bin/fuzz-corpus "$format" "$corpus"
+    "build/fuzz/bin/fuzz-$format" "$corpus" -max_total_time="$seconds" -timeout=5 \
+        -artifact_prefix="build/fuzz/$format-"
+}
+
 case "${1:-}" in
     run) run_program ;;
     test) run_tests release ;;
     test-sanitized) run_tests asan --label-exclude 'statistical|long' ;;
     build) build release ;;
     tidy) run_tidy ;;
+    fuzz) run_fuzzer "${2:?which format? See ./build.sh help}" "${3:-60}" ;;
     install-deps)
         install_packages "${packages[@]}"
         if [ "${2:-}" = --dev ]; then
