@@ -51,6 +51,17 @@ const char* message_template(ErrorCode code) {
             return VYBEG_MESSAGE(
                 "Message",
                 "%1, line %2: the time %3 does not follow %4. The time column must rise.");
+        case ErrorCode::text_no_table:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: read as text with %2, no line from %3 on has two or more numbers; that "
+                "line reads \"%4\". Choose another delimiter, decimal sign or first line.");
+        case ErrorCode::text_lines_missing:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: %2 lines are to be skipped, and the file has only %3.");
+        case ErrorCode::column_out_of_range:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: there is no column %2 to be the time; the file has %3.");
         case ErrorCode::too_few_channels:
             return VYBEG_MESSAGE(
                 "Message", "%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D.");
@@ -223,6 +234,9 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::text_not_a_number: return "text-not-a-number";
         case ErrorCode::text_no_data: return "text-no-data";
         case ErrorCode::text_time_backwards: return "text-time-backwards";
+        case ErrorCode::text_no_table: return "text-no-table";
+        case ErrorCode::text_lines_missing: return "text-lines-missing";
+        case ErrorCode::column_out_of_range: return "column-out-of-range";
         case ErrorCode::too_few_channels: return "too-few-channels";
         case ErrorCode::channel_out_of_range: return "channel-out-of-range";
         case ErrorCode::too_few_frames: return "too-few-frames";

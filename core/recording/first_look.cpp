@@ -92,9 +92,14 @@ std::optional<FirstLook> look_at_table(const TextTable& table, const OpenOptions
         return {};
     }
     const auto look = [&](std::int64_t part, std::int64_t parts) -> Result<Look> {
-        const auto rows = rows_of(table, blocks * part / parts, rows_per_look);
+        auto rows = rows_of(table, blocks * part / parts, rows_per_look);
         if (!rows) {
             return table.blocks.file().error(ErrorCode::file_read_failed);
+        }
+        const double scale = options.text ? options.text->scale : 1;
+        for (std::vector<double>* channel : {&rows->c, &rows->d}) {
+            std::ranges::transform(*channel, channel->begin(),
+                                   [scale](double x) { return scale * x; });
         }
         Look seen{static_cast<double>(part) / static_cast<double>(parts),
                   bucket_of(rows->c, rows->d)};
@@ -126,8 +131,8 @@ std::optional<FirstLook> first_look(const std::filesystem::path& path, const Ope
     if (!looks_like_text(head) || is_uff(head)) {
         return {};
     }
-    const auto chosen = choose_table(*file, options);
-    return chosen ? look_at_table(chosen->table, options, job) : std::nullopt;
+    const auto table = choose_table(*file, options, job);
+    return table ? look_at_table(*table, options, job) : std::nullopt;
 }
 
 }  // namespace vybeg

@@ -1,28 +1,85 @@
 #include "core/recording/open_recording.h"
 
-#include "core/recording/audio_extent.h"
+#include "core/base/number_text.h"
 #include "core/recording/audio_reader.h"
 #include "core/recording/file_bytes.h"
+#include "core/recording/file_kind.h"
 #include "core/recording/library_reader.h"
-#include "core/recording/npy_array.h"
 #include "core/recording/npy_reader.h"
 #include "core/recording/npz_reader.h"
 #include "core/recording/raw_reader.h"
 #include "core/recording/selection.h"
 #include "core/recording/tdms_reader.h"
-#include "core/recording/text_encoding.h"
 #include "core/recording/text_recording.h"
 #include "core/recording/uff_reader.h"
-#include "core/recording/zip_directory.h"
 
-#include <vector>
+#include <array>
+#include <memory>
+#include <utility>
 
 namespace vybeg {
 namespace {
 
-constexpr std::size_t head_bytes = std::size_t{1} << 16;  // what decides between text and binary
+Result<Recording> open_by_content(const std::shared_ptr<const FileBytes>& file,
+                                  const OpenOptions& options, const JobControl& job) {
+    if (options.raw) {
+        return open_raw(file, options);
+    }
+    if (options.text) {
+        return open_text(file, options, job);
+    }
+    const auto head = file_head(*file);
+    if (!head) {
+        return head.error();
+    }
+    switch (file_kind(*head, *file)) {
+        case FileKind::audio: return open_audio(file, options, job);
+        case FileKind::npy: return open_npy(file, options);
+        case FileKind::npz: return open_npz(file, options, job);
+        case FileKind::tdms: return open_tdms(file, options, job);
+        case FileKind::library:
+            return open_with_library(file, *library_format(*head, *file), options, job);
+        case FileKind::uff: return open_uff(file, options, job);
+        case FileKind::text: return open_text(file, options, job);
+        case FileKind::unknown: break;
+    }
+    return file->error(ErrorCode::format_unknown);
+}
+
+// As --raw takes it.
+std::string type_text(const RawLayout& layout) {
+    constexpr std::array names = {"i16", "i32", "f32", "f64"};
+    return std::string(names[static_cast<std::size_t>(layout.type)]) +
+           (layout.big_endian ? ":be" : "");
+}
 
 }  // namespace
+
+std::string options_text(const OpenOptions& options) {
+    std::string text;
+    const auto add = [&text](const std::string& words) {
+        text += (text.empty() || words.empty() ? "" : " ") + words;
+    };
+    if (!options.variables.empty()) {
+        std::string names;
+        for (const std::string& name : options.variables) {
+            names += (&name == &options.variables.front() ? "" : ",") + name;
+        }
+        add("--variables " + names);
+    }
+    if (options.raw) {
+        const RawLayout& raw = *options.raw;
+        add("--raw " + type_text(raw) + " --raw-channels " + std::to_string(raw.channels) +
+            " --skip " + integer_text(raw.skip_bytes) + " --scale " + round_trip_text(raw.scale));
+    }
+    if (options.text) {
+        add(choice_text(*options.text));
+    }
+    if (!options.unit.empty()) {
+        add("--unit " + options.unit);
+    }
+    return text;
+}
 
 Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
                                  const JobControl& job) {
@@ -33,37 +90,16 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
     if (!file) {
         return file.error();
     }
-    if (options.raw) {
-        return open_raw(*file, options);
+    auto recording = open_by_content(*file, options, job);
+    if (recording) {
+        recording->read_with = options_text(options);
+        if (!options.unit.empty()) {
+            for (Channel& channel : recording->channels) {
+                channel.unit = options.unit;
+            }
+        }
     }
-    std::vector<char> bytes(head_bytes);
-    const auto got = (*file)->read(0, bytes);
-    if (!got) {
-        return got.error();
-    }
-    const std::string_view head(bytes.data(), static_cast<std::size_t>(*got));
-    if (is_audio(head)) {
-        return open_audio(*file, options, job);
-    }
-    if (is_npy(head)) {
-        return open_npy(*file, options);
-    }
-    if (is_zip(head)) {
-        return open_npz(*file, options, job);
-    }
-    if (is_tdms(head)) {
-        return open_tdms(*file, options, job);
-    }
-    if (const auto format = library_format(head, **file)) {
-        return open_with_library(*file, *format, options, job);
-    }
-    if (is_uff(head)) {
-        return open_uff(*file, options, job);
-    }
-    if (looks_like_text(head)) {
-        return open_text(*file, options, job);
-    }
-    return (*file)->error(ErrorCode::format_unknown);
+    return recording;
 }
 
 }  // namespace vybeg

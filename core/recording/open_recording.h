@@ -3,6 +3,7 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/recording.h"
+#include "core/recording/text_choice.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -34,9 +35,15 @@ struct OpenOptions {
     // MAT, HDF5). D's is left out, or empty before a rate, where C's holds both channels. None: the
     // reader's own choice.
     std::vector<std::string> variables{};
+    std::optional<TextChoice> text{};  // read the file as text, whatever it looks like
+    std::string unit{};                // of the samples; empty: the file's
 
     friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
 };
+
+// What `options` say beside the rate and the channels, as on the command line; empty where they say
+// nothing.
+std::string options_text(const OpenOptions& options);
 
 // Opens a recording by its content, never by its name. Text is looked through whole (progress and
 // cancellation through `job`); samples are read on demand. Errors: every ErrorCode of the input

@@ -2,7 +2,6 @@
 
 #include "core/base/number_text.h"
 #include "core/recording/column_source.h"
-#include "core/recording/number_type.h"
 #include "core/recording/selection.h"
 
 #include <algorithm>
@@ -12,16 +11,6 @@ namespace vybeg {
 namespace {
 
 constexpr int most_channels = 4096;
-
-NumberType number_type(RawType type) {
-    switch (type) {
-        case RawType::i16: return NumberType::i16;
-        case RawType::i32: return NumberType::i32;
-        case RawType::f32: return NumberType::f32;
-        case RawType::f64: return NumberType::f64;
-    }
-    return NumberType::i16;
-}
 
 std::int64_t frame_count(const FileBytes& file, const RawLayout& layout) {
     const std::int64_t stride = bytes_of(number_type(layout.type)) * layout.channels;
@@ -65,6 +54,16 @@ Status check_layout(const RawLayout& layout) {
 }
 
 }  // namespace
+
+NumberType number_type(RawType type) {
+    switch (type) {
+        case RawType::i16: return NumberType::i16;
+        case RawType::i32: return NumberType::i32;
+        case RawType::f32: return NumberType::f32;
+        case RawType::f64: return NumberType::f64;
+    }
+    return NumberType::i16;
+}
 
 Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
     const RawLayout& layout = *options.raw;

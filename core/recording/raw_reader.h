@@ -2,11 +2,15 @@
 
 #include "core/base/result.h"
 #include "core/recording/file_bytes.h"
+#include "core/recording/number_type.h"
 #include "core/recording/open_recording.h"
 
 #include <memory>
 
 namespace vybeg {
+
+// What the samples of a layout are.
+NumberType number_type(RawType type);
 
 // Headerless interleaved samples by options.raw, read on demand; one count is `scale` recording
 // units. Bytes after the last whole frame are passed over. Precondition: options.raw is set.

@@ -33,7 +33,8 @@ struct Recording {
     std::vector<Channel> channels;  // all of the file's, in its order; a time column does not count
     int channel_c = 1;              // which of them is C and which is D, from 1
     int channel_d = 2;
-    std::string start;  // date and time of the recording as the file gives it, or empty
+    std::string start;      // date and time of the recording as the file gives it, or empty
+    std::string read_with;  // options_text() of what it was opened with
     std::vector<Diagnostic> diagnostics;
     std::shared_ptr<const SampleSource> source;
 

@@ -25,7 +25,12 @@ Status check_options(const OpenOptions& options) {
                      "",
                      {"--channels", channel + "," + channel, "C and D must be two channels"}};
     }
-    return {};
+    if (options.text && options.raw) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--raw", choice_text(*options.text), "a file is read as text or as raw"}};
+    }
+    return options.text ? check_choice(*options.text) : Status{};
 }
 
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {

@@ -14,6 +14,8 @@ constexpr std::string_view utf8_mark = "\xEF\xBB\xBF"sv;
 constexpr std::string_view utf16_little_mark = "\xFF\xFE"sv;
 constexpr std::string_view utf16_big_mark = "\xFE\xFF"sv;
 
+constexpr std::size_t longest_quote = 40;  // bytes of the file, in a message
+
 void append_code(std::uint32_t code, std::string& utf8) {
     const auto put = [&utf8](std::uint32_t byte) { utf8 += static_cast<char>(byte); };
     if (code < 0x80) {
@@ -121,6 +123,16 @@ std::string to_utf8(std::string_view text) {
         append_code(windows_1251(static_cast<unsigned char>(byte)), utf8);
     }
     return utf8;
+}
+
+std::string short_quote(std::string_view text) {
+    std::string quote = to_utf8(text.substr(0, longest_quote));
+    if (text.size() > longest_quote) {
+        quote += "...";
+    }
+    std::replace_if(
+        quote.begin(), quote.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
+    return quote;
 }
 
 }  // namespace vybeg

@@ -22,4 +22,7 @@ void append_utf16(std::string_view bytes, TextEncoding encoding, std::string& ut
 // `text` itself where it is UTF-8; else read as Windows-1251, what Russian instruments write.
 std::string to_utf8(std::string_view text);
 
+// What stands in a file, as it may be quoted in a one-line message.
+std::string short_quote(std::string_view text);
+
 }  // namespace vybeg

@@ -17,15 +17,16 @@ struct Dialect {
 };
 
 // In the order of preference: where two explain equally many lines, the first is taken.
-constexpr std::array<Dialect, 9> dialects = {{{'\t', false},
-                                              {';', false},
-                                              {',', false},
-                                              {'|', false},
-                                              {' ', false},
-                                              {'\t', true},
-                                              {';', true},
-                                              {'|', true},
-                                              {' ', true}}};
+constexpr std::array<Dialect, 10> dialects = {{{'\t', false},
+                                               {';', false},
+                                               {',', false},
+                                               {'|', false},
+                                               {' ', false},
+                                               {'\t', true},
+                                               {';', true},
+                                               {'|', true},
+                                               {' ', true},
+                                               {',', true}}};  // between quotes
 
 // Columns of a row of numbers, 0 where the line is anything else.
 int columns_of(std::string_view line, const Dialect& dialect,
@@ -117,41 +118,51 @@ bool is_whole(const std::vector<double>& values) {
 }
 
 void find_time(std::span<const std::string> rows, const std::vector<Channel>& columns,
-               TextFormat& format) {
-    int candidate = -1;
-    for (int i = 0; i < format.columns && candidate < 0; ++i) {
+               const TextChoice& choice, TextFormat& format) {
+    const bool said = choice.time_column.has_value();
+    const bool unit_said = choice.time_unit_s.has_value();
+    int candidate = said ? *choice.time_column - 1 : -1;
+    for (int i = 0; !said && i < format.columns && candidate < 0; ++i) {
         candidate = is_time_name(columns[static_cast<std::size_t>(i)].name) ? i : -1;
     }
     if (candidate != 0 && format.columns >= 3) {
         const std::vector<double> first = column_values(rows, format, 0);
         if (rises_evenly(first)) {
-            const bool counts = is_whole(first) && time_unit(columns[0]).empty();
+            const bool counts =
+                is_whole(first) && time_unit(columns[0]).empty() && (said || !unit_said);
             if (counts && is_counter_name(columns[0].name)) {
                 format.counter_column = 0;
-            } else if (!counts && candidate < 0) {
+            } else if (!counts && candidate < 0 && !said) {
                 candidate = 0;
             }
         }
     }
-    if (candidate < 0) {
+    if (candidate < 0 || candidate >= format.columns) {
         return;
     }
     const std::string unit = time_unit(columns[static_cast<std::size_t>(candidate)]);
-    if (unit.empty() && is_whole(column_values(rows, format, candidate))) {
+    if (!said && !unit_said && unit.empty() && is_whole(column_values(rows, format, candidate))) {
         format.counter_column = candidate;
         return;
     }
     format.time_column = candidate;
-    format.time_unit_s = seconds_per(unit).value_or(1);
+    format.time_unit_s = choice.time_unit_s.value_or(seconds_per(unit).value_or(1));
 }
 
 }  // namespace
 
-std::optional<TextFormat> guess_text_format(std::span<const std::string> lines) {
+std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
+                                            const TextChoice& choice) {
+    const auto said = static_cast<std::size_t>(choice.lines_to_skip.value_or(0));
+    const auto body = lines.subspan(std::min(said, lines.size()));
     Score best;
     Dialect dialect{};
     for (const Dialect& candidate : dialects) {
-        const Score found = score(lines, candidate);
+        if (choice.delimiter.value_or(candidate.delimiter) != candidate.delimiter ||
+            choice.decimal_comma.value_or(candidate.decimal_comma) != candidate.decimal_comma) {
+            continue;
+        }
+        const Score found = score(body, candidate);
         if (found.rows > best.rows) {
             best = found;
             dialect = candidate;
@@ -165,19 +176,41 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines) 
     format.decimal_comma = dialect.decimal_comma;
     format.columns = best.columns;
     std::vector<std::string_view> fields;
-    const auto first = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) {
+    const auto first = std::find_if(body.begin(), body.end(), [&](const std::string& line) {
         return columns_of(line, dialect, fields) == best.columns;
     });
-    format.lines_to_skip = first - lines.begin();
-    const auto skipped = static_cast<std::size_t>(format.lines_to_skip);
+    // Lines that were said to be skipped are, and no more: a wrong first row is then an error.
+    const auto skipped =
+        choice.lines_to_skip ? said : static_cast<std::size_t>(first - body.begin());
+    format.lines_to_skip = static_cast<std::int64_t>(skipped);
     const TextHeader header = read_header(lines.first(skipped), format.delimiter, format.columns);
     format.header_lines_used = header.lines_used;
-    find_time(lines.subspan(skipped), header.columns, format);
+    find_time(lines.subspan(skipped), header.columns, choice, format);
     for (const Channel& column : header.columns) {
         format.names.push_back(column.name);
         format.units.push_back(column.unit);
     }
     return format;
+}
+
+std::vector<int> channel_columns(const TextFormat& format) {
+    std::vector<int> columns;
+    for (int column = 0; column < format.columns; ++column) {
+        if (column != format.time_column && column != format.counter_column) {
+            columns.push_back(column);
+        }
+    }
+    return columns;
+}
+
+std::vector<Channel> channels_of(const TextFormat& format) {
+    std::vector<Channel> channels;
+    for (const int column : channel_columns(format)) {
+        const auto i = static_cast<std::size_t>(column);
+        const std::string number = std::to_string(channels.size() + 1);
+        channels.push_back({format.names[i].empty() ? number : format.names[i], format.units[i]});
+    }
+    return channels;
 }
 
 std::string format_text(const TextFormat& format) {

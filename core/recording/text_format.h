@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/recording/recording.h"
+#include "core/recording/text_choice.h"
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -29,8 +32,16 @@ struct TextFormat {
 // most of them are rows of numbers of the same length, at least two. Nothing where there is no such
 // row. Time is a column that is named so, or else the first of three or more if it rises evenly; a
 // column of whole numbers without a unit and with no name, or one like "n", counts rows and is
-// neither time nor channel.
-std::optional<TextFormat> guess_text_format(std::span<const std::string> lines);
+// neither time nor channel. What `choice` says is taken as said; its time column counts where the
+// table has it.
+std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
+                                            const TextChoice& choice = {});
+
+// The columns that are channels, from 0: all but the time and the counter.
+std::vector<int> channel_columns(const TextFormat& format);
+
+// Their names, numbers from 1 where the file has none, and units.
+std::vector<Channel> channels_of(const TextFormat& format);
 
 // E.g. "text, 3 columns, semicolon, decimal comma".
 std::string format_text(const TextFormat& format);

@@ -2,8 +2,9 @@
 
 #include "core/base/number_text.h"
 #include "core/recording/memory_source.h"
+#include "core/recording/scaled_source.h"
 #include "core/recording/selection.h"
-#include "core/recording/text_lines.h"
+#include "core/recording/text_head.h"
 #include "core/recording/text_scan.h"
 #include "core/recording/text_source.h"
 #include "core/recording/text_table.h"
@@ -17,46 +18,6 @@
 
 namespace vybeg {
 namespace {
-
-constexpr std::size_t head_bytes = std::size_t{1} << 18;  // what the format is guessed from
-
-Result<std::optional<TextFormat>> guess_from_head(const std::shared_ptr<const FileBytes>& file) {
-    TextLines lines(file);
-    std::vector<std::string> head;
-    for (std::size_t bytes = 0; bytes < head_bytes;) {
-        const auto line = lines.next();
-        if (!line) {
-            return line.error();
-        }
-        if (!*line) {
-            break;
-        }
-        head.emplace_back(**line);
-        bytes += (*line)->size() + 1;
-    }
-    return guess_text_format(head);
-}
-
-// The columns that are channels, from 0: all but the time and the counter.
-std::vector<int> channel_columns(const TextFormat& format) {
-    std::vector<int> columns;
-    for (int column = 0; column < format.columns; ++column) {
-        if (column != format.time_column && column != format.counter_column) {
-            columns.push_back(column);
-        }
-    }
-    return columns;
-}
-
-void describe(const TextFormat& format, const std::vector<int>& columns, Recording& recording) {
-    recording.format = format_text(format);
-    for (const int column : columns) {
-        const auto i = static_cast<std::size_t>(column);
-        const std::string number = std::to_string(recording.channels.size() + 1);
-        recording.channels.push_back(
-            {format.names[i].empty() ? number : format.names[i], format.units[i]});
-    }
-}
 
 std::vector<TimeGap> gaps_of(const EvenTimes& even) {
     std::vector<TimeGap> gaps;
@@ -163,17 +124,19 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
 
 }  // namespace
 
-Result<ChosenTable> choose_table(const std::shared_ptr<const FileBytes>& file,
-                                 const OpenOptions& options) {
-    const auto guess = guess_from_head(file);
-    if (!guess) {
-        return guess.error();
+Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
+                               const OpenOptions& options, const JobControl& job) {
+    const TextChoice choice = options.text.value_or(TextChoice{});
+    const auto head = read_text_head(file, choice.lines_to_skip, job);
+    if (!head) {
+        return head.error();
     }
-    if (!*guess) {
-        return file->error(ErrorCode::text_no_data);
+    const auto found = find_text_format(*file, *head, choice);
+    if (!found) {
+        return found.error();
     }
-    const TextFormat& format = **guess;
-    std::vector<int> columns = channel_columns(format);
+    const TextFormat& format = *found;
+    const std::vector<int> columns = channel_columns(format);
     if (const Status status = check_channels(*file, static_cast<int>(columns.size()), options);
         !status) {
         return status.error();
@@ -181,30 +144,33 @@ Result<ChosenTable> choose_table(const std::shared_ptr<const FileBytes>& file,
     if (format.time_column < 0 && !options.rate_hz) {
         return file->error(ErrorCode::rate_unknown);  // before the work of reading it
     }
-    auto table = find_table(file, format,
-                            {.time = format.time_column,
-                             .c = columns[static_cast<std::size_t>(options.channel_c - 1)],
-                             .d = columns[static_cast<std::size_t>(options.channel_d - 1)]});
-    if (!table) {
-        return table.error();
-    }
-    return ChosenTable{std::move(*table), std::move(columns)};
+    return find_table(file, format,
+                      {.time = format.time_column,
+                       .c = columns[static_cast<std::size_t>(options.channel_c - 1)],
+                       .d = columns[static_cast<std::size_t>(options.channel_d - 1)]});
 }
 
 Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job) {
-    auto chosen = choose_table(file, options);
-    if (!chosen) {
-        return chosen.error();
+    auto table = choose_table(file, options, job);
+    if (!table) {
+        return table.error();
     }
     Recording recording;
     recording.path = file->path();
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
-    describe(chosen->table.format, chosen->channels, recording);
-    if (const Status status = take_table(*file, std::move(chosen->table), options, job, recording);
+    recording.format = format_text(table->format);
+    recording.channels = channels_of(table->format);
+    if (const Status status = take_table(*file, std::move(*table), options, job, recording);
         !status) {
         return status.error();
+    }
+    if (options.text && options.text->scale != 1) {
+        recording.source = scaled_source(std::move(recording.source), options.text->scale);
+        for (Channel& channel : recording.channels) {
+            channel.unit.clear();  // the file's is not that of what is read
+        }
     }
     return recording;
 }

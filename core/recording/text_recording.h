@@ -7,23 +7,18 @@
 #include "core/recording/text_table.h"
 
 #include <memory>
-#include <vector>
 
 namespace vybeg {
 
-// A text file as a recording: guesses the format and looks at every row once; the samples are then
-// read on demand. Only uneven times are read into memory, to bring them onto a uniform grid.
-// Errors: text_no_data, too_few_channels, channel_out_of_range, too_few_frames, rate_unknown and
-// those of scan_text().
+// A text file as a recording: finds the format, by options.text and its content, and looks at every
+// row once; the samples are then read on demand. Only uneven times are read into memory, to bring
+// them onto a uniform grid. Errors: those of find_text_format(), too_few_channels,
+// channel_out_of_range, too_few_frames, rate_unknown and those of scan_text().
 Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job);
 
 // The table that open_text() reads, before its rows are looked at.
-struct ChosenTable {
-    TextTable table;
-    std::vector<int> channels;  // its columns that are channels, from 0
-};
-Result<ChosenTable> choose_table(const std::shared_ptr<const FileBytes>& file,
-                                 const OpenOptions& options);
+Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
+                               const OpenOptions& options, const JobControl& job);
 
 }  // namespace vybeg

@@ -1,5 +1,6 @@
 #include "core/recording/text_rows.h"
 
+#include "core/base/number_text.h"
 #include "core/recording/text_encoding.h"
 #include "core/recording/text_fields.h"
 #include "core/recording/text_lines.h"
@@ -12,19 +13,6 @@
 
 namespace vybeg {
 namespace {
-
-constexpr std::size_t longest_quote = 40;  // of a wrong field, in a message
-
-// A field as it may stand in a one-line message.
-std::string quoted(std::string_view field) {
-    std::string text = to_utf8(field.substr(0, longest_quote));
-    if (field.size() > longest_quote) {
-        text += "...";
-    }
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, ' ');
-    return text;
-}
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -96,6 +84,15 @@ TextRows::TextRows(const TextFormat& format, const TextColumns& columns, const T
       plain_(std::string_view(",;\t| ").find(format.delimiter) != std::string_view::npos &&
              !(format.decimal_comma && format.delimiter == ',')),
       at_(block.begin) {}
+
+Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault) {
+    if (fault.code == ErrorCode::format_damaged) {
+        return file.error(fault.code,
+                          {"text", "line " + integer_text(line) + " is longer than 1 MiB"});
+    }
+    return file.error(fault.code,
+                      {integer_text(line), std::to_string(fault.column + 1), fault.text});
+}
 
 bool TextRows::next() {
     const std::string_view text = block_.text();
@@ -243,7 +240,7 @@ bool TextRows::number(int column, double& value) {
 }
 
 bool TextRows::fail(int column) {
-    fault_ = {ErrorCode::text_not_a_number, column, quoted(field(column))};
+    fault_ = {ErrorCode::text_not_a_number, column, short_quote(field(column))};
     return false;
 }
 

@@ -27,6 +27,9 @@ struct TextFault {
     std::string text;  // what stands there instead of a number
 };
 
+// The error of a fault that stands in this line of the file, from 1.
+Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault);
+
 // What is done with the samples of a row. To check is faster: whatever is a number has the value 0.
 enum class SampleUse { read, check };
 

@@ -129,7 +129,7 @@ public:
             return backwards(block.lines, block.time, block.before);
         }
         if (block.fault) {
-            return fault(block.lines, *block.fault);
+            return fault_error(table_.blocks.file(), line(block.lines), *block.fault);
         }
         if (block.rows_with_missing > 0 && scan_.rows_with_missing == 0) {
             scan_.first_missing_row = scan_.rows() + block.first_missing_row;
@@ -156,24 +156,14 @@ public:
     }
 
 private:
-    std::string line_text(std::int64_t line) const {
-        return integer_text(table_.format.lines_to_skip + lines_ + line);
+    std::int64_t line(std::int64_t in_block) const {
+        return table_.format.lines_to_skip + lines_ + in_block;
     }
 
-    Error backwards(std::int64_t line, double time, double before) const {
+    Error backwards(std::int64_t in_block, double time, double before) const {
         return table_.blocks.file().error(
             ErrorCode::text_time_backwards,
-            {line_text(line), round_trip_text(time), round_trip_text(before)});
-    }
-
-    Error fault(std::int64_t line, const TextFault& fault) const {
-        const FileBytes& file = table_.blocks.file();
-        if (fault.code == ErrorCode::format_damaged) {
-            return file.error(fault.code,
-                              {"text", "line " + line_text(line) + " is longer than 1 MiB"});
-        }
-        return file.error(fault.code,
-                          {line_text(line), std::to_string(fault.column + 1), fault.text});
+            {integer_text(line(in_block)), round_trip_text(time), round_trip_text(before)});
     }
 
     const TextTable& table_;
