@@ -72,6 +72,53 @@ RawLayout& raw_of(OpenOptions& options, const std::string& option) {
     return *options.raw;
 }
 
+// What is said of a text file, which excludes --raw.
+TextChoice& text_of(OpenOptions& options, const std::string& option) {
+    if (options.raw) {
+        throw CLI::ValidationError(option + " is for text, and --raw reads no text.");
+    }
+    return options.text ? *options.text : options.text.emplace();
+}
+
+void add_text_options(CLI::App& app, OpenOptions& options) {
+    add_value(app, "--delimiter", "NAME",
+              "Between the columns of a text file: comma, semicolon, tab, space or bar (default: "
+              "guessed, as is all that follows)",
+              [&options](const auto& option, const auto& text) {
+                  text_of(options, option).delimiter = delimiter_from_name(text);
+                  if (!options.text->delimiter) {
+                      reject(option, text, "it is comma, semicolon, tab, space or bar");
+                  }
+              });
+    add_value(app, "--decimal", "SIGN", "Decimal sign of a text file: point or comma",
+              [&options](const auto& option, const auto& text) {
+                  if (text != "point" && text != "comma") {
+                      reject(option, text, "it is point or comma");
+                  }
+                  text_of(options, option).decimal_comma = text == "comma";
+              });
+    add_value(app, "--skip-lines", "N", "Lines of a text file above its first row of numbers",
+              [&options](const auto& option, const auto& text) {
+                  text_of(options, option).lines_to_skip = whole_value(option, text);
+              });
+    add_value(app, "--time-column", "N|none",
+              "Column of a text file that is the time, from 1; none: every column is a channel",
+              [&options](const auto& option, const auto& text) {
+                  text_of(options, option).time_column =
+                      text == "none" ? 0
+                                     : small_whole_value(option, text, 1,
+                                                         "it is the number of a column, from 1, "
+                                                         "or none");
+              });
+    add_value(app, "--time-unit", "UNIT", "Unit of the time column: s, ms, us or ns",
+              [&options](const auto& option, const auto& text) {
+                  text_of(options, option).time_unit_s = time_unit_from_name(text);
+                  if (!options.text->time_unit_s) {
+                      reject(option, text, "it is s, ms, us or ns");
+                  }
+              });
+}
+
 void add_band(CLI::App& app, const std::string& name, std::optional<Band>& target,
               const std::string& help) {
     add_value(app, name, "LO,HI", help, [&target](const auto& option, const auto& text) {
@@ -176,10 +223,15 @@ void add_open_options(CLI::App& app, OpenOptions& options) {
                   }
                   raw_of(options, option).skip_bytes = bytes;
               });
-    add_value(app, "--scale", "X", "Recording units per count of --raw (default 1)",
+    add_text_options(app, options);
+    add_value(app, "--scale", "X",
+              "Recording units per count of --raw, or per unit of a text file (default 1)",
               [&options](const auto& option, const auto& text) {
-                  raw_of(options, option).scale = number_value(option, text);
+                  const double scale = number_value(option, text);
+                  (options.raw ? options.raw->scale : text_of(options, option).scale) = scale;
               });
+    add_value(app, "--unit", "NAME", "Unit of the samples, e.g. V (default: the file's)",
+              [&options](const auto&, const auto& text) { options.unit = text; });
 }
 
 void add_analysis_options(CLI::App& app, Settings& settings) {

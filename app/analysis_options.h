@@ -7,8 +7,8 @@
 
 namespace vybeg::cli {
 
-// The options of INTERFACE.md that say how a recording is opened: --rate, --channels, --raw and its
-// companions. `options` must outlive the parse.
+// The options that say how a recording is opened: --rate, --channels, --raw and --delimiter with
+// their companions. `options` must outlive the parse.
 void add_open_options(CLI::App& app, OpenOptions& options);
 
 // The options of INTERFACE.md that say how it is analysed: --algorithm to --angle-zero, --threads.

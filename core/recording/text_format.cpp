@@ -183,7 +183,13 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     const auto skipped =
         choice.lines_to_skip ? said : static_cast<std::size_t>(first - body.begin());
     format.lines_to_skip = static_cast<std::int64_t>(skipped);
-    const TextHeader header = read_header(lines.first(skipped), format.delimiter, format.columns);
+    // Numbers that are skipped name no columns.
+    const auto above = lines.first(skipped);
+    const auto numbers = std::find_if(above.rbegin(), above.rend(), [&](const std::string& line) {
+        return columns_of(line, dialect, fields) > 0;
+    });
+    const auto words = above.last(static_cast<std::size_t>(numbers - above.rbegin()));
+    const TextHeader header = read_header(words, format.delimiter, format.columns);
     format.header_lines_used = header.lines_used;
     find_time(lines.subspan(skipped), header.columns, choice, format);
     for (const Channel& column : header.columns) {

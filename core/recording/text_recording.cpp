@@ -93,8 +93,10 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
     }
     const std::int64_t missing = scan->missing_samples;
     const std::int64_t rows_with_missing = scan->rows_with_missing;
-    const std::int64_t lines_ignored =
-        table.header_lines + scan->lines_ignored - table.format.header_lines_used;
+    // Nobody needs to be told of lines that were said to be skipped.
+    const bool said = options.text && options.text->lines_to_skip;
+    const std::int64_t above = said ? 0 : table.header_lines - table.format.header_lines_used;
+    const std::int64_t lines_ignored = above + scan->lines_ignored;
     const bool uneven = table.columns.time >= 0 && !scan->even;
     auto samples = uneven ? resampled(table, *scan, job)
                           : Result(streamed(std::move(table), std::move(*scan)));
