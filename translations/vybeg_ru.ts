@@ -63,12 +63,12 @@
             <translation>Открыть записи свободного выбега</translation>
         </message>
         <message>
-            <source>Open &amp;with options…</source>
-            <translation>Открыть с &amp;параметрами…</translation>
+            <source>&amp;Import…</source>
+            <translation>&amp;Импорт…</translation>
         </message>
         <message>
-            <source>Read the current recording with another rate or other channels</source>
-            <translation>Прочитать текущую запись с другой частотой дискретизации или другими каналами</translation>
+            <source>Say how a file is to be read, and see at once what comes of it</source>
+            <translation>Указать, как читать файл, и сразу увидеть, что получается</translation>
         </message>
         <message>
             <source>&amp;Close recording</source>
@@ -576,6 +576,18 @@
         <message>
             <source>%1 lost samples at %2 places were made gaps, as asked for; windows over them have no values.</source>
             <translation>По запросу на месте потерянных отсчётов сделаны пропуски (отсчётов: %1, мест: %2); окна над ними без значений.</translation>
+        </message>
+        <message>
+            <source>%1: %2 lines are to be skipped, and the file has only %3.</source>
+            <translation>%1: нужно пропустить строк: %2, а в файле их всего %3.</translation>
+        </message>
+        <message>
+            <source>%1: read as text with %2, no line from %3 on has two or more numbers; that line reads &quot;%4&quot;. Choose another delimiter, decimal sign or first line.</source>
+            <translation>%1: если читать как текст с параметрами %2, то начиная со строки %3 нет ни одной строки, где два числа или больше; там стоит «%4». Выберите другой разделитель, десятичный знак или первую строку.</translation>
+        </message>
+        <message>
+            <source>%1: there is no column %2 to be the time; the file has %3.</source>
+            <translation>%1: нет столбца %2, который был бы временем; столбцов в файле: %3.</translation>
         </message>
     </context>
     <context>
@@ -1165,6 +1177,10 @@
             <source>Arrays (%1)</source>
             <translation>Массивы (%1)</translation>
         </message>
+        <message>
+            <source>Import a recording</source>
+            <translation>Импорт записи</translation>
+        </message>
     </context>
     <context>
         <name>vybeg::ui::MessageBar</name>
@@ -1173,80 +1189,23 @@
             <translation>Закрыть это сообщение</translation>
         </message>
         <message>
-            <source>Open with options…</source>
-            <translation>Открыть с параметрами…</translation>
+            <source>Import…</source>
+            <translation>Импорт…</translation>
         </message>
     </context>
     <context>
-        <name>vybeg::ui::OpenOptionsDialog</name>
+        <name>vybeg::ui::ImportDialog</name>
         <message>
-            <source>Open with options</source>
-            <translation>Открыть с параметрами</translation>
+            <source>Import</source>
+            <translation>Импорт</translation>
         </message>
         <message>
             <source>How to read %1</source>
             <translation>Как читать %1</translation>
         </message>
-        <message>
-            <source>Sample rate</source>
-            <translation>Частота дискретизации</translation>
-        </message>
-        <message>
-            <source>Channel C</source>
-            <translation>Канал C</translation>
-        </message>
-        <message>
-            <source>Channel D</source>
-            <translation>Канал D</translation>
-        </message>
-        <message>
-            <source>Sample type</source>
-            <translation>Тип отсчётов</translation>
-        </message>
-        <message>
-            <source>Byte order</source>
-            <translation>Порядок байтов</translation>
-        </message>
-        <message>
-            <source>Channels</source>
-            <translation>Каналы</translation>
-        </message>
-        <message>
-            <source>Skip</source>
-            <translation>Пропустить</translation>
-        </message>
-        <message>
-            <source>Scale</source>
-            <translation>Масштаб</translation>
-        </message>
-        <message>
-            <source>Hz</source>
-            <translation>Гц</translation>
-        </message>
-        <message>
-            <source>from the file</source>
-            <translation>из файла</translation>
-        </message>
-        <message>
-            <source>Used where the file has no rate of its own</source>
-            <translation>Действует, если в файле частота не указана</translation>
-        </message>
-        <message>
-            <source>Counted from 1; a time column does not count</source>
-            <translation>Счёт от 1; столбец времени не в счёт</translation>
-        </message>
-        <message>
-            <source>bytes</source>
-            <translation>байт</translation>
-        </message>
-        <message>
-            <source>Recording units per count</source>
-            <translation>Единиц записи на единицу кода</translation>
-        </message>
-        <message>
-            <source>Raw samples without a header</source>
-            <translation>Отсчёты без заголовка</translation>
-        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::ImportFields</name>
         <message>
             <source>16 bit integer</source>
             <translation>целые 16 бит</translation>
@@ -1264,24 +1223,243 @@
             <translation>вещественные 64 бита</translation>
         </message>
         <message>
-            <source>little endian</source>
-            <translation>младший байт первым</translation>
+            <source>Byte order</source>
+            <translation>Порядок байтов</translation>
         </message>
         <message>
-            <source>big endian</source>
-            <translation>старший байт первым</translation>
+            <source>Channel C</source>
+            <translation>Канал C</translation>
+        </message>
+        <message>
+            <source>Channel D</source>
+            <translation>Канал D</translation>
+        </message>
+        <message>
+            <source>Channels</source>
+            <translation>Каналы</translation>
+        </message>
+        <message>
+            <source>Counted from 1; a time column does not count</source>
+            <translation>Счёт от 1; столбец времени не в счёт</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
+        </message>
+        <message>
+            <source>Sample rate</source>
+            <translation>Частота дискретизации</translation>
+        </message>
+        <message>
+            <source>Sample type</source>
+            <translation>Тип отсчётов</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <translation>Масштаб</translation>
+        </message>
+        <message>
+            <source>Used where the file has no rate of its own</source>
+            <translation>Действует, если в файле частота не указана</translation>
         </message>
         <message>
             <source>Variables</source>
             <translation>Переменные</translation>
         </message>
         <message>
+            <source>big endian</source>
+            <translation>старший байт первым</translation>
+        </message>
+        <message>
+            <source>little endian</source>
+            <translation>младший байт первым</translation>
+        </message>
+        <message>
+            <source>bytes</source>
+            <translation>байт</translation>
+        </message>
+        <message>
+            <source>from the file</source>
+            <translation>из файла</translation>
+        </message>
+        <message>
             <source>the first that fit</source>
             <translation>первые подходящие</translation>
         </message>
         <message>
-            <source>Names of the variables that hold C and D and, third, the rate, in a file of several (NPZ, MAT, HDF5), with commas between them</source>
-            <translation>Имена переменных с C и D и, третьей, с частотой дискретизации, если в файле их несколько (NPZ, MAT, HDF5), через запятую</translation>
+            <source>Above the first row of numbers</source>
+            <translation>Над первой строкой чисел</translation>
+        </message>
+        <message>
+            <source>By its content, or as what it is said to be</source>
+            <translation>По содержимому или так, как указано</translation>
+        </message>
+        <message>
+            <source>Bytes before the first sample</source>
+            <translation>Байты перед первым отсчётом</translation>
+        </message>
+        <message>
+            <source>Decimal sign</source>
+            <translation>Десятичный знак</translation>
+        </message>
+        <message>
+            <source>Gives the sample rate and is no channel; all other columns are</source>
+            <translation>Задаёт частоту дискретизации и не является каналом; остальные столбцы — каналы</translation>
+        </message>
+        <message>
+            <source>Header</source>
+            <translation>Заголовок</translation>
+        </message>
+        <message>
+            <source>How each sample is stored</source>
+            <translation>Как хранится каждый отсчёт</translation>
+        </message>
+        <message>
+            <source>Interleaved: a sample of each, then the next of each</source>
+            <translation>Чередуются: по отсчёту каждого канала, затем по следующему</translation>
+        </message>
+        <message>
+            <source>Lines to skip</source>
+            <translation>Пропустить строк</translation>
+        </message>
+        <message>
+            <source>Little endian: the lowest byte comes first</source>
+            <translation>Младший байт первым: в файле он стоит раньше старшего</translation>
+        </message>
+        <message>
+            <source>Names of the variables that hold C and D and, third, the rate, with commas between them</source>
+            <translation>Имена переменных, в которых C и D и, третьей, частота дискретизации, через запятую</translation>
+        </message>
+        <message>
+            <source>Of the numbers in the file</source>
+            <translation>Чисел в файле</translation>
+        </message>
+        <message>
+            <source>Of the samples, once they are scaled</source>
+            <translation>Отсчётов после умножения на масштаб</translation>
+        </message>
+        <message>
+            <source>Of the time column</source>
+            <translation>Столбца времени</translation>
+        </message>
+        <message>
+            <source>Read as</source>
+            <translation>Читать как</translation>
+        </message>
+        <message>
+            <source>Recording units per count or per unit of the file</source>
+            <translation>Единиц записи на единицу кода или единицу файла</translation>
+        </message>
+        <message>
+            <source>Separator</source>
+            <translation>Разделитель</translation>
+        </message>
+        <message>
+            <source>Time column</source>
+            <translation>Столбец времени</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Unit of time</source>
+            <translation>Единица времени</translation>
+        </message>
+        <message>
+            <source>What stands between the columns</source>
+            <translation>Что стоит между столбцами</translation>
+        </message>
+        <message>
+            <source>automatic</source>
+            <translation>автоматически</translation>
+        </message>
+        <message>
+            <source>automatic: %1</source>
+            <translation>автоматически: %1</translation>
+        </message>
+        <message>
+            <source>comma</source>
+            <translation>запятая</translation>
+        </message>
+        <message>
+            <source>from the time column</source>
+            <translation>из столбца времени</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>мс</translation>
+        </message>
+        <message>
+            <source>needed</source>
+            <translation>нужно указать</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>ns</source>
+            <translation>нс</translation>
+        </message>
+        <message>
+            <source>point</source>
+            <translation>точка</translation>
+        </message>
+        <message>
+            <source>raw samples</source>
+            <translation>отсчёты без заголовка</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>с</translation>
+        </message>
+        <message>
+            <source>semicolon</source>
+            <translation>точка с запятой</translation>
+        </message>
+        <message>
+            <source>spaces</source>
+            <translation>пробелы</translation>
+        </message>
+        <message>
+            <source>tab</source>
+            <translation>табуляция</translation>
+        </message>
+        <message>
+            <source>text</source>
+            <translation>текст</translation>
+        </message>
+        <message>
+            <source>vertical bar</source>
+            <translation>вертикальная черта</translation>
+        </message>
+        <message>
+            <source>what it is by content</source>
+            <translation>по содержимому</translation>
+        </message>
+        <message>
+            <source>µs</source>
+            <translation>мкс</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::ImportPreview</name>
+        <message>
+            <source>First rows</source>
+            <translation>Первые строки</translation>
+        </message>
+        <message>
+            <source>First samples</source>
+            <translation>Первые отсчёты</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>мс</translation>
+        </message>
+        <message>
+            <source>samples</source>
+            <translation>отсчёты</translation>
         </message>
     </context>
     <context>
@@ -1373,8 +1551,8 @@
             <translation>Закрыть запись</translation>
         </message>
         <message>
-            <source>Open with options…</source>
-            <translation>Открыть с параметрами…</translation>
+            <source>Import again…</source>
+            <translation>Импортировать заново…</translation>
         </message>
         <message>
             <source>File</source>

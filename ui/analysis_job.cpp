@@ -111,6 +111,16 @@ void AnalysisJob::open(int key, const QString& path, const OpenOptions& options,
         std::move(done));
 }
 
+void AnalysisJob::preview(int key, const QString& path, const OpenOptions& options,
+                          std::function<void(Result<RecordingPreview>)> done) {
+    start<RecordingPreview>(
+        others_, {Kind::preview, key},
+        [path = toPath(path), options](const Ticket& ticket) {
+            return preview_recording(path, options, JobControl(ticket.stop));
+        },
+        std::move(done));
+}
+
 void AnalysisJob::buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
                                 std::function<void(Result<std::shared_ptr<const Envelope>>)> done) {
     using Picture = std::shared_ptr<const Envelope>;

@@ -5,6 +5,7 @@
 #include "core/recording/envelope_builder.h"
 #include "core/recording/first_look.h"
 #include "core/recording/open_recording.h"
+#include "core/recording/preview.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
 #include "ui/curve_data.h"
@@ -47,6 +48,8 @@ public:
     void open(int key, const QString& path, const OpenOptions& options,
               std::function<void(const FirstLook&)> looked,
               std::function<void(Result<Recording>)> done);
+    void preview(int key, const QString& path, const OpenOptions& options,
+                 std::function<void(Result<RecordingPreview>)> done);
     // `grown` gets pictures of the envelope while it grows, some ten a second.
     void buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
                        std::function<void(Result<std::shared_ptr<const Envelope>>)> done);
@@ -75,7 +78,7 @@ signals:
     void analysisStarted(int key);
 
 private:
-    enum class Kind { open, envelope, hash, carrier, check, analysis, write };
+    enum class Kind { open, preview, envelope, hash, carrier, check, analysis, write };
     struct Task {
         quint64 generation = 0;
         std::stop_source stop;

@@ -9,6 +9,27 @@
 
 namespace vybeg::ui {
 
+namespace {
+
+// Whether a file could be opened if the engineer said how to read it.
+bool canBeSaid(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::setting_invalid:
+        case ErrorCode::format_unknown:
+        case ErrorCode::text_not_a_number:
+        case ErrorCode::text_time_backwards:
+        case ErrorCode::text_no_table:
+        case ErrorCode::text_lines_missing:
+        case ErrorCode::column_out_of_range:
+        case ErrorCode::channel_out_of_range:
+        case ErrorCode::rate_unknown:
+        case ErrorCode::variable_missing: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
 // One change of the settings.
 class SettingsCommand : public QUndoCommand {
 public:
@@ -112,9 +133,7 @@ void Document::whenOpened(int id, Result<Recording> result) {
     if (!result) {
         const Error error = result.error();
         Message message{Severity::error, [error] { return errorText(error); }, {}, {}};
-        if (error.code == ErrorCode::rate_unknown || error.code == ErrorCode::format_unknown ||
-            error.code == ErrorCode::channel_out_of_range ||
-            error.code == ErrorCode::variable_missing || error.code == ErrorCode::setting_invalid) {
+        if (canBeSaid(error.code)) {
             message.reopen_path = entry->path;
             message.reopen_options = entry->options;
         }

@@ -161,9 +161,9 @@ void MainWindow::connectDocument() {
 
 void MainWindow::connectViews() {
     connect(welcome_, &WelcomePage::openWanted, this, &MainWindow::askForFiles);
-    connect(messages_, &MessageBar::reopenWanted, this, &MainWindow::askForOptions);
+    connect(messages_, &MessageBar::reopenWanted, this, &MainWindow::openImport);
     connect(recordings_, &RecordingPanel::placeChosen, this, &MainWindow::goToEvent);
-    connect(recordings_, &RecordingPanel::reopenWanted, this, &MainWindow::askForOptions);
+    connect(recordings_, &RecordingPanel::reopenWanted, this, &MainWindow::openImport);
     connect(settings_, &SettingsPanel::visibleRangeWanted, this, [this] {
         const AxisRange range = tracks_->timeRange();
         editAnalysedRange(range.lower, range.upper);

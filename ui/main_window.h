@@ -27,6 +27,7 @@ class CompareDialog;
 class CursorPanel;
 class EventsPanel;
 class HelpView;
+class ImportDialog;
 class MessageBar;
 class RecentFiles;
 class RecordingPanel;
@@ -39,7 +40,7 @@ class WelcomePage;
 // What the menus, the tool bar and the keyboard offer.
 enum class Command {
     open,
-    open_with,
+    import_file,
     close_recording,
     export_plots,
     export_track,
@@ -125,7 +126,8 @@ private:
 
     // main_window_files.cpp
     void askForFiles();
-    void askForOptions(const QString& path, const OpenOptions& options);
+    void askForImport();
+    void openImport(const QString& path, const OpenOptions& options);
     void askWhereTo(const QString& title, const QString& name, const QStringList& filters,
                     void (MainWindow::*save)(const QString&));
     void told(const Status& status, const QString& path);
@@ -169,6 +171,8 @@ private:
     std::function<QString()> status_text_;
     QPointer<CompareDialog> compare_;
     QPointer<HelpView> help_;
+    AnalysisJob imports_;  // previews of the import dialog
+    QPointer<ImportDialog> import_;
     QElapsedTimer last_range_edit_;
     int range_gesture_ = 0;
 };

@@ -33,9 +33,9 @@ struct CommandTexts {
 constexpr std::array<CommandTexts, static_cast<std::size_t>(Command::count)> command_texts{{
     {QT_TRANSLATE_NOOP("Command", "&Open…"),
      QT_TRANSLATE_NOOP("Command", "Open recordings of a free decay")},
-    {QT_TRANSLATE_NOOP("Command", "Open &with options…"),
+    {QT_TRANSLATE_NOOP("Command", "&Import…"),
      QT_TRANSLATE_NOOP("Command",
-                       "Read the current recording with another rate or other channels")},
+                       "Say how a file is to be read, and see at once what comes of it")},
     {QT_TRANSLATE_NOOP("Command", "&Close recording"),
      QT_TRANSLATE_NOOP("Command", "Close the current recording and its runs")},
     {QT_TRANSLATE_NOOP("Command", "&Export plots…"),
@@ -78,7 +78,7 @@ constexpr std::array<CommandTexts, static_cast<std::size_t>(Command::count)> com
 QList<QKeySequence> shortcutsOf(Command command) {
     switch (command) {
         case Command::open: return {QKeySequence::Open};
-        case Command::open_with: return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_O)};
+        case Command::import_file: return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_O)};
         case Command::close_recording: return {QKeyCombination(Qt::CTRL, Qt::Key_W)};
         case Command::export_plots: return {QKeyCombination(Qt::CTRL, Qt::Key_E)};
         case Command::export_track: return {QKeyCombination(Qt::CTRL, Qt::Key_S)};
@@ -111,10 +111,7 @@ void MainWindow::buildActions() {
         connect(action(command), &QAction::triggered, this, std::forward<decltype(act)>(act));
     };
     on(Command::open, [this] { askForFiles(); });
-    on(Command::open_with, [this] {
-        const RecordingEntry* entry = document_.currentRecording();
-        askForOptions(entry->path, entry->options);
-    });
+    on(Command::import_file, [this] { askForImport(); });
     on(Command::close_recording,
        [this] { document_.closeRecording(document_.currentRecording()->id); });
     on(Command::export_plots, [this] {
@@ -206,7 +203,7 @@ void MainWindow::buildMenus() {
     file->addMenu(recent_);
     connect(recent_, &RecentFiles::chosen, this,
             [this](const QString& path) { document_.open({path}); });
-    add(file, {Command::open_with, Command::close_recording});
+    add(file, {Command::import_file, Command::close_recording});
     file->addSeparator();
     add(file, {Command::export_plots, Command::export_track});
     file->addSeparator();
@@ -322,7 +319,7 @@ void MainWindow::refreshActions() {
         }
     };
     const bool plots = !document_.runs().empty();
-    enable({Command::open_with, Command::run, Command::compare}, open);
+    enable({Command::run, Command::compare}, open);
     enable({Command::close_recording}, entry != nullptr);
     enable({Command::export_plots, Command::export_track, Command::copy_plot, Command::copy_table,
             Command::zoom_in, Command::zoom_out, Command::zoom_fit},

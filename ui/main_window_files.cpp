@@ -3,8 +3,8 @@
 #include "ui/compare_dialog.h"
 #include "ui/error_text.h"
 #include "ui/help_view.h"
+#include "ui/import_dialog.h"
 #include "ui/main_window.h"
-#include "ui/open_options_dialog.h"
 #include "ui/plot_export.h"
 #include "ui/run_list.h"
 #include "ui/track_view.h"
@@ -70,9 +70,29 @@ void MainWindow::askForFiles() {
     dialog->open();
 }
 
-void MainWindow::askForOptions(const QString& path, const OpenOptions& options) {
-    auto* dialog = new OpenOptionsDialog(path, options, this);
-    connect(dialog, &OpenOptionsDialog::chosen, this,
+void MainWindow::askForImport() {
+    const RecordingEntry* current = document_.currentRecording();
+    auto* dialog =
+        new QFileDialog(this, tr("Import a recording"), QSettings().value(folder_key).toString());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilter(tr("All files (*)"));
+    if (current) {
+        dialog->selectFile(current->path);  // to read it in another way
+    }
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+        QSettings().setValue(folder_key, QFileInfo(file).absolutePath());
+        const RecordingEntry* entry = document_.currentRecording();
+        openImport(file, entry && entry->path == file ? entry->options : OpenOptions{});
+    });
+    dialog->open();
+}
+
+void MainWindow::openImport(const QString& path, const OpenOptions& options) {
+    delete import_;
+    auto* dialog = new ImportDialog(imports_, path, options, this);
+    import_ = dialog;
+    connect(dialog, &ImportDialog::chosen, this,
             [this](const QString& file, const OpenOptions& chosen) {
                 const RecordingEntry* entry = document_.currentRecording();
                 if (entry && entry->path == file) {

@@ -116,7 +116,7 @@ void MessageBar::retranslate() {
         row.close->setToolTip(tr("Close this message"));
         row.close->setAccessibleName(tr("Close this message"));
         if (row.action) {
-            row.action->setText(tr("Open with options…"));
+            row.action->setText(tr("Import…"));
         }
     }
 }

@@ -194,7 +194,7 @@ void RecordingPanel::changeEvent(QEvent* event) {
 void RecordingPanel::retranslate() {
     list_->setAccessibleName(tr("Open recordings"));
     close_->setText(tr("Close recording"));
-    reopen_->setText(tr("Open with options…"));
+    reopen_->setText(tr("Import again…"));
     const QString texts[row_count] = {tr("File"),     tr("Format"), tr("Rate"), tr("Length"),
                                       tr("Channels"), tr("Start"),  tr("f₀"),   tr("SHA-256")};
     for (int row = 0; row < row_count; ++row) {

@@ -1,8 +1,9 @@
 // Every text of the window in the interface's language, and the translation complete.
 #include "tests/ui/gui_test.h"
 #include "ui/compare_dialog.h"
+#include "ui/import_dialog.h"
 #include "ui/main_window.h"
-#include "ui/open_options_dialog.h"
+#include "ui/recording_panel.h"
 #include "ui/run_list.h"
 
 #include <QAbstractButton>
@@ -94,7 +95,8 @@ QStringList foreignTexts(const QRegularExpression& foreign) {
             }
             text.remove(QLatin1Char('&'));
             text.remove(QChar(0x200b));
-            text.remove(QRegularExpression("/\\S+|[0-9a-f]{64}"));  // paths and hashes
+            // Paths, hashes and names of options.
+            text.remove(QRegularExpression("/\\S+|[0-9a-f]{64}|--[a-z-]+"));
             for (auto match = foreign.globalMatch(text); match.hasNext();) {
                 const QString word = match.next().captured();
                 if (!anyLanguage.contains(word) && word != QStringLiteral("Русский")) {
@@ -125,7 +127,17 @@ private slots:
             [&] { return !window.document().busy() && window.document().runs().size() == 1; },
             20000));
         window.action(Command::compare)->trigger();
-        window.action(Command::open_with)->trigger();
+        // Both with every choice on the screen: text here, raw samples in the other.
+        const QString table = home_.file("demo-2.csv", "t;C;D\n0,1;1;2\n0,2;3;4\n0,3;5;6\n");
+        AnalysisJob job;
+        OpenOptions as_text;
+        as_text.text = TextChoice{};
+        ImportDialog text_import(job, table, as_text, &window);
+        text_import.setAttribute(Qt::WA_DeleteOnClose, false);
+        text_import.show();
+        OpenOptions as_raw;
+        as_raw.raw = RawLayout{};
+        emit window.findChild<RecordingPanel*>()->reopenWanted(home_.path("demo.wav"), as_raw);
         window.action(Command::about)->trigger();
         window.action(Command::help)->trigger();
         QTest::qWait(300);
