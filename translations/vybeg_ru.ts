@@ -1372,11 +1372,11 @@
         </message>
         <message>
             <source>automatic</source>
-            <translation>автоматически</translation>
+            <translation>авто</translation>
         </message>
         <message>
             <source>automatic: %1</source>
-            <translation>автоматически: %1</translation>
+            <translation>авто: %1</translation>
         </message>
         <message>
             <source>comma</source>

@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t frames_shown = 256;  // at first; the wheel shows more
 constexpr int widest_column = 240;         // pixels
 
-QColor tint(QColor color) {
-    color.setAlphaF(0.18F);
+QColor translucent(QColor color, float alpha) {
+    color.setAlphaF(alpha);
     return color;
 }
 
@@ -117,7 +117,7 @@ void ImportPreview::fillTable() {
                 item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
                 const bool c = column == preview_.c_column;
                 if (c || column == preview_.d_column) {
-                    item->setBackground(tint(c ? theme_.signalC : theme_.signalD));
+                    item->setBackground(translucent(c ? theme_.signalC : theme_.signalD, 0.18F));
                 } else {
                     item->setForeground(column == preview_.time_column ? theme_.accent
                                                                        : theme_.mutedText);
@@ -178,7 +178,7 @@ void ImportPreview::drawSamples() {
 void ImportPreview::applyLook() {
     theme_ = isDark(palette()) ? darkTheme() : lightTheme();
     plot_->setBackground(theme_.plotBackground);
-    plot_->legend->setBrush(tint(theme_.plotBackground));
+    plot_->legend->setBrush(translucent(theme_.plotBackground, 0.85F));
     plot_->legend->setTextColor(theme_.text);
     plot_->legend->setFont(font());
     for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {
