@@ -114,7 +114,7 @@ void AnalysisJob::open(int key, const QString& path, const OpenOptions& options,
 void AnalysisJob::preview(int key, const QString& path, const OpenOptions& options,
                           std::function<void(Result<RecordingPreview>)> done) {
     start<RecordingPreview>(
-        others_, {Kind::preview, key},
+        openings_, {Kind::preview, key},
         [path = toPath(path), options](const Ticket& ticket) {
             return preview_recording(path, options, JobControl(ticket.stop));
         },
