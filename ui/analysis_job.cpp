@@ -106,7 +106,11 @@ void AnalysisJob::open(int key, const QString& path, const OpenOptions& options,
             if (const auto look = first_look(path, options, job)) {
                 post(ticket, [looked, look = *look] { looked(look); });
             }
-            return open_recording(path, options, job);
+            Result<Recording> opened = open_recording(path, options, job);
+            if (opened) {
+                opened->source = freedInBackground(opened->source);
+            }
+            return opened;
         },
         std::move(done));
 }

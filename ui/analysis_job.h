@@ -34,8 +34,8 @@ struct AnalysisOutcome {
 // value to the thread of this object; `done` is called there. Jobs are told apart by kind and key:
 // a new job of the same kind and key stops the one before it, and whatever that still delivers is
 // dropped by its generation number. Analyses run one after the other, each on all processors;
-// everything else runs beside them. What is large in a result (track, curves, envelope) is also
-// freed in the background, whoever lets go of it last.
+// everything else runs beside them. What is large in a result (samples, track, curves, envelope) is
+// also freed in the background, whoever lets go of it last.
 class AnalysisJob : public QObject {
     Q_OBJECT
 
