@@ -257,7 +257,7 @@ void Document::checkSamples(int id) {
         if (!checked || !faults) {
             return;  // a file that cannot be read is told of by its envelope
         }
-        checked->faults = std::move(*faults);
+        checked->faults = std::make_shared<const SampleFaults>(std::move(*faults));
         emit recordingChanged(id);
         const std::vector<Diagnostic>& findings = checked->faults->findings;
         if (findings.size() == known) {

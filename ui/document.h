@@ -25,11 +25,11 @@ struct RecordingEntry {
     QString name;
     OpenOptions options;
     std::optional<Recording> recording;
-    std::optional<double> f0_hz;               // once the search has found it
-    QString sha256;                            // once it is computed
-    std::shared_ptr<const Envelope> envelope;  // as far as it has been read, or looked at
-    double envelope_rate_hz = 0;               // frames of the envelope in a second
-    std::optional<SampleFaults> faults;        // once the recording check is through
+    std::optional<double> f0_hz;                 // once the search has found it
+    QString sha256;                              // once it is computed
+    std::shared_ptr<const Envelope> envelope;    // as far as it has been read, or looked at
+    double envelope_rate_hz = 0;                 // frames of the envelope in a second
+    std::shared_ptr<const SampleFaults> faults;  // once the recording check is through
 };
 
 // A run, where it comes from, and what was made of it in the background.

@@ -192,6 +192,7 @@ void MainWindow::showCurrentRecording() {
         title = entry->name + QStringLiteral(" — ") + title;
         signal_->setReading(recording.seconds());
         showEnvelope();
+        signal_->setFaults(entry->faults);
         if (!document_.runs().empty()) {
             signal_->setVisibleRange(tracks_->timeRange());
         }

@@ -14,6 +14,7 @@ SignalView::SignalView(QWidget* parent) : QWidget(parent), theme_(lightTheme()) 
 
 void SignalView::clear() {
     envelope_.reset();
+    faults_.reset();
     seconds_ = 0;
     drawn_ = {};
     update();
@@ -21,6 +22,7 @@ void SignalView::clear() {
 
 void SignalView::setReading(double seconds) {
     envelope_.reset();
+    faults_.reset();
     seconds_ = seconds;
     visible_ = analysed_ = {0, seconds};
     drawn_ = {};
@@ -33,6 +35,13 @@ void SignalView::setEnvelope(std::shared_ptr<const Envelope> envelope, double ra
     seconds_ = static_cast<double>(envelope_->frames()) / rate_hz;
     drawn_ = {};
     update();
+}
+
+void SignalView::setFaults(std::shared_ptr<const SampleFaults> faults) {
+    if (faults != faults_) {
+        faults_ = std::move(faults);
+        update();
+    }
 }
 
 void SignalView::setVisibleRange(AxisRange range) {

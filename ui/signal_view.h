@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/recording/envelope.h"
+#include "core/recording/recording_check.h"
 #include "ui/theme.h"
 #include "ui/zoom_stack.h"
 
@@ -33,6 +34,9 @@ public:
     // As much as has been read; what has only been looked at is paler, the rest hatched. The time
     // axis is that of the whole recording from the start.
     void setEnvelope(std::shared_ptr<const Envelope> envelope, double rate_hz);
+    // What the recording check found: clipped stretches are a bar along the top, places of lost
+    // samples lines with a point. Null: nothing is known.
+    void setFaults(std::shared_ptr<const SampleFaults> faults);
     void setVisibleRange(AxisRange range);
     void setAnalysedRange(AxisRange range);
     void setTheme(const Theme& theme);
@@ -88,6 +92,7 @@ private:
                      const std::vector<EnvelopeBucket>& columns) const;
     void drawMissing(QPainter& painter, const QRect& area,
                      const std::vector<EnvelopeBucket>& columns) const;
+    void drawFaults(QPainter& painter, const QRect& area) const;
     void drawUnread(QPainter& painter, const QRect& area,
                     const std::vector<EnvelopeBucket>& columns) const;
     void drawRanges(QPainter& painter, const QRect& area) const;
@@ -95,6 +100,7 @@ private:
     void drawTimes(QPainter& painter, const QRect& area) const;
 
     std::shared_ptr<const Envelope> envelope_;
+    std::shared_ptr<const SampleFaults> faults_;
     double seconds_ = 0;
     double rate_hz_ = 0;
     AxisRange visible_;

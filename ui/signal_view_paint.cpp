@@ -3,6 +3,7 @@
 #include "ui/signal_view.h"
 
 #include <QPainter>
+#include <QPolygonF>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@ namespace vybeg::ui {
 namespace {
 
 constexpr int missing_row = 3;
+constexpr double fault_row = 4;
 
 QFont smallFont(const QWidget& widget) {
     QFont font = widget.font();
@@ -43,6 +45,7 @@ void SignalView::paintEvent(QPaintEvent*) {
         }
         painter.drawPixmap(0, 0, drawn_);
         drawRanges(painter, area);
+        drawFaults(painter, area);  // above the veil: what is outside the visible range counts too
     }
     if (!envelope_ || !envelope_->whole()) {
         drawLabel(painter, area, int(Qt::AlignRight | Qt::AlignTop), tr("reading…"));
@@ -122,6 +125,38 @@ void SignalView::drawMissing(QPainter& painter, const QRect& area,
                              theme_.warning);
         }
     }
+}
+
+void SignalView::drawFaults(QPainter& painter, const QRect& area) const {
+    if (!faults_) {
+        return;
+    }
+    const auto x_of = [&](std::int64_t frame) {
+        return toPixel(static_cast<double>(frame) / rate_hz_);
+    };
+    // Clipping comes in thousands of stretches: those that share a pixel are one.
+    double drawn_to = area.left();
+    for (const FrameRange& range : faults_->clipped) {
+        const double from = std::max(x_of(range.first), drawn_to);
+        const double to = std::max(x_of(range.end()), from + 1);
+        if (x_of(range.end()) > drawn_to) {
+            painter.fillRect(QRectF(from, area.top(), to - from, fault_row), theme_.warning);
+            drawn_to = to;
+        }
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(theme_.warning);
+    for (const PhaseStep& step : faults_->steps) {
+        const double x = x_of(step.frame);
+        painter.setPen(QPen(theme_.warning, 1));
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        painter.setPen(Qt::NoPen);
+        painter.drawPolygon(QPolygonF({{x - fault_row, double(area.top())},
+                                       {x + fault_row, double(area.top())},
+                                       {x, area.top() + 1.5 * fault_row}}));
+    }
+    painter.restore();
 }
 
 void SignalView::drawUnread(QPainter& painter, const QRect& area,

@@ -58,7 +58,7 @@ private slots:
         options.rate_hz = 8000;
         document.open({home_.file("lost.csv", text)}, options);
         QVERIFY(idle(document, 1));
-        const auto checked = [&] { return document.currentRecording()->faults.has_value(); };
+        const auto checked = [&] { return document.currentRecording()->faults != nullptr; };
         QVERIFY(QTest::qWaitFor(checked));
         const SampleFaults& faults = *document.currentRecording()->faults;
         QCOMPARE(faults.steps.size(), std::size_t(1));

@@ -90,6 +90,25 @@ class TestSignalView : public QObject {
     Q_OBJECT
 
 private slots:
+    void faults_are_marked_where_they_lie() {
+        Bench bench;
+        const QImage before = bench.view.grab().toImage();
+        auto faults = std::make_shared<SampleFaults>();
+        faults->clipped = {{1000, 500}, {1500, 3}};  // 1 s to 1.5 s
+        faults->steps = {{8000, 1.0, 1}};
+        bench.view.setFaults(faults);
+        const QImage after = bench.view.grab().toImage();
+        const QRgb warning = lightTheme().warning.rgb();
+        const auto marked = [&](double time_s, int y) {
+            return after.pixel(bench.signalAt(time_s).x(), y) == warning;
+        };
+        QVERIFY(marked(1.01, 5) && marked(1.25, 5) && marked(1.49, 5));
+        QVERIFY(!marked(0.98, 5) && !marked(1.55, 5) && !marked(1.25, 20));
+        QVERIFY(marked(8, 5));
+        QVERIFY(!marked(7.9, 5) && !marked(8.1, 5));
+        bench.view.setFaults({});
+        QCOMPARE(bench.view.grab().toImage(), before);
+    }
     void each_edge_can_be_dragged() {
         Bench bench;
         bench.drag(bench.signalAt(2), bench.signalAt(3));
