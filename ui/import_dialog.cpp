@@ -13,6 +13,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace vybeg::ui {
 
 namespace {
@@ -125,6 +127,10 @@ void ImportDialog::take(const Result<RecordingPreview>& result) {
     fields_->setPreview(*preview_);
     view_->setPreview(*preview_);
     enableOpen();
+    const bool lacks_rate = preview_->problem && preview_->problem->code == ErrorCode::rate_unknown;
+    if (!std::exchange(shown_, true) && lacks_rate) {
+        fields_->focusRate();  // all that is missing can be typed at once
+    }
 }
 
 void ImportDialog::enableOpen() {

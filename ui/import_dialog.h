@@ -47,6 +47,7 @@ private:
     AnalysisJob& job_;
     QString path_;
     bool proposed_ = false;                    // for the file as it was given
+    bool shown_ = false;                       // a preview has been
     bool raw_proposed_ = false;                // for its first reading as raw samples
     OpenOptions asked_;                        // what the latest preview is, or will be, of
     std::optional<RecordingPreview> preview_;  // of the options as they stand

@@ -281,6 +281,10 @@ void ImportFields::showAutomatic() {
     unit_->setPlaceholderText(tr("from the file"));
 }
 
+void ImportFields::focusRate() {
+    rate_->setFocus();
+}
+
 void ImportFields::showColumns() {
     const QSignalBlocker blocker(time_column_);
     const TextFormat* format = preview_->used ? &*preview_->used : nullptr;

@@ -30,6 +30,7 @@ public:
     void setOptions(const OpenOptions& options);
     OpenOptions options() const;
     // Whether every field that is shown has an acceptable text.
+    void focusRate();
     bool isValid() const;
     // What these options lead to: values of the automatic choices, names of the channels.
     void setPreview(const RecordingPreview& preview);

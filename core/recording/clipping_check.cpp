@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace vybeg {
@@ -11,6 +12,9 @@ namespace {
 // Frames: hundreds of periods of a carrier, a tenth of what carrier and rate usually have in
 // common.
 constexpr std::int64_t neighbourhood = 4096;
+// Frames: meetings at multiples of more than this are the pattern of a noiseless carrier that
+// almost divides the rate (355 frames in 113 half-periods), not a rail.
+constexpr std::int64_t longest_pattern = 64;
 
 }  // namespace
 
@@ -21,11 +25,13 @@ void ClippingCheck::Extreme::add(std::int64_t frame, double value) {
         level = value;
         count = 0;
         neighbours = 0;
+        common = 0;
         places.clear();
         drawn_together = 0;
     }
     if (value == level) {
         neighbours += count > 0 && frame - last_frame <= neighbourhood ? 1 : 0;
+        common = count > 0 ? std::gcd(common, frame - last_frame) : 0;
         last_frame = frame;
         ++count;
         if (!places.empty() && frame - places.back().end() <= drawn_together) {
@@ -66,7 +72,8 @@ bool ClippingCheck::Extreme::is_rail() const {
     // next one; noise only evens them out. Continuous samples never meet the same extreme five
     // times by chance, but a noiseless simulation does, once in each common period of carrier and
     // rate: never in clusters.
-    return count >= 5 && count > 5 * next_count && 2 * neighbours >= count;
+    return count >= 5 && count > 5 * next_count && 2 * neighbours >= count &&
+           common < longest_pattern;
 }
 
 void ClippingCheck::add(std::int64_t first_frame, std::span<const double> x) {

@@ -45,6 +45,7 @@ private:
         std::int64_t next_count = 0;
         std::int64_t last_frame = 0;
         std::int64_t neighbours = 0;  // meetings soon after the one before
+        std::int64_t common = 0;      // divisor of all distances between meetings
         std::vector<FrameRange> places;
         std::int64_t drawn_together = 0;  // frames between places that count as one
 
