@@ -96,8 +96,8 @@ WaveEstimate ClosedFormEstimator::estimate_window(const Window& window,
     if (minimum.at_bound) {
         set(flags, Flag::at_bound);
     }
-    return complete_estimate(window, options_.rate_hz, found.state, found.phasors, minimum.at,
-                             parameter_count(), flags);
+    return complete_estimate({found.state, found.phasors, minimum.at, parameter_count(), flags},
+                             window, options_.rate_hz);
 }
 
 }  // namespace vybeg

@@ -149,9 +149,8 @@ private:
             previous_ = Previous{found, centre_s};
         }
         const Phasors phasors = to_phasors(found.state);
-        constexpr int parameters = 5;
-        return complete_estimate(window, options_.rate_hz, canonical(found.state), phasors, found.w,
-                                 parameters, flags);
+        return complete_estimate({canonical(found.state), phasors, found.w, 5, flags}, window,
+                                 options_.rate_hz);
     }
 
     EstimatorOptions options_;

@@ -2,41 +2,80 @@
 
 #include "core/estimators/profile.h"
 #include "core/estimators/window_estimate.h"
+#include "core/estimators/window_series.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace vybeg {
 namespace {
+
+// Of the window's power: where less than this is left, the difference of the two has lost the
+// digits of the residual (1e-16 of the power), and it is summed up over the samples instead.
+constexpr double least_difference = 1e-6;
 
 class MaximumLikelihood final : public Estimator {
 public:
     explicit MaximumLikelihood(const EstimatorOptions& options)
         : rate_hz_(options.rate_hz),
-          bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)) {}
+          bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)),
+          basis_(options.length, bracket_.centre) {}
 
     void estimate(const WindowBlock& block, double, std::span<WaveEstimate> out) override {
-        for (std::size_t k = 0; k < out.size(); ++k) {
-            const Window window = window_of(block, k);
-            out[k] = has_gap(window.c) || has_gap(window.d) ? no_estimate(Flag::gap)
-                                                            : estimate_window(window);
+        SeriesBatch batch;
+        SeriesMaximum maximum;
+        for (std::size_t first = 0; first < out.size(); first += series_lanes) {
+            const std::size_t count = std::min(series_lanes, out.size() - first);
+            sum_series(block, first, count, basis_, batch);
+            maximise_series(batch, basis_, maximum);
+            for (std::size_t lane = 0; lane < count; ++lane) {
+                out[first + lane] =
+                    estimate_lane(window_of(block, first + lane), batch, maximum, lane);
+            }
         }
     }
 
 private:
+    WaveEstimate estimate_lane(const Window& window, const SeriesBatch& batch,
+                               const SeriesMaximum& maximum, std::size_t lane) const {
+        const double power = batch.cc[lane] + batch.dd[lane];
+        if (!std::isfinite(power)) {
+            return no_estimate(Flag::gap);
+        }
+        if (maximum.arrived[lane] == 0) {
+            return estimate_window(window);
+        }
+        const double x = maximum.x[lane];
+        const std::int64_t n = basis_.length();
+        const WindowKernel kernel = basis_.kernel(x);
+        FoundWave found;
+        found.w = basis_.w0() + 2 * x / static_cast<double>(n);
+        found.phasors = best_phasors(series_projections(batch, lane, x), kernel);
+        found.state = to_wave_state(found.phasors);
+        double residual = power - maximum.power[lane];
+        if (residual < least_difference * power) {
+            residual = residual_sum(window, {found.phasors.c, found.phasors.d}, found.w);
+        }
+        return complete_estimate(found, {residual, batch.cc[lane], batch.dd[lane], batch.cd[lane]},
+                                 kernel, n, rate_hz_);
+    }
+
+    // Far from the carrier the series does not reach: the window by itself, at its own frequency.
     WaveEstimate estimate_window(const Window& window) const {
         const ProfileMaximum maximum = maximise_profile(window, bracket_);
-        Flags flags = 0;
+        FoundWave found{to_wave_state(maximum.phasors), maximum.phasors, maximum.w, 5, 0};
         if (maximum.at_bound) {
-            set(flags, Flag::at_bound);
+            set(found.flags, Flag::at_bound);
         }
         if (!maximum.converged) {
-            set(flags, Flag::not_converged);
+            set(found.flags, Flag::not_converged);
         }
-        constexpr int parameters = 5;
-        return complete_estimate(window, rate_hz_, to_wave_state(maximum.phasors), maximum.phasors,
-                                 maximum.w, parameters, flags);
+        return complete_estimate(found, window, rate_hz_);
     }
 
     double rate_hz_;
     FrequencyBracket bracket_;
+    SeriesBasis basis_;
 };
 
 }  // namespace

@@ -43,7 +43,11 @@ Gradient combine(const Gradient& a, double a_factor, const Gradient& b, double b
 Precision precision_bound(const Phasors& phasors, double f_hz, double rate_hz, std::int64_t n,
                           double noise_sd) {
     const double w = 2 * std::numbers::pi * f_hz / rate_hz;
-    const WindowKernel kernel = window_kernel(n, w);
+    return precision_bound(phasors, window_kernel(n, w), rate_hz, noise_sd);
+}
+
+Precision precision_bound(const Phasors& phasors, const WindowKernel& kernel, double rate_hz,
+                          double noise_sd) {
     const Gradient v{phasors.c.real(), phasors.c.imag(), phasors.d.real(), phasors.d.imag()};
     const Gradient gram{kernel.gram_cos, kernel.gram_sin, kernel.gram_cos, kernel.gram_sin};
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/wave_state.h"
+#include "core/estimators/window_moments.h"
 
 #include <cstdint>
 
@@ -18,6 +19,10 @@ struct Precision {
 // (tested). noise_sd is per sample and channel, recording units. Angles' bounds are infinite where
 // a_A = |a_B|.
 Precision precision_bound(const Phasors& phasors, double f_hz, double rate_hz, std::int64_t n,
+                          double noise_sd);
+
+// The same where the window's kernel at that frequency is known already.
+Precision precision_bound(const Phasors& phasors, const WindowKernel& kernel, double rate_hz,
                           double noise_sd);
 
 }  // namespace vybeg

@@ -13,18 +13,10 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // <S_A S_B> over <S_A^2> + <S_B^2>: the wave axes' orthogonality (30), straight from the samples.
-double orthogonality(const Window& window, double two_theta_A) {
-    const double cosine = std::cos(two_theta_A);
-    const double sine = std::sin(two_theta_A);
-    double product = 0;
-    double power = 0;
-    for (std::size_t j = 0; j < window.c.size(); ++j) {
-        const double a = window.c[j] * cosine + window.d[j] * sine;
-        const double b = window.d[j] * cosine - window.c[j] * sine;
-        product += a * b;
-        power += a * a + b * b;
-    }
-    return product / power;
+double orthogonality(const WindowTotals& totals, double two_theta_A) {
+    const double product = totals.cd * std::cos(2 * two_theta_A) +
+                           0.5 * (totals.dd - totals.cc) * std::sin(2 * two_theta_A);
+    return product / (totals.cc + totals.dd);
 }
 
 }  // namespace
@@ -47,26 +39,37 @@ WaveEstimate no_estimate(Flag flag) {
     return estimate;
 }
 
-WaveEstimate complete_estimate(const Window& window, double rate_hz, const WaveState& state,
-                               const Phasors& phasors, double w, int parameters, Flags flags) {
+WaveEstimate complete_estimate(const FoundWave& found, const Window& window, double rate_hz) {
+    WindowTotals totals;
+    totals.residual = residual_sum(window, {found.phasors.c, found.phasors.d}, found.w);
+    for (std::size_t j = 0; j < window.c.size(); ++j) {
+        totals.cc += window.c[j] * window.c[j];
+        totals.dd += window.d[j] * window.d[j];
+        totals.cd += window.c[j] * window.d[j];
+    }
     const std::int64_t n = window.length();
-    const double sum = residual_sum(window, {phasors.c, phasors.d}, w);
-    const double noise = std::sqrt(sum / static_cast<double>(2 * n - parameters));
+    return complete_estimate(found, totals, window_kernel(n, found.w), n, rate_hz);
+}
+
+WaveEstimate complete_estimate(const FoundWave& found, const WindowTotals& totals,
+                               const WindowKernel& kernel, std::int64_t n, double rate_hz) {
+    const WaveState& state = found.state;
+    const double noise = std::sqrt(totals.residual / static_cast<double>(2 * n - found.parameters));
 
     WaveEstimate estimate;
     estimate.state = state;
-    estimate.f_hz = w / (2 * std::numbers::pi) * rate_hz;
-    estimate.delta_phi_CD = phase_difference(phasors);
-    estimate.rms = std::sqrt(sum / static_cast<double>(n));
-    estimate.orthogonality = orthogonality(window, state.two_theta_A);
-    estimate.flags = flags;
+    estimate.f_hz = found.w / (2 * std::numbers::pi) * rate_hz;
+    estimate.delta_phi_CD = phase_difference(found.phasors);
+    estimate.rms = std::sqrt(totals.residual / static_cast<double>(n));
+    estimate.orthogonality = orthogonality(totals, state.two_theta_A);
+    estimate.flags = found.flags;
 
-    const Precision precision = precision_bound(phasors, estimate.f_hz, rate_hz, n, noise);
+    const Precision precision = precision_bound(found.phasors, kernel, rate_hz, noise);
     estimate.sd = precision.sd;
     estimate.sd_f_hz = precision.sd_f_hz;
     estimate.sd_delta_phi_CD = precision.sd_delta_phi_CD;
 
-    if (has(flags, Flag::no_quadrature)) {
+    if (has(found.flags, Flag::no_quadrature)) {
         estimate.state.a_B = estimate.sd.a_B = nan;
         estimate.delta_phi_CD = estimate.sd_delta_phi_CD = nan;
     } else {

@@ -14,11 +14,31 @@ bool has_gap(std::span<const double> samples);
 // An estimate without values, for a window that has none; `flag` says why.
 WaveEstimate no_estimate(Flag flag);
 
-// Completes what an algorithm found in a window: rms from the residuals of `phasors` at w, noise
-// from the rms with the degrees of freedom removed (2n - parameters), standard deviations from the
-// precision bound, dphi_CD, orthogonality, and the flag `circular` (angles NaN) where |a_A - |a_B||
-// is below three standard deviations.
-WaveEstimate complete_estimate(const Window& window, double rate_hz, const WaveState& state,
-                               const Phasors& phasors, double w, int parameters, Flags flags);
+// What an estimate needs of the samples besides the wave in them.
+struct WindowTotals {
+    double residual = 0;  // n F: sum of squares that the wave leaves, both channels
+    double cc = 0;        // sum C^2
+    double dd = 0;
+    double cd = 0;
+};
+
+// What an algorithm found in a window.
+struct FoundWave {
+    WaveState state;
+    Phasors phasors;
+    double w = 0;  // rad per sample
+    int parameters = 5;
+    Flags flags = 0;
+};
+
+// Completes what was found: rms from the residual, noise from the rms with the degrees of freedom
+// removed (2n - parameters), standard deviations from the precision bound, dphi_CD, orthogonality,
+// and the flag `circular` (angles NaN) where |a_A - |a_B|| is below three standard deviations.
+// `kernel` is that of n samples at w.
+WaveEstimate complete_estimate(const FoundWave& found, const WindowTotals& totals,
+                               const WindowKernel& kernel, std::int64_t n, double rate_hz);
+
+// The same with the totals and the kernel from the window itself.
+WaveEstimate complete_estimate(const FoundWave& found, const Window& window, double rate_hz);
 
 }  // namespace vybeg

@@ -1,0 +1,202 @@
+#include "core/estimators/window_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+// Compiled for these processors, the best of which is chosen when the program starts.
+#define VYBEG_DISPATCHED \
+    __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+
+// Vectors are passed between inlined functions only: how they would be passed otherwise is nobody's
+// concern.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace vybeg {
+namespace {
+
+constexpr int newton_steps = 6;
+
+// Eight numbers that the compiler keeps in one, two or four registers.
+using Eight = double __attribute__((vector_size(64)));
+
+inline __attribute__((always_inline)) Eight load(const double* from) {
+    Eight value;
+    __builtin_memcpy(&value, from, sizeof value);
+    return value;
+}
+
+// Value, slope and curvature of a power series at x, in each lane.
+struct Bent {
+    Eight value;
+    Eight slope;
+    Eight bend;
+};
+
+template <std::size_t orders, class Coefficient>
+inline __attribute__((always_inline)) Bent series_at(Eight x, Coefficient coefficient) {
+    Bent sum{coefficient(orders - 1), Eight{}, Eight{}};
+    for (std::size_t k = orders - 1; k-- > 0;) {
+        sum.bend = sum.bend * x + sum.slope;
+        sum.slope = sum.slope * x + sum.value;
+        sum.value = sum.value * x + coefficient(k);
+    }
+    sum.bend *= 2;
+    return sum;
+}
+
+// p^2/g of one component, added to the power (profile.cpp has the same for one window).
+inline __attribute__((always_inline)) void add_component(Bent& power, const Bent& p,
+                                                         const Bent& g) {
+    const Eight ratio = p.value / g.value;
+    const Eight ratio1 = (p.slope - ratio * g.slope) / g.value;
+    power.value += p.value * ratio;
+    power.slope += ratio * (2 * p.slope - ratio * g.slope);
+    power.bend += 2 * ratio1 * (p.slope - ratio * g.slope) + ratio * (2 * p.bend - ratio * g.bend);
+}
+
+}  // namespace
+
+SeriesBasis::SeriesBasis(std::int64_t n, double w0) : n_(n), w0_(w0) {
+    const auto count = static_cast<double>(n);
+    rows_.resize(static_cast<std::size_t>(n) * 2 * series_orders);
+    for (std::int64_t j = 0; j < n; ++j) {
+        const double u = static_cast<double>(j) - 0.5 * (count - 1);
+        const double v = 2 * u / count;
+        // cos and sin of w0 u + k pi/2.
+        const std::array<double, 4> turned{std::cos(w0 * u), -std::sin(w0 * u), -std::cos(w0 * u),
+                                           std::sin(w0 * u)};
+        double factor = 1;
+        double* row = rows_.data() + 2 * series_orders * static_cast<std::size_t>(j);
+        for (std::size_t k = 0; k < series_orders; ++k) {
+            row[k] = factor * turned[k % 4];
+            row[series_orders + k] = factor * turned[(k + 3) % 4];
+            factor *= v / static_cast<double>(k + 1);
+        }
+        // gram_cos = sum (1 + cos 2wu)/2, and 2wu = 2 w0 u + 2xv.
+        const std::array<double, 4> doubled{std::cos(2 * w0 * u), -std::sin(2 * w0 * u),
+                                            -std::cos(2 * w0 * u), std::sin(2 * w0 * u)};
+        factor = 0.5;
+        for (std::size_t k = 0; k < gram_orders; ++k) {
+            gram_[k] += factor * doubled[k % 4];
+            factor *= 2 * v / static_cast<double>(k + 1);
+        }
+    }
+    gram_[0] += 0.5 * count;
+    spread_ = count * (count * count - 1) / 12;
+}
+
+WindowKernel SeriesBasis::kernel(double x) const {
+    double value = 0;
+    double slope = 0;
+    double bend = 0;
+    for (std::size_t k = gram_orders; k-- > 0;) {
+        bend = bend * x + slope;
+        slope = slope * x + value;
+        value = value * x + gram_[k];
+    }
+    const double half = 0.5 * static_cast<double>(n_);  // dx/dw
+    return {value, static_cast<double>(n_) - value, slope * half, 2 * bend * half * half, spread_};
+}
+
+VYBEG_DISPATCHED
+void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
+                const SeriesBasis& basis, SeriesBatch& batch) {
+    for (std::size_t lane = 0; lane < series_lanes; ++lane) {
+        const auto window = static_cast<std::int64_t>(first + std::min(lane, count - 1));
+        const double* c = block.c.data() + block.first + window * block.hop;
+        const double* d = block.d.data() + block.first + window * block.hop;
+        Eight c_cos{};
+        Eight c_sin{};
+        Eight d_cos{};
+        Eight d_sin{};
+        double cc = 0;
+        double dd = 0;
+        double cd = 0;
+        const double* row = basis.row(0);
+        for (std::int64_t j = 0; j < block.length; ++j, row += 2 * series_orders) {
+            const Eight cosines = load(row);
+            const Eight sines = load(row + series_orders);
+            c_cos += c[j] * cosines;
+            c_sin += c[j] * sines;
+            d_cos += d[j] * cosines;
+            d_sin += d[j] * sines;
+            cc += c[j] * c[j];
+            dd += d[j] * d[j];
+            cd += c[j] * d[j];
+        }
+        for (std::size_t k = 0; k < series_orders; ++k) {
+            batch.c_cos[k][lane] = c_cos[k];
+            batch.c_sin[k][lane] = c_sin[k];
+            batch.d_cos[k][lane] = d_cos[k];
+            batch.d_sin[k][lane] = d_sin[k];
+        }
+        batch.cc[lane] = cc;
+        batch.dd[lane] = dd;
+        batch.cd[lane] = cd;
+    }
+}
+
+VYBEG_DISPATCHED
+void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesMaximum& maximum) {
+    const auto of = [](const std::array<Lanes, series_orders>& sums) {
+        return [&sums](std::size_t k) __attribute__((always_inline)) {
+            return load(sums[k].data());
+        };
+    };
+    const auto power_at = [&](Eight x) __attribute__((always_inline)) {
+        const auto& gram = basis.gram();
+        const Bent g_cos = series_at<SeriesBasis::gram_orders>(
+            x, [&gram](std::size_t k) __attribute__((always_inline)) { return gram[k] + Eight{}; });
+        const Bent g_sin{static_cast<double>(basis.length()) - g_cos.value, -g_cos.slope,
+                         -g_cos.bend};
+        Bent power{};
+        add_component(power, series_at<series_orders>(x, of(batch.c_cos)), g_cos);
+        add_component(power, series_at<series_orders>(x, of(batch.c_sin)), g_sin);
+        add_component(power, series_at<series_orders>(x, of(batch.d_cos)), g_cos);
+        add_component(power, series_at<series_orders>(x, of(batch.d_sin)), g_sin);
+        return power;
+    };
+    Eight x{};
+    Eight good = x + 1;
+    Eight last_move = x + 1;
+    Bent power{};
+    for (int step = 0; step < newton_steps; ++step) {
+        power = power_at(x);
+        const Eight move = -power.slope / power.bend;
+        // A lane that has left stays where it was, and is not good.
+        const Eight next = x + move;
+        const auto inside =
+            (next < series_reach) & (next > -series_reach) & (power.bend < 0) & (good > 0);
+        good = inside ? good : Eight{};
+        x = inside ? next : x;
+        last_move = inside ? move : last_move;
+        // Convergence is quadratic: behind a move of 1e-6 is one of 1e-12 at most.
+        bool done = true;
+        for (std::size_t lane = 0; lane < series_lanes; ++lane) {
+            done = done && (good[lane] == 0 || std::abs(last_move[lane]) < 1e-6);
+        }
+        if (done) {
+            break;
+        }
+    }
+    power = power_at(x);
+    for (std::size_t lane = 0; lane < series_lanes; ++lane) {
+        maximum.x[lane] = x[lane];
+        maximum.power[lane] = power.value[lane];
+        maximum.arrived[lane] = good[lane] > 0 && std::abs(last_move[lane]) < 1e-6 ? 1 : 0;
+    }
+}
+
+Projections series_projections(const SeriesBatch& batch, std::size_t lane, double x) {
+    const auto at = [lane, x](const std::array<Lanes, series_orders>& sums) {
+        double value = 0;
+        for (std::size_t k = series_orders; k-- > 0;) {
+            value = value * x + sums[k][lane];
+        }
+        return value;
+    };
+    return {{at(batch.c_cos), -at(batch.c_sin)}, {at(batch.d_cos), -at(batch.d_sin)}};
+}
+
+}  // namespace vybeg

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "core/estimators/estimator.h"
+#include "core/estimators/window_moments.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vybeg {
+
+// Projections of windows as power series in the frequency (METHOD section 5.6): one product of the
+// samples with a basis that is the same for every window, after which a frequency near the
+// reference is tried without touching a sample.
+//
+// With v = 2u/n in [-1, 1] and x = (w - w0) n/2, the projections at w are
+//     sum s cos wu = sum_k x^k sum_j s_j v^k/k! cos(w0 u + k pi/2)
+//     sum s sin wu = sum_k x^k sum_j s_j v^k/k! sin(w0 u + k pi/2).
+inline constexpr std::size_t series_orders = 8;
+
+// Largest |x| at which the series is used. What is cut off is below x^8/8! of a projection and
+// x^7/7! of its slope: 4e-15 and 5e-13.
+inline constexpr double series_reach = 0.06;
+
+// Windows that are worked on at once, side by side in the processor's vectors.
+inline constexpr std::size_t series_lanes = 8;
+using Lanes = std::array<double, series_lanes>;
+
+class SeriesBasis {
+public:
+    // Windows of n samples, reference frequency w0 (rad per sample, 0 < w0 < pi).
+    SeriesBasis(std::int64_t n, double w0);
+
+    std::int64_t length() const { return n_; }
+    double w0() const { return w0_; }
+    // Of sample j: the basis functions of cos, then those of sin, by order.
+    const double* row(std::int64_t j) const { return rows_.data() + 2 * series_orders * j; }
+    // window_kernel(n, w0 + 2x/n), from its series at w0.
+    WindowKernel kernel(double x) const;
+    // gram_cos as a series in x.
+    static constexpr std::size_t gram_orders = 12;
+    const std::array<double, gram_orders>& gram() const { return gram_; }
+
+private:
+    std::int64_t n_;
+    double w0_;
+    std::vector<double> rows_;
+    std::array<double, gram_orders> gram_{};
+    double spread_;
+};
+
+// Sums over windows that stand side by side.
+struct SeriesBatch {
+    std::array<Lanes, series_orders> c_cos;
+    std::array<Lanes, series_orders> c_sin;
+    std::array<Lanes, series_orders> d_cos;
+    std::array<Lanes, series_orders> d_sin;
+    Lanes cc;  // sum C^2
+    Lanes dd;
+    Lanes cd;
+};
+
+// The sums of `count` windows of a block from window `first` on, count <= series_lanes; the lanes
+// beyond repeat the last one. A window with a missing sample has cc + dd that is not finite.
+void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
+                const SeriesBasis& basis, SeriesBatch& batch);
+
+// Where the power that the best phasors take out of each window is largest near w0, by Newton steps
+// on the series.
+struct SeriesMaximum {
+    Lanes x;        // frequency, as above
+    Lanes power;    // that is taken out
+    Lanes arrived;  // 1; or 0 where the steps leave the series' reach or meet no concavity
+};
+void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesMaximum& maximum);
+
+// One window's projections at x.
+Projections series_projections(const SeriesBatch& batch, std::size_t lane, double x);
+
+}  // namespace vybeg
