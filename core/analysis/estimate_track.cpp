@@ -3,6 +3,7 @@
 #include "core/track/unwrap.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -111,10 +112,10 @@ public:
         } else {
             // Isolated: a thread that waits here for the others must not begin to read or write.
             tbb::this_task_arena::isolate([&] {
-                tbb::parallel_for(
-                    tbb::blocked_range<std::int64_t>(0, blocks, 1), [&](const auto& range) {
-                        run(*make_estimator(algorithm_, options_), range.begin(), range.end());
-                    });
+                tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, blocks, 1),
+                                  [&](const auto& range) {
+                                      run(*of_thread_.local(), range.begin(), range.end());
+                                  });
             });
         }
         return std::accumulate(seconds.begin(), seconds.end(), 0.0);
@@ -151,6 +152,9 @@ private:
     double rate_hz_;
     Algorithm algorithm_;
     EstimatorOptions options_;
+    // What an estimator prepares for its windows it prepares once a thread.
+    tbb::enumerable_thread_specific<std::unique_ptr<Estimator>> of_thread_{
+        [this] { return make_estimator(algorithm_, options_); }};
     std::unique_ptr<Estimator>
         sequential_;  // carries the window before, where the algorithm wants it
 };

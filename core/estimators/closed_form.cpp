@@ -4,11 +4,24 @@
 #include "core/estimators/window_estimate.h"
 #include "core/numerics/minimise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace vybeg {
 namespace {
+
+// Largest |x| of the series at which J is evaluated by it: J's own minimum is found to 1e-9 of a
+// lobe, and the series is right to 6e-11 there.
+constexpr double closed_form_reach = 0.2;
+
+double mean_product(std::span<const double> a, std::span<const double> b) {
+    double sum = 0;
+    for (std::size_t j = 0; j < a.size(); ++j) {
+        sum += a[j] * b[j];
+    }
+    return sum / static_cast<double>(a.size());
+}
 
 // J of (7) for a model with the given phasors, from averages alone.
 double error_functional(const WindowPowers& powers, const Projections& mean, const Phasors& model,
@@ -26,18 +39,9 @@ double error_functional(const WindowPowers& powers, const Projections& mean, con
 
 }  // namespace
 
-WindowPowers window_powers(const Window& window, std::span<const double> delayed) {
-    WindowPowers sum;
-    for (std::size_t j = 0; j < window.c.size(); ++j) {
-        sum.cc += window.c[j] * window.c[j];
-        sum.dd += window.d[j] * window.d[j];
-        sum.cd += window.c[j] * window.d[j];
-    }
-    for (std::size_t j = 0; j < delayed.size(); ++j) {
-        sum.quarter += window.c[j] * delayed[j];
-    }
-    const auto n = static_cast<double>(window.length());
-    return {sum.cc / n, sum.dd / n, sum.cd / n, sum.quarter / n};
+WindowPowers window_powers(const Window& window) {
+    return {mean_product(window.c, window.c), mean_product(window.d, window.d),
+            mean_product(window.c, window.d), 0};
 }
 
 Projections demodulate(const Window& window, double w) {
@@ -56,7 +60,9 @@ double wave_phase(double two_theta_A, const Projections& mean) {
 }
 
 ClosedFormEstimator::ClosedFormEstimator(const EstimatorOptions& options)
-    : options_(options), bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)) {}
+    : options_(options),
+      bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)),
+      basis_(options.length, bracket_.centre) {}
 
 std::vector<double> ClosedFormEstimator::quarter_delayed(const WindowBlock&) const {
     return {};
@@ -64,40 +70,75 @@ std::vector<double> ClosedFormEstimator::quarter_delayed(const WindowBlock&) con
 
 void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<WaveEstimate> out) {
     const std::vector<double> delayed = quarter_delayed(block);
-    for (std::size_t k = 0; k < out.size(); ++k) {
-        const Window window = window_of(block, k);
-        const auto start = k * static_cast<std::size_t>(block.hop);
-        const auto own = delayed.empty() ? std::span<const double>{}
-                                         : std::span(delayed).subspan(start, window.c.size());
-        const bool gap = has_gap(window.c) || has_gap(window.d) || has_gap(own);
-        out[k] = gap ? no_estimate(Flag::gap) : estimate_window(window, own);
+    SeriesBatch batch;
+    SeriesMaximum maximum;
+    for (std::size_t first = 0; first < out.size(); first += series_lanes) {
+        const std::size_t count = std::min(series_lanes, out.size() - first);
+        sum_series(block, first, count, basis_, batch);
+        maximise_series(batch, basis_, maximum);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const std::size_t k = first + lane;
+            const Window window = window_of(block, k);
+            const auto n = static_cast<double>(block.length);
+            WindowPowers powers{batch.cc[lane] / n, batch.dd[lane] / n, batch.cd[lane] / n, 0};
+            if (!delayed.empty()) {
+                const auto start = k * static_cast<std::size_t>(block.hop);
+                powers.quarter =
+                    mean_product(window.c, std::span(delayed).subspan(start, window.c.size()));
+            }
+            // A missing sample makes its whole sum one.
+            out[k] = std::isfinite(powers.cc + powers.dd + powers.quarter)
+                         ? estimate_window({window, powers, batch, lane, maximum})
+                         : no_estimate(Flag::gap);
+        }
     }
 }
 
-WaveEstimate ClosedFormEstimator::estimate_window(const Window& window,
-                                                  std::span<const double> delayed) const {
-    const std::int64_t n = window.length();
-    const WindowPowers powers = window_powers(window, delayed);
+Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double w) const {
+    const auto n = static_cast<double>(basis_.length());
+    const double x = 0.5 * n * (w - basis_.w0());
+    if (std::abs(x) > closed_form_reach) {
+        return demodulate(summed.window, w);
+    }
+    const Projections sum = series_projections(summed.batch, summed.lane, x);
+    return {2 / n * sum.c, 2 / n * sum.d};
+}
+
+WindowKernel ClosedFormEstimator::kernel(double w) const {
+    const double x = 0.5 * static_cast<double>(basis_.length()) * (w - basis_.w0());
+    return std::abs(x) > closed_form_reach ? window_kernel(basis_.length(), w) : basis_.kernel(x);
+}
+
+WaveEstimate ClosedFormEstimator::estimate_window(const SummedWindow& summed) const {
+    const std::int64_t n = basis_.length();
+    const WindowPowers& powers = summed.powers;
     const auto functional = [&](double w) {
-        const Projections mean = demodulate(window, w);
-        return error_functional(powers, mean, closed_form(powers, mean, w).phasors,
-                                window_kernel(n, w), n);
+        const Projections mean = demodulated(summed, w);
+        return error_functional(powers, mean, closed_form(powers, mean, w).phasors, kernel(w), n);
     };
     // The closed forms' J has its minimum near the profile's, within the window's leakage: start
     // there.
-    const ProfileMaximum profile = maximise_profile(window, bracket_);
-    const double lobe = 2 * std::numbers::pi / static_cast<double>(n);
+    const auto count = static_cast<double>(n);
+    const double start = summed.maximum.arrived[summed.lane] > 0
+                             ? basis_.w0() + 2 / count * summed.maximum.x[summed.lane]
+                             : maximise_profile(summed.window, bracket_).w;
+    const double lobe = 2 * std::numbers::pi / count;
     const Minimum minimum =
-        minimise(functional, bracket_.low, profile.w, bracket_.high, 1e-3 * lobe, 1e-9 * lobe);
+        minimise(functional, bracket_.low, start, bracket_.high, 1e-3 * lobe, 1e-9 * lobe);
 
-    const Projections mean = demodulate(window, minimum.at);
-    const ClosedForm found = closed_form(powers, mean, minimum.at);
-    Flags flags = own_flags();
+    const ClosedForm closed = closed_form(powers, demodulated(summed, minimum.at), minimum.at);
+    FoundWave found{closed.state, closed.phasors, minimum.at, parameter_count(), own_flags()};
     if (minimum.at_bound) {
-        set(flags, Flag::at_bound);
+        set(found.flags, Flag::at_bound);
     }
-    return complete_estimate({found.state, found.phasors, minimum.at, parameter_count(), flags},
-                             window, options_.rate_hz);
+    const double power = count * (powers.cc + powers.dd);
+    double residual = count * minimum.value;
+    if (residual < least_difference * power) {
+        residual = residual_sum(summed.window, {found.phasors.c, found.phasors.d}, found.w);
+    }
+    return complete_estimate(found,
+                             {residual, count * powers.cc, count * powers.dd, count * powers.cd},
+                             kernel(found.w), n, options_.rate_hz);
 }
 
 }  // namespace vybeg

@@ -3,6 +3,7 @@
 #include "core/estimators/estimator.h"
 #include "core/estimators/frequency_bracket.h"
 #include "core/estimators/window_moments.h"
+#include "core/estimators/window_series.h"
 
 #include <vector>
 
@@ -25,7 +26,7 @@ struct ClosedForm {
 };
 
 // The averages of a window, and its demodulated components 2<S e^{-iwu}>.
-WindowPowers window_powers(const Window& window, std::span<const double> delayed = {});
+WindowPowers window_powers(const Window& window);
 Projections demodulate(const Window& window, double w);
 
 // What the article's algorithms 1 to 4 share: four parameters in closed form at a given frequency,
@@ -49,10 +50,23 @@ protected:
     const EstimatorOptions& options() const { return options_; }
 
 private:
-    WaveEstimate estimate_window(const Window& window, std::span<const double> delayed) const;
+    // A window and what was summed up over it.
+    struct SummedWindow {
+        Window window;
+        WindowPowers powers;
+        const SeriesBatch& batch;
+        std::size_t lane = 0;
+        const SeriesMaximum& maximum;
+    };
+
+    WaveEstimate estimate_window(const SummedWindow& summed) const;
+    // demodulate() and window_kernel(), by the series where it reaches.
+    Projections demodulated(const SummedWindow& summed, double w) const;
+    WindowKernel kernel(double w) const;
 
     EstimatorOptions options_;
     FrequencyBracket bracket_;
+    SeriesBasis basis_;
 };
 
 // The in-phase closed forms (15), (18) of one window at a given frequency: the start values of

@@ -10,10 +10,6 @@
 namespace vybeg {
 namespace {
 
-// Of the window's power: where less than this is left, the difference of the two has lost the
-// digits of the residual (1e-16 of the power), and it is summed up over the samples instead.
-constexpr double least_difference = 1e-6;
-
 class MaximumLikelihood final : public Estimator {
 public:
     explicit MaximumLikelihood(const EstimatorOptions& options)

@@ -31,6 +31,10 @@ struct FoundWave {
     Flags flags = 0;
 };
 
+// Of a window's power: where less than this is left, the difference of power and what the wave
+// takes of it has lost the digits of the residual, and that is summed up over the samples instead.
+inline constexpr double least_difference = 1e-6;
+
 // Completes what was found: rms from the residual, noise from the rms with the degrees of freedom
 // removed (2n - parameters), standard deviations from the precision bound, dphi_CD, orthogonality,
 // and the flag `circular` (angles NaN) where |a_A - |a_B|| is below three standard deviations.
