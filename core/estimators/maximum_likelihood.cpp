@@ -1,11 +1,13 @@
 #include "core/estimators/maximum_likelihood.h"
 
 #include "core/estimators/profile.h"
+#include "core/estimators/series_estimates.h"
 #include "core/estimators/window_estimate.h"
 #include "core/estimators/window_series.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vybeg {
 namespace {
@@ -20,20 +22,23 @@ public:
     void estimate(const WindowBlock& block, double, std::span<WaveEstimate> out) override {
         SeriesBatch batch;
         SeriesMaximum maximum;
+        SeriesEstimates waves;
         for (std::size_t first = 0; first < out.size(); first += series_lanes) {
             const std::size_t count = std::min(series_lanes, out.size() - first);
             sum_series(block, first, count, basis_, batch);
             maximise_series(batch, basis_, maximum);
+            series_estimates(batch, maximum, basis_, waves);
             for (std::size_t lane = 0; lane < count; ++lane) {
                 out[first + lane] =
-                    estimate_lane(window_of(block, first + lane), batch, maximum, lane);
+                    estimate_lane(window_of(block, first + lane), batch, maximum, waves, lane);
             }
         }
     }
 
 private:
     WaveEstimate estimate_lane(const Window& window, const SeriesBatch& batch,
-                               const SeriesMaximum& maximum, std::size_t lane) const {
+                               const SeriesMaximum& maximum, const SeriesEstimates& waves,
+                               std::size_t lane) const {
         const double power = batch.cc[lane] + batch.dd[lane];
         if (!std::isfinite(power)) {
             return no_estimate(Flag::gap);
@@ -41,19 +46,29 @@ private:
         if (maximum.arrived[lane] == 0) {
             return estimate_window(window);
         }
-        const double x = maximum.x[lane];
-        const std::int64_t n = basis_.length();
-        const WindowKernel kernel = basis_.kernel(x);
-        FoundWave found;
-        found.w = basis_.w0() + 2 * x / static_cast<double>(n);
-        found.phasors = best_phasors(series_projections(batch, lane, x), kernel);
-        found.state = to_wave_state(found.phasors);
         double residual = power - maximum.power[lane];
         if (residual < least_difference * power) {
-            residual = residual_sum(window, {found.phasors.c, found.phasors.d}, found.w);
+            residual = residual_sum(
+                window,
+                {{waves.c_re[lane], waves.c_im[lane]}, {waves.d_re[lane], waves.d_im[lane]}},
+                waves.w[lane]);
         }
-        return complete_estimate(found, {residual, batch.cc[lane], batch.dd[lane], batch.cd[lane]},
-                                 kernel, n, rate_hz_);
+        const auto n = static_cast<double>(basis_.length());
+        const double noise = std::sqrt(residual / (2 * n - 5));
+        const double hertz = rate_hz_ / (2 * std::numbers::pi);
+        WaveEstimate estimate;
+        estimate.state = {waves.a_A[lane], waves.a_B[lane], waves.two_theta_A[lane],
+                          waves.alpha[lane]};
+        estimate.f_hz = waves.w[lane] * hertz;
+        estimate.delta_phi_CD = waves.delta_phi_CD[lane];
+        estimate.rms = std::sqrt(residual / n);
+        estimate.orthogonality = waves.orthogonality[lane];
+        estimate.sd = {noise * waves.sd_a_A[lane], noise * waves.sd_a_B[lane],
+                       noise * waves.sd_two_theta_A[lane], noise * waves.sd_alpha[lane]};
+        estimate.sd_f_hz = noise * waves.sd_w[lane] * hertz;
+        estimate.sd_delta_phi_CD = noise * waves.sd_delta_phi_CD[lane];
+        drop_angles_of_circle(estimate, noise, basis_.length());
+        return estimate;
     }
 
     // Far from the carrier the series does not reach: the window by itself, at its own frequency.

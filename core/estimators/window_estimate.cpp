@@ -39,6 +39,21 @@ WaveEstimate no_estimate(Flag flag) {
     return estimate;
 }
 
+void drop_angles_of_circle(WaveEstimate& estimate, double noise, std::int64_t n) {
+    // The smaller travelling wave, u+ or u-, has a standard deviation of sigma sqrt(4/n) in
+    // modulus; the second bound is what rounding leaves of a perfect circle.
+    const WaveState& state = estimate.state;
+    const double smaller = state.a_A - std::abs(state.a_B);
+    const double doubt =
+        std::max(3 * noise * std::sqrt(4.0 / static_cast<double>(n)), 1e-12 * state.a_A);
+    if (!(smaller > doubt)) {
+        set(estimate.flags, Flag::circular);
+        estimate.state.two_theta_A = estimate.sd.two_theta_A = nan;
+        estimate.state.alpha = estimate.sd.alpha = nan;
+        estimate.orthogonality = nan;
+    }
+}
+
 WaveEstimate complete_estimate(const FoundWave& found, const Window& window, double rate_hz) {
     WindowTotals totals;
     totals.residual = residual_sum(window, {found.phasors.c, found.phasors.d}, found.w);
@@ -73,17 +88,7 @@ WaveEstimate complete_estimate(const FoundWave& found, const WindowTotals& total
         estimate.state.a_B = estimate.sd.a_B = nan;
         estimate.delta_phi_CD = estimate.sd_delta_phi_CD = nan;
     } else {
-        // The smaller travelling wave, u+ or u-, has a standard deviation of sigma sqrt(4/n) in
-        // modulus; the second bound is what rounding leaves of a perfect circle.
-        const double smaller = state.a_A - std::abs(state.a_B);
-        const double doubt =
-            std::max(3 * noise * std::sqrt(4.0 / static_cast<double>(n)), 1e-12 * state.a_A);
-        if (!(smaller > doubt)) {
-            set(estimate.flags, Flag::circular);
-            estimate.state.two_theta_A = estimate.sd.two_theta_A = nan;
-            estimate.state.alpha = estimate.sd.alpha = nan;
-            estimate.orthogonality = nan;
-        }
+        drop_angles_of_circle(estimate, noise, n);
     }
     return estimate;
 }

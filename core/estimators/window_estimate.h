@@ -35,6 +35,10 @@ struct FoundWave {
 // takes of it has lost the digits of the residual, and that is summed up over the samples instead.
 inline constexpr double least_difference = 1e-6;
 
+// Sets the flag `circular`, and the angles to NaN, where |a_A - |a_B|| is below three standard
+// deviations in n samples of that noise.
+void drop_angles_of_circle(WaveEstimate& estimate, double noise, std::int64_t n);
+
 // Completes what was found: rms from the residual, noise from the rms with the degrees of freedom
 // removed (2n - parameters), standard deviations from the precision bound, dphi_CD, orthogonality,
 // and the flag `circular` (angles NaN) where |a_A - |a_B|| is below three standard deviations.

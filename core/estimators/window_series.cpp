@@ -1,12 +1,10 @@
 #include "core/estimators/window_series.h"
 
+#include "core/estimators/lanes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-// Compiled for these processors, the best of which is chosen when the program starts.
-#define VYBEG_DISPATCHED \
-    __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 
 // Vectors are passed between inlined functions only: how they would be passed otherwise is nobody's
 // concern.
@@ -17,15 +15,6 @@ namespace {
 
 constexpr int newton_steps = 6;
 
-// Eight numbers that the compiler keeps in one, two or four registers.
-using Eight = double __attribute__((vector_size(64)));
-
-inline __attribute__((always_inline)) Eight load(const double* from) {
-    Eight value;
-    __builtin_memcpy(&value, from, sizeof value);
-    return value;
-}
-
 // Value, slope and curvature of a power series at x, in each lane.
 struct Bent {
     Eight value;
@@ -34,7 +23,7 @@ struct Bent {
 };
 
 template <std::size_t orders, class Coefficient>
-inline __attribute__((always_inline)) Bent series_at(Eight x, Coefficient coefficient) {
+VYBEG_INLINED inline Bent series_at(Eight x, Coefficient coefficient) {
     Bent sum{coefficient(orders - 1), Eight{}, Eight{}};
     for (std::size_t k = orders - 1; k-- > 0;) {
         sum.bend = sum.bend * x + sum.slope;
@@ -46,8 +35,7 @@ inline __attribute__((always_inline)) Bent series_at(Eight x, Coefficient coeffi
 }
 
 // p^2/g of one component, added to the power (profile.cpp has the same for one window).
-inline __attribute__((always_inline)) void add_component(Bent& power, const Bent& p,
-                                                         const Bent& g) {
+VYBEG_INLINED inline void add_component(Bent& power, const Bent& p, const Bent& g) {
     const Eight ratio = p.value / g.value;
     const Eight ratio1 = (p.slope - ratio * g.slope) / g.value;
     power.value += p.value * ratio;
@@ -140,14 +128,12 @@ void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
 VYBEG_DISPATCHED
 void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesMaximum& maximum) {
     const auto of = [](const std::array<Lanes, series_orders>& sums) {
-        return [&sums](std::size_t k) __attribute__((always_inline)) {
-            return load(sums[k].data());
-        };
+        return [&sums](std::size_t k) VYBEG_INLINED { return load(sums[k]); };
     };
-    const auto power_at = [&](Eight x) __attribute__((always_inline)) {
+    const auto power_at = [&](Eight x) VYBEG_INLINED {
         const auto& gram = basis.gram();
         const Bent g_cos = series_at<SeriesBasis::gram_orders>(
-            x, [&gram](std::size_t k) __attribute__((always_inline)) { return gram[k] + Eight{}; });
+            x, [&gram](std::size_t k) VYBEG_INLINED { return gram[k] + Eight{}; });
         const Bent g_sin{static_cast<double>(basis.length()) - g_cos.value, -g_cos.slope,
                          -g_cos.bend};
         Bent power{};
@@ -158,11 +144,11 @@ void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesM
         return power;
     };
     Eight x{};
+    Eight taken{};
     Eight good = x + 1;
     Eight last_move = x + 1;
-    Bent power{};
     for (int step = 0; step < newton_steps; ++step) {
-        power = power_at(x);
+        const Bent power = power_at(x);
         const Eight move = -power.slope / power.bend;
         // A lane that has left stays where it was, and is not good.
         const Eight next = x + move;
@@ -171,19 +157,20 @@ void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesM
         good = inside ? good : Eight{};
         x = inside ? next : x;
         last_move = inside ? move : last_move;
+        taken = power.value + 0.5 * power.slope * move;  // at `next`, to the third order
         // Convergence is quadratic: behind a move of 1e-6 is one of 1e-12 at most.
-        bool done = true;
+        const auto on_the_way = (good > 0) & ((last_move > 1e-6) | (last_move < -1e-6));
+        bool any = false;
         for (std::size_t lane = 0; lane < series_lanes; ++lane) {
-            done = done && (good[lane] == 0 || std::abs(last_move[lane]) < 1e-6);
+            any = any || on_the_way[lane] != 0;
         }
-        if (done) {
+        if (!any) {
             break;
         }
     }
-    power = power_at(x);
+    store(x, maximum.x);
+    store(taken, maximum.power);
     for (std::size_t lane = 0; lane < series_lanes; ++lane) {
-        maximum.x[lane] = x[lane];
-        maximum.power[lane] = power.value[lane];
         maximum.arrived[lane] = good[lane] > 0 && std::abs(last_move[lane]) < 1e-6 ? 1 : 0;
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/estimator.h"
+#include "core/estimators/lanes.h"
 #include "core/estimators/window_moments.h"
 
 #include <array>
@@ -23,10 +24,6 @@ inline constexpr std::size_t series_orders = 8;
 // x^7/7! of its slope: 4e-15 and 5e-13.
 inline constexpr double series_reach = 0.06;
 
-// Windows that are worked on at once, side by side in the processor's vectors.
-inline constexpr std::size_t series_lanes = 8;
-using Lanes = std::array<double, series_lanes>;
-
 class SeriesBasis {
 public:
     // Windows of n samples, reference frequency w0 (rad per sample, 0 < w0 < pi).
@@ -39,7 +36,7 @@ public:
     // window_kernel(n, w0 + 2x/n), from its series at w0.
     WindowKernel kernel(double x) const;
     // gram_cos as a series in x.
-    static constexpr std::size_t gram_orders = 12;
+    static constexpr std::size_t gram_orders = 10;
     const std::array<double, gram_orders>& gram() const { return gram_; }
 
 private:
