@@ -1,0 +1,203 @@
+// Maximum likelihood by the series of eight windows at once, against the road of one window by
+// itself, which touches its samples at every trial frequency.
+#include "core/estimators/estimator.h"
+#include "core/estimators/profile.h"
+#include "core/estimators/window_estimate.h"
+#include "core/estimators/window_series.h"
+
+#include <QtTest>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+using namespace vybeg;
+
+namespace {
+
+constexpr double rate = 33333;
+constexpr double pi = std::numbers::pi;
+
+struct Samples {
+    std::vector<double> c;
+    std::vector<double> d;
+};
+
+// Windows of still waves: each of its own angle, phase, quadrature (both signs) and frequency near
+// the carrier, by its equations of motion, with white noise.
+Samples waves(std::int64_t n, std::size_t count, double f0, double off, double noise,
+              std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> any(-1, 1);
+    std::normal_distribution<double> gauss(0, noise);
+    Samples samples;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double angle = pi * any(random);
+        const double phase = pi * any(random);
+        const double quadrature = 0.8 * any(random);
+        const double w =
+            2 * pi * f0 / rate + off * any(random) * 2 / static_cast<double>(n);  // |x| <= off
+        for (std::int64_t j = 0; j < n; ++j) {
+            const double tau =
+                w * (static_cast<double>(j) - 0.5 * static_cast<double>(n - 1)) - phase;
+            const double a = std::cos(tau);
+            const double b = quadrature * std::sin(tau);
+            samples.c.push_back(a * std::cos(angle) - b * std::sin(angle) + gauss(random));
+            samples.d.push_back(a * std::sin(angle) + b * std::cos(angle) + gauss(random));
+        }
+    }
+    return samples;
+}
+
+WindowBlock block_of(const Samples& samples, std::int64_t n) {
+    return {samples.c, samples.d, 0, n, n};
+}
+
+}  // namespace
+
+class TestWindowSeries : public QObject {
+    Q_OBJECT
+
+private slots:
+    void projections_and_kernel_are_those_of_the_window() {
+        for (const std::int64_t n : {5, 6, 22, 63, 600, 33333}) {
+            for (const double f0 : {1234.5, 5300.0, 14000.0}) {
+                const Samples samples = waves(n, 3, f0, 0.05, 0.1, 7);
+                const SeriesBasis basis(n, 2 * pi * f0 / rate);
+                SeriesBatch batch;
+                sum_series(block_of(samples, n), 0, 3, basis, batch);
+                const auto size = static_cast<double>(n);
+                for (const double x : {-0.06, -0.01, 0.0, 0.033, 0.06}) {
+                    const double w = basis.w0() + 2 * x / size;
+                    for (std::size_t lane = 0; lane < 3; ++lane) {
+                        const Window window = window_of(block_of(samples, n), lane);
+                        const Projections direct = window_projections(window, w);
+                        const Projections series = series_projections(batch, lane, x);
+                        // Relative to n samples of amplitude 1; the phase of a long window has its
+                        // own rounding, 1e-16 of w u.
+                        const double tolerance = 1e-14 + 2e-16 * size;
+                        QVERIFY(std::abs(series.c - direct.c) < tolerance * size);
+                        QVERIFY(std::abs(series.d - direct.d) < tolerance * size);
+                    }
+                    const WindowKernel direct = window_kernel(n, w);
+                    const WindowKernel series = basis.kernel(x);
+                    // The closed form divides by sin w and its derivatives by its powers.
+                    const double tolerance = 1e-12 + 1e-15 * size;
+                    QVERIFY(std::abs(series.gram_cos - direct.gram_cos) < tolerance * size);
+                    QVERIFY(std::abs(series.gram_sin - direct.gram_sin) < tolerance * size);
+                    QVERIFY(std::abs(series.slope - direct.slope) < tolerance * size * size);
+                    QVERIFY(std::abs(series.bend - direct.bend) < tolerance * size * size * size);
+                    QCOMPARE(series.spread, direct.spread);
+                }
+            }
+        }
+    }
+
+    void estimates_are_those_of_single_windows_data() {
+        QTest::addColumn<int>("n");
+        QTest::addColumn<double>("f0");
+        QTest::addColumn<double>("off");  // of the frequency, in x
+        QTest::addColumn<double>("noise");
+        for (const int n : {5, 6, 7, 22, 60, 63, 600}) {
+            for (const double f0 : {4000.0, 5300.0, 5301.7, 9000.0}) {
+                for (const double noise : {0.1, 1e-2, 1e-3, 1e-5, 0.0}) {
+                    for (const double off : {0.0, 0.04, 1.0}) {
+                        if (f0 * n > 0.75 * rate) {  // three quarters of a period
+                            QTest::addRow("n %d, %g Hz, noise %g, off %g", n, f0, noise, off)
+                                << n << f0 << off << noise;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    void estimates_are_those_of_single_windows() {
+        QFETCH(int, n);
+        QFETCH(double, f0);
+        QFETCH(double, off);
+        QFETCH(double, noise);
+        constexpr std::size_t count = 43;  // not a multiple of the lanes
+        const Samples samples = waves(n, count, f0, off, noise, 11 + static_cast<unsigned>(n));
+        EstimatorOptions options;
+        options.length = n;
+        options.rate_hz = rate;
+        options.f0_hz = f0;
+        std::vector<WaveEstimate> found(count);
+        make_estimator(Algorithm::maximum_likelihood, options)
+            ->estimate(block_of(samples, n), 0, found);
+        for (std::size_t k = 0; k < count; ++k) {
+            const Window window = window_of(block_of(samples, n), k);
+            const ProfileMaximum maximum = maximise_profile(window, main_lobe(f0, rate, n));
+            FoundWave wave{to_wave_state(maximum.phasors), maximum.phasors, maximum.w, 5, 0};
+            if (maximum.at_bound) {
+                set(wave.flags, Flag::at_bound);
+            }
+            if (!maximum.converged) {
+                set(wave.flags, Flag::not_converged);
+            }
+            const WaveEstimate one = complete_estimate(wave, window, rate);
+            QCOMPARE(found[k].flags, one.flags);
+            // Short noisy windows with no clear maximum may climb another hill of the same lobe
+            // from another step; those that have one agree.
+            const auto same = [&](double a, double b, double tolerance, const char* what) {
+                QVERIFY2((std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= tolerance,
+                         qPrintable(QString("window %1, %2: %3 and %4")
+                                        .arg(k)
+                                        .arg(what)
+                                        .arg(a, 0, 'g', 17)
+                                        .arg(b, 0, 'g', 17)));
+            };
+            // The flatter the power's maximum, the less rounding tells where it is.
+            const double flat = 1 + one.sd_f_hz * n / rate * 10;
+            const double thin = 1 / std::max(1e-3, one.state.a_A - std::abs(one.state.a_B));
+            same(found[k].state.a_A, one.state.a_A, 1e-12 * flat, "a_A");
+            same(found[k].state.a_B, one.state.a_B, 1e-12 * flat, "a_B");
+            const bool angles = !has(one.flags, Flag::circular);
+            QCOMPARE(std::isnan(found[k].state.two_theta_A), !angles);
+            if (angles) {
+                same(std::remainder(found[k].state.two_theta_A - one.state.two_theta_A, pi), 0.0,
+                     1e-12 * flat * thin, "2theta_A");
+            }
+            same(found[k].f_hz * n / rate, one.f_hz * n / rate, 1e-12 * flat, "f");
+            same(std::remainder(found[k].delta_phi_CD - one.delta_phi_CD, 2 * pi), 0.0,
+                 1e-11 * flat * thin, "dphi_CD");
+            same(found[k].rms, one.rms, 1e-9 * one.rms + 1e-12, "rms");
+            same(found[k].orthogonality, one.orthogonality, 1e-12 * flat * thin, "orthogonality");
+            if (noise > 0) {
+                same(found[k].sd.a_A / one.sd.a_A, 1, 1e-8 * flat, "sd a_A");
+                same(found[k].sd.a_B / one.sd.a_B, 1, 1e-8 * flat, "sd a_B");
+                if (angles) {
+                    const double tolerance = 1e-8 * flat * thin;
+                    same(found[k].sd.two_theta_A / one.sd.two_theta_A, 1, tolerance, "sd 2theta_A");
+                    same(found[k].sd.alpha / one.sd.alpha, 1, tolerance, "sd alpha");
+                }
+                same(found[k].sd_f_hz / one.sd_f_hz, 1, 1e-8 * flat, "sd f");
+                same(found[k].sd_delta_phi_CD / one.sd_delta_phi_CD, 1, 1e-8 * flat, "sd dphi");
+            }
+        }
+    }
+
+    void a_missing_sample_is_a_gap_of_its_window_alone() {
+        for (const double bad :
+             {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+            Samples samples = waves(60, 20, 5300, 0.01, 1e-3, 3);
+            samples.d[60 * 9 + 59] = bad;
+            EstimatorOptions options{60, rate, 5300, StartRule::first, {}, 0};
+            for (const Algorithm algorithm :
+                 {Algorithm::in_phase, Algorithm::moving_axes, Algorithm::demodulation,
+                  Algorithm::maximum_likelihood}) {
+                std::vector<WaveEstimate> found(20);
+                make_estimator(algorithm, options)->estimate(block_of(samples, 60), 0, found);
+                for (std::size_t k = 0; k < found.size(); ++k) {
+                    QCOMPARE(has(found[k].flags, Flag::gap), k == 9);
+                    QCOMPARE(std::isnan(found[k].state.a_A), k == 9);
+                }
+            }
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWindowSeries)
+#include "test_window_series.moc"
