@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 
-// Windows that are worked on side by side in the processor's vectors. For sources only: functions
-// of Eight must be inlined, and what calls them be VYBEG_DISPATCHED.
+// Windows that are worked on side by side in the processor's vectors. Eight is for sources only:
+// functions of it must be inlined, and what calls them be VYBEG_DISPATCHED.
 
 // Compiled for these processors, the best of which is chosen when the program starts: any x86-64,
 // AVX2 with FMA, and AVX-512. Not under AddressSanitizer: the choice would come before it is ready.
