@@ -26,7 +26,7 @@ constexpr int preview_key = 0;
 ImportDialog::ImportDialog(AnalysisJob& job, const QString& path, const OpenOptions& options,
                            QWidget* parent)
     : QDialog(parent),
-      job_(job),
+      job_(&job),
       path_(path),
       proposed_(options != OpenOptions{}),
       raw_proposed_(options.raw.has_value()),
@@ -69,7 +69,10 @@ ImportDialog::ImportDialog(AnalysisJob& job, const QString& path, const OpenOpti
 }
 
 ImportDialog::~ImportDialog() {
-    job_.forget(preview_key);
+    fields_->disconnect(this);  // a field that loses the focus with the dialog has nobody to tell
+    if (job_) {
+        job_->forget(preview_key);
+    }
 }
 
 OpenOptions ImportDialog::options() const {
@@ -80,8 +83,8 @@ void ImportDialog::refresh() {
     preview_.reset();
     enableOpen();
     asked_ = options();
-    job_.preview(preview_key, path_, asked_,
-                 [this](const Result<RecordingPreview>& result) { take(result); });
+    job_->preview(preview_key, path_, asked_,
+                  [this](const Result<RecordingPreview>& result) { take(result); });
 }
 
 std::optional<OpenOptions> ImportDialog::proposal(const RecordingPreview& preview) {

@@ -3,6 +3,7 @@
 #include "ui/analysis_job.h"
 
 #include <QDialog>
+#include <QPointer>
 
 class QDialogButtonBox;
 class QLabel;
@@ -44,7 +45,7 @@ private:
     void enableOpen();
     void retranslate();
 
-    AnalysisJob& job_;
+    QPointer<AnalysisJob> job_;  // gone before the dialog where the window closes
     QString path_;
     bool proposed_ = false;                    // for the file as it was given
     bool shown_ = false;                       // a preview has been

@@ -9,8 +9,8 @@ namespace vybeg {
 enum class EventKind { axis_crossing, gap, clipped, not_converged };
 
 // Something that happened in a track. An axis crossing is the instant at which 2theta_A passes a
-// multiple of pi/2 (METHOD section 7); a gap, clipping or a stretch without convergence begins at time_s and
-// lasts seconds.
+// multiple of pi/2 (METHOD section 7); a gap, clipping or a stretch without convergence begins at
+// time_s and lasts seconds.
 struct Event {
     EventKind kind{};
     double time_s = 0;

@@ -18,7 +18,7 @@ using namespace vybeg;
 using namespace vybeg::benchmarks;
 
 constexpr std::size_t frames_at_once = std::size_t{1} << 18;  // as an analysis reads them
-constexpr std::size_t bytes_at_once = std::size_t{1} << 18;  // fits the processor's own cache
+constexpr std::size_t bytes_at_once = std::size_t{1} << 18;   // fits the processor's own cache
 
 [[noreturn]] void fail(const std::string& reason) {
     std::fprintf(stderr, "%s\n", reason.c_str());
