@@ -14,7 +14,7 @@ packages=(
     libcli11-dev                            # command line
     fonts-dejavu-core                       # text without a display
     python3-numpy python3-scipy python3-h5py # write files for the tests of readers
-    libbenchmark-dev                        # reading speed, tests/benchmarks
+    libbenchmark-dev libceres-dev           # speed, and a peer to measure it by, tests/benchmarks
 )
 developer_packages=(clang-format clang-tidy)
 fuzz_packages=(clang-14 libclang-rt-14-dev)
