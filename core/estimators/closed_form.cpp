@@ -97,7 +97,7 @@ void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<W
 Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double w) const {
     const auto n = static_cast<double>(basis_.length());
     const double x = 0.5 * n * (w - basis_.w0());
-    if (std::abs(x) > closed_form_reach) {
+    if (!basis_.reaches(x, closed_form_reach)) {
         return demodulate(summed.window, w);
     }
     const Projections sum = series_projections(summed.batch, summed.lane, x);
@@ -106,7 +106,8 @@ Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double 
 
 WindowKernel ClosedFormEstimator::kernel(double w) const {
     const double x = 0.5 * static_cast<double>(basis_.length()) * (w - basis_.w0());
-    return std::abs(x) > closed_form_reach ? window_kernel(basis_.length(), w) : basis_.kernel(x);
+    return basis_.reaches(x, closed_form_reach) ? basis_.kernel(x)
+                                                : window_kernel(basis_.length(), w);
 }
 
 WaveEstimate ClosedFormEstimator::estimate_window(const SummedWindow& summed) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 // Vectors are passed between inlined functions only: how they would be passed otherwise is nobody's
@@ -47,6 +48,10 @@ VYBEG_INLINED inline void add_component(Bent& power, const Bent& p, const Bent& 
 
 SeriesBasis::SeriesBasis(std::int64_t n, double w0) : n_(n), w0_(w0) {
     const auto count = static_cast<double>(n);
+    spread_ = count * (count * count - 1) / 12;
+    if (n > longest_series_window) {
+        return;
+    }
     rows_.resize(static_cast<std::size_t>(n) * 2 * series_orders);
     for (std::int64_t j = 0; j < n; ++j) {
         const double u = static_cast<double>(j) - 0.5 * (count - 1);
@@ -71,7 +76,6 @@ SeriesBasis::SeriesBasis(std::int64_t n, double w0) : n_(n), w0_(w0) {
         }
     }
     gram_[0] += 0.5 * count;
-    spread_ = count * (count * count - 1) / 12;
 }
 
 WindowKernel SeriesBasis::kernel(double x) const {
@@ -90,10 +94,11 @@ WindowKernel SeriesBasis::kernel(double x) const {
 VYBEG_DISPATCHED
 void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
                 const SeriesBasis& basis, SeriesBatch& batch) {
-    for (std::size_t lane = 0; lane < series_lanes; ++lane) {
-        const auto window = static_cast<std::int64_t>(first + std::min(lane, count - 1));
-        const double* c = block.c.data() + block.first + window * block.hop;
-        const double* d = block.d.data() + block.first + window * block.hop;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        const std::int64_t start =
+            block.first + static_cast<std::int64_t>(first + lane) * block.hop;
+        const double* c = block.c.data() + start;
+        const double* d = block.d.data() + start;
         Eight c_cos{};
         Eight c_sin{};
         Eight d_cos{};
@@ -101,27 +106,40 @@ void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
         double cc = 0;
         double dd = 0;
         double cd = 0;
-        const double* row = basis.row(0);
-        for (std::int64_t j = 0; j < block.length; ++j, row += 2 * series_orders) {
-            const Eight cosines = load(row);
-            const Eight sines = load(row + series_orders);
-            c_cos += c[j] * cosines;
-            c_sin += c[j] * sines;
-            d_cos += d[j] * cosines;
-            d_sin += d[j] * sines;
-            cc += c[j] * c[j];
-            dd += d[j] * d[j];
-            cd += c[j] * d[j];
+        if (basis.length() > longest_series_window) {
+            c_cos = c_sin = d_cos = d_sin = Eight{} + std::numeric_limits<double>::quiet_NaN();
+            for (std::int64_t j = 0; j < block.length; ++j) {
+                cc += c[j] * c[j];
+                dd += d[j] * d[j];
+                cd += c[j] * d[j];
+            }
+        } else {
+            const double* row = basis.row(0);
+            for (std::int64_t j = 0; j < block.length; ++j, row += 2 * series_orders) {
+                const Eight cosines = load(row);
+                const Eight sines = load(row + series_orders);
+                c_cos += c[j] * cosines;
+                c_sin += c[j] * sines;
+                d_cos += d[j] * cosines;
+                d_sin += d[j] * sines;
+                cc += c[j] * c[j];
+                dd += d[j] * d[j];
+                cd += c[j] * d[j];
+            }
         }
-        for (std::size_t k = 0; k < series_orders; ++k) {
-            batch.c_cos[k][lane] = c_cos[k];
-            batch.c_sin[k][lane] = c_sin[k];
-            batch.d_cos[k][lane] = d_cos[k];
-            batch.d_sin[k][lane] = d_sin[k];
+        // The last window goes into the lanes beyond it, too.
+        const std::size_t end = lane + 1 == count ? series_lanes : lane + 1;
+        for (std::size_t to = lane; to < end; ++to) {
+            for (std::size_t k = 0; k < series_orders; ++k) {
+                batch.c_cos[k][to] = c_cos[k];
+                batch.c_sin[k][to] = c_sin[k];
+                batch.d_cos[k][to] = d_cos[k];
+                batch.d_sin[k][to] = d_sin[k];
+            }
+            batch.cc[to] = cc;
+            batch.dd[to] = dd;
+            batch.cd[to] = cd;
         }
-        batch.cc[lane] = cc;
-        batch.dd[lane] = dd;
-        batch.cd[lane] = cd;
     }
 }
 

@@ -24,10 +24,18 @@ inline constexpr std::size_t series_orders = 8;
 // x^7/7! of its slope: 4e-15 and 5e-13.
 inline constexpr double series_reach = 0.06;
 
+// Longest window that has a basis: 16 MiB of it. There are too few of longer ones to miss it.
+inline constexpr std::int64_t longest_series_window = std::int64_t{1} << 17;
+
 class SeriesBasis {
 public:
     // Windows of n samples, reference frequency w0 (rad per sample, 0 < w0 < pi).
     SeriesBasis(std::int64_t n, double w0);
+
+    // Whether the series may be used at x, |x| <= reach: never where the window is too long.
+    bool reaches(double x, double reach) const {
+        return !rows_.empty() && x <= reach && x >= -reach;
+    }
 
     std::int64_t length() const { return n_; }
     double w0() const { return w0_; }
@@ -59,7 +67,8 @@ struct SeriesBatch {
 };
 
 // The sums of `count` windows of a block from window `first` on, count <= series_lanes; the lanes
-// beyond repeat the last one. A window with a missing sample has cc + dd that is not finite.
+// beyond repeat the last one. Without a basis only the last three are summed up, and the series are
+// NaN. A window with a missing sample has cc + dd that is not finite.
 void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
                 const SeriesBasis& basis, SeriesBatch& batch);
 

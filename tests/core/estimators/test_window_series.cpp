@@ -179,6 +179,24 @@ private slots:
         }
     }
 
+    void a_window_too_long_for_a_basis_is_estimated_by_itself() {
+        constexpr std::int64_t n = longest_series_window + 1;
+        const Samples samples = waves(n, 1, 5300, 0.01, 1e-3, 5);
+        for (const Algorithm algorithm : {Algorithm::in_phase, Algorithm::moving_axes,
+                                          Algorithm::demodulation, Algorithm::maximum_likelihood}) {
+            std::vector<WaveEstimate> found(1);
+            make_estimator(algorithm, {n, rate, 5300, StartRule::first, {}, 0})
+                ->estimate(block_of(samples, n), 0, found);
+            const Window window{samples.c, samples.d};
+            const ProfileMaximum maximum = maximise_profile(window, main_lobe(5300, rate, n));
+            const WaveState one = to_wave_state(maximum.phasors);
+            // The closed forms differ by their leakage, 1/n, and in-phase by a_B^2.
+            QVERIFY(std::abs(found[0].state.a_A - one.a_A) <
+                    (algorithm == Algorithm::in_phase ? one.a_B * one.a_B : 1e-4));
+            QVERIFY(std::abs(found[0].f_hz - maximum.w * rate / (2 * pi)) < 1e-6);
+        }
+    }
+
     void a_missing_sample_is_a_gap_of_its_window_alone() {
         for (const double bad :
              {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
