@@ -40,8 +40,9 @@ double error_functional(const WindowPowers& powers, const Projections& mean, con
 }  // namespace
 
 WindowPowers window_powers(const Window& window) {
-    return {mean_product(window.c, window.c), mean_product(window.d, window.d),
-            mean_product(window.c, window.d), 0};
+    const SampleProducts sum = sample_products(window);
+    const auto n = static_cast<double>(window.length());
+    return {sum.cc / n, sum.dd / n, sum.cd / n, 0};
 }
 
 Projections demodulate(const Window& window, double w) {
@@ -132,13 +133,10 @@ WaveEstimate ClosedFormEstimator::estimate_window(const SummedWindow& summed) co
     if (minimum.at_bound) {
         set(found.flags, Flag::at_bound);
     }
-    const double power = count * (powers.cc + powers.dd);
-    double residual = count * minimum.value;
-    if (residual < least_difference * power) {
-        residual = residual_sum(summed.window, {found.phasors.c, found.phasors.d}, found.w);
-    }
-    return complete_estimate(found,
-                             {residual, count * powers.cc, count * powers.dd, count * powers.cd},
+    const double residual = residual_of(count * minimum.value, count * (powers.cc + powers.dd),
+                                        summed.window, {found.phasors.c, found.phasors.d}, found.w);
+    return complete_estimate(found, residual,
+                             {count * powers.cc, count * powers.dd, count * powers.cd},
                              kernel(found.w), n, options_.rate_hz);
 }
 

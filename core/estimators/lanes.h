@@ -53,6 +53,25 @@ VYBEG_INLINED inline Eight polynomial(Eight x, Coefficient coefficient) {
     return value;
 }
 
+// Value, slope and curvature of a power series at x, in each lane.
+struct Bent {
+    Eight value;
+    Eight slope;
+    Eight bend;
+};
+
+template <std::size_t orders, class Coefficient>
+VYBEG_INLINED inline Bent series_at(Eight x, Coefficient coefficient) {
+    Bent sum{coefficient(orders - 1), Eight{}, Eight{}};
+    for (std::size_t k = orders - 1; k-- > 0;) {
+        sum.bend = sum.bend * x + sum.slope;
+        sum.slope = sum.slope * x + sum.value;
+        sum.value = sum.value * x + coefficient(k);
+    }
+    sum.bend *= 2;
+    return sum;
+}
+
 #pragma GCC diagnostic pop
 
 }  // namespace vybeg

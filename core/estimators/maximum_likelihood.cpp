@@ -46,13 +46,10 @@ private:
         if (maximum.arrived[lane] == 0) {
             return estimate_window(window);
         }
-        double residual = power - maximum.power[lane];
-        if (residual < least_difference * power) {
-            residual = residual_sum(
-                window,
-                {{waves.c_re[lane], waves.c_im[lane]}, {waves.d_re[lane], waves.d_im[lane]}},
-                waves.w[lane]);
-        }
+        const Projections phasors{{waves.c_re[lane], waves.c_im[lane]},
+                                  {waves.d_re[lane], waves.d_im[lane]}};
+        const double residual =
+            residual_of(power - maximum.power[lane], power, window, phasors, waves.w[lane]);
         const auto n = static_cast<double>(basis_.length());
         const double noise = std::sqrt(residual / (2 * n - 5));
         const double hertz = rate_hz_ / (2 * std::numbers::pi);

@@ -46,27 +46,19 @@ VYBEG_DISPATCHED
 void series_estimates(const SeriesBatch& __restrict batch, const SeriesMaximum& __restrict maximum,
                       const SeriesBasis& __restrict basis, SeriesEstimates& __restrict estimates) {
     const auto n = static_cast<double>(basis.length());
-    const double spread = n * (n * n - 1) / 12;
-    const std::array<double, SeriesBasis::gram_orders> gram = basis.gram();
+    const double spread = basis.spread();
+    const auto& gram = basis.gram();
     const Eight x = load(maximum.x);
     const auto at = [x](const std::array<Lanes, series_orders>& sums) VYBEG_INLINED {
         return polynomial<series_orders>(
             x, [&](std::size_t k) VYBEG_INLINED { return load(sums[k]); });
     };
-    const Eight g_cos = polynomial<SeriesBasis::gram_orders>(
+    const Bent g_cos = series_at<SeriesBasis::gram_orders>(
         x, [&](std::size_t k) VYBEG_INLINED { return gram[k] + Eight{}; });
-    const Eight g_slope =
-        polynomial<SeriesBasis::gram_orders - 1>(x, [&](std::size_t k) VYBEG_INLINED {
-            return static_cast<double>(k + 1) * gram[k + 1] + Eight{};
-        });
-    const Eight g_bend =
-        polynomial<SeriesBasis::gram_orders - 2>(x, [&](std::size_t k) VYBEG_INLINED {
-            return static_cast<double>((k + 1) * (k + 2)) * gram[k + 2] + Eight{};
-        });
-    const Eight by_cos = 1 / g_cos;
-    const Eight by_sin = 1 / (n - g_cos);
-    const Eight slope = 0.5 * n * g_slope;
-    const Eight bend = 0.25 * n * n * g_bend;
+    const Eight by_cos = 1 / g_cos.value;
+    const Eight by_sin = 1 / (n - g_cos.value);
+    const Eight slope = 0.5 * n * g_cos.slope;
+    const Eight bend = 0.25 * n * n * g_cos.bend;
 
     const Eight c_re = at(batch.c_cos) * by_cos;
     const Eight c_im = -at(batch.c_sin) * by_sin;

@@ -13,10 +13,10 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // <S_A S_B> over <S_A^2> + <S_B^2>: the wave axes' orthogonality (30), straight from the samples.
-double orthogonality(const WindowTotals& totals, double two_theta_A) {
-    const double product = totals.cd * std::cos(2 * two_theta_A) +
-                           0.5 * (totals.dd - totals.cc) * std::sin(2 * two_theta_A);
-    return product / (totals.cc + totals.dd);
+double orthogonality(const SampleProducts& sum, double two_theta_A) {
+    const double product =
+        sum.cd * std::cos(2 * two_theta_A) + 0.5 * (sum.dd - sum.cc) * std::sin(2 * two_theta_A);
+    return product / (sum.cc + sum.dd);
 }
 
 }  // namespace
@@ -54,29 +54,31 @@ void drop_angles_of_circle(WaveEstimate& estimate, double noise, std::int64_t n)
     }
 }
 
-WaveEstimate complete_estimate(const FoundWave& found, const Window& window, double rate_hz) {
-    WindowTotals totals;
-    totals.residual = residual_sum(window, {found.phasors.c, found.phasors.d}, found.w);
-    for (std::size_t j = 0; j < window.c.size(); ++j) {
-        totals.cc += window.c[j] * window.c[j];
-        totals.dd += window.d[j] * window.d[j];
-        totals.cd += window.c[j] * window.d[j];
-    }
-    const std::int64_t n = window.length();
-    return complete_estimate(found, totals, window_kernel(n, found.w), n, rate_hz);
+double residual_of(double difference, double power, const Window& window,
+                   const Projections& phasors, double w) {
+    constexpr double least_difference = 1e-6;
+    return difference < least_difference * power ? residual_sum(window, phasors, w) : difference;
 }
 
-WaveEstimate complete_estimate(const FoundWave& found, const WindowTotals& totals,
-                               const WindowKernel& kernel, std::int64_t n, double rate_hz) {
+WaveEstimate complete_estimate(const FoundWave& found, const Window& window, double rate_hz) {
+    const std::int64_t n = window.length();
+    return complete_estimate(found,
+                             residual_sum(window, {found.phasors.c, found.phasors.d}, found.w),
+                             sample_products(window), window_kernel(n, found.w), n, rate_hz);
+}
+
+WaveEstimate complete_estimate(const FoundWave& found, double residual,
+                               const SampleProducts& products, const WindowKernel& kernel,
+                               std::int64_t n, double rate_hz) {
     const WaveState& state = found.state;
-    const double noise = std::sqrt(totals.residual / static_cast<double>(2 * n - found.parameters));
+    const double noise = std::sqrt(residual / static_cast<double>(2 * n - found.parameters));
 
     WaveEstimate estimate;
     estimate.state = state;
     estimate.f_hz = found.w / (2 * std::numbers::pi) * rate_hz;
     estimate.delta_phi_CD = phase_difference(found.phasors);
-    estimate.rms = std::sqrt(totals.residual / static_cast<double>(n));
-    estimate.orthogonality = orthogonality(totals, state.two_theta_A);
+    estimate.rms = std::sqrt(residual / static_cast<double>(n));
+    estimate.orthogonality = orthogonality(products, state.two_theta_A);
     estimate.flags = found.flags;
 
     const Precision precision = precision_bound(found.phasors, kernel, rate_hz, noise);

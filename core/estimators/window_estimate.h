@@ -14,14 +14,6 @@ bool has_gap(std::span<const double> samples);
 // An estimate without values, for a window that has none; `flag` says why.
 WaveEstimate no_estimate(Flag flag);
 
-// What an estimate needs of the samples besides the wave in them.
-struct WindowTotals {
-    double residual = 0;  // n F: sum of squares that the wave leaves, both channels
-    double cc = 0;        // sum C^2
-    double dd = 0;
-    double cd = 0;
-};
-
 // What an algorithm found in a window.
 struct FoundWave {
     WaveState state;
@@ -31,9 +23,11 @@ struct FoundWave {
     Flags flags = 0;
 };
 
-// Of a window's power: where less than this is left, the difference of power and what the wave
-// takes of it has lost the digits of the residual, and that is summed up over the samples instead.
-inline constexpr double least_difference = 1e-6;
+// n F, the sum of squares that a wave leaves of a window: `difference`, the window's power
+// (sum C^2 + D^2) less what the wave takes of it, while that has kept its digits; where less than
+// 1e-6 of the power is left, summed up over the samples.
+double residual_of(double difference, double power, const Window& window,
+                   const Projections& phasors, double w);
 
 // Sets the flag `circular`, and the angles to NaN, where |a_A - |a_B|| is below three standard
 // deviations in n samples of that noise.
@@ -42,11 +36,12 @@ void drop_angles_of_circle(WaveEstimate& estimate, double noise, std::int64_t n)
 // Completes what was found: rms from the residual, noise from the rms with the degrees of freedom
 // removed (2n - parameters), standard deviations from the precision bound, dphi_CD, orthogonality,
 // and the flag `circular` (angles NaN) where |a_A - |a_B|| is below three standard deviations.
-// `kernel` is that of n samples at w.
-WaveEstimate complete_estimate(const FoundWave& found, const WindowTotals& totals,
-                               const WindowKernel& kernel, std::int64_t n, double rate_hz);
+// `residual` is n F, the sum of squares that the wave leaves; `kernel` is that of n samples at w.
+WaveEstimate complete_estimate(const FoundWave& found, double residual,
+                               const SampleProducts& products, const WindowKernel& kernel,
+                               std::int64_t n, double rate_hz);
 
-// The same with the totals and the kernel from the window itself.
+// The same with everything from the window itself.
 WaveEstimate complete_estimate(const FoundWave& found, const Window& window, double rate_hz);
 
 }  // namespace vybeg

@@ -33,6 +33,16 @@ void for_blocks(std::int64_t n, double w, Block block) {
 
 }  // namespace
 
+SampleProducts sample_products(const Window& window) {
+    SampleProducts sum;
+    for (std::size_t j = 0; j < window.c.size(); ++j) {
+        sum.cc += window.c[j] * window.c[j];
+        sum.dd += window.d[j] * window.d[j];
+        sum.cd += window.c[j] * window.d[j];
+    }
+    return sum;
+}
+
 Moments window_moments(const Window& window, double w) {
     Moments sum{};
     const Complex step = unit(-w);

@@ -20,6 +20,14 @@ struct Window {
     std::int64_t length() const { return static_cast<std::int64_t>(c.size()); }
 };
 
+// Sums of C^2, D^2 and C D over a window; not finite where a sample is missing.
+struct SampleProducts {
+    double cc = 0;
+    double dd = 0;
+    double cd = 0;
+};
+SampleProducts sample_products(const Window& window);
+
 // Sums over one channel: z[k] = sum_j u_j^k s_j e^{-i w u_j}. In the notation of (31), z[0] = n/2
 // (C_x - i S_x).
 using ChannelMoments = std::array<std::complex<double>, 3>;

@@ -1,6 +1,7 @@
 #include "core/estimators/window_series.h"
 
 #include "core/estimators/lanes.h"
+#include "core/estimators/window_estimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,25 +16,6 @@ namespace vybeg {
 namespace {
 
 constexpr int newton_steps = 6;
-
-// Value, slope and curvature of a power series at x, in each lane.
-struct Bent {
-    Eight value;
-    Eight slope;
-    Eight bend;
-};
-
-template <std::size_t orders, class Coefficient>
-VYBEG_INLINED inline Bent series_at(Eight x, Coefficient coefficient) {
-    Bent sum{coefficient(orders - 1), Eight{}, Eight{}};
-    for (std::size_t k = orders - 1; k-- > 0;) {
-        sum.bend = sum.bend * x + sum.slope;
-        sum.slope = sum.slope * x + sum.value;
-        sum.value = sum.value * x + coefficient(k);
-    }
-    sum.bend *= 2;
-    return sum;
-}
 
 // p^2/g of one component, added to the power (profile.cpp has the same for one window).
 VYBEG_INLINED inline void add_component(Bent& power, const Bent& p, const Bent& g) {
@@ -95,36 +77,29 @@ VYBEG_DISPATCHED
 void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
                 const SeriesBasis& basis, SeriesBatch& batch) {
     for (std::size_t lane = 0; lane < count; ++lane) {
-        const std::int64_t start =
-            block.first + static_cast<std::int64_t>(first + lane) * block.hop;
-        const double* c = block.c.data() + start;
-        const double* d = block.d.data() + start;
+        const Window window = window_of(block, first + lane);
         Eight c_cos{};
         Eight c_sin{};
         Eight d_cos{};
         Eight d_sin{};
-        double cc = 0;
-        double dd = 0;
-        double cd = 0;
+        SampleProducts sum;
         if (basis.length() > longest_series_window) {
             c_cos = c_sin = d_cos = d_sin = Eight{} + std::numeric_limits<double>::quiet_NaN();
-            for (std::int64_t j = 0; j < block.length; ++j) {
-                cc += c[j] * c[j];
-                dd += d[j] * d[j];
-                cd += c[j] * d[j];
-            }
+            sum = sample_products(window);
         } else {
             const double* row = basis.row(0);
-            for (std::int64_t j = 0; j < block.length; ++j, row += 2 * series_orders) {
+            for (std::size_t j = 0; j < window.c.size(); ++j, row += 2 * series_orders) {
+                const double c = window.c[j];
+                const double d = window.d[j];
                 const Eight cosines = load(row);
                 const Eight sines = load(row + series_orders);
-                c_cos += c[j] * cosines;
-                c_sin += c[j] * sines;
-                d_cos += d[j] * cosines;
-                d_sin += d[j] * sines;
-                cc += c[j] * c[j];
-                dd += d[j] * d[j];
-                cd += c[j] * d[j];
+                c_cos += c * cosines;
+                c_sin += c * sines;
+                d_cos += d * cosines;
+                d_sin += d * sines;
+                sum.cc += c * c;
+                sum.dd += d * d;
+                sum.cd += c * d;
             }
         }
         // The last window goes into the lanes beyond it, too.
@@ -136,9 +111,9 @@ void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
                 batch.d_cos[k][to] = d_cos[k];
                 batch.d_sin[k][to] = d_sin[k];
             }
-            batch.cc[to] = cc;
-            batch.dd[to] = dd;
-            batch.cd[to] = cd;
+            batch.cc[to] = sum.cc;
+            batch.dd[to] = sum.dd;
+            batch.cd[to] = sum.cd;
         }
     }
 }

@@ -39,6 +39,7 @@ public:
 
     std::int64_t length() const { return n_; }
     double w0() const { return w0_; }
+    double spread() const { return spread_; }  // WindowKernel::spread
     // Of sample j: the basis functions of cos, then those of sin, by order.
     const double* row(std::int64_t j) const { return rows_.data() + 2 * series_orders * j; }
     // window_kernel(n, w0 + 2x/n), from its series at w0.
