@@ -250,9 +250,13 @@ void Document::searchCarrier(int id) {
 }
 
 void Document::checkSamples(int id) {
-    const Recording& recording = *find(id)->recording;
-    const std::size_t known = recording.diagnostics.size();
-    job_.inspect(id, recording, settings_, [this, id, known](Result<SampleFaults> faults) {
+    const RecordingEntry& entry = *find(id);
+    const std::size_t known = entry.recording->diagnostics.size();
+    Settings settings = settings_;
+    if (!settings.f0_hz) {
+        settings.f0_hz = entry.f0_hz;  // most often it has been found by now
+    }
+    job_.inspect(id, *entry.recording, settings, [this, id, known](Result<SampleFaults> faults) {
         RecordingEntry* checked = find(id);
         if (!checked || !faults) {
             return;  // a file that cannot be read is told of by its envelope

@@ -70,6 +70,16 @@ Result<double> carrier_of(const Stretch& stretch, const Settings& settings, doub
     return find_carrier(stretch.c, stretch.d, rate_hz, band.low_hz, band.high_hz, job);
 }
 
+// The carrier of the frames [first, end), which are read only where it is not known.
+Result<double> carrier_in(const SampleSource& source, std::int64_t first, std::int64_t end,
+                          const Settings& settings, double rate_hz, const JobControl& job) {
+    if (settings.f0_hz) {
+        return carrier_of({}, settings, rate_hz, job);
+    }
+    const Result<Stretch> stretch = read_stretch(source, first, end, job);
+    return stretch ? carrier_of(*stretch, settings, rate_hz, job) : stretch.error();
+}
+
 // Mean over as many whole periods as the stretch holds; missing samples do not count.
 double mean_over_periods(std::span<const double> x, double f_hz, double rate_hz) {
     const double period = rate_hz / f_hz;
@@ -111,11 +121,8 @@ Result<std::shared_ptr<const SampleSource>> with_gaps_for_lost(const Recording& 
                                                                const Settings& settings,
                                                                std::vector<Diagnostic>& diagnostics,
                                                                const JobControl& job) {
-    const Result<Stretch> stretch = read_stretch(*recording.source, 0, recording.frames(), job);
-    if (!stretch) {
-        return stretch.error();
-    }
-    const Result<double> f0 = carrier_of(*stretch, settings, recording.rate_hz, job);
+    const Result<double> f0 =
+        carrier_in(*recording.source, 0, recording.frames(), settings, recording.rate_hz, job);
     if (!f0) {
         return f0.error();
     }
@@ -199,11 +206,8 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
     if (!conditioned) {
         return named(conditioned.error());
     }
-    const Result<Stretch> stretch = read_stretch(**conditioned, prepared.first, prepared.end, job);
-    if (!stretch) {
-        return stretch.error();
-    }
-    const Result<double> f0 = carrier_of(*stretch, settings, rate, job);
+    const Result<double> f0 =
+        carrier_in(**conditioned, prepared.first, prepared.end, settings, rate, job);
     if (!f0) {
         return named(f0.error());
     }
