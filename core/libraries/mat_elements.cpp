@@ -1,5 +1,6 @@
 #include "core/libraries/mat_elements.h"
 
+#include "core/libraries/mat_tag.h"
 #include "core/recording/byte_order.h"
 #include "core/recording/mat_header.h"
 
@@ -10,20 +11,12 @@
 #include <string_view>
 
 namespace vybeg {
+
+using namespace mat5;
+
 namespace {
 
-constexpr std::int64_t level5_header_bytes = 128;
-constexpr std::int64_t tag_bytes = 8;
 constexpr int most_depth = 8;  // of structs in structs; what lies deeper is not looked at
-
-// Codes of the format.
-enum ElementType : std::uint32_t { matrix_type = 14, compressed_type = 15 };
-enum ArrayClass : std::uint32_t {
-    cell_class = 1,
-    struct_class = 2,
-    first_number = 6,
-    last_number = 15
-};
 
 // Bytes of a number by the code of its type; 0: no number.
 constexpr std::array<std::int64_t, 14> bytes_by_type{0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
@@ -41,32 +34,16 @@ bool is_level5(std::string_view head) {
     return head.starts_with("MATLAB 5.0");
 }
 
-// A piece of a level 5 file: tag and bytes.
-struct Element {
-    std::uint32_t type = 0;
-    std::int64_t data = 0;  // where its bytes begin
-    std::int64_t size = 0;
-    std::int64_t next = 0;  // where the element behind it begins
-};
-
 class Level5 {
 public:
     Level5(std::ifstream& file, bool big_endian) : file_(file), big_endian_(big_endian) {}
 
-    // Nothing where the file has no tag there. Up to four bytes may stand in the tag itself.
+    // Nothing where the file has no tag there.
     std::optional<Element> element(std::int64_t at) const {
         std::array<char, tag_bytes> buffer{};
         const std::string_view tag = bytes_at(file_, at, buffer);
-        if (tag.size() < tag_bytes) {
-            return {};
-        }
-        const auto type = load<std::uint32_t>(tag.data(), big_endian_);
-        if (type >> 16 != 0) {
-            return Element{type & 0xFFFF, at + 4, type >> 16, at + tag_bytes};
-        }
-        const std::int64_t size = load<std::uint32_t>(tag.data() + 4, big_endian_);
-        const std::int64_t padding = type == compressed_type ? 0 : (8 - size % 8) % 8;
-        return Element{type, at + tag_bytes, size, at + tag_bytes + size + padding};
+        return tag.size() < tag_bytes ? std::nullopt
+                                      : std::optional(element_of(tag, at, big_endian_));
     }
 
     // Whether the numbers of an array, or of the arrays in it, are as many as its size says.
@@ -133,7 +110,7 @@ std::optional<std::int64_t> level4_end(std::ifstream& file, std::int64_t at) {
 
 std::string level5_damage(std::ifstream& file, std::int64_t size, bool big_endian) {
     const Level5 level5(file, big_endian);
-    for (std::int64_t at = level5_header_bytes; at < size;) {
+    for (std::int64_t at = header_bytes; at < size;) {
         const auto element = level5.element(at);
         // The last one need not be padded.
         if (!element || element->data + element->size > size) {
@@ -167,15 +144,15 @@ std::string level4_damage(std::ifstream& file, std::int64_t size) {
 std::string mat_damage(const std::string& path) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     const std::int64_t size = file.tellg();
-    std::array<char, level5_header_bytes> buffer{};
+    std::array<char, header_bytes> buffer{};
     const std::string_view head = bytes_at(file, 0, buffer);
     if (!is_level5(head)) {
         return level4_damage(file, size);
     }
-    if (size < level5_header_bytes) {
+    if (size < header_bytes) {
         return "it ends in its header";
     }
-    return level5_damage(file, size, head[level5_header_bytes - 2] == 'M');
+    return level5_damage(file, size, head[header_bytes - 2] == 'M');
 }
 
 }  // namespace vybeg

@@ -1,5 +1,6 @@
 #include "core/libraries/mat_packed.h"
 
+#include "core/libraries/mat_tag.h"
 #include "core/recording/byte_order.h"
 #include "core/recording/inflated_part.h"
 
@@ -10,17 +11,15 @@
 #include <utility>
 
 namespace vybeg {
+
+using namespace mat5;
+
 namespace {
 
-constexpr std::int64_t header_bytes = 128;
-constexpr std::int64_t tag_bytes = 8;
 constexpr std::int64_t zlib_head_bytes = 2;  // before what is deflated, and four behind it
 constexpr std::int64_t zlib_bytes = zlib_head_bytes + 4;
 constexpr std::int64_t best_ratio = 1032;  // that deflate can pack
 constexpr std::int64_t longest_name = 4096;
-constexpr std::uint32_t matrix_type = 14;
-constexpr std::uint32_t compressed_type = 15;
-constexpr std::uint32_t struct_class = 2;
 
 std::optional<NumberType> number_type(std::uint32_t code) {
     switch (code) {
@@ -38,13 +37,6 @@ std::optional<NumberType> number_type(std::uint32_t code) {
     }
 }
 
-struct Element {
-    std::uint32_t type = 0;
-    std::int64_t data = 0;  // where its bytes begin
-    std::int64_t size = 0;
-    std::int64_t next = 0;  // where the element behind it begins
-};
-
 // The elements of one unpacked variable. What lies behind the end, or cannot be unpacked, is
 // nothing.
 class Elements {
@@ -56,12 +48,7 @@ public:
         if (tag.empty()) {
             return {};
         }
-        const auto type = load<std::uint32_t>(tag.data(), big_endian_);
-        Element element{type & 0xFFFF, place + 4, type >> 16, place + tag_bytes};
-        if (element.size == 0) {
-            const std::int64_t size = load<std::uint32_t>(tag.data() + 4, big_endian_);
-            element = {type, place + tag_bytes, size, place + tag_bytes + (size + 7) / 8 * 8};
-        }
+        const Element element = element_of(tag, place, big_endian_);
         const bool inside = element.size <= bytes_.size() - element.data;
         return inside ? std::optional(element) : std::nullopt;
     }
@@ -149,12 +136,12 @@ Result<PackedVariables> PackedVariables::open(const std::string& path) {
         if (!element) {
             return packed;
         }
-        const bool is_packed = element->type == compressed_type;
-        if (auto variable =
-                is_packed ? packed.variable_at(element->data, element->size) : std::nullopt) {
-            packed.variables_.push_back(std::move(*variable));
+        if (element->type == compressed_type) {
+            if (auto variable = packed.variable_at(element->data, element->size)) {
+                packed.variables_.push_back(std::move(*variable));
+            }
         }
-        at = is_packed ? element->data + element->size : element->next;
+        at = element->next;
     }
 }
 

@@ -2,15 +2,14 @@
 
 #include "core/recording/envelope_builder.h"
 #include "core/recording/file_bytes.h"
+#include "core/recording/file_kind.h"
 #include "core/recording/look_around.h"
-#include "core/recording/text_encoding.h"
+#include "core/recording/scaled_source.h"
 #include "core/recording/text_recording.h"
-#include "core/recording/uff_reader.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -96,10 +95,9 @@ std::optional<FirstLook> look_at_table(const TextTable& table, const OpenOptions
         if (!rows) {
             return table.blocks.file().error(ErrorCode::file_read_failed);
         }
-        const double scale = options.text ? options.text->scale : 1;
-        for (std::vector<double>* channel : {&rows->c, &rows->d}) {
-            std::ranges::transform(*channel, channel->begin(),
-                                   [scale](double x) { return scale * x; });
+        if (options.text) {
+            scale_samples(rows->c, options.text->scale);
+            scale_samples(rows->d, options.text->scale);
         }
         Look seen{static_cast<double>(part) / static_cast<double>(parts),
                   bucket_of(rows->c, rows->d)};
@@ -125,10 +123,8 @@ std::optional<FirstLook> first_look(const std::filesystem::path& path, const Ope
     if (options.raw || !file) {
         return {};
     }
-    std::vector<char> bytes(1 << 16);
-    const auto got = (*file)->read(0, bytes);
-    const std::string_view head(bytes.data(), got ? static_cast<std::size_t>(*got) : 0);
-    if (!looks_like_text(head) || is_uff(head)) {
+    const auto head = file_head(**file);
+    if (!head || file_kind(*head, **file) != FileKind::text) {
         return {};
     }
     const auto table = choose_table(*file, options, job);

@@ -88,24 +88,27 @@ VYBEG_EACH_PROCESSOR void split_i32(const char* bytes, Scale scale, double* __re
     }
 }
 
-VYBEG_EACH_PROCESSOR void split_f32(const char* bytes, Scale scale, double* __restrict left,
-                                    double* __restrict right, std::size_t count) {
+template <class Float>
+__attribute__((always_inline)) inline void split_floats(const char* bytes, Scale scale,
+                                                        double* __restrict left,
+                                                        double* __restrict right,
+                                                        std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        const double l = number_at<float>(bytes + 8 * i);
-        const double r = number_at<float>(bytes + 8 * i + 4);
+        const double l = number_at<Float>(bytes + 2 * sizeof(Float) * i);
+        const double r = number_at<Float>(bytes + 2 * sizeof(Float) * i + sizeof(Float));
         left[i] = present(scale.gain * l + scale.offset);
         right[i] = present(scale.gain * r + scale.offset);
     }
 }
 
+VYBEG_EACH_PROCESSOR void split_f32(const char* bytes, Scale scale, double* __restrict left,
+                                    double* __restrict right, std::size_t count) {
+    split_floats<float>(bytes, scale, left, right, count);
+}
+
 VYBEG_EACH_PROCESSOR void split_f64(const char* bytes, Scale scale, double* __restrict left,
                                     double* __restrict right, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto l = number_at<double>(bytes + 16 * i);
-        const auto r = number_at<double>(bytes + 16 * i + 8);
-        left[i] = present(scale.gain * l + scale.offset);
-        right[i] = present(scale.gain * r + scale.offset);
-    }
+    split_floats<double>(bytes, scale, left, right, count);
 }
 
 }  // namespace

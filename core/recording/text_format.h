@@ -40,8 +40,9 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
 // The columns that are channels, from 0: all but the time and the counter.
 std::vector<int> channel_columns(const TextFormat& format);
 
-// Their names, numbers from 1 where the file has none, and units.
-std::vector<Channel> channels_of(const TextFormat& format);
+// Their names, numbers from 1 where the file has none, and units: the file's where the samples are
+// read as they stand there, with a scale of 1, else none.
+std::vector<Channel> channels_of(const TextFormat& format, double scale);
 
 // E.g. "text, 3 columns, semicolon, decimal comma".
 std::string format_text(const TextFormat& format);

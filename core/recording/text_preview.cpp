@@ -143,7 +143,7 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     }
     preview.used = std::move(*used);
     preview.format = format_text(*preview.used);
-    preview.channels = channels_of(*preview.used);
+    preview.channels = channels_of(*preview.used, choice.scale);
     preview.time_column = preview.used->time_column;
     for (std::size_t i = 0; i < preview.used->names.size(); ++i) {
         preview.columns.push_back({preview.used->names[i], preview.used->units[i]});
@@ -155,9 +155,6 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     if (choice.scale != 1) {
         scale_samples(preview.c, choice.scale);
         scale_samples(preview.d, choice.scale);
-        for (Channel& channel : preview.channels) {
-            channel.unit.clear();  // the file's is not that of what is read
-        }
     }
     return {};
 }

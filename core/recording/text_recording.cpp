@@ -163,16 +163,14 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
     recording.format = format_text(table->format);
-    recording.channels = channels_of(table->format);
+    const double scale = options.text ? options.text->scale : 1;
+    recording.channels = channels_of(table->format, scale);
     if (const Status status = take_table(*file, std::move(*table), options, job, recording);
         !status) {
         return status.error();
     }
-    if (options.text && options.text->scale != 1) {
-        recording.source = scaled_source(std::move(recording.source), options.text->scale);
-        for (Channel& channel : recording.channels) {
-            channel.unit.clear();  // the file's is not that of what is read
-        }
+    if (scale != 1) {
+        recording.source = scaled_source(std::move(recording.source), scale);
     }
     return recording;
 }
