@@ -8,19 +8,27 @@
 
 namespace vybeg::test {
 
-// A simulated decay as a recording that was never in a file.
-inline Recording simulated_recording(const FreeDecay& decay) {
-    Result<SimulatedDecay> simulated = simulate(decay, {});
-    if (!simulated) {
-        qFatal("the simulation failed");
-    }
+// Samples as a recording that was never in a file.
+inline Recording recording_of(std::vector<double> c, std::vector<double> d, double rate_hz) {
     Recording recording;
     recording.path = "simulated";
-    recording.rate_hz = decay.rate_hz;
+    recording.rate_hz = rate_hz;
     recording.channels = {{"C", ""}, {"D", ""}};
-    recording.source =
-        std::make_shared<MemorySource>(std::move(simulated->c), std::move(simulated->d));
+    recording.source = std::make_shared<MemorySource>(std::move(c), std::move(d));
     return recording;
+}
+
+inline SimulatedDecay simulated(const FreeDecay& decay) {
+    Result<SimulatedDecay> samples = simulate(decay, {});
+    if (!samples) {
+        qFatal("the simulation failed");
+    }
+    return std::move(*samples);
+}
+
+inline Recording simulated_recording(const FreeDecay& decay) {
+    SimulatedDecay samples = simulated(decay);
+    return recording_of(std::move(samples.c), std::move(samples.d), decay.rate_hz);
 }
 
 }  // namespace vybeg::test

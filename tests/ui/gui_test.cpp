@@ -4,6 +4,7 @@
 #include "core/simulation/free_decay.h"
 
 #include <QFile>
+#include <QTest>
 
 namespace vybeg::ui {
 
@@ -41,6 +42,18 @@ QString GuiTestHome::file(const QString& name, const QByteArray& content) const 
         qFatal("the test's file cannot be written");
     }
     return path(name);
+}
+
+std::unique_ptr<MainWindow> shownWindow() {
+    QSettings().clear();
+    auto window = std::make_unique<MainWindow>();
+    window->setLanguage(QStringLiteral("en"));
+    window->resize(1400, 900);
+    window->show();
+    if (!QTest::qWaitForWindowExposed(window.get())) {
+        qFatal("the window does not appear");
+    }
+    return window;
 }
 
 }  // namespace vybeg::ui

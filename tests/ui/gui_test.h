@@ -1,10 +1,14 @@
 #pragma once
 
+#include "ui/main_window.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+
+#include <memory>
 
 namespace vybeg::ui {
 
@@ -23,5 +27,8 @@ public:
 private:
     QTemporaryDir folder_;
 };
+
+// The main window in English, 1400 x 900, on the screen, with no settings of an earlier one.
+std::unique_ptr<MainWindow> shownWindow();
 
 }  // namespace vybeg::ui

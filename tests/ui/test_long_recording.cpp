@@ -180,12 +180,7 @@ private slots:
         }
     }
     void init() {
-        QSettings().clear();
-        window_ = std::make_unique<MainWindow>();
-        window_->setLanguage("en");
-        window_->resize(1400, 900);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        window_ = shownWindow();
         QTest::qWait(100);
         heart_.reset();
     }

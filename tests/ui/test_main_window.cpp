@@ -70,14 +70,7 @@ class TestMainWindow : public QObject {
     }
 
 private slots:
-    void init() {
-        QSettings().clear();
-        window_ = std::make_unique<MainWindow>();
-        window_->setLanguage("en");
-        window_->resize(1400, 900);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    }
+    void init() { window_ = shownWindow(); }
     void cleanup() { window_.reset(); }
 
     void files_are_opened_by_dropping_them() {

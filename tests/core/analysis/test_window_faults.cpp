@@ -1,7 +1,6 @@
 // Which windows of a track are flagged over faults of the samples.
 #include "core/analysis/analyse.h"
 #include "core/analysis/window_faults.h"
-#include "core/recording/memory_source.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -12,21 +11,9 @@
 #include <random>
 
 using namespace vybeg;
+using namespace vybeg::test;
 
 namespace {
-
-Recording recording_of(std::vector<double> c, std::vector<double> d) {
-    Recording recording;
-    recording.path = "faults.wav";
-    recording.rate_hz = 33333;
-    recording.channels = {{"1", ""}, {"2", ""}};
-    recording.source = std::make_shared<MemorySource>(std::move(c), std::move(d));
-    return recording;
-}
-
-SimulatedDecay simulated(const FreeDecay& decay) {
-    return *simulate(decay, {});
-}
 
 FreeDecay two_seconds() {
     FreeDecay decay;
@@ -97,7 +84,7 @@ private slots:
         for (const std::int64_t hop : {7, 60, 200}) {
             Settings settings;
             settings.hop = hop;
-            const auto analysis = analyse(recording_of(samples.c, samples.d), settings, {});
+            const auto analysis = analyse(recording_of(samples.c, samples.d, 33333), settings, {});
             QVERIFY(analysis);
             QCOMPARE(std::ranges::count(analysis->diagnostics, DiagnosticKind::clipped,
                                         &Diagnostic::kind),
@@ -121,7 +108,7 @@ private slots:
         const std::ptrdiff_t lost = 33333;
         samples.c.erase(samples.c.begin() + lost);
         samples.d.erase(samples.d.begin() + lost);
-        const Recording recording = recording_of(samples.c, samples.d);
+        const Recording recording = recording_of(samples.c, samples.d, 33333);
         Settings settings;
         settings.f0_hz = decay.f0_hz;
         const auto plain = analyse(recording, settings, {});
