@@ -73,9 +73,10 @@ void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<W
     const std::vector<double> delayed = quarter_delayed(block);
     SeriesBatch batch;
     SeriesMaximum maximum;
+    sums_.take(block, out.size());
     for (std::size_t first = 0; first < out.size(); first += series_lanes) {
         const std::size_t count = std::min(series_lanes, out.size() - first);
-        sum_series(block, first, count, basis_, batch);
+        sums_.batch(first, count, batch);
         maximise_series(batch, basis_, maximum);
         for (std::size_t lane = 0; lane < count; ++lane) {
             const std::size_t k = first + lane;
@@ -98,7 +99,7 @@ void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<W
 Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double w) const {
     const auto n = static_cast<double>(basis_.length());
     const double x = 0.5 * n * (w - basis_.w0());
-    if (!basis_.reaches(x, closed_form_reach)) {
+    if (std::abs(x) > closed_form_reach) {
         return demodulate(summed.window, w);
     }
     const Projections sum = series_projections(summed.batch, summed.lane, x);
@@ -107,8 +108,7 @@ Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double 
 
 WindowKernel ClosedFormEstimator::kernel(double w) const {
     const double x = 0.5 * static_cast<double>(basis_.length()) * (w - basis_.w0());
-    return basis_.reaches(x, closed_form_reach) ? basis_.kernel(x)
-                                                : window_kernel(basis_.length(), w);
+    return std::abs(x) <= closed_form_reach ? basis_.kernel(x) : window_kernel(basis_.length(), w);
 }
 
 WaveEstimate ClosedFormEstimator::estimate_window(const SummedWindow& summed) const {

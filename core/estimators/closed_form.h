@@ -2,6 +2,7 @@
 
 #include "core/estimators/estimator.h"
 #include "core/estimators/frequency_bracket.h"
+#include "core/estimators/series_sums.h"
 #include "core/estimators/window_moments.h"
 #include "core/estimators/window_series.h"
 
@@ -67,6 +68,7 @@ private:
     EstimatorOptions options_;
     FrequencyBracket bracket_;
     SeriesBasis basis_;
+    SeriesSums sums_{basis_};
 };
 
 // The in-phase closed forms (15), (18) of one window at a given frequency: the start values of

@@ -43,6 +43,27 @@ VYBEG_INLINED inline void store(Eight value, Lanes& to) {
     __builtin_memcpy(to.data(), &value, sizeof value);
 }
 
+// Rows become columns.
+VYBEG_INLINED inline void transpose(std::array<Eight, series_lanes>& m) {
+    std::array<Eight, series_lanes> pairs;
+    for (std::size_t i = 0; i < series_lanes; i += 2) {
+        pairs[i] = __builtin_shufflevector(m[i], m[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        pairs[i + 1] = __builtin_shufflevector(m[i], m[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    std::array<Eight, series_lanes> fours;
+    for (std::size_t i = 0; i < series_lanes; i += 4) {
+        for (std::size_t j = i; j < i + 2; ++j) {
+            fours[j] = __builtin_shufflevector(pairs[j], pairs[j + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+            fours[j + 2] =
+                __builtin_shufflevector(pairs[j], pairs[j + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        }
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+        m[j] = __builtin_shufflevector(fours[j], fours[j + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        m[j + 4] = __builtin_shufflevector(fours[j], fours[j + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+}
+
 // sum_k coefficient(k) x^k in each lane.
 template <std::size_t orders, class Coefficient>
 VYBEG_INLINED inline Eight polynomial(Eight x, Coefficient coefficient) {

@@ -2,6 +2,7 @@
 
 #include "core/estimators/profile.h"
 #include "core/estimators/series_estimates.h"
+#include "core/estimators/series_sums.h"
 #include "core/estimators/window_estimate.h"
 #include "core/estimators/window_series.h"
 
@@ -23,9 +24,10 @@ public:
         SeriesBatch batch;
         SeriesMaximum maximum;
         SeriesEstimates waves;
+        sums_.take(block, out.size());
         for (std::size_t first = 0; first < out.size(); first += series_lanes) {
             const std::size_t count = std::min(series_lanes, out.size() - first);
-            sum_series(block, first, count, basis_, batch);
+            sums_.batch(first, count, batch);
             maximise_series(batch, basis_, maximum);
             series_estimates(batch, maximum, basis_, waves);
             for (std::size_t lane = 0; lane < count; ++lane) {
@@ -84,6 +86,7 @@ private:
     double rate_hz_;
     FrequencyBracket bracket_;
     SeriesBasis basis_;
+    SeriesSums sums_{basis_};
 };
 
 }  // namespace

@@ -1,12 +1,8 @@
 #include "core/estimators/window_series.h"
 
 #include "core/estimators/lanes.h"
-#include "core/estimators/window_estimate.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 // Vectors are passed between inlined functions only: how they would be passed otherwise is nobody's
 // concern.
@@ -26,17 +22,52 @@ VYBEG_INLINED inline void add_component(Bent& power, const Bent& p, const Bent& 
     power.bend += 2 * ratio1 * (p.slope - ratio * g.slope) + ratio * (2 * p.bend - ratio * g.bend);
 }
 
+// gram_cos = (n + D)/2 as a series in x, D sin w = sin nw with w = w0 + 2x/n: a quotient of two
+// series.
+std::array<double, SeriesBasis::gram_orders> gram_series(std::int64_t n, double w0) {
+    constexpr std::size_t orders = SeriesBasis::gram_orders;
+    const auto count = static_cast<double>(n);
+    // The series of sin(at + x step).
+    const auto sine = [](double at, double step) {
+        const std::array<double, 4> turned{std::sin(at), std::cos(at), -std::sin(at),
+                                           -std::cos(at)};
+        std::array<double, orders> series{};
+        double factor = 1;
+        for (std::size_t k = 0; k < orders; ++k) {
+            series[k] = factor * turned[k % 4];
+            factor *= step / static_cast<double>(k + 1);
+        }
+        return series;
+    };
+    const std::array<double, orders> above = sine(count * w0, 2);
+    const std::array<double, orders> below = sine(w0, 2 / count);
+    std::array<double, orders> gram{};
+    for (std::size_t k = 0; k < orders; ++k) {
+        double rest = above[k];
+        for (std::size_t j = 1; j <= k; ++j) {
+            rest -= below[j] * gram[k - j];
+        }
+        gram[k] = rest / below[0];
+    }
+    gram[0] += count;
+    for (double& coefficient : gram) {
+        coefficient *= 0.5;
+    }
+    return gram;
+}
+
 }  // namespace
 
-SeriesBasis::SeriesBasis(std::int64_t n, double w0) : n_(n), w0_(w0) {
+SeriesBasis::SeriesBasis(std::int64_t n, double w0)
+    : n_(n),
+      w0_(w0),
+      stretch_(n <= longest_whole_window ? n : stretch_length),
+      rows_(static_cast<std::size_t>(stretch_) * 2 * series_orders),
+      gram_(gram_series(n, w0)) {
     const auto count = static_cast<double>(n);
     spread_ = count * (count * count - 1) / 12;
-    if (n > longest_series_window) {
-        return;
-    }
-    rows_.resize(static_cast<std::size_t>(n) * 2 * series_orders);
-    for (std::int64_t j = 0; j < n; ++j) {
-        const double u = static_cast<double>(j) - 0.5 * (count - 1);
+    for (std::int64_t j = 0; j < stretch_; ++j) {
+        const double u = static_cast<double>(j) - 0.5 * static_cast<double>(stretch_ - 1);
         const double v = 2 * u / count;
         // cos and sin of w0 u + k pi/2.
         const std::array<double, 4> turned{std::cos(w0 * u), -std::sin(w0 * u), -std::cos(w0 * u),
@@ -48,16 +79,7 @@ SeriesBasis::SeriesBasis(std::int64_t n, double w0) : n_(n), w0_(w0) {
             row[series_orders + k] = factor * turned[(k + 3) % 4];
             factor *= v / static_cast<double>(k + 1);
         }
-        // gram_cos = sum (1 + cos 2wu)/2, and 2wu = 2 w0 u + 2xv.
-        const std::array<double, 4> doubled{std::cos(2 * w0 * u), -std::sin(2 * w0 * u),
-                                            -std::cos(2 * w0 * u), std::sin(2 * w0 * u)};
-        factor = 0.5;
-        for (std::size_t k = 0; k < gram_orders; ++k) {
-            gram_[k] += factor * doubled[k % 4];
-            factor *= 2 * v / static_cast<double>(k + 1);
-        }
     }
-    gram_[0] += 0.5 * count;
 }
 
 WindowKernel SeriesBasis::kernel(double x) const {
@@ -71,51 +93,6 @@ WindowKernel SeriesBasis::kernel(double x) const {
     }
     const double half = 0.5 * static_cast<double>(n_);  // dx/dw
     return {value, static_cast<double>(n_) - value, slope * half, 2 * bend * half * half, spread_};
-}
-
-VYBEG_DISPATCHED
-void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
-                const SeriesBasis& basis, SeriesBatch& batch) {
-    for (std::size_t lane = 0; lane < count; ++lane) {
-        const Window window = window_of(block, first + lane);
-        Eight c_cos{};
-        Eight c_sin{};
-        Eight d_cos{};
-        Eight d_sin{};
-        SampleProducts sum;
-        if (basis.length() > longest_series_window) {
-            c_cos = c_sin = d_cos = d_sin = Eight{} + std::numeric_limits<double>::quiet_NaN();
-            sum = sample_products(window);
-        } else {
-            const double* row = basis.row(0);
-            for (std::size_t j = 0; j < window.c.size(); ++j, row += 2 * series_orders) {
-                const double c = window.c[j];
-                const double d = window.d[j];
-                const Eight cosines = load(row);
-                const Eight sines = load(row + series_orders);
-                c_cos += c * cosines;
-                c_sin += c * sines;
-                d_cos += d * cosines;
-                d_sin += d * sines;
-                sum.cc += c * c;
-                sum.dd += d * d;
-                sum.cd += c * d;
-            }
-        }
-        // The last window goes into the lanes beyond it, too.
-        const std::size_t end = lane + 1 == count ? series_lanes : lane + 1;
-        for (std::size_t to = lane; to < end; ++to) {
-            for (std::size_t k = 0; k < series_orders; ++k) {
-                batch.c_cos[k][to] = c_cos[k];
-                batch.c_sin[k][to] = c_sin[k];
-                batch.d_cos[k][to] = d_cos[k];
-                batch.d_sin[k][to] = d_sin[k];
-            }
-            batch.cc[to] = sum.cc;
-            batch.dd[to] = sum.dd;
-            batch.cd[to] = sum.cd;
-        }
-    }
 }
 
 VYBEG_DISPATCHED

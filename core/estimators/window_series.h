@@ -24,24 +24,27 @@ inline constexpr std::size_t series_orders = 8;
 // x^7/7! of its slope: 4e-15 and 5e-13.
 inline constexpr double series_reach = 0.06;
 
-// Longest window that has a basis: 16 MiB of it. There are too few of longer ones to miss it.
-inline constexpr std::int64_t longest_series_window = std::int64_t{1} << 17;
+// Windows up to this length are projected as a whole. The basis of longer ones would not stay in
+// cache: they are cut into stretches of 256 samples, whose series are brought to the window's
+// centre and added (series_sums.h).
+inline constexpr std::int64_t longest_whole_window = 1024;
+inline constexpr std::int64_t stretch_length = 256;
 
 class SeriesBasis {
 public:
     // Windows of n samples, reference frequency w0 (rad per sample, 0 < w0 < pi).
     SeriesBasis(std::int64_t n, double w0);
 
-    // Whether the series may be used at x, |x| <= reach: never where the window is too long.
-    bool reaches(double x, double reach) const {
-        return !rows_.empty() && x <= reach && x >= -reach;
-    }
-
     std::int64_t length() const { return n_; }
     double w0() const { return w0_; }
     double spread() const { return spread_; }  // WindowKernel::spread
-    // Of sample j: the basis functions of cos, then those of sin, by order.
+
+    // Samples that one stretch has at most. Its series counts time from the middle of so many
+    // samples, also where it has fewer.
+    std::int64_t stretch() const { return stretch_; }
+    // Of sample j of a stretch: the basis functions of cos, then those of sin, by order.
     const double* row(std::int64_t j) const { return rows_.data() + 2 * series_orders * j; }
+
     // window_kernel(n, w0 + 2x/n), from its series at w0.
     WindowKernel kernel(double x) const;
     // gram_cos as a series in x.
@@ -51,12 +54,14 @@ public:
 private:
     std::int64_t n_;
     double w0_;
+    std::int64_t stretch_;
     std::vector<double> rows_;
     std::array<double, gram_orders> gram_{};
     double spread_;
 };
 
-// Sums over windows that stand side by side.
+// Sums over windows that stand side by side. A window with a missing sample has cc + dd that is not
+// finite.
 struct SeriesBatch {
     std::array<Lanes, series_orders> c_cos;
     std::array<Lanes, series_orders> c_sin;
@@ -66,12 +71,6 @@ struct SeriesBatch {
     Lanes dd;
     Lanes cd;
 };
-
-// The sums of `count` windows of a block from window `first` on, count <= series_lanes; the lanes
-// beyond repeat the last one. Without a basis only the last three are summed up, and the series are
-// NaN. A window with a missing sample has cc + dd that is not finite.
-void sum_series(const WindowBlock& block, std::size_t first, std::size_t count,
-                const SeriesBasis& basis, SeriesBatch& batch);
 
 // Where the power that the best phasors take out of each window is largest near w0, by Newton steps
 // on the series.
