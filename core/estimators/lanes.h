@@ -43,6 +43,26 @@ VYBEG_INLINED inline void store(Eight value, Lanes& to) {
     __builtin_memcpy(to.data(), &value, sizeof value);
 }
 
+using EightWords = unsigned long long __attribute__((vector_size(64)));
+
+// where < 0 ? yes : no in each lane, by the sign's bit: GCC takes comparisons of such long vectors
+// apart, lane by lane.
+VYBEG_INLINED inline Eight if_negative(Eight where, Eight yes, Eight no) {
+    const EightWords mask = -((EightWords)where >> 63);
+    return (Eight)(((EightWords)yes & mask) | ((EightWords)no & ~mask));
+}
+
+// |x|; a NaN gets the sign of a positive number.
+VYBEG_INLINED inline Eight absolute(Eight x) {
+    constexpr unsigned long long all_but_sign = ~0ULL >> 1;
+    return (Eight)((EightWords)x & all_but_sign);
+}
+
+// Sum of the lanes.
+VYBEG_INLINED inline double total(Eight x) {
+    return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
+}
+
 // Rows become columns.
 VYBEG_INLINED inline void transpose(std::array<Eight, series_lanes>& m) {
     std::array<Eight, series_lanes> pairs;

@@ -79,10 +79,12 @@ void series_estimates(const SeriesBatch& __restrict batch, const SeriesMaximum& 
     const Eight turn_re = p_re * m_re + p_im * m_im;
     const Eight turn_im = p_im * m_re - p_re * m_im;
     Eight angle = 0.5 * atan2_of(turn_im, turn_re);
-    angle = angle <= -pi / 2 ? Eight{} + pi / 2 : angle;
+    // 2theta_A in (-pi/2, pi/2] and alpha in (-pi, pi]: the lower edges belong to the upper ones.
+    constexpr double least = 1e-300;
+    angle = if_negative(angle + pi / 2 - least, angle + pi, angle);
     Eight alpha = angle - atan2_of(p_im, p_re);
-    alpha = alpha > pi ? alpha - 2 * pi : alpha;
-    alpha = alpha <= -pi ? alpha + 2 * pi : alpha;
+    alpha = if_negative(pi - alpha, alpha - 2 * pi, alpha);
+    alpha = if_negative(alpha + pi - least, alpha + 2 * pi, alpha);
 
     // Precision bound: gradients by (Re c, Im c, Re d, Im d), of which those of a_A and a_B are
     // half the sum and half the difference of |u+|'s and |u-|'s, those of the angles likewise

@@ -75,10 +75,6 @@ struct Products {
     double cd = 0;
 };
 
-VYBEG_INLINED inline double total(Eight x) {
-    return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
-}
-
 VYBEG_INLINED inline void add_products(Products& sum, Samples of, std::int64_t length) {
     Eight cc{};
     Eight dd{};
@@ -104,13 +100,21 @@ VYBEG_INLINED inline void add_products(Products& sum, Samples of, std::int64_t l
 
 // sum += shift times part, each a series.
 VYBEG_INLINED inline void add_shifted(Series& sum, const Series& part, const SeriesShift& shift) {
+    Lanes c_cos;
+    Lanes c_sin;
+    Lanes d_cos;
+    Lanes d_sin;
+    store(part.c_cos, c_cos);
+    store(part.c_sin, c_sin);
+    store(part.d_cos, d_cos);
+    store(part.d_sin, d_sin);
     for (std::size_t j = 0; j < series_orders; ++j) {
         const Eight re = load(shift.re.data() + series_orders - j);
         const Eight im = load(shift.im.data() + series_orders - j);
-        sum.c_cos += part.c_cos[j] * re - part.c_sin[j] * im;
-        sum.c_sin += part.c_cos[j] * im + part.c_sin[j] * re;
-        sum.d_cos += part.d_cos[j] * re - part.d_sin[j] * im;
-        sum.d_sin += part.d_cos[j] * im + part.d_sin[j] * re;
+        sum.c_cos += c_cos[j] * re - c_sin[j] * im;
+        sum.c_sin += c_cos[j] * im + c_sin[j] * re;
+        sum.d_cos += d_cos[j] * re - d_sin[j] * im;
+        sum.d_sin += d_cos[j] * im + d_sin[j] * re;
     }
 }
 

@@ -56,7 +56,7 @@ void drop_angles_of_circle(WaveEstimate& estimate, double noise, std::int64_t n)
 
 double residual_of(double difference, double power, const Window& window,
                    const Projections& phasors, double w) {
-    constexpr double least_difference = 1e-6;
+    constexpr double least_difference = 1e-8;
     return difference < least_difference * power ? residual_sum(window, phasors, w) : difference;
 }
 

@@ -24,8 +24,8 @@ struct FoundWave {
 };
 
 // n F, the sum of squares that a wave leaves of a window: `difference`, the window's power
-// (sum C^2 + D^2) less what the wave takes of it, while that has kept its digits; where less than
-// 1e-6 of the power is left, summed up over the samples.
+// (sum C^2 + D^2) less what the wave takes of it, while that has kept eight digits; where less than
+// 1e-8 of the power is left, summed up over the samples.
 double residual_of(double difference, double power, const Window& window,
                    const Projections& phasors, double w);
 

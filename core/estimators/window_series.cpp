@@ -13,13 +13,13 @@ namespace {
 
 constexpr int newton_steps = 6;
 
-// p^2/g of one component, added to the power (profile.cpp has the same for one window).
-VYBEG_INLINED inline void add_component(Bent& power, const Bent& p, const Bent& g) {
-    const Eight ratio = p.value / g.value;
-    const Eight ratio1 = (p.slope - ratio * g.slope) / g.value;
+// p^2/g of one component, added to the power; by_g = 1/g. (profile.cpp has the same for one window.)
+VYBEG_INLINED inline void add_component(Bent& power, const Bent& p, const Bent& g, Eight by_g) {
+    const Eight ratio = p.value * by_g;
+    const Eight left = p.slope - ratio * g.slope;
     power.value += p.value * ratio;
-    power.slope += ratio * (2 * p.slope - ratio * g.slope);
-    power.bend += 2 * ratio1 * (p.slope - ratio * g.slope) + ratio * (2 * p.bend - ratio * g.bend);
+    power.slope += ratio * (p.slope + left);
+    power.bend += 2 * (left * left) * by_g + ratio * (2 * p.bend - ratio * g.bend);
 }
 
 // gram_cos = (n + D)/2 as a series in x, D sin w = sin nw with w = w0 + 2x/n: a quotient of two
@@ -97,52 +97,59 @@ WindowKernel SeriesBasis::kernel(double x) const {
 
 VYBEG_DISPATCHED
 void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesMaximum& maximum) {
-    const auto of = [](const std::array<Lanes, series_orders>& sums) {
-        return [&sums](std::size_t k) VYBEG_INLINED { return load(sums[k]); };
-    };
-    const auto power_at = [&](Eight x) VYBEG_INLINED {
-        const auto& gram = basis.gram();
-        const Bent g_cos = series_at<SeriesBasis::gram_orders>(
-            x, [&gram](std::size_t k) VYBEG_INLINED { return gram[k] + Eight{}; });
+    const auto power_of = [&](const auto& at, const auto& gram_at) VYBEG_INLINED {
+        const Bent g_cos = gram_at();
         const Bent g_sin{static_cast<double>(basis.length()) - g_cos.value, -g_cos.slope,
                          -g_cos.bend};
+        const Eight by_cos = 1 / g_cos.value;
+        const Eight by_sin = 1 / g_sin.value;
         Bent power{};
-        add_component(power, series_at<series_orders>(x, of(batch.c_cos)), g_cos);
-        add_component(power, series_at<series_orders>(x, of(batch.c_sin)), g_sin);
-        add_component(power, series_at<series_orders>(x, of(batch.d_cos)), g_cos);
-        add_component(power, series_at<series_orders>(x, of(batch.d_sin)), g_sin);
+        add_component(power, at(batch.c_cos), g_cos, by_cos);
+        add_component(power, at(batch.c_sin), g_sin, by_sin);
+        add_component(power, at(batch.d_cos), g_cos, by_cos);
+        add_component(power, at(batch.d_sin), g_sin, by_sin);
         return power;
     };
+    const auto& gram = basis.gram();
+    // At the carrier the series are their first coefficients.
+    Bent power = power_of(
+        [](const auto& sums) VYBEG_INLINED {
+            return Bent{load(sums[0]), load(sums[1]), 2 * load(sums[2])};
+        },
+        [&]() VYBEG_INLINED {
+            return Bent{gram[0] + Eight{}, gram[1] + Eight{}, 2 * gram[2] + Eight{}};
+        });
     Eight x{};
     Eight taken{};
-    Eight good = x + 1;
+    Eight good = x + 1;  // or 0
     Eight last_move = x + 1;
-    for (int step = 0; step < newton_steps; ++step) {
-        const Bent power = power_at(x);
+    for (int step = 0;; ++step) {
         const Eight move = -power.slope / power.bend;
-        // A lane that has left stays where it was, and is not good.
+        // A lane that has left stays where it was, and is not good. A step that is NaN leaves.
         const Eight next = x + move;
-        const auto inside =
-            (next < series_reach) & (next > -series_reach) & (power.bend < 0) & (good > 0);
-        good = inside ? good : Eight{};
-        x = inside ? next : x;
-        last_move = inside ? move : last_move;
+        good = if_negative(power.bend, good, Eight{});
+        good = if_negative(absolute(next) - series_reach, good, Eight{});
+        x = if_negative(0.5 - good, next, x);
+        last_move = if_negative(0.5 - good, move, last_move);
         taken = power.value + 0.5 * power.slope * move;  // at `next`, to the third order
         // Convergence is quadratic: behind a move of 1e-6 is one of 1e-12 at most.
-        const auto on_the_way = (good > 0) & ((last_move > 1e-6) | (last_move < -1e-6));
-        bool any = false;
-        for (std::size_t lane = 0; lane < series_lanes; ++lane) {
-            any = any || on_the_way[lane] != 0;
-        }
-        if (!any) {
+        const Eight on_the_way = if_negative(absolute(last_move) - 1e-6, Eight{}, good);
+        if (total(on_the_way) == 0 || step == newton_steps) {
+            store(good - on_the_way, maximum.arrived);
             break;
         }
+        power = power_of(
+            [x](const auto& sums) VYBEG_INLINED {
+                return series_at<series_orders>(
+                    x, [&sums](std::size_t k) VYBEG_INLINED { return load(sums[k]); });
+            },
+            [&]() VYBEG_INLINED {
+                return series_at<SeriesBasis::gram_orders>(
+                    x, [&gram](std::size_t k) VYBEG_INLINED { return gram[k] + Eight{}; });
+            });
     }
     store(x, maximum.x);
     store(taken, maximum.power);
-    for (std::size_t lane = 0; lane < series_lanes; ++lane) {
-        maximum.arrived[lane] = good[lane] > 0 && std::abs(last_move[lane]) < 1e-6 ? 1 : 0;
-    }
 }
 
 Projections series_projections(const SeriesBatch& batch, std::size_t lane, double x) {
