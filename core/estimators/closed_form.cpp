@@ -11,18 +11,6 @@
 namespace vybeg {
 namespace {
 
-// Largest |x| of the series at which J is evaluated by it: J's own minimum is found to 1e-9 of a
-// lobe, and the series is right to 6e-11 there.
-constexpr double closed_form_reach = 0.2;
-
-double mean_product(std::span<const double> a, std::span<const double> b) {
-    double sum = 0;
-    for (std::size_t j = 0; j < a.size(); ++j) {
-        sum += a[j] * b[j];
-    }
-    return sum / static_cast<double>(a.size());
-}
-
 // J of (7) for a model with the given phasors, from averages alone.
 double error_functional(const WindowPowers& powers, const Projections& mean, const Phasors& model,
                         const WindowKernel& kernel, std::int64_t n) {
@@ -71,29 +59,43 @@ std::vector<double> ClosedFormEstimator::quarter_delayed(const WindowBlock&) con
 
 void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<WaveEstimate> out) {
     const std::vector<double> delayed = quarter_delayed(block);
+    sums_.take(block, out.size(), delayed);
     SeriesBatch batch;
-    SeriesMaximum maximum;
-    sums_.take(block, out.size());
+    ClosedSeries series;
     for (std::size_t first = 0; first < out.size(); first += series_lanes) {
         const std::size_t count = std::min(series_lanes, out.size() - first);
         sums_.batch(first, count, batch);
-        maximise_series(batch, basis_, maximum);
+        closed_series(batch, basis_, series);
         for (std::size_t lane = 0; lane < count; ++lane) {
-            const std::size_t k = first + lane;
-            const Window window = window_of(block, k);
-            const auto n = static_cast<double>(block.length);
-            WindowPowers powers{batch.cc[lane] / n, batch.dd[lane] / n, batch.cd[lane] / n, 0};
-            if (!delayed.empty()) {
-                const auto start = k * static_cast<std::size_t>(block.hop);
-                powers.quarter =
-                    mean_product(window.c, std::span(delayed).subspan(start, window.c.size()));
+            const Window window = window_of(block, first + lane);
+            const double power = batch.cc[lane] + batch.dd[lane];
+            if (!std::isfinite(power + batch.cq[lane])) {
+                // A missing sample makes its whole sum one.
+                out[first + lane] = no_estimate(Flag::gap);
+            } else if (series.arrived[lane] > 0) {
+                out[first + lane] = estimate_of_series(series, lane, window, power);
+            } else {
+                const auto n = static_cast<double>(block.length);
+                const WindowPowers powers{batch.cc[lane] / n, batch.dd[lane] / n,
+                                          batch.cd[lane] / n, batch.cq[lane] / n};
+                out[first + lane] = estimate_window({window, powers, batch, lane});
             }
-            // A missing sample makes its whole sum one.
-            out[k] = std::isfinite(powers.cc + powers.dd + powers.quarter)
-                         ? estimate_window({window, powers, batch, lane, maximum})
-                         : no_estimate(Flag::gap);
         }
     }
+}
+
+WaveEstimate ClosedFormEstimator::estimate_of_series(const ClosedSeries& series, std::size_t lane,
+                                                     const Window& window, double power) const {
+    const SeriesEstimates& waves = series.waves;
+    const Projections phasors{{waves.c_re[lane], waves.c_im[lane]},
+                              {waves.d_re[lane], waves.d_im[lane]}};
+    const double residual =
+        residual_of(series.residual[lane], power, window, phasors, waves.w[lane]);
+    WaveEstimate estimate = estimate_of_lane(waves, lane, residual, parameter_count(),
+                                             options_.length, options_.rate_hz);
+    estimate.flags = own_flags();
+    drop_what_is_not(estimate, residual, parameter_count(), options_.length);
+    return estimate;
 }
 
 Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double w) const {
@@ -121,9 +123,7 @@ WaveEstimate ClosedFormEstimator::estimate_window(const SummedWindow& summed) co
     // The closed forms' J has its minimum near the profile's, within the window's leakage: start
     // there.
     const auto count = static_cast<double>(n);
-    const double start = summed.maximum.arrived[summed.lane] > 0
-                             ? basis_.w0() + 2 / count * summed.maximum.x[summed.lane]
-                             : maximise_profile(summed.window, bracket_).w;
+    const double start = maximise_profile(summed.window, bracket_).w;
     const double lobe = 2 * std::numbers::pi / count;
     const Minimum minimum =
         minimise(functional, bracket_.low, start, bracket_.high, 1e-3 * lobe, 1e-9 * lobe);

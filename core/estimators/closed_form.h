@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/estimators/closed_series.h"
 #include "core/estimators/estimator.h"
 #include "core/estimators/frequency_bracket.h"
 #include "core/estimators/series_sums.h"
@@ -43,7 +44,11 @@ protected:
     // components (31) as C_x - i S_x and C_y - i S_y.
     virtual ClosedForm closed_form(const WindowPowers& powers, const Projections& mean,
                                    double w) const = 0;
-    // S_D delayed by a quarter period, for the windows of a block; empty where it is not needed.
+    // The same for windows side by side, at the minimum of J.
+    virtual void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+                               ClosedSeries& found) const = 0;
+    // S_D delayed by a quarter period, as many samples as the block has; empty where it is not
+    // needed.
     virtual std::vector<double> quarter_delayed(const WindowBlock& block) const;
     virtual Flags own_flags() const { return 0; }
     virtual int parameter_count() const { return 5; }
@@ -57,9 +62,11 @@ private:
         WindowPowers powers;
         const SeriesBatch& batch;
         std::size_t lane = 0;
-        const SeriesMaximum& maximum;
     };
 
+    WaveEstimate estimate_of_series(const ClosedSeries& series, std::size_t lane,
+                                    const Window& window, double power) const;
+    // Where Newton's steps on the series do not arrive: J by a search over the main lobe.
     WaveEstimate estimate_window(const SummedWindow& summed) const;
     // demodulate() and window_kernel(), by the series where it reaches.
     Projections demodulated(const SummedWindow& summed, double w) const;

@@ -1,6 +1,8 @@
 #include "core/estimators/conjugate_gradient.h"
 
 #include "core/estimators/closed_form.h"
+#include "core/estimators/series_descent.h"
+#include "core/estimators/series_sums.h"
 #include "core/estimators/window_estimate.h"
 #include "core/numerics/phase.h"
 
@@ -15,8 +17,6 @@ namespace vybeg {
 namespace {
 
 constexpr int most_steps = 200;
-// Directions are begun afresh as often as there are parameters.
-constexpr int restart_after = 5;
 
 Functional functional_at(const Window& window, const WaveParameters& at) {
     return evaluate_functional(at, window_moments(window, at.w),
@@ -95,21 +95,48 @@ std::optional<Step> line_search(const Window& window, const FrequencyBracket& br
 class ConjugateGradient final : public Estimator {
 public:
     explicit ConjugateGradient(const EstimatorOptions& options)
-        : options_(options), bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)) {}
+        : options_(options),
+          bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)),
+          basis_(options.length, bracket_.centre) {}
 
     bool sequential() const override { return options_.start == StartRule::previous; }
 
     void estimate(const WindowBlock& block, double centre_s, std::span<WaveEstimate> out) override {
-        for (std::size_t k = 0; k < out.size(); ++k) {
-            const Window window = window_of(block, k);
-            if (has_gap(window.c) || has_gap(window.d)) {
-                out[k] = no_estimate(Flag::gap);
-                previous_.reset();
-                continue;
+        if (sequential()) {
+            for (std::size_t k = 0; k < out.size(); ++k) {
+                out[k] = estimate_next(window_of(block, k), centre_of(block, k, centre_s));
             }
-            const double t = centre_s + static_cast<double>(k) * static_cast<double>(block.hop) /
-                                            options_.rate_hz;
-            out[k] = estimate_window(window, t);
+            return;
+        }
+        sums_.take(block, out.size());
+        SeriesBatch batch;
+        SeriesStart start;
+        SeriesDescent descent;
+        for (std::size_t first = 0; first < out.size(); first += series_lanes) {
+            const std::size_t count = std::min(series_lanes, out.size() - first);
+            sums_.batch(first, count, batch);
+            in_phase_starts(batch, basis_, start);
+            if (options_.initial) {
+                for (std::size_t lane = 0; lane < series_lanes; ++lane) {
+                    const std::size_t k = first + std::min(lane, count - 1);
+                    set_start(start, lane, typed_start(centre_of(block, k, centre_s)));
+                }
+            }
+            descend_series(batch, basis_, start, descent);
+            for (std::size_t lane = 0; lane < count; ++lane) {
+                const std::size_t k = first + lane;
+                const Window window = window_of(block, k);
+                const double power = batch.cc[lane] + batch.dd[lane];
+                if (!std::isfinite(power)) {
+                    out[k] = no_estimate(Flag::gap);
+                } else if (descent.arrived[lane] > 0) {
+                    out[k] = estimate_of_series(descent, lane, window, power);
+                } else {
+                    out[k] =
+                        estimate_window(window, start_values(window, centre_of(block, k, centre_s)))
+                            .estimate;
+                }
+            }
         }
     }
 
@@ -127,34 +154,80 @@ private:
         return to;
     }
 
+    double centre_of(const WindowBlock& block, std::size_t k, double first_s) const {
+        return first_s + static_cast<double>(k) * static_cast<double>(block.hop) / options_.rate_hz;
+    }
+
+    WaveParameters typed_start(double centre_s) const {
+        const double w = 2 * std::numbers::pi * options_.initial->f_hz / options_.rate_hz;
+        return carried({options_.initial->state, w}, options_.first_centre_s, centre_s);
+    }
+
     WaveParameters start_values(const Window& window, double centre_s) const {
-        if (previous_) {
-            return carried(previous_->parameters, previous_->centre_s, centre_s);
-        }
         if (options_.initial) {
-            const double w = 2 * std::numbers::pi * options_.initial->f_hz / options_.rate_hz;
-            return carried({options_.initial->state, w}, options_.first_centre_s, centre_s);
+            return typed_start(centre_s);
         }
         return {in_phase_start(window, bracket_.centre), bracket_.centre};
     }
 
-    WaveEstimate estimate_window(const Window& window, double centre_s) {
-        const Descent descent = descend(window, bracket_, start_values(window, centre_s));
+    void set_start(SeriesStart& start, std::size_t lane, const WaveParameters& values) const {
+        start.a_A[lane] = values.state.a_A;
+        start.a_B[lane] = values.state.a_B;
+        start.two_theta_A[lane] = values.state.two_theta_A;
+        start.alpha[lane] = values.state.alpha;
+        start.x[lane] = 0.5 * static_cast<double>(options_.length) * (values.w - basis_.w0());
+    }
+
+    WaveEstimate estimate_of_series(const SeriesDescent& descent, std::size_t lane,
+                                    const Window& window, double power) const {
+        const SeriesEstimates& waves = descent.waves;
+        const double residual = residual_of(
+            descent.residual[lane], power, window,
+            {{waves.c_re[lane], waves.c_im[lane]}, {waves.d_re[lane], waves.d_im[lane]}},
+            waves.w[lane]);
+        WaveEstimate estimate =
+            estimate_of_lane(waves, lane, residual, 5, options_.length, options_.rate_hz);
+        drop_what_is_not(estimate, residual, 5, options_.length);
+        return estimate;
+    }
+
+    struct Estimated {
+        WaveEstimate estimate;
+        Descent descent;
+    };
+
+    Estimated estimate_window(const Window& window, const WaveParameters& start) const {
+        const Descent descent = descend(window, bracket_, start);
         const WaveParameters& found = descent.parameters;
         Flags flags = 0;
         if (!descent.converged) {
             set(flags, Flag::not_converged);
         }
-        if (options_.start == StartRule::previous && descent.converged) {
-            previous_ = Previous{found, centre_s};
-        }
         const Phasors phasors = to_phasors(found.state);
-        return complete_estimate({canonical(found.state), phasors, found.w, 5, flags}, window,
-                                 options_.rate_hz);
+        return {complete_estimate({canonical(found.state), phasors, found.w, 5, flags}, window,
+                                  options_.rate_hz),
+                descent};
+    }
+
+    // From the window before, where that has been found.
+    WaveEstimate estimate_next(const Window& window, double centre_s) {
+        if (has_gap(window.c) || has_gap(window.d)) {
+            previous_.reset();
+            return no_estimate(Flag::gap);
+        }
+        const Estimated found = estimate_window(
+            window, previous_ ? carried(previous_->parameters, previous_->centre_s, centre_s)
+                              : start_values(window, centre_s));
+        if (found.descent.converged) {
+            previous_ = Previous{found.descent.parameters, centre_s};
+        }
+        return found.estimate;
     }
 
     EstimatorOptions options_;
     FrequencyBracket bracket_;
+    SeriesBasis basis_;
+    SeriesSums sums_{basis_};
     std::optional<Previous> previous_;
 };
 
@@ -166,9 +239,7 @@ Descent descend(const Window& window, const FrequencyBracket& bracket,
     WaveParameters at = start;
     at.w = std::clamp(at.w, bracket.low + 1e-6 * (bracket.high - bracket.low),
                       bracket.high - 1e-6 * (bracket.high - bracket.low));
-    // Relative to the wave, in every sample. The last digit of w moves the ends of a long window by
-    // more.
-    const double tolerance = 1e-13 + 6e-17 * at.w * static_cast<double>(n);
+    const double tolerance = descent_tolerance(at.w, n);
     Functional f = functional_at(window, at);
     Vector5 direction = Vector5::Zero();
     std::optional<Preconditioner> scale;
@@ -203,7 +274,7 @@ Descent descend(const Window& window, const FrequencyBracket& bracket,
         }
         at = step->parameters;
         f = step->functional;
-        since_restart = (since_restart + 1) % restart_after;
+        since_restart = (since_restart + 1) % descent_restart;
     }
     return {at, most_steps, false};
 }

@@ -13,6 +13,11 @@ private:
         const Phasors phasors{mean.c, mean.d};
         return {to_wave_state(phasors), phasors};
     }
+
+    void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+                       ClosedSeries& found) const override {
+        demodulation_series(batch, basis, found);
+    }
 };
 
 }  // namespace

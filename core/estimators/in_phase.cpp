@@ -28,6 +28,11 @@ private:
         return {state, to_phasors(state)};
     }
 
+    void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+                       ClosedSeries& found) const override {
+        in_phase_series(batch, basis, found);
+    }
+
     Flags own_flags() const override { return static_cast<Flags>(Flag::no_quadrature); }
     int parameter_count() const override { return 4; }
 };

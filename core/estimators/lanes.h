@@ -1,20 +1,13 @@
 #pragma once
 
+#include "core/base/dispatch.h"
+
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 // Windows that are worked on side by side in the processor's vectors. Eight is for sources only:
 // functions of it must be inlined, and what calls them be VYBEG_DISPATCHED.
-
-// Compiled for these processors, the best of which is chosen when the program starts: any x86-64,
-// AVX2 with FMA, and AVX-512. Not under AddressSanitizer: the choice would come before it is ready.
-#if defined(__x86_64__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define VYBEG_DISPATCHED \
-    __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define VYBEG_DISPATCHED
-#endif
-#define VYBEG_INLINED __attribute__((always_inline))
 
 namespace vybeg {
 
@@ -84,6 +77,14 @@ VYBEG_INLINED inline void transpose(std::array<Eight, series_lanes>& m) {
     }
 }
 
+VYBEG_INLINED inline Eight sqrt_of(Eight x) {
+    Eight root;
+    for (std::size_t lane = 0; lane < series_lanes; ++lane) {
+        root[lane] = std::sqrt(x[lane]);
+    }
+    return root;
+}
+
 // sum_k coefficient(k) x^k in each lane.
 template <std::size_t orders, class Coefficient>
 VYBEG_INLINED inline Eight polynomial(Eight x, Coefficient coefficient) {
@@ -111,6 +112,40 @@ VYBEG_INLINED inline Bent series_at(Eight x, Coefficient coefficient) {
     }
     sum.bend *= 2;
     return sum;
+}
+
+VYBEG_INLINED inline Bent operator+(const Bent& a, const Bent& b) {
+    return {a.value + b.value, a.slope + b.slope, a.bend + b.bend};
+}
+
+VYBEG_INLINED inline Bent operator-(const Bent& a, const Bent& b) {
+    return {a.value - b.value, a.slope - b.slope, a.bend - b.bend};
+}
+
+VYBEG_INLINED inline Bent operator*(Eight factor, const Bent& a) {
+    return {factor * a.value, factor * a.slope, factor * a.bend};
+}
+
+VYBEG_INLINED inline Bent operator*(const Bent& a, const Bent& b) {
+    return {a.value * b.value, a.slope * b.value + a.value * b.slope,
+            a.bend * b.value + 2 * (a.slope * b.slope) + a.value * b.bend};
+}
+
+VYBEG_INLINED inline Bent square(const Bent& a) {
+    return {a.value * a.value, 2 * (a.value * a.slope), 2 * (a.slope * a.slope + a.value * a.bend)};
+}
+
+VYBEG_INLINED inline Bent reciprocal(const Bent& a) {
+    const Eight value = 1 / a.value;
+    const Eight slope = -a.slope * value * value;
+    return {value, slope, -value * (2 * (a.slope * slope) + a.bend * value)};
+}
+
+VYBEG_INLINED inline Bent square_root(const Bent& a) {
+    const Eight value = sqrt_of(a.value);
+    const Eight half = 0.5 / value;
+    const Eight slope = a.slope * half;
+    return {value, slope, (a.bend - 2 * (slope * slope)) * half};
 }
 
 #pragma GCC diagnostic pop

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vybeg {
 namespace {
@@ -52,21 +51,9 @@ private:
                                   {waves.d_re[lane], waves.d_im[lane]}};
         const double residual =
             residual_of(power - maximum.power[lane], power, window, phasors, waves.w[lane]);
-        const auto n = static_cast<double>(basis_.length());
-        const double noise = std::sqrt(residual / (2 * n - 5));
-        const double hertz = rate_hz_ / (2 * std::numbers::pi);
-        WaveEstimate estimate;
-        estimate.state = {waves.a_A[lane], waves.a_B[lane], waves.two_theta_A[lane],
-                          waves.alpha[lane]};
-        estimate.f_hz = waves.w[lane] * hertz;
-        estimate.delta_phi_CD = waves.delta_phi_CD[lane];
-        estimate.rms = std::sqrt(residual / n);
-        estimate.orthogonality = waves.orthogonality[lane];
-        estimate.sd = {noise * waves.sd_a_A[lane], noise * waves.sd_a_B[lane],
-                       noise * waves.sd_two_theta_A[lane], noise * waves.sd_alpha[lane]};
-        estimate.sd_f_hz = noise * waves.sd_w[lane] * hertz;
-        estimate.sd_delta_phi_CD = noise * waves.sd_delta_phi_CD[lane];
-        drop_angles_of_circle(estimate, noise, basis_.length());
+        const std::int64_t n = basis_.length();
+        WaveEstimate estimate = estimate_of_lane(waves, lane, residual, 5, n, rate_hz_);
+        drop_what_is_not(estimate, residual, 5, n);
         return estimate;
     }
 

@@ -36,6 +36,11 @@ private:
         const std::complex<double> wave_b = std::polar(std::abs(state.a_B), std::arg(b));
         return {state, {wave_a * cosine - wave_b * sine, wave_a * sine + wave_b * cosine}};
     }
+
+    void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+                       ClosedSeries& found) const override {
+        moving_axes_series(batch, basis, found);
+    }
 };
 
 }  // namespace

@@ -24,15 +24,14 @@ public:
 
 private:
     std::vector<double> quarter_delayed(const WindowBlock& block) const override {
-        // The delayed samples of all windows of the block; NaN where the delay reaches outside.
+        // NaN where the delay reaches outside.
         const auto frames = static_cast<std::int64_t>(block.d.size());
-        std::vector<double> delayed(static_cast<std::size_t>(frames - block.first),
-                                    std::numeric_limits<double>::quiet_NaN());
+        std::vector<double> delayed(block.d.size(), std::numeric_limits<double>::quiet_NaN());
         const std::int64_t from = std::max(block.first, delay_.reach_before());
         const std::int64_t to = frames - delay_.reach_after();
         if (from < to) {
             delay_.apply(block.d, from,
-                         std::span(delayed).subspan(static_cast<std::size_t>(from - block.first),
+                         std::span(delayed).subspan(static_cast<std::size_t>(from),
                                                     static_cast<std::size_t>(to - from)));
         }
         return delayed;
@@ -53,6 +52,11 @@ private:
         state.two_theta_A = wave_angle(powers);
         state.alpha = wave_phase(state.two_theta_A, mean);
         return {state, to_phasors(state)};
+    }
+
+    void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+                       ClosedSeries& found) const override {
+        phase_shift_series(batch, basis, quarter_period_, found);
     }
 
     double quarter_period_;  // of the carrier, samples

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "core/estimators/estimator.h"
 #include "core/estimators/window_series.h"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace vybeg {
 
@@ -29,5 +33,9 @@ struct SeriesEstimates {
 // wave_state.h, precision_bound.h and (30) for all lanes at once, at the frequencies of `maximum`.
 void series_estimates(const SeriesBatch& batch, const SeriesMaximum& maximum,
                       const SeriesBasis& basis, SeriesEstimates& estimates);
+
+// One lane as an estimate, without flags. `residual` is n F.
+WaveEstimate estimate_of_lane(const SeriesEstimates& waves, std::size_t lane, double residual,
+                              int parameters, std::int64_t n, double rate_hz);
 
 }  // namespace vybeg

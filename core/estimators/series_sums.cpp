@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t longest_apart = 128;
 
 constexpr std::size_t series_numbers = 4 * series_orders;
-constexpr std::size_t all_numbers = series_numbers + 3;  // and the products
+constexpr std::size_t all_numbers = series_numbers + 4;  // and the products
 
 // Calls number(kind, lanes) for all numbers of a batch.
 template <class Batch, class Number>
@@ -29,6 +29,7 @@ VYBEG_INLINED inline void for_numbers(Batch& batch, Number number) {
     number(series_numbers, batch.cc);
     number(series_numbers + 1, batch.dd);
     number(series_numbers + 2, batch.cd);
+    number(series_numbers + 3, batch.cq);
 }
 
 // One window's series: eight orders side by side.
@@ -42,7 +43,17 @@ struct Series {
 struct Samples {
     const double* c;
     const double* d;
+    const double* delayed;  // d, a quarter period later; or null
+
+    Samples from(std::int64_t j) const {
+        return {c + j, d + j, delayed == nullptr ? nullptr : delayed + j};
+    }
 };
+
+Samples samples_of(const WindowBlock& block, std::span<const double> delayed) {
+    const Samples all{block.c.data(), block.d.data(), delayed.empty() ? nullptr : delayed.data()};
+    return all.from(block.first);
+}
 
 VYBEG_INLINED inline void project_sample(Series& sum, Samples of, std::int64_t j, Eight cosines,
                                          Eight sines) {
@@ -73,6 +84,7 @@ struct Products {
     double cc = 0;
     double dd = 0;
     double cd = 0;
+    double cq = 0;
 };
 
 VYBEG_INLINED inline void add_products(Products& sum, Samples of, std::int64_t length) {
@@ -93,9 +105,21 @@ VYBEG_INLINED inline void add_products(Products& sum, Samples of, std::int64_t l
         sum.dd += of.d[j] * of.d[j];
         sum.cd += of.c[j] * of.d[j];
     }
-    sum.cc += total(cc);
-    sum.dd += total(dd);
-    sum.cd += total(cd);
+    if (length >= lanes) {
+        sum.cc += total(cc);
+        sum.dd += total(dd);
+        sum.cd += total(cd);
+    }
+    if (of.delayed != nullptr) {
+        Eight cq{};
+        for (j = 0; j + lanes <= length; j += lanes) {
+            cq += load(of.c + j) * load(of.delayed + j);
+        }
+        for (; j < length; ++j) {
+            sum.cq += of.c[j] * of.delayed[j];
+        }
+        sum.cq += total(cq);
+    }
 }
 
 // sum += shift times part, each a series.
@@ -128,13 +152,13 @@ VYBEG_INLINED inline Series sum_of_stretches(Samples of, const SeriesCut& cut,
     for (; j + 2 * step <= cut.length; j += 2 * step, stretch += 2) {
         Series a;
         Series b;
-        project(a, {of.c + j, of.d + j}, b, {of.c + j + step, of.d + j + step}, step, row);
+        project(a, of.from(j), b, of.from(j + step), step, row);
         add_shifted(sum, a, cut.shifts[stretch]);
         add_shifted(sum, b, cut.shifts[stretch + 1]);
     }
     for (; j < cut.length; j += step, ++stretch) {
         Series a;
-        project(a, {of.c + j, of.d + j}, std::min(step, cut.length - j), row);
+        project(a, of.from(j), std::min(step, cut.length - j), row);
         add_shifted(sum, a, cut.shifts[stretch]);
     }
     return sum;
@@ -145,8 +169,7 @@ VYBEG_DISPATCHED
 void sum_cuts(Samples of, std::int64_t hop, std::size_t count, const SeriesCut& cut,
               const SeriesBasis& basis, SeriesBatch& batch) {
     const auto samples = [&](std::size_t lane) {
-        const std::int64_t start = static_cast<std::int64_t>(lane) * hop + cut.first;
-        return Samples{of.c + start, of.d + start};
+        return of.from(static_cast<std::int64_t>(lane) * hop + cut.first);
     };
     std::array<Eight, series_lanes> c_cos{};
     std::array<Eight, series_lanes> c_sin{};
@@ -178,12 +201,14 @@ void sum_cuts(Samples of, std::int64_t hop, std::size_t count, const SeriesCut& 
         if (lane < count) {
             add_products(products, samples(lane), cut.length);
         } else {
-            products = {batch.cc[lane - 1], batch.dd[lane - 1], batch.cd[lane - 1]};
+            products = {batch.cc[lane - 1], batch.dd[lane - 1], batch.cd[lane - 1],
+                        batch.cq[lane - 1]};
             keep(lane, {c_cos[lane - 1], c_sin[lane - 1], d_cos[lane - 1], d_sin[lane - 1]});
         }
         batch.cc[lane] = products.cc;
         batch.dd[lane] = products.dd;
         batch.cd[lane] = products.cd;
+        batch.cq[lane] = products.cq;
     }
     const auto put = [](std::array<Eight, series_lanes>& by_lane,
                         std::array<Lanes, series_orders>& by_order) VYBEG_INLINED {
@@ -296,8 +321,10 @@ void SeriesSums::prepare(std::int64_t hop) {
     }
 }
 
-void SeriesSums::take(const WindowBlock& block, std::size_t count) {
+void SeriesSums::take(const WindowBlock& block, std::size_t count,
+                      std::span<const double> delayed) {
     block_ = block;
+    delayed_ = delayed;
     if (block.hop != hop_) {
         prepare(block.hop);
     }
@@ -319,10 +346,9 @@ void SeriesSums::project_hops(std::size_t count) {
             std::copy(lanes.begin(), lanes.end(), &table.numbers[kind * table.pitch + run]);
         });
     };
+    const Samples block = samples_of(block_, delayed_);
     for (std::size_t run = 0; run < std::max(whole, heads); run += series_lanes) {
-        const auto start =
-            static_cast<std::size_t>(block_.first) + run * static_cast<std::size_t>(hop_);
-        const Samples samples{block_.c.data() + start, block_.d.data() + start};
+        const Samples samples = block.from(static_cast<std::int64_t>(run) * hop_);
         SeriesBatch head;
         if (run < heads) {
             sum_cuts(samples, hop_, std::min(series_lanes, heads - run), head_, basis_, head);
@@ -376,9 +402,8 @@ void SeriesSums::join_hops(std::size_t count) {
 
 void SeriesSums::batch(std::size_t first, std::size_t count, SeriesBatch& batch) const {
     if (!overlapping_) {
-        const auto start =
-            static_cast<std::size_t>(block_.first) + first * static_cast<std::size_t>(hop_);
-        sum_cuts({block_.c.data() + start, block_.d.data() + start}, hop_, count, whole_, basis_,
+        const Samples block = samples_of(block_, delayed_);
+        sum_cuts(block.from(static_cast<std::int64_t>(first) * hop_), hop_, count, whole_, basis_,
                  batch);
         return;
     }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -42,8 +43,9 @@ public:
     explicit SeriesSums(const SeriesBasis& basis) : basis_(basis) {}
 
     // Takes up the first `count` windows of a block, whose samples must stay until the last
-    // batch(). Precondition: they are as long as those of the basis.
-    void take(const WindowBlock& block, std::size_t count);
+    // batch(). `delayed` are the block's d by a quarter period later, as many as d; empty where
+    // nobody asks for cq. Precondition: the windows are as long as those of the basis.
+    void take(const WindowBlock& block, std::size_t count, std::span<const double> delayed = {});
 
     // The sums of `count` windows of that block from window `first` on, count <= series_lanes; the
     // lanes beyond repeat the last one.
@@ -69,6 +71,7 @@ private:
     SeriesCut head_;   // of a hop, as far as a window reaches into its last one
     SeriesCut rest_;   // of a hop
     WindowBlock block_;
+    std::span<const double> delayed_;
     Table runs_;
     Table heads_;
     Table windows_;

@@ -39,14 +39,19 @@ WaveEstimate no_estimate(Flag flag) {
     return estimate;
 }
 
-void drop_angles_of_circle(WaveEstimate& estimate, double noise, std::int64_t n) {
+void drop_what_is_not(WaveEstimate& estimate, double residual, int parameters, std::int64_t n) {
+    if (has(estimate.flags, Flag::no_quadrature)) {
+        estimate.state.a_B = estimate.sd.a_B = nan;
+        estimate.delta_phi_CD = estimate.sd_delta_phi_CD = nan;
+        return;
+    }
     // The smaller travelling wave, u+ or u-, has a standard deviation of sigma sqrt(4/n) in
     // modulus; the second bound is what rounding leaves of a perfect circle.
     const WaveState& state = estimate.state;
     const double smaller = state.a_A - std::abs(state.a_B);
-    const double doubt =
-        std::max(3 * noise * std::sqrt(4.0 / static_cast<double>(n)), 1e-12 * state.a_A);
-    if (!(smaller > doubt)) {
+    const auto count = static_cast<double>(n);
+    const double variance = 4 * residual / ((2 * count - parameters) * count);
+    if (!(smaller * smaller > 9 * variance && smaller > 1e-12 * state.a_A)) {
         set(estimate.flags, Flag::circular);
         estimate.state.two_theta_A = estimate.sd.two_theta_A = nan;
         estimate.state.alpha = estimate.sd.alpha = nan;
@@ -86,12 +91,7 @@ WaveEstimate complete_estimate(const FoundWave& found, double residual,
     estimate.sd_f_hz = precision.sd_f_hz;
     estimate.sd_delta_phi_CD = precision.sd_delta_phi_CD;
 
-    if (has(found.flags, Flag::no_quadrature)) {
-        estimate.state.a_B = estimate.sd.a_B = nan;
-        estimate.delta_phi_CD = estimate.sd_delta_phi_CD = nan;
-    } else {
-        drop_angles_of_circle(estimate, noise, n);
-    }
+    drop_what_is_not(estimate, residual, found.parameters, n);
     return estimate;
 }
 

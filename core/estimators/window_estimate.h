@@ -29,9 +29,10 @@ struct FoundWave {
 double residual_of(double difference, double power, const Window& window,
                    const Projections& phasors, double w);
 
-// Sets the flag `circular`, and the angles to NaN, where |a_A - |a_B|| is below three standard
-// deviations in n samples of that noise.
-void drop_angles_of_circle(WaveEstimate& estimate, double noise, std::int64_t n);
+// Takes away what does not exist: a_B and dphi_CD where the algorithm has none (flag
+// no_quadrature), else the angles where |a_A - |a_B|| is below three standard deviations (flag
+// circular). `residual` is n F.
+void drop_what_is_not(WaveEstimate& estimate, double residual, int parameters, std::int64_t n);
 
 // Completes what was found: rms from the residual, noise from the rms with the degrees of freedom
 // removed (2n - parameters), standard deviations from the precision bound, dphi_CD, orthogonality,

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int newton_steps = 6;
 
-// p^2/g of one component, added to the power; by_g = 1/g. (profile.cpp has the same for one window.)
+// p^2/g of one component, added to the power; by_g = 1/g. (profile.cpp has the same for one
+// window.)
 VYBEG_INLINED inline void add_component(Bent& power, const Bent& p, const Bent& g, Eight by_g) {
     const Eight ratio = p.value * by_g;
     const Eight left = p.slope - ratio * g.slope;

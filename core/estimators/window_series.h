@@ -70,6 +70,7 @@ struct SeriesBatch {
     Lanes cc;  // sum C^2
     Lanes dd;
     Lanes cd;
+    Lanes cq;  // sum C(t) D(t - t3), where delayed samples were given
 };
 
 // Where the power that the best phasors take out of each window is largest near w0, by Newton steps

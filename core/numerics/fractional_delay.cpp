@@ -1,5 +1,6 @@
 #include "core/numerics/fractional_delay.h"
 
+#include "core/base/dispatch.h"
 #include "core/numerics/kaiser.h"
 
 #include <algorithm>
@@ -20,12 +21,13 @@ constexpr double beta = 13.2;
 // must.
 constexpr double whole_within = 1e-9;
 
-constexpr std::size_t block = 16;
+constexpr std::size_t block = 32;
 
 // y[i] = sum over j of taps[j] x[i + j] for `count` <= block values. The order of summation does
 // not depend on count, so that a sample has the same bits however a signal is cut.
 template <class Count>
-void convolve(const std::vector<double>& taps, const double* x, double* y, Count count) {
+VYBEG_INLINED inline void convolve(std::span<const double> taps, const double* x, double* y,
+                                   Count count) {
     std::array<double, block> sum{};
     for (std::size_t j = 0; j < taps.size(); ++j) {
         for (std::size_t i = 0; i < count; ++i) {
@@ -33,6 +35,15 @@ void convolve(const std::vector<double>& taps, const double* x, double* y, Count
         }
     }
     std::copy_n(sum.begin(), std::size_t{count}, y);
+}
+
+VYBEG_DISPATCHED
+void convolve(std::span<const double> taps, const double* x, std::span<double> y) {
+    std::size_t i = 0;
+    for (; i + block <= y.size(); i += block) {
+        convolve(taps, x + i, y.data() + i, std::integral_constant<std::size_t, block>{});
+    }
+    convolve(taps, x + i, y.data() + i, y.size() - i);
 }
 
 }  // namespace
@@ -70,12 +81,7 @@ std::int64_t FractionalDelay::reach_after() const {
 
 void FractionalDelay::apply(std::span<const double> x, std::int64_t first,
                             std::span<double> out) const {
-    const double* from = x.data() + (first + offset_);
-    std::size_t i = 0;
-    for (; i + block <= out.size(); i += block) {
-        convolve(taps_, from + i, out.data() + i, std::integral_constant<std::size_t, block>{});
-    }
-    convolve(taps_, from + i, out.data() + i, out.size() - i);
+    convolve(taps_, x.data() + (first + offset_), out);
 }
 
 }  // namespace vybeg

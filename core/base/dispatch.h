@@ -1,0 +1,13 @@
+#pragma once
+
+// Functions marked VYBEG_DISPATCHED are compiled for these processors, the best of which is chosen
+// when the program starts: any x86-64, AVX2 with FMA, and AVX-512. What they call is compiled with
+// them only where it is VYBEG_INLINED. Not under AddressSanitizer: the choice would come before it
+// is ready.
+#if defined(__x86_64__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define VYBEG_DISPATCHED \
+    __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define VYBEG_DISPATCHED
+#endif
+#define VYBEG_INLINED __attribute__((always_inline))
