@@ -1,34 +1,14 @@
 #pragma once
 
 #include "core/estimators/estimator.h"
+#include "core/estimators/series_kernels.h"
 #include "core/estimators/window_series.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace vybeg {
-
-// e^{iw distance} as a series in x: brings a series that counts time from one centre to another,
-// which lies `distance` samples before it.
-struct SeriesShift {
-    double turn_cos = 0;  // of w0 distance
-    double turn_sin = 0;
-    std::array<double, series_orders> powers{};  // (2 distance/n)^k/k!
-    // Both together, real and imaginary part, behind as many zeros.
-    std::array<double, 2 * series_orders> re{};
-    std::array<double, 2 * series_orders> im{};
-};
-SeriesShift series_shift(const SeriesBasis& basis, double distance);
-
-// Samples that follow each other, from `first` on of a window or a hop, in stretches of the basis.
-struct SeriesCut {
-    std::int64_t first = 0;
-    std::int64_t length = 0;
-    std::vector<SeriesShift> shifts;  // of each stretch; none where the first one holds them all
-};
 
 // The sums of a block's windows as power series, each sample being touched once.
 //
@@ -52,13 +32,6 @@ public:
     void batch(std::size_t first, std::size_t count, SeriesBatch& batch) const;
 
 private:
-    // Numbers of many runs: those of one kind, such as all c_cos of order 0, follow each other.
-    struct Table {
-        std::vector<double> numbers;
-        std::size_t pitch = 0;
-        void reset(std::size_t runs);
-    };
-
     void prepare(std::int64_t hop);
     SeriesCut cut(std::int64_t first, std::int64_t length, double distance) const;
     void project_hops(std::size_t count);
@@ -72,9 +45,9 @@ private:
     SeriesCut rest_;   // of a hop
     WindowBlock block_;
     std::span<const double> delayed_;
-    Table runs_;
-    Table heads_;
-    Table windows_;
+    RunTable runs_;
+    RunTable heads_;
+    RunTable windows_;
 };
 
 }  // namespace vybeg

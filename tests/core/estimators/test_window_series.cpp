@@ -5,58 +5,16 @@
 #include "core/estimators/series_sums.h"
 #include "core/estimators/window_estimate.h"
 #include "core/estimators/window_series.h"
+#include "tests/core/estimators/still_windows.h"
 
 #include <QtTest>
 
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <random>
 
 using namespace vybeg;
-
-namespace {
-
-constexpr double rate = 33333;
-constexpr double pi = std::numbers::pi;
-
-struct Samples {
-    std::vector<double> c;
-    std::vector<double> d;
-};
-
-// Windows of still waves: each of its own angle, phase, quadrature (both signs) and frequency near
-// the carrier, by its equations of motion, with white noise.
-Samples waves(std::int64_t n, std::size_t count, double f0, double off, double noise,
-              std::uint64_t seed) {
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<double> any(-1, 1);
-    std::normal_distribution<double> gauss(0, noise);
-    Samples samples;
-    for (std::size_t k = 0; k < count; ++k) {
-        const double angle = pi * any(random);
-        const double phase = pi * any(random);
-        const double quadrature = 0.8 * any(random);
-        const double w =
-            2 * pi * f0 / rate + off * any(random) * 2 / static_cast<double>(n);  // |x| <= off
-        for (std::int64_t j = 0; j < n; ++j) {
-            const double tau =
-                w * (static_cast<double>(j) - 0.5 * static_cast<double>(n - 1)) - phase;
-            const double a = std::cos(tau);
-            const double b = quadrature * std::sin(tau);
-            samples.c.push_back(a * std::cos(angle) - b * std::sin(angle) + gauss(random));
-            samples.d.push_back(a * std::sin(angle) + b * std::cos(angle) + gauss(random));
-        }
-    }
-    return samples;
-}
-
-WindowBlock block_of(const Samples& samples, std::int64_t n) {
-    return {samples.c, samples.d, 0, n, n};
-}
-
-}  // namespace
+using namespace vybeg::test;
 
 class TestWindowSeries : public QObject {
     Q_OBJECT
@@ -179,72 +137,6 @@ private slots:
                 same(found[k].sd_f_hz / one.sd_f_hz, 1, 1e-8 * flat, "sd f");
                 same(found[k].sd_delta_phi_CD / one.sd_delta_phi_CD, 1, 1e-8 * flat, "sd dphi");
             }
-        }
-    }
-
-    // J by its series and Newton's steps, against J by the samples and a search over the lobe,
-    // which a carrier that lies too far from the windows' own frequency asks for. Relative to
-    // amplitude 1; the search tells the frequency to 1e-9 of a lobe, where J is flat.
-    void closed_forms_find_the_minimum_that_a_search_finds_data() {
-        QTest::addColumn<Algorithm>("algorithm");
-        QTest::addColumn<int>("n");
-        QTest::addColumn<double>("noise");
-        for (const Algorithm algorithm : {Algorithm::in_phase, Algorithm::phase_shift,
-                                          Algorithm::moving_axes, Algorithm::demodulation}) {
-            for (const int n : {6, 22, 60, 63, 601}) {
-                for (const double noise : {0.03, 1e-3}) {
-                    if (algorithm == Algorithm::phase_shift && n < 60) {
-                        continue;  // another carrier's delay has another leakage
-                    }
-                    QTest::addRow("%s, n %d, noise %g", algorithm_name(algorithm).data(), n, noise)
-                        << algorithm << n << noise;
-                }
-            }
-        }
-    }
-    void closed_forms_find_the_minimum_that_a_search_finds() {
-        QFETCH(Algorithm, algorithm);
-        QFETCH(int, n);
-        QFETCH(double, noise);
-        constexpr std::size_t count = 40;
-        const double f0 = 5300;
-        const Samples samples = waves(n * 3, count, f0, 0.03, noise, 17 + static_cast<unsigned>(n));
-        // Each window in the middle of its own wave, which goes on around it for the delay.
-        const auto estimates = [&](double carrier) {
-            EstimatorOptions options;
-            options.length = n;
-            options.rate_hz = rate;
-            options.f0_hz = carrier;
-            std::vector<WaveEstimate> found(count);
-            make_estimator(algorithm, options)
-                ->estimate({samples.c, samples.d, n, n, 3 * n}, 0, found);
-            return found;
-        };
-        const std::vector<WaveEstimate> by_series = estimates(f0);
-        const std::vector<WaveEstimate> by_search = estimates(f0 + 0.3 * rate / (pi * n));
-        // The delay of algorithm 2 is made for the carrier: another one delays other noise.
-        const bool delays = algorithm == Algorithm::phase_shift;
-        const double tolerance = delays ? 1e-5 + noise : 1e-7;
-        for (std::size_t k = 0; k < count; ++k) {
-            const WaveEstimate& one = by_series[k];
-            const WaveEstimate& other = by_search[k];
-            if (delays && (k == 0 || k + 1 == count || one.flags != other.flags)) {
-                continue;  // no room for the delay, or a circle in one noise and not in the other
-            }
-            QCOMPARE(one.flags, other.flags);
-            const auto same = [](double a, double b, double within) {
-                return std::abs(a - b) < within || (std::isnan(a) && std::isnan(b));
-            };
-            const double thin = 1 / std::max(1e-2, one.state.a_A - std::abs(one.state.a_B));
-            QVERIFY(same(one.f_hz * n / rate, other.f_hz * n / rate, tolerance));
-            QVERIFY(same(one.state.a_A, other.state.a_A, tolerance));
-            QVERIFY(same(one.state.a_B, other.state.a_B, tolerance));
-            QVERIFY(same(std::remainder(one.state.two_theta_A - other.state.two_theta_A, pi), 0,
-                         tolerance * thin) ||
-                    std::isnan(one.state.two_theta_A));
-            QVERIFY(same(one.rms, other.rms, tolerance));
-            QVERIFY(same(one.sd.a_A / other.sd.a_A, 1, 100 * tolerance));
-            QVERIFY(same(one.sd_f_hz / other.sd_f_hz, 1, 100 * tolerance));
         }
     }
 

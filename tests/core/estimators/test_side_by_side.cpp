@@ -1,0 +1,153 @@
+// Closed forms and conjugate gradient of eight windows at once, against the same of one window by
+// itself.
+#include "core/estimators/closed_form.h"
+#include "core/estimators/conjugate_gradient.h"
+#include "core/estimators/estimator.h"
+#include "core/estimators/window_estimate.h"
+#include "tests/core/estimators/still_windows.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+class TestSideBySide : public QObject {
+    Q_OBJECT
+
+private slots:
+    // The conjugate gradient of eight windows at once against that of one, which sums up the
+    // samples in each step.
+    void the_descent_ends_where_that_of_a_single_window_does_data() {
+        QTest::addColumn<int>("n");
+        QTest::addColumn<double>("noise");
+        QTest::addColumn<bool>("typed");
+        for (const int n : {5, 6, 22, 60, 601}) {
+            for (const double noise : {0.1, 1e-2, 1e-3, 1e-5}) {
+                for (const bool typed : {false, true}) {
+                    QTest::addRow("n %d, noise %g%s", n, noise, typed ? ", typed start" : "")
+                        << n << noise << typed;
+                }
+            }
+        }
+    }
+    void the_descent_ends_where_that_of_a_single_window_does() {
+        QFETCH(int, n);
+        QFETCH(double, noise);
+        QFETCH(bool, typed);
+        constexpr std::size_t count = 43;
+        const double f0 = 5300;
+        const Samples samples = waves(n, count, f0, 0.03, noise, 23 + static_cast<unsigned>(n));
+        EstimatorOptions options;
+        options.length = n;
+        options.rate_hz = rate;
+        options.f0_hz = f0;
+        if (typed) {
+            options.initial = StartValues{{0.9, 0.2, 0.3, -1.1}, f0 + 0.01 * rate / n};
+        }
+        std::vector<WaveEstimate> found(count);
+        make_estimator(Algorithm::conjugate_gradient, options)
+            ->estimate(block_of(samples, n), 0, found);
+        int compared = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const Window window = window_of(block_of(samples, n), k);
+            const FrequencyBracket bracket = main_lobe(f0, rate, n);
+            WaveParameters start{in_phase_start(window, bracket.centre), bracket.centre};
+            if (typed) {
+                start = {options.initial->state, 2 * pi * options.initial->f_hz / rate};
+                start.state.alpha = std::remainder(
+                    start.state.alpha - start.w * static_cast<double>(k) * n, 2 * pi);
+            }
+            const Descent descent = descend(window, bracket, start);
+            QCOMPARE(has(found[k].flags, Flag::not_converged), !descent.converged);
+            const WaveState one = canonical(descent.parameters.state);
+            const double thin = 1 / std::max(1e-3, one.a_A - std::abs(one.a_B));
+            // Five noisy samples may have more than one minimum, and which of them a long first
+            // step leads to hangs on its last digit: both have F no larger than the other's there.
+            if (std::abs(found[k].state.a_A - one.a_A) > 1e-3) {
+                continue;
+            }
+            ++compared;
+            const double flat = 1 + 10 * found[k].sd_f_hz * n / rate;
+            QVERIFY(std::abs(found[k].state.a_A - one.a_A) < 1e-12 * flat);
+            QVERIFY(std::abs(found[k].state.a_B - one.a_B) < 1e-12 * flat);
+            QVERIFY(std::abs(found[k].f_hz * 2 * pi / rate - descent.parameters.w) * n <
+                    1e-11 * flat);
+            if (!has(found[k].flags, Flag::circular)) {
+                QVERIFY(std::abs(std::remainder(found[k].state.two_theta_A - one.two_theta_A, pi)) <
+                        1e-12 * flat * thin);
+            }
+        }
+        QVERIFY(compared >= 41);
+    }
+
+    // J by its series and Newton's steps, against J by the samples and a search over the lobe,
+    // which a carrier that lies too far from the windows' own frequency asks for. Relative to
+    // amplitude 1; the search tells the frequency to 1e-9 of a lobe, where J is flat.
+    void closed_forms_find_the_minimum_that_a_search_finds_data() {
+        QTest::addColumn<Algorithm>("algorithm");
+        QTest::addColumn<int>("n");
+        QTest::addColumn<double>("noise");
+        for (const Algorithm algorithm : {Algorithm::in_phase, Algorithm::phase_shift,
+                                          Algorithm::moving_axes, Algorithm::demodulation}) {
+            for (const int n : {6, 22, 60, 63, 601}) {
+                for (const double noise : {0.03, 1e-3}) {
+                    if (algorithm == Algorithm::phase_shift && n < 60) {
+                        continue;  // another carrier's delay has another leakage
+                    }
+                    QTest::addRow("%s, n %d, noise %g", algorithm_name(algorithm).data(), n, noise)
+                        << algorithm << n << noise;
+                }
+            }
+        }
+    }
+    void closed_forms_find_the_minimum_that_a_search_finds() {
+        QFETCH(Algorithm, algorithm);
+        QFETCH(int, n);
+        QFETCH(double, noise);
+        constexpr std::size_t count = 40;
+        const double f0 = 5300;
+        const Samples samples = waves(n * 3, count, f0, 0.03, noise, 17 + static_cast<unsigned>(n));
+        // Each window in the middle of its own wave, which goes on around it for the delay.
+        const auto estimates = [&](double carrier) {
+            EstimatorOptions options;
+            options.length = n;
+            options.rate_hz = rate;
+            options.f0_hz = carrier;
+            std::vector<WaveEstimate> found(count);
+            make_estimator(algorithm, options)
+                ->estimate({samples.c, samples.d, n, n, 3 * n}, 0, found);
+            return found;
+        };
+        const std::vector<WaveEstimate> by_series = estimates(f0);
+        const std::vector<WaveEstimate> by_search = estimates(f0 + 0.3 * rate / (pi * n));
+        // The delay of algorithm 2 is made for the carrier: another one delays other noise.
+        const bool delays = algorithm == Algorithm::phase_shift;
+        const double tolerance = delays ? 1e-5 + noise : 1e-7;
+        for (std::size_t k = 0; k < count; ++k) {
+            const WaveEstimate& one = by_series[k];
+            const WaveEstimate& other = by_search[k];
+            if (delays && (k == 0 || k + 1 == count || one.flags != other.flags)) {
+                continue;  // no room for the delay, or a circle in one noise and not in the other
+            }
+            QCOMPARE(one.flags, other.flags);
+            const auto same = [](double a, double b, double within) {
+                return std::abs(a - b) < within || (std::isnan(a) && std::isnan(b));
+            };
+            const double thin = 1 / std::max(1e-2, one.state.a_A - std::abs(one.state.a_B));
+            QVERIFY(same(one.f_hz * n / rate, other.f_hz * n / rate, tolerance));
+            QVERIFY(same(one.state.a_A, other.state.a_A, tolerance));
+            QVERIFY(same(one.state.a_B, other.state.a_B, tolerance));
+            QVERIFY(same(std::remainder(one.state.two_theta_A - other.state.two_theta_A, pi), 0,
+                         tolerance * thin) ||
+                    std::isnan(one.state.two_theta_A));
+            QVERIFY(same(one.rms, other.rms, tolerance));
+            QVERIFY(same(one.sd.a_A / other.sd.a_A, 1, 100 * tolerance));
+            QVERIFY(same(one.sd_f_hz / other.sd_f_hz, 1, 100 * tolerance));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSideBySide)
+#include "test_side_by_side.moc"
