@@ -23,14 +23,25 @@ namespace {
 constexpr std::int64_t chunk_frames = std::int64_t{1} << 18;
 // Frames of the block of windows that one task takes at a time.
 constexpr std::int64_t block_frames = std::int64_t{1} << 13;
-// Windows of it at most, where they overlap: the slowest algorithm takes 20 us for one, and the
-// stop token is looked at between blocks.
+// Windows of it at most: the stop token is looked at between blocks.
 constexpr std::int64_t block_windows = 1024;
 // Chunks in work: one is read, one estimated, one written.
 constexpr std::size_t chunks_at_once = 3;
 
 std::int64_t windows_in(std::int64_t frames, const WindowPlan& plan) {
     return std::max<std::int64_t>(1, (frames - plan.length) / plan.hop + 1);
+}
+
+// Windows of a block. Where they overlap, what they share is summed up once a block: a block holds
+// twice as many hops as a window has.
+std::int64_t windows_of_block(const WindowPlan& plan) {
+    const std::int64_t windows = std::min(windows_in(block_frames, plan), block_windows);
+    return plan.hop < plan.length ? std::max(windows, 2 * (plan.length / plan.hop)) : windows;
+}
+
+std::int64_t windows_of_chunk(const WindowPlan& plan) {
+    const std::int64_t windows = windows_in(chunk_frames, plan);
+    return plan.hop < plan.length ? std::max(windows, 2 * windows_of_block(plan)) : windows;
 }
 
 void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& estimate) {
@@ -80,7 +91,7 @@ public:
     // samples.
     Status read(Chunk& chunk, std::int64_t first_window) const {
         chunk.first_window = first_window;
-        chunk.windows = std::min(windows_in(chunk_frames, plan_), plan_.count - first_window);
+        chunk.windows = std::min(windows_of_chunk(plan_), plan_.count - first_window);
         const std::int64_t last = plan_.start(first_window + chunk.windows - 1) + plan_.length;
         chunk.first_frame = std::max<std::int64_t>(plan_.start(first_window) - context(), 0);
         const std::int64_t end = std::min(last + context(), prepared_.source->frames());
@@ -96,7 +107,7 @@ public:
             chunk.rows = Track(static_cast<std::size_t>(chunk.windows));
         }
         // The blocks are the same whatever the number of threads, and so is every result.
-        const std::int64_t per_block = std::min(windows_in(block_frames, plan_), block_windows);
+        const std::int64_t per_block = windows_of_block(plan_);
         const std::int64_t blocks = (chunk.windows + per_block - 1) / per_block;
         std::vector<double> seconds(static_cast<std::size_t>(blocks));
         const auto run = [&](Estimator& estimator, std::int64_t begin, std::int64_t end) {
