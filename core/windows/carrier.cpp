@@ -30,23 +30,54 @@ std::vector<std::complex<double>> windowed(std::span<const double> c, std::span<
                                            double mean_c, double mean_d, std::size_t size) {
     std::vector<std::complex<double>> data(size);
     const double turn = 2 * std::numbers::pi / static_cast<double>(c.size());
-    for (std::size_t j = 0; j < c.size(); ++j) {
-        const double hann = 0.5 - 0.5 * std::cos(turn * (static_cast<double>(j) + 0.5));
-        const double real = std::isfinite(c[j]) ? c[j] - mean_c : 0;
-        const double imag = std::isfinite(d[j]) ? d[j] - mean_d : 0;
-        data[j] = hann * std::complex<double>{real, imag};
+    const std::complex<double> step = std::polar(1.0, turn);
+    // The window's cosine is carried from sample to sample, and begun afresh with each stretch.
+    constexpr std::size_t stretch = 256;
+    for (std::size_t first = 0; first < c.size(); first += stretch) {
+        std::complex<double> phase = std::polar(1.0, turn * (static_cast<double>(first) + 0.5));
+        for (std::size_t j = first; j < std::min(first + stretch, c.size()); ++j) {
+            const double hann = 0.5 - 0.5 * phase.real();
+            const double real = std::isfinite(c[j]) ? c[j] - mean_c : 0;
+            const double imag = std::isfinite(d[j]) ? d[j] - mean_d : 0;
+            data[j] = {hann * real, hann * imag};
+            phase = {phase.real() * step.real() - phase.imag() * step.imag(),
+                     phase.real() * step.imag() + phase.imag() * step.real()};
+        }
     }
     return data;
+}
+
+// Padded to half as much again, so that the parabola through a peak's logarithms is a good one: the
+// next power of two, or three times one.
+std::size_t padded(std::size_t length) {
+    const std::size_t least = std::max<std::size_t>(length + length / 2, 1024);
+    const std::size_t power = std::bit_ceil(least);
+    return power / 4 * 3 >= least ? power / 4 * 3 : power;
 }
 
 // |C_k|^2 + |D_k|^2 for k = 0 .. size/2, from the transform of C + iD.
 std::vector<double> summed_power(const std::vector<std::complex<double>>& spectrum) {
     const std::size_t size = spectrum.size();
     std::vector<double> power(size / 2 + 1);
-    for (std::size_t k = 0; k < power.size(); ++k) {
-        power[k] = 0.5 * (std::norm(spectrum[k]) + std::norm(spectrum[(size - k) % size]));
+    power[0] = std::norm(spectrum[0]);
+    for (std::size_t k = 1; k < power.size(); ++k) {
+        power[k] = 0.5 * (std::norm(spectrum[k]) + std::norm(spectrum[size - k]));
     }
     return power;
+}
+
+// The median, of a long spectrum by a part of its bins.
+double median_of(const std::vector<double>& power) {
+    constexpr std::size_t bins = 65536;
+    const std::size_t step = 1 + power.size() / bins;
+    std::vector<double> part;
+    part.reserve(power.size() / step + 1);
+    for (std::size_t k = 1; k < power.size(); k += step) {
+        part.push_back(power[k]);
+    }
+    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
+    std::nth_element(part.begin(), middle, part.end());
+    return *middle;
 }
 
 }  // namespace
@@ -58,9 +89,7 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
     if (std::isnan(mean_c) || std::isnan(mean_d)) {
         return Error{ErrorCode::no_valid_samples, "", {}};
     }
-    // Padded to at least twice the length, so that the parabola through a peak's logarithms is a
-    // good one.
-    const std::size_t size = std::bit_ceil(std::max<std::size_t>(2 * c.size(), 1024));
+    const std::size_t size = padded(c.size());
     const double bin_hz = rate_hz / static_cast<double>(size);
     const std::size_t half = size / 2;
     const auto last_bin = static_cast<double>(half - 1);
@@ -101,13 +130,8 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
     // whole spectrum themselves and cannot be held to this.
     constexpr std::size_t least_length = 256;
     constexpr double least_ratio = 40;
-    if (c.size() >= least_length) {
-        std::vector<double> sorted(power.begin() + 1, power.end());
-        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-        std::nth_element(sorted.begin(), middle, sorted.end());
-        if (power[peak] < least_ratio * *middle) {
-            return Error{ErrorCode::carrier_not_found, "", {}};
-        }
+    if (c.size() >= least_length && power[peak] < least_ratio * median_of(power)) {
+        return Error{ErrorCode::carrier_not_found, "", {}};
     }
     const double left = std::log(power[peak - 1]);
     const double here = std::log(power[peak]);
