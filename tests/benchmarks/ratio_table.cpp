@@ -1,6 +1,7 @@
 #include "tests/benchmarks/ratio_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace vybeg::benchmarks {
@@ -17,18 +18,21 @@ void RatioReporter::ReportRuns(const std::vector<Run>& runs) {
     }
 }
 
+double RatioReporter::seconds(const std::string& name) const {
+    const auto measured = seconds_.find(name);
+    return measured == seconds_.end() ? std::nan("") : measured->second;
+}
+
 bool RatioReporter::print(const std::vector<Ratio>& ratios) const {
     std::printf("\n%-28s %-24s %8s %8s\n", "speed of", "against", "ratio", "least");
     bool enough = true;
     for (const Ratio& ratio : ratios) {
-        const auto measured = seconds_.find(ratio.name);
-        const auto reference = seconds_.find(ratio.reference);
-        if (measured == seconds_.end() || reference == seconds_.end()) {
+        const double value = seconds(ratio.reference) / seconds(ratio.name);
+        if (std::isnan(value)) {
             std::printf("%-28s %-24s not measured\n", ratio.name.c_str(), ratio.reference.c_str());
             enough = false;
             continue;
         }
-        const double value = reference->second / measured->second;
         std::printf("%-28s %-24s %8.2f %8.2f\n", ratio.name.c_str(), ratio.reference.c_str(), value,
                     ratio.least);
         enough = enough && value >= ratio.least;

@@ -22,6 +22,9 @@ class RatioReporter : public benchmark::ConsoleReporter {
 public:
     void ReportRuns(const std::vector<Run>& runs) override;
 
+    // Seconds of the fastest iteration; NaN where the benchmark was not run.
+    double seconds(const std::string& name) const;
+
     // Prints the ratios; false where one of them is below its least, or has not been measured.
     bool print(const std::vector<Ratio>& ratios) const;
 

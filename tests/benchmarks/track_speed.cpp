@@ -1,0 +1,129 @@
+// How the time of an estimation grows with overlap, threads and length: maximum likelihood over
+// recordings in memory, from samples to the rows of a track. 33333 Hz, 60 dB, the article's case.
+#include "core/analysis/estimate_track.h"
+#include "core/recording/memory_source.h"
+#include "core/simulation/free_decay.h"
+#include "tests/benchmarks/ratio_table.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+using namespace vybeg;
+using namespace vybeg::benchmarks;
+
+constexpr double longest_s = 1000;
+
+Prepared decay_in_memory(double seconds) {
+    FreeDecay decay = demo_decay();
+    decay.noise = 1e-3 * decay.a_A;
+    decay.seconds = seconds;
+    decay.tau_s = 10 * seconds;  // the wave is there to the end
+    decay.damping_anisotropy_per_s = 0;
+    Result<SimulatedDecay> simulated = simulate(decay, {});
+    if (!simulated) {
+        std::fputs("The decay cannot be simulated.\n", stderr);
+        std::exit(1);
+    }
+    Prepared prepared;
+    prepared.end = static_cast<std::int64_t>(simulated->c.size());
+    prepared.source =
+        std::make_shared<MemorySource>(std::move(simulated->c), std::move(simulated->d));
+    prepared.f0_hz = decay.f0_hz;
+    return prepared;
+}
+
+struct Case {
+    std::string name;
+    double seconds;
+    std::int64_t length;
+    std::int64_t hop;
+    int threads;
+
+    WindowPlan plan() const {
+        return plan_windows(0, static_cast<std::int64_t>(seconds * 33333), length, hop);
+    }
+};
+
+void estimate(benchmark::State& state, const Prepared& prepared, const Case& one) {
+    const WindowPlan plan = one.plan();
+    const TrackSink sink = [](const Track& rows) {
+        benchmark::DoNotOptimize(rows.time_s().data());
+        return Status{};
+    };
+    for ([[maybe_unused]] const auto _ : state) {
+        const auto summary =
+            estimate_track(prepared, plan, Settings{}, 33333, one.threads, sink, {});
+        if (!summary) {
+            state.SkipWithError("the estimation failed");
+        }
+    }
+    state.SetItemsProcessed(state.iterations() * plan.count);
+}
+
+// At most three times the time of windows that stand apart and 0.3 us for each further window.
+bool print_overlaps(const RatioReporter& reporter, const std::vector<std::vector<Case>>& groups) {
+    std::printf("\n%-24s %12s %12s %12s\n", "overlapping windows", "ms", "at most", "us/window");
+    bool enough = true;
+    for (const std::vector<Case>& group : groups) {
+        const double apart = reporter.seconds(group.front().name);
+        for (const Case& one : group) {
+            const double seconds = reporter.seconds(one.name);
+            const auto more = static_cast<double>(one.plan().count - group.front().plan().count);
+            const double most = 3 * apart + 0.3e-6 * more;
+            std::printf("%-24s %12.3f %12.3f %12.3f\n", one.name.c_str(), 1e3 * seconds, 1e3 * most,
+                        1e6 * seconds / static_cast<double>(one.plan().count));
+            enough = enough && seconds <= most;
+        }
+    }
+    return enough;
+}
+
+void print_growth(const RatioReporter& reporter, const std::vector<Case>& cases) {
+    std::printf("\n%-24s %12s %12s\n", "length, two threads", "ms", "ns/frame");
+    for (const Case& one : cases) {
+        const double seconds = reporter.seconds(one.name);
+        std::printf("%-24s %12.3f %12.3f\n", one.name.c_str(), 1e3 * seconds,
+                    1e9 * seconds / (one.seconds * 33333));
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    const Prepared prepared = decay_in_memory(longest_s);
+    const auto add = [&prepared](const Case& one) {
+        benchmark::RegisterBenchmark(
+            one.name.c_str(),
+            [&prepared, one](benchmark::State& state) { estimate(state, prepared, one); })
+            ->UseRealTime()
+            ->Unit(benchmark::kMillisecond)
+            ->MinTime(0.1)
+            ->Repetitions(3);
+        return one;
+    };
+    std::vector<std::vector<Case>> overlaps;
+    for (const std::int64_t n : {60, 600, 33333}) {
+        std::vector<Case> group;
+        for (const std::int64_t hop : {n, n / 10, std::max<std::int64_t>(1, n / 100)}) {
+            group.push_back(
+                add({"n " + std::to_string(n) + ", hop " + std::to_string(hop), 28, n, hop, 1}));
+        }
+        overlaps.push_back(group);
+    }
+    add({"one thread", 100, 60, 60, 1});
+    add({"two threads", 100, 60, 60, 2});
+    std::vector<Case> growth;
+    for (const int seconds : {1, 10, 100, 1000}) {
+        growth.push_back(
+            add({std::to_string(seconds) + " s", static_cast<double>(seconds), 60, 60, 2}));
+    }
+    RatioReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    const bool overlapping = print_overlaps(reporter, overlaps);
+    print_growth(reporter, growth);
+    const bool threads = reporter.print({{"two threads", "one thread", 1.7}});
+    return overlapping && threads ? 0 : 1;
+}
