@@ -5,6 +5,11 @@
 #include "core/simulation/free_decay.h"
 #include "tests/benchmarks/ratio_table.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <cstdio>
 #include <cstdlib>
 
@@ -62,6 +67,41 @@ void estimate(benchmark::State& state, const Prepared& prepared, const Case& one
     state.SetItemsProcessed(state.iterations() * plan.count);
 }
 
+// The estimators alone, on samples that nobody copies: blocks of windows over `threads` threads.
+void estimate_alone(benchmark::State& state, const Prepared& prepared, int threads) {
+    constexpr std::int64_t n = 60;
+    constexpr std::int64_t per_block = 136;  // as estimate_track() has them
+    constexpr std::int64_t blocks = 400;
+    std::vector<double> c(n * per_block * blocks);
+    std::vector<double> d(c.size());
+    if (!prepared.source->read(0, c, d)) {
+        state.SkipWithError("the samples cannot be read");
+        return;
+    }
+    std::vector<WaveEstimate> found(per_block * blocks);
+    EstimatorOptions options;
+    options.length = n;
+    options.rate_hz = 33333;
+    options.f0_hz = prepared.f0_hz;
+    tbb::enumerable_thread_specific<std::unique_ptr<Estimator>> estimators(
+        [&] { return make_estimator(Algorithm::maximum_likelihood, options); });
+    tbb::task_arena arena(threads);
+    for ([[maybe_unused]] const auto _ : state) {
+        arena.execute([&] {
+            tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, blocks), [&](const auto& range) {
+                for (std::int64_t block = range.begin(); block < range.end(); ++block) {
+                    estimators.local()->estimate(
+                        {c, d, block * per_block * n, n, n}, 0,
+                        std::span(found).subspan(static_cast<std::size_t>(block * per_block),
+                                                 static_cast<std::size_t>(per_block)));
+                }
+            });
+        });
+        benchmark::DoNotOptimize(found.data());
+    }
+    state.SetItemsProcessed(state.iterations() * per_block * blocks);
+}
+
 // At most three times the time of windows that stand apart and 0.3 us for each further window.
 bool print_overlaps(const RatioReporter& reporter, const std::vector<std::vector<Case>>& groups) {
     std::printf("\n%-24s %12s %12s %12s\n", "overlapping windows", "ms", "at most", "us/window");
@@ -113,8 +153,19 @@ int main(int argc, char** argv) {
         }
         overlaps.push_back(group);
     }
-    add({"one thread", 100, 60, 60, 1});
-    add({"two threads", 100, 60, 60, 2});
+    add({"track, one thread", 100, 60, 60, 1});
+    add({"track, two threads", 100, 60, 60, 2});
+    for (const int threads : {1, 2}) {
+        benchmark::RegisterBenchmark(
+            threads == 1 ? "estimators, one thread" : "estimators, two threads",
+            [&prepared, threads](benchmark::State& state) {
+                estimate_alone(state, prepared, threads);
+            })
+            ->UseRealTime()
+            ->Unit(benchmark::kMillisecond)
+            ->MinTime(0.1)
+            ->Repetitions(3);
+    }
     std::vector<Case> growth;
     for (const int seconds : {1, 10, 100, 1000}) {
         growth.push_back(
@@ -124,6 +175,7 @@ int main(int argc, char** argv) {
     benchmark::RunSpecifiedBenchmarks(&reporter);
     const bool overlapping = print_overlaps(reporter, overlaps);
     print_growth(reporter, growth);
-    const bool threads = reporter.print({{"two threads", "one thread", 1.7}});
+    const bool threads = reporter.print({{"estimators, two threads", "estimators, one thread", 1.7},
+                                         {"track, two threads", "track, one thread", 0}});
     return overlapping && threads ? 0 : 1;
 }
