@@ -1,0 +1,179 @@
+#include "core/analysis/visible_first.h"
+
+#include "core/analysis/estimate_track.h"
+#include "core/analysis/planned_analysis.h"
+#include "core/analysis/prepare.h"
+#include "core/numerics/phase.h"
+#include "core/track/unwrap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Seconds below which nobody waits: everything is made at once.
+constexpr double at_once_s = 0.1;
+// Seconds that the spread windows may take. Each step doubles their number, so that a slow disk or
+// a long window gives a coarser first picture, not a late one.
+constexpr double spread_s = 0.06;
+constexpr std::int64_t fewest_spread = 16;
+constexpr std::int64_t most_spread = 512;
+
+// Windows [first, end) of a plan.
+struct Stretch {
+    std::int64_t first = 0;
+    std::int64_t end = 0;
+
+    std::int64_t count() const { return end - first; }
+};
+
+// About how long windows take, s: a window and a frame of an ordinary processor core. It decides
+// what is shown when, nothing else.
+double about_s(std::int64_t windows, const WindowPlan& plan, Algorithm algorithm) {
+    const double window_s = algorithm == Algorithm::conjugate_gradient ? 5e-6 : 0.2e-6;
+    const double frame_s = 15e-9;
+    const auto count = static_cast<double>(windows);
+    return count * (window_s + frame_s * static_cast<double>(plan.hop));
+}
+
+// The windows whose centres are visible.
+Stretch visible_windows(const WindowPlan& plan, const TimeRange& visible, double rate_hz) {
+    const auto windows = static_cast<double>(plan.count);
+    const auto window_at = [&](double time_s) {
+        const double hops = (time_s - plan.centre_s(0, rate_hz)) * rate_hz;
+        return std::clamp(hops / static_cast<double>(plan.hop), -1.0, windows);
+    };
+    const auto first = static_cast<std::int64_t>(std::ceil(window_at(visible.from_s)));
+    const auto last = static_cast<std::int64_t>(std::floor(window_at(visible.to_s)));
+    const Stretch shown{std::clamp<std::int64_t>(first, 0, plan.count),
+                        std::clamp<std::int64_t>(last + 1, 0, plan.count)};
+    return shown.count() > 0 ? shown : Stretch{};
+}
+
+// Windows of an analysis by themselves, before all of them are made.
+class EarlyWindows {
+public:
+    // `prepared` is not that of the whole analysis, whose check must see the samples in order.
+    EarlyWindows(const Prepared& prepared, const AnalysisSummary& whole, double rate_hz,
+                 const JobControl& job)
+        : prepared_(prepared), whole_(whole), rate_hz_(rate_hz), job_(job.silent()) {}
+
+    // Single windows at even distances, first and last included, as many as there is time for.
+    Status spread(const Stretch& stretch) {
+        const double begun = job_.now();
+        for (std::int64_t places = fewest_spread; places <= most_spread; places *= 2) {
+            for (std::int64_t place = 0; place <= places; ++place) {
+                const std::int64_t window = stretch.first + (stretch.count() - 1) * place / places;
+                if (rows_.contains(window)) {
+                    continue;
+                }
+                if (places > fewest_spread && job_.now() - begun > spread_s / 2) {
+                    return {};
+                }
+                if (const Status made = estimate({window, window + 1}, 1); !made) {
+                    return made;
+                }
+            }
+        }
+        return {};
+    }
+
+    // All of them.
+    Status fill(const Stretch& stretch) {
+        rows_.erase(rows_.lower_bound(stretch.first), rows_.lower_bound(stretch.end));
+        return estimate(stretch, threads_of(whole_.settings));
+    }
+
+    Analysis analysis() const {
+        Analysis analysis;
+        static_cast<AnalysisSummary&>(analysis) = whole_;
+        for (const auto& [window, rows] : rows_) {
+            analysis.track.append(rows);
+        }
+        // The first electrode's angle has been taken off with the rows' own.
+        unwrap_angle(analysis.track, 0);
+        return analysis;
+    }
+
+private:
+    Status estimate(const Stretch& stretch, int threads) {
+        const WindowPlan part{whole_.plan.start(stretch.first), whole_.plan.length, whole_.plan.hop,
+                              stretch.count()};
+        Settings settings = whole_.settings;
+        if (settings.initial) {
+            // Typed start values hold at the first window of the whole.
+            const double later = part.centre_s(0, rate_hz_) - whole_.plan.centre_s(0, rate_hz_);
+            double& alpha = settings.initial->state.alpha;
+            alpha = wrap(alpha - 2 * std::numbers::pi * settings.initial->f_hz * later);
+        }
+        Track& rows = rows_[stretch.first];
+        const TrackSink collect = [&rows](const Track& more) {
+            rows.append(more);
+            return Status{};
+        };
+        const auto done =
+            estimate_track(prepared_, part, settings, rate_hz_, threads, collect, job_);
+        return done ? Status() : Status(done.error());
+    }
+
+    const Prepared& prepared_;
+    const AnalysisSummary& whole_;
+    double rate_hz_;
+    JobControl job_;
+    std::map<std::int64_t, Track> rows_;  // by their first window
+};
+
+Status show_early(const Recording& recording, const AnalysisSummary& whole,
+                  const TimeRange& visible, const EarlySink& early, const JobControl& job) {
+    const WindowPlan& plan = whole.plan;
+    const auto prepared = prepare(recording, whole.settings, job.silent());
+    if (!prepared) {
+        return prepared.error();
+    }
+    EarlyWindows windows(*prepared, whole, recording.rate_hz, job);
+    if (const Status made = windows.spread({0, plan.count}); !made) {
+        return made;
+    }
+    const Stretch shown = visible_windows(plan, visible, recording.rate_hz);
+    const bool is_part = shown.count() > 0 && 2 * shown.count() <= plan.count;
+    if (is_part) {
+        if (const Status made = windows.spread(shown); !made) {
+            return made;
+        }
+    }
+    early(windows.analysis());
+    if (is_part) {
+        if (const Status made = windows.fill(shown); !made) {
+            return made;
+        }
+        early(windows.analysis());
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Analysis> analyse_visible_first(const Recording& recording, const Settings& settings,
+                                       const TimeRange& visible, const EarlySink& early,
+                                       const JobControl& job) {
+    const Result<Planned> planned = plan_analysis(recording, settings, job);
+    if (!planned) {
+        return planned.error();
+    }
+    const WindowPlan& plan = planned->plan;
+    // Repairing lost samples goes through the whole recording before the first window: nothing of
+    // it could be early.
+    if (!settings.repair_lost && about_s(plan.count, plan, settings.algorithm) > at_once_s) {
+        const AnalysisSummary whole = summary_before(settings, *planned, recording.rate_hz);
+        if (const Status shown = show_early(recording, whole, visible, early, job); !shown) {
+            return shown.error();
+        }
+    }
+    return analyse_planned(recording, settings, *planned, job);
+}
+
+}  // namespace vybeg

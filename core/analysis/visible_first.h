@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/analysis/analyse.h"
+
+#include <functional>
+
+namespace vybeg {
+
+// Seconds from the start of the recording.
+struct TimeRange {
+    double from_s = 0;
+    double to_s = 0;
+};
+
+// Takes an analysis that has only some of its windows yet: fewer rows than plan.count, all of them
+// in their order, with the first and the last window among them. Settings and plan are those of the
+// whole; it has no timing and no findings of the sample check.
+using EarlySink = std::function<void(Analysis)>;
+
+// analyse(), for those who watch: where all windows take longer than a glance, `early` first gets
+// single windows spread over the whole range and over the visible part of it, then all windows of
+// the visible part between the spread ones. Their values are those of the result to 1e-9, flags of
+// clipped and lost samples excepted; 2theta_A modulo pi, where the wave turns by more than pi/2
+// between two spread windows, and windows that start from the one before (StartRule::previous) as
+// far as that start decides what they find. The result itself is that of analyse(), to the bit.
+// Errors as of analyse().
+Result<Analysis> analyse_visible_first(const Recording& recording, const Settings& settings,
+                                       const TimeRange& visible, const EarlySink& early,
+                                       const JobControl& job);
+
+}  // namespace vybeg
