@@ -28,6 +28,23 @@ std::shared_ptr<const Value> freedInBackground(std::shared_ptr<const Value> valu
             }};
 }
 
+// An analysis as the window takes it.
+AnalysisOutcome outcomeOf(Analysis found) {
+    AnalysisOutcome outcome;
+    const WindowPlan& plan = found.plan;
+    outcome.summary = summarise(found.track, std::min(1.0, static_cast<double>(plan.hop) /
+                                                               static_cast<double>(plan.length)));
+    // Between windows that lie far apart anything may have happened.
+    if (static_cast<std::int64_t>(found.track.rows()) == plan.count) {
+        outcome.events = find_events(found.track);
+    }
+    outcome.analysis = freedInBackground(std::make_shared<const Analysis>(std::move(found)));
+    for (const auto& curve : curvesOf(outcome.analysis)) {
+        outcome.curves.push_back(freedInBackground(curve));
+    }
+    return outcome;
+}
+
 // Seconds from now on.
 std::function<double()> stopwatch() {
     QElapsedTimer started;
@@ -41,6 +58,7 @@ AnalysisJob::AnalysisJob(QObject* parent) : QObject(parent) {
     // More than processors: most of them wait for a disk, and none may keep a file from opening.
     openings_.setMaxThreadCount(4);
     analyses_.setMaxThreadCount(1);
+    live_.setMaxThreadCount(1);
     others_.setMaxThreadCount(4);
 }
 
@@ -48,10 +66,10 @@ AnalysisJob::~AnalysisJob() {
     for (auto& [id, task] : tasks_) {
         task.stop.request_stop();
     }
-    for (QThreadPool* pool : {&openings_, &analyses_, &others_}) {
+    for (QThreadPool* pool : {&openings_, &analyses_, &live_, &others_}) {
         pool->clear();
     }
-    for (QThreadPool* pool : {&openings_, &analyses_, &others_}) {
+    for (QThreadPool* pool : {&openings_, &analyses_, &live_, &others_}) {
         pool->waitForDone();
     }
 }
@@ -196,21 +214,24 @@ void AnalysisJob::analyse(int key, const Recording& recording, const Settings& s
                 this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
             Result<Analysis> found =
                 vybeg::analyse(recording, settings, reporting(key, ticket.stop));
-            if (!found) {
-                return found.error();
-            }
-            AnalysisOutcome outcome;
-            const WindowPlan& plan = found->plan;
-            outcome.summary = summarise(
-                found->track,
-                std::min(1.0, static_cast<double>(plan.hop) / static_cast<double>(plan.length)));
-            outcome.events = find_events(found->track);
-            outcome.analysis =
-                freedInBackground(std::make_shared<const Analysis>(std::move(*found)));
-            for (const auto& curve : curvesOf(outcome.analysis)) {
-                outcome.curves.push_back(freedInBackground(curve));
-            }
-            return outcome;
+            return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
+        },
+        std::move(done));
+}
+
+void AnalysisJob::analyseLive(int key, const Recording& recording, const Settings& settings,
+                              const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
+                              std::function<void(Result<AnalysisOutcome>)> done) {
+    start<AnalysisOutcome>(
+        live_, {Kind::live, key},
+        [this, key, recording, settings, visible,
+         early = std::move(early)](const Ticket& ticket) -> Result<AnalysisOutcome> {
+            const EarlySink show = [&](Analysis some) {
+                post(ticket, [early, outcome = outcomeOf(std::move(some))] { early(outcome); });
+            };
+            Result<Analysis> found = analyse_visible_first(recording, settings, visible, show,
+                                                           reporting(key, ticket.stop));
+            return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
         },
         std::move(done));
 }
@@ -257,9 +278,16 @@ void AnalysisJob::forget(int key) {
     });
 }
 
+void AnalysisJob::forgetLive(int key) {
+    if (const auto found = tasks_.find({Kind::live, key}); found != tasks_.end()) {
+        found->second.stop.request_stop();
+        tasks_.erase(found);
+    }
+}
+
 void AnalysisJob::cancelAnalyses() {
     for (auto& [id, task] : tasks_) {
-        if (id.first == Kind::analysis) {
+        if (id.first == Kind::analysis || id.first == Kind::live) {
             task.stop.request_stop();
         }
     }

@@ -2,6 +2,7 @@
 
 #include "core/analysis/analyse.h"
 #include "core/analysis/inspect.h"
+#include "core/analysis/visible_first.h"
 #include "core/recording/envelope_builder.h"
 #include "core/recording/first_look.h"
 #include "core/recording/open_recording.h"
@@ -34,7 +35,8 @@ struct AnalysisOutcome {
 // value to the thread of this object; `done` is called there. Jobs are told apart by kind and key:
 // a new job of the same kind and key stops the one before it, and whatever that still delivers is
 // dropped by its generation number. Analyses run one after the other, each on all processors;
-// everything else runs beside them. What is large in a result (samples, track, curves, envelope) is
+// everything else runs beside them, live analyses too: nobody waits for a long run with a spin box
+// in hand. What is large in a result (samples, track, curves, envelope) is
 // also freed in the background, whoever lets go of it last.
 class AnalysisJob : public QObject {
     Q_OBJECT
@@ -61,6 +63,11 @@ public:
                  std::function<void(Result<SampleFaults>)> done);
     void analyse(int key, const Recording& recording, const Settings& settings,
                  std::function<void(Result<AnalysisOutcome>)> done);
+    // The same for a setting that is still being changed: `early` first gets what is there of a
+    // long one, some windows of all and then all of the visible (visible_first.h).
+    void analyseLive(int key, const Recording& recording, const Settings& settings,
+                     const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
+                     std::function<void(Result<AnalysisOutcome>)> done);
 
     // Writes the track CSV of INTERFACE.md; hashes the recording first.
     void writeTrack(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
@@ -68,7 +75,8 @@ public:
 
     // Stops all jobs about a key without a result.
     void forget(int key);
-    // Stops all analyses; each delivers ErrorCode::interrupted.
+    void forgetLive(int key);
+    // Stops all analyses, live ones too; each delivers ErrorCode::interrupted.
     void cancelAnalyses();
 
 signals:
@@ -78,7 +86,7 @@ signals:
     void analysisStarted(int key);
 
 private:
-    enum class Kind { open, preview, envelope, hash, carrier, check, analysis, write };
+    enum class Kind { open, preview, envelope, hash, carrier, check, analysis, live, write };
     struct Task {
         quint64 generation = 0;
         std::stop_source stop;
@@ -103,6 +111,7 @@ private:
     std::map<TaskId, Task> tasks_;
     QThreadPool openings_;
     QThreadPool analyses_;
+    QThreadPool live_;
     QThreadPool others_;
 };
 

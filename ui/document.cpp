@@ -143,7 +143,9 @@ void Document::whenOpened(int id, Result<Recording> result) {
     }
     entry->recording = std::move(*result);
     readEnvelope(id);
-    searchCarrier(id);
+    if (!live_) {
+        searchCarrier(id);  // a live run tells it, too
+    }
     for (const Diagnostic& diagnostic : entry->recording->diagnostics) {
         if (diagnostic.kind != DiagnosticKind::text_lines_ignored) {
             emit reported({Severity::warning,
@@ -161,7 +163,11 @@ void Document::whenOpened(int id, Result<Recording> result) {
     setCurrentRecording(id);
     emit recordingChanged(id);
     emit opened(entry->path);
-    ask(id, settings_, 0);
+    if (live_) {
+        follow(id);
+    } else {
+        ask(id, settings_, 0);
+    }
 }
 
 void Document::readEnvelope(int id) {
@@ -224,6 +230,9 @@ void Document::closeRecording(int id) {
     if (gone > 0) {
         emit runsChanged();
     }
+    if (was_current) {
+        catchUp(current_);
+    }
 }
 
 void Document::setCurrentRecording(int id) {
@@ -231,22 +240,21 @@ void Document::setCurrentRecording(int id) {
         current_ = id;
         emit currentRecordingChanged();
         emit carrierChanged();
+        catchUp(id);
     }
 }
 
 void Document::searchCarrier(int id) {
     RecordingEntry* entry = find(id);
     entry->f0_hz.reset();
-    job_.findCarrier(id, *entry->recording, settings_, [this, id](Result<double> f0) {
-        RecordingEntry* searched = find(id);
-        if (searched && f0) {
-            searched->f0_hz = *f0;
-            emit recordingChanged(id);
-            if (id == current_) {
-                emit carrierChanged();
-            }
-        }
-    });
+    job_.findCarrier(id, *entry->recording, settings_,
+                     [this, id, search = settings_](Result<double> f0) {
+                         if (f0) {
+                             Settings used = search;
+                             used.f0_hz = *f0;
+                             learnCarrier(id, search, used);
+                         }
+                     });
 }
 
 void Document::checkSamples(int id) {
@@ -309,11 +317,15 @@ void Document::apply(const Settings& settings) {
                                 before.f0_hz != settings.f0_hz;
     if (search_differs) {
         for (const RecordingEntry& entry : recordings_) {
-            if (entry.recording && !settings_.f0_hz) {
+            const bool told_by_live_run = live_ && entry.id == current_;
+            if (entry.recording && !settings_.f0_hz && !told_by_live_run) {
                 searchCarrier(entry.id);
             }
         }
         emit carrierChanged();
+    }
+    if (live_) {
+        follow(current_);
     }
 }
 
@@ -345,6 +357,9 @@ void Document::renameRun(int id, const QString& name) {
 }
 
 void Document::removeRun(int id) {
+    if (const RunEntry* entry = run(id); entry && entry->live) {
+        forgetLive(entry->recording_id);  // it would come back
+    }
     if (std::erase_if(runs_, [id](const RunEntry& entry) { return entry.run.id == id; }) > 0) {
         emit runsChanged();
     }
@@ -352,7 +367,7 @@ void Document::removeRun(int id) {
 
 void Document::exportTrack(int id, const QString& path, std::function<void(const Status&)> done) {
     const RunEntry* entry = run(id);
-    if (entry) {
+    if (entry && !entry->partial()) {
         job_.writeTrack(id, *recording(entry->recording_id)->recording, entry->run.analysis,
                         QStringLiteral("vybeg ") + QCoreApplication::applicationVersion(), path,
                         std::move(done));

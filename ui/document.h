@@ -26,6 +26,8 @@ struct RecordingEntry {
     OpenOptions options;
     std::optional<Recording> recording;
     std::optional<double> f0_hz;                 // once the search has found it
+    std::optional<Settings> f0_search;           // with these settings
+    Calibration f0_calibration;                  // of that search, offsets found
     QString sha256;                              // once it is computed
     std::shared_ptr<const Envelope> envelope;    // as far as it has been read, or looked at
     double envelope_rate_hz = 0;                 // frames of the envelope in a second
@@ -39,9 +41,19 @@ struct RunEntry {
     Settings requested;  // as asked for; run.analysis->settings is as used
     TrackSummary summary;
     std::vector<Event> events;
+    bool live = false;  // follows the settings, see Document::setLive()
+
+    // Has only some of its windows yet.
+    bool partial() const {
+        return static_cast<std::int64_t>(run.analysis->track.rows()) < run.analysis->plan.count;
+    }
 };
 
 enum class Severity { info, warning, error };
+
+// Of messages with a topic the newest takes the place of the one before, and all of them go when
+// there is nothing to tell any more.
+enum class Topic { none, live };
 
 // What the window tells the engineer. The text is a function, so that a change of language reaches
 // what is already on the screen.
@@ -51,6 +63,7 @@ struct Message {
     // A file that could be opened if the engineer said how (rate, channels, raw layout).
     QString reopen_path;
     OpenOptions reopen_options;
+    Topic topic = Topic::none;
 };
 
 // Open recordings, the settings being edited, and the runs: the only source of change signals in
@@ -85,6 +98,13 @@ public:
     void rerun(int run_id);
     // One run of the current recording per window length; comparisonReady() when all are done.
     void compareWindows(const std::vector<std::int64_t>& lengths);
+    // Live: each recording has a run that follows the settings, with its name and colour, as soon
+    // as they change while the recording is the current one: first where the plots show it, then
+    // the rest; the newest settings win. Runs that analyse() makes are kept as they are.
+    void setLive(bool live);
+    bool live() const { return live_; }
+    // What the plots show, s; without it all is visible.
+    void setVisibleRange(const TimeRange& visible) { visible_ = visible; }
     void cancel();
     bool busy() const { return !requests_.empty(); }
     double progress() const;
@@ -97,7 +117,7 @@ public:
     void setRunVisible(int id, bool visible);
     void renameRun(int id, const QString& name);
     void removeRun(int id);
-    // Track CSV in the background; `done` hears how it went.
+    // Track CSV in the background; `done` hears how it went. A partial run is not written.
     void exportTrack(int id, const QString& path, std::function<void(const Status&)> done);
 
     void report(const Message& message) { emit reported(message); }
@@ -110,6 +130,7 @@ signals:
     void currentRecordingChanged();
     void settingsChanged();
     void carrierChanged();
+    void liveChanged();
     void runsChanged();
     void runAdded(int id);
     void busyChanged();
@@ -118,12 +139,14 @@ signals:
     void opened(const QString& path);
     void comparisonReady(const QList<int>& run_ids);
     void reported(const Message& message);
+    void settled(Topic topic);  // what was reported about it holds no more
 
 private:
     struct Request {
         int recording_id = 0;
         Settings settings;
         int batch = 0;  // 0: a run of its own
+        bool live = false;
     };
 
     RecordingEntry* find(int id);
@@ -134,6 +157,18 @@ private:
     void readEnvelope(int id);
     void hashFile(int id);
     void ask(int recording_id, const Settings& settings, int batch);
+    void enter(int key, const Request& request);
+    static void showOutcome(RunEntry& entry, const Settings& requested, AnalysisOutcome outcome);
+    RunEntry newRun(const RecordingEntry& recording, const QString& name);
+    // document_live.cpp
+    void follow(int recording_id);
+    void catchUp(int recording_id);
+    void showLive(int recording_id, const Settings& requested, AnalysisOutcome outcome);
+    void whenLive(int recording_id, Result<AnalysisOutcome> result);
+    void forgetLive(int recording_id);
+    RunEntry* liveRun(int recording_id);
+    static Settings withKnownCarrier(const RecordingEntry& entry, Settings settings);
+    void learnCarrier(int recording_id, const Settings& requested, const Settings& used);
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
     int addRun(const Request& request, AnalysisOutcome outcome);
     void apply(const Settings& settings);
@@ -153,6 +188,8 @@ private:
     int requests_asked_ = 0;  // since the window was last idle
     double fraction_ = 0;     // of the analysis that computes now
     QElapsedTimer busy_since_;
+    bool live_ = false;
+    TimeRange visible_{-1e300, 1e300};
 
     friend class SettingsCommand;
 };

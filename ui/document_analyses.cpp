@@ -48,7 +48,8 @@ void Document::ask(int recording_id, const Settings& settings, int batch) {
     if (batch == 0) {
         // A new run of a recording takes the place of one that is still computing.
         const auto older = std::ranges::find_if(requests_, [&](const auto& request) {
-            return request.second.recording_id == recording_id && request.second.batch == 0;
+            const Request& other = request.second;
+            return other.recording_id == recording_id && other.batch == 0 && !other.live;
         });
         if (older != requests_.end()) {
             job_.forget(older->first);
@@ -56,19 +57,23 @@ void Document::ask(int recording_id, const Settings& settings, int batch) {
             --requests_asked_;
         }
     }
-    const bool was_busy = busy();
-    if (!was_busy) {
+    const int key = ++last_id_;
+    enter(key, {recording_id, settings, batch, false});
+    const RecordingEntry& entry = *recording(recording_id);
+    job_.analyse(
+        key, *entry.recording, withKnownCarrier(entry, settings),
+        [this, key](Result<AnalysisOutcome> result) { whenAnalysed(key, std::move(result)); });
+    emit busyChanged();
+}
+
+void Document::enter(int key, const Request& request) {
+    if (!busy()) {
         requests_asked_ = 0;
         fraction_ = 0;
         busy_since_.start();
     }
-    const int key = ++last_id_;
-    requests_[key] = {recording_id, settings, batch};
-    ++requests_asked_;
-    job_.analyse(
-        key, *recording(recording_id)->recording, settings,
-        [this, key](Result<AnalysisOutcome> result) { whenAnalysed(key, std::move(result)); });
-    emit busyChanged();
+    requests_asked_ += requests_.contains(key) ? 0 : 1;
+    requests_[key] = request;
 }
 
 void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
@@ -79,6 +84,7 @@ void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
     const Request request = found->second;
     if (result) {
         const double seconds = result->analysis->timing.estimate_s;
+        learnCarrier(request.recording_id, request.settings, result->analysis->settings);
         const int id = addRun(request, std::move(*result));
         if (request.batch != 0) {
             batches_[request.batch].push_back(id);
@@ -110,40 +116,44 @@ void Document::requestDone(int key) {
 
 int Document::addRun(const Request& request, AnalysisOutcome outcome) {
     const RecordingEntry& entry = *recording(request.recording_id);
-    RunEntry added;
-    added.recording_id = entry.id;
-    added.requested = request.settings;
-    added.summary = outcome.summary;
-    added.events = std::move(outcome.events);
     const auto same = std::ranges::find_if(runs_, [&](const RunEntry& other) {
-        return other.recording_id == entry.id && other.requested == request.settings;
+        return !other.live && other.recording_id == entry.id && other.requested == request.settings;
     });
-    if (same != runs_.end()) {
-        added.run = same->run;
-        added.run.visible = true;
-    } else {
-        const RunStyle style = runStyle(freeStyle());
-        added.run.id = ++last_id_;
-        added.run.name = freeName(QStringLiteral("%1, n = %2")
-                                      .arg(QFileInfo(entry.path).completeBaseName())
-                                      .arg(outcome.analysis->plan.length));
-        added.run.recording = entry.name;
-        added.run.color = style.color;
-        added.run.dash = style.dash;
-        added.run.rate_hz = entry.recording->rate_hz;
+    const bool again = same != runs_.end();
+    if (!again) {
+        runs_.push_back(newRun(entry, QStringLiteral("%1, n = %2")
+                                          .arg(QFileInfo(entry.path).completeBaseName())
+                                          .arg(outcome.analysis->plan.length)));
     }
-    added.run.seconds_taken = outcome.analysis->timing.estimate_s;
-    added.run.analysis = std::move(outcome.analysis);
-    added.run.curves = std::move(outcome.curves);
-    const int id = added.run.id;
-    if (same != runs_.end()) {
-        *same = std::move(added);
-    } else {
-        runs_.push_back(std::move(added));
-    }
+    RunEntry& run = again ? *same : runs_.back();
+    run.run.visible = true;
+    showOutcome(run, request.settings, std::move(outcome));
+    const int id = run.run.id;
     emit runsChanged();
     emit runAdded(id);
     return id;
+}
+
+RunEntry Document::newRun(const RecordingEntry& recording, const QString& name) {
+    const RunStyle style = runStyle(freeStyle());
+    RunEntry entry;
+    entry.recording_id = recording.id;
+    entry.run.id = ++last_id_;
+    entry.run.name = freeName(name);
+    entry.run.recording = recording.name;
+    entry.run.color = style.color;
+    entry.run.dash = style.dash;
+    entry.run.rate_hz = recording.recording->rate_hz;
+    return entry;
+}
+
+void Document::showOutcome(RunEntry& entry, const Settings& requested, AnalysisOutcome outcome) {
+    entry.requested = requested;
+    entry.summary = outcome.summary;
+    entry.events = std::move(outcome.events);
+    entry.run.seconds_taken = outcome.analysis->timing.estimate_s;
+    entry.run.analysis = std::move(outcome.analysis);
+    entry.run.curves = std::move(outcome.curves);
 }
 
 QString Document::freeName(const QString& wish) const {

@@ -59,6 +59,9 @@ void EventsPanel::refresh() {
         title_->setText(
             tr("Axis crossings, gaps and windows without convergence of the chosen "
                "run appear here."));
+    } else if (entry->partial()) {
+        title_->setText(
+            tr("%1: events are looked for when all windows are there.").arg(entry->run.name));
     } else if (entry->events.empty()) {
         title_->setText(tr("%1: no axis crossings, no gaps.").arg(entry->run.name));
     } else {

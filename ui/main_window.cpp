@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -31,6 +33,9 @@ namespace {
 
 // Edits of the analysed range closer together than this are one drag, and one step of undo.
 constexpr qint64 one_gesture_ms = 700;
+// Analyses shorter than this come and go without a progress bar, which would only flicker while a
+// setting is changed.
+constexpr int patience_ms = 250;
 
 }  // namespace
 
@@ -40,6 +45,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+    wait_.setSingleShot(true);
+    wait_.setInterval(patience_ms);
+    connect(&wait_, &QTimer::timeout, this, &MainWindow::showProgress);
     buildViews();
     buildDocks();
     buildStatusBar();
@@ -146,6 +154,11 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::busyChanged, this, &MainWindow::showProgress);
     connect(&document_, &Document::progressChanged, this, &MainWindow::showProgress);
     connect(&document_, &Document::opened, recent_, &RecentFiles::add);
+    connect(&document_, &Document::liveChanged, this, [this] {
+        action(Command::live)->setChecked(document_.live());
+        QSettings().setValue(QStringLiteral("live"), document_.live());
+    });
+    connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
     connect(&document_, &Document::comparisonReady, this, &MainWindow::showComparison);
     connect(&document_, &Document::reported, messages_, &MessageBar::add);
     connect(&document_, &Document::finished, this, [this](int run_id, double seconds) {
@@ -174,6 +187,7 @@ void MainWindow::connectViews() {
     connect(signal_, &SignalView::analysedRangeEdited, this, &MainWindow::editAnalysedRange);
     connect(tracks_, &TrackView::timeRangeChanged, this, [this](double from_s, double to_s) {
         signal_->setVisibleRange({from_s, to_s});
+        document_.setVisibleRange({from_s, to_s});
     });
     connect(tracks_, &TrackView::trackerMoved, this,
             [this](double time_s) { cursor_->setTime(time_s); });
@@ -249,7 +263,10 @@ void MainWindow::showRun(int id) {
 }
 
 void MainWindow::showProgress() {
-    const bool busy = document_.busy();
+    if (std::exchange(was_busy_, document_.busy()) != document_.busy()) {
+        document_.busy() ? wait_.start() : wait_.stop();
+    }
+    const bool busy = document_.busy() && !wait_.isActive();
     progress_->setVisible(busy);
     cancel_->setVisible(busy);
     time_left_->setVisible(busy);

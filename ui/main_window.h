@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QPointer>
+#include <QTimer>
 
 #include <array>
 #include <map>
@@ -57,6 +58,7 @@ enum class Command {
     sigma_bands,
     log_a_A,
     run,
+    live,
     cancel,
     compare,
     help,
@@ -173,6 +175,8 @@ private:
     QPointer<HelpView> help_;
     AnalysisJob imports_;  // previews of the import dialog
     QPointer<ImportDialog> import_;
+    QTimer wait_;  // what takes less than this shows no progress
+    bool was_busy_ = false;
     QElapsedTimer last_range_edit_;
     int range_gesture_ = 0;
 };

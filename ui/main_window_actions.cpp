@@ -5,6 +5,7 @@
 #include "ui/number_field.h"
 #include "ui/plot_export.h"
 #include "ui/recent_files.h"
+#include "ui/run_list.h"
 #include "ui/signal_view.h"
 #include "ui/track_view.h"
 
@@ -62,7 +63,12 @@ constexpr std::array<CommandTexts, static_cast<std::size_t>(Command::count)> com
     {QT_TRANSLATE_NOOP("Command", "One-&sigma bands"), ""},
     {QT_TRANSLATE_NOOP("Command", "&Logarithmic working amplitude"), ""},
     {QT_TRANSLATE_NOOP("Command", "&Run"),
-     QT_TRANSLATE_NOOP("Command", "Analyse the current recording with the settings of the panel")},
+     QT_TRANSLATE_NOOP("Command",
+                       "Analyse the current recording with the settings of the panel, as a run "
+                       "that is kept")},
+    {QT_TRANSLATE_NOOP("Command", "&Live"),
+     QT_TRANSLATE_NOOP("Command",
+                       "Every change of a setting shows at once, in a run that follows the panel")},
     {QT_TRANSLATE_NOOP("Command", "&Cancel"),
      QT_TRANSLATE_NOOP("Command", "Stop the analyses that are under way")},
     {QT_TRANSLATE_NOOP("Command", "Compare &windows…"),
@@ -93,6 +99,7 @@ QList<QKeySequence> shortcutsOf(Command command) {
         case Command::zoom_back: return {QKeyCombination(Qt::ALT, Qt::Key_Left)};
         case Command::zoom_forward: return {QKeyCombination(Qt::ALT, Qt::Key_Right)};
         case Command::run: return {QKeySequence(Qt::Key_F5)};
+        case Command::live: return {QKeyCombination(Qt::CTRL, Qt::Key_L)};
         case Command::cancel: return {QKeyCombination(Qt::SHIFT, Qt::Key_F5)};
         case Command::compare: return {QKeySequence(Qt::Key_F6)};
         case Command::help: return {QKeySequence(Qt::Key_F1)};
@@ -140,6 +147,7 @@ void MainWindow::buildActions() {
         }
         document_.analyse();
     });
+    on(Command::live, [this](bool on_now) { document_.setLive(on_now); });
     on(Command::cancel, [this] { document_.cancel(); });
     on(Command::compare, [this] { openCompare(); });
     on(Command::help, [this] { showHelp(); });
@@ -150,7 +158,7 @@ void MainWindow::buildActions() {
     action(Command::about)->setMenuRole(QAction::AboutRole);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::refreshActions);
 
-    for (const Command command : {Command::sigma_bands, Command::log_a_A}) {
+    for (const Command command : {Command::sigma_bands, Command::log_a_A, Command::live}) {
         action(command)->setCheckable(true);
     }
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
@@ -283,7 +291,7 @@ void MainWindow::buildMenus() {
     }
 
     QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
-    add(analysis, {Command::run, Command::cancel, Command::compare});
+    add(analysis, {Command::run, Command::live, Command::cancel, Command::compare});
     QMenu* help = top(QT_TR_NOOP("&Help"));
     add(help, {Command::help, Command::copy_diagnostics, Command::about});
 }
@@ -321,9 +329,11 @@ void MainWindow::refreshActions() {
     const bool plots = !document_.runs().empty();
     enable({Command::run, Command::compare}, open);
     enable({Command::close_recording}, entry != nullptr);
-    enable({Command::export_plots, Command::export_track, Command::copy_plot, Command::copy_table,
-            Command::zoom_in, Command::zoom_out, Command::zoom_fit},
+    enable({Command::export_plots, Command::copy_plot, Command::copy_table, Command::zoom_in,
+            Command::zoom_out, Command::zoom_fit},
            plots);
+    const RunEntry* chosen = document_.run(runs_->currentRun());
+    enable({Command::export_track}, chosen && !chosen->partial());
     enable({Command::zoom_back}, tracks_->canZoomBack());
     enable({Command::zoom_forward}, tracks_->canZoomForward());
     enable({Command::undo}, document_.undoStack().canUndo());

@@ -41,6 +41,7 @@ void MainWindow::restoreState() {
     const QSettings settings;
     theme_mode_ = static_cast<ThemeMode>(settings.value(QStringLiteral("theme"), 0).toInt());
     applyLook();
+    document_.setLive(settings.value(QStringLiteral("live"), true).toBool());
     setLanguage(settings.value(QStringLiteral("language"), Language::ofTheSystem()).toString());
     resize(1400, 900);
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

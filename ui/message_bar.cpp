@@ -35,6 +35,7 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayo
 }
 
 void MessageBar::add(const Message& message) {
+    withdraw(message.topic);
     const QString text = message.text();
     const auto same =
         std::ranges::find_if(rows_, [&](const Row& row) { return row.message.text() == text; });
@@ -91,6 +92,14 @@ void MessageBar::remove(QWidget* widget) {
 void MessageBar::clear() {
     while (!rows_.empty()) {
         remove(rows_.back().widget);
+    }
+}
+
+void MessageBar::withdraw(Topic topic) {
+    const auto told = [topic](const Row& row) { return row.message.topic == topic; };
+    if (const auto row = std::ranges::find_if(rows_, told);
+        topic != Topic::none && row != rows_.end()) {
+        remove(row->widget);
     }
 }
 

@@ -21,6 +21,8 @@ public:
 
     void add(const Message& message);
     void clear();
+    // Takes what was told about a topic away.
+    void withdraw(Topic topic);
     // Texts on display, newest first.
     QStringList texts() const;
 

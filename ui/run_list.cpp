@@ -84,6 +84,7 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
     connect(this, &QTreeWidget::currentItemChanged, this,
             [this] { emit currentRunChanged(currentRun()); });
     connect(&document_, &Document::runsChanged, this, &RunList::rebuild);
+    connect(&document_, &Document::liveChanged, this, &RunList::rebuild);
     connect(&document_, &Document::runAdded, this, [this](int id) {
         for (int row = 0; row < topLevelItemCount(); ++row) {
             if (topLevelItem(row)->data(name, Qt::UserRole).toInt() == id) {
@@ -116,13 +117,25 @@ void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) const {
     item.setText(algorithm, algorithmText(analysis.settings.algorithm));
     item.setText(window, locale.toString(static_cast<qint64>(analysis.plan.length)));
     const QString count = locale.toString(static_cast<qint64>(entry.summary.windows));
-    item.setText(windows, entry.summary.flagged == 0
-                              ? count
-                              : tr("%1 (%2 flagged)").arg(count).arg(entry.summary.flagged));
+    const QString flagged = entry.summary.flagged == 0
+                                ? count
+                                : tr("%1 (%2 flagged)").arg(count).arg(entry.summary.flagged);
+    item.setText(
+        windows,
+        entry.partial()
+            ? tr("%1 of %2").arg(count, locale.toString(static_cast<qint64>(analysis.plan.count)))
+            : flagged);
     item.setText(frequency, valueText(entry.summary.mean_f_hz, entry.summary.sd_mean_f_hz));
     item.setText(rms, locale.toString(entry.summary.rms, 'g', 4));
-    item.setText(time, locale.toString(entry.run.seconds_taken, 'g', 2));
+    item.setText(time,
+                 entry.partial() ? QString() : locale.toString(entry.run.seconds_taken, 'g', 2));
     QStringList notes;
+    if (entry.live && document_.live()) {
+        QFont font = this->font();
+        font.setItalic(true);
+        item.setFont(name, font);
+        notes << tr("Follows the settings while Live is on; Run keeps a run as it is");
+    }
     for (const Diagnostic& diagnostic : analysis.diagnostics) {
         notes << diagnosticText(diagnostic);
     }

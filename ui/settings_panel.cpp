@@ -7,10 +7,12 @@
 #include "ui/start_fields.h"
 #include "ui/window_fields.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -97,13 +99,19 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll_ = scroll;
 
+    live_ = new QCheckBox(this);
+    live_->setObjectName(QStringLiteral("live"));
     run_ = new QPushButton(this);
     run_->setObjectName(QStringLiteral("run"));
     run_->setDefault(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 4);
     layout->addWidget(scroll, 1);
-    layout->addWidget(run_);
+    auto* start = new QHBoxLayout;
+    start->setContentsMargins(8, 0, 4, 0);
+    start->addWidget(live_);
+    start->addWidget(run_, 1);
+    layout->addLayout(start);
 
     connect(algorithm_, &QComboBox::activated, this, [this](int index) {
         Settings settings = document_.settings();
@@ -112,6 +120,9 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     });
     connect(range, &RangeFields::visibleRangeWanted, this, &SettingsPanel::visibleRangeWanted);
     connect(run_, &QPushButton::clicked, &document_, &Document::analyse);
+    connect(live_, &QCheckBox::toggled, &document_, &Document::setLive);
+    connect(&document_, &Document::liveChanged, live_,
+            [this] { live_->setChecked(document_.live()); });
     connect(&document_, &Document::settingsChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::carrierChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SettingsPanel::refresh);
@@ -167,7 +178,12 @@ void SettingsPanel::retranslate() {
     scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
                              scroll_->verticalScrollBar()->sizeHint().width());
     run_->setText(tr("Run"));
-    run_->setToolTip(tr("Analyse the current recording with these settings (F5)"));
+    run_->setToolTip(tr("Analyse the current recording with these settings and keep the run (F5)"));
+    live_->setText(tr("Live"));
+    live_->setToolTip(richTip(
+        tr("Every change of a setting shows at once: first in the visible part of the plots, then "
+           "in the rest, always in the same run. What is to stay for comparison is kept by Run "
+           "(Ctrl+L)")));
     refresh();
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -16,7 +17,8 @@ class Document;
 class Section;
 
 // The analysis panel: algorithm, window, start values, range, carrier and filter, calibration, and
-// the button that runs it. Every edit goes to the document, with undo.
+// the button that runs it and the switch that makes the plots follow it. Every edit goes to the
+// document, with undo.
 class SettingsPanel : public QWidget {
     Q_OBJECT
 
@@ -45,6 +47,7 @@ private:
     Document& document_;
     QLabel* algorithm_label_;
     QComboBox* algorithm_;
+    QCheckBox* live_;
     QPushButton* run_;
     std::vector<Group> groups_;
     QVBoxLayout* sections_;

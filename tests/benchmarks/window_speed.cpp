@@ -1,0 +1,200 @@
+// The real window, offscreen: from the click on Run to the redrawn plots, and a frame of panning
+// and zooming. `bin/window_benchmarks` prints the table; its status tells whether all is fast
+// enough.
+#include "core/report/sample_files.h"
+#include "core/simulation/free_decay.h"
+#include "ui/main_window.h"
+#include "ui/track_view.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+namespace {
+
+constexpr int clicks = 20;
+constexpr int frames = 300;  // of each way of moving
+
+// Milliseconds of one step, over and over.
+class Series {
+public:
+    void add(double ms) { all_.push_back(ms); }
+    double quantile(double share) {
+        std::ranges::sort(all_);
+        return all_[static_cast<std::size_t>(share * static_cast<double>(all_.size() - 1))];
+    }
+    // One line; true where the median and the 99th percentile are low enough.
+    bool print(const char* what, double median_ms, double late_ms) {
+        std::printf("%-34s %8.1f %8.1f %8.1f %10.0f %6.0f\n", what, quantile(0.5), quantile(0.99),
+                    quantile(1), median_ms, late_ms);
+        return quantile(0.5) <= median_ms && quantile(0.99) <= late_ms;
+    }
+
+private:
+    std::vector<double> all_;
+};
+
+double ms_of(const QElapsedTimer& clock) {
+    return 1e-6 * static_cast<double>(clock.nsecsElapsed());
+}
+
+// The article's case: 28 s at 33333 Hz, carrier 5300 Hz.
+QString write_demo(const QTemporaryDir& folder) {
+    const QString path = folder.filePath(QStringLiteral("demo.wav"));
+    const std::filesystem::path target(path.toStdString());
+    const FreeDecay decay = demo_decay();
+    const auto samples = simulate(decay, {});
+    auto file = OutputFile::create(target, {});
+    if (!samples || !file ||
+        !write_samples(*file, *sample_format(target), {samples->c, samples->d, decay.rate_hz},
+                       {}) ||
+        !file->commit()) {
+        qFatal("the recording cannot be written");
+    }
+    return path;
+}
+
+// The window with the demonstration recording, drawn and read to its end.
+class Bench {
+public:
+    explicit Bench(const QString& path) {
+        window_.setLanguage(QStringLiteral("en"));
+        window_.resize(1400, 900);
+        window_.show();
+        tracks_ = window_.findChild<TrackView*>();
+        plot_ = tracks_->findChild<QCustomPlot*>();
+        QObject::connect(plot_, &QCustomPlot::afterReplot, plot_, [this] { ++drawn_; });
+        document().setLive(false);
+        Settings settings;
+        settings.window = 6;
+        document().startWith(settings);
+        document().open({path});
+        wait([&] {
+            const RecordingEntry* entry = document().currentRecording();
+            return entry && entry->faults && !entry->sha256.isEmpty() && !document().busy();
+        });
+    }
+
+    Document& document() { return window_.document(); }
+    TrackView& tracks() { return *tracks_; }
+
+    // Until all that was asked for is drawn.
+    template <class Done>
+    void wait(Done done) {
+        if (!QTest::qWaitFor(done, 60000)) {
+            qFatal("the window does not come to an end");
+        }
+    }
+
+    // The analysis to its drawn plots. Nothing but events between, no polling.
+    double click_ms(const Settings& settings) {
+        document().setSettings(settings);
+        QTest::qWait(50);
+        QPushButton* run = window_.findChild<QPushButton*>(QStringLiteral("run"));
+        QElapsedTimer clock;
+        clock.start();
+        QTest::mouseClick(run, Qt::LeftButton);
+        while (document().busy()) {
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        }
+        const int drawn = drawn_;
+        while (drawn_ == drawn) {
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        }
+        return ms_of(clock);
+    }
+
+    // One step of moving, to the drawn plots and the painted window.
+    template <class Move>
+    double frame_ms(Move move) {
+        QElapsedTimer clock;
+        clock.start();
+        const int drawn = drawn_;
+        move();
+        while (drawn_ == drawn) {
+            QCoreApplication::processEvents(QEventLoop::AllEvents);
+        }
+        QCoreApplication::processEvents(QEventLoop::AllEvents);  // paints what was drawn
+        return ms_of(clock);
+    }
+
+private:
+    MainWindow window_;
+    TrackView* tracks_ = nullptr;
+    QCustomPlot* plot_ = nullptr;
+    int drawn_ = 0;
+};
+
+Settings with(Algorithm algorithm) {
+    Settings settings;
+    settings.window = 6;
+    settings.algorithm = algorithm;
+    return settings;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    QApplication application(argc, argv);
+    const QTemporaryDir folder;
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName(QStringLiteral("vybeg-benchmarks"));
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+
+    Bench bench(write_demo(folder));
+    Series run;
+    for (int i = 0; i < clicks; ++i) {
+        run.add(bench.click_ms(with(Algorithm::maximum_likelihood)));
+    }
+    for (const Algorithm other : {Algorithm::demodulation, Algorithm::in_phase}) {
+        bench.click_ms(with(other));
+    }
+    if (bench.document().runs().size() != 3 ||
+        bench.document().runs().front().summary.windows != 155554) {
+        qFatal("there should be three runs of 155,554 windows");
+    }
+
+    // From all to a hundredth and back, then panned through at three zooms.
+    TrackView& tracks = bench.tracks();
+    tracks.fit();
+    const AxisRange whole = tracks.fullTimeRange();
+    Series zoom;
+    Series pan;
+    for (int i = 0; i < frames; ++i) {
+        const double phase = std::abs(1 - 2.0 * i / frames);  // 1, 0, 1
+        const double span = whole.span() * std::pow(0.01, 1 - phase) * 0.999;
+        const double from = whole.lower + 0.3 * (whole.span() - span);
+        zoom.add(bench.frame_ms([&] { tracks.setTimeRange({from, from + span}); }));
+    }
+    for (const double share : {0.5, 0.1, 0.005}) {
+        const double span = share * whole.span();
+        tracks.setTimeRange({whole.lower, whole.lower + span});
+        QTest::qWait(50);
+        for (int i = 1; i <= frames / 3; ++i) {
+            const double from = whole.lower + (whole.span() - span) * i / (frames / 3. + 1);
+            pan.add(bench.frame_ms([&] { tracks.setTimeRange({from, from + span}); }));
+        }
+    }
+    std::printf("\n%-34s %8s %8s %8s %10s %6s\n", "milliseconds", "median", "99 %", "most",
+                "target", "99 %");
+    bool enough = run.print("Run to plots, 155,554 windows", 250, 250);
+    enough = zoom.print("zooming, 3 runs in 5 plots", 16, 33) && enough;
+    enough = pan.print("panning, 3 runs in 5 plots", 16, 33) && enough;
+    return enough ? 0 : 1;
+}
