@@ -175,8 +175,16 @@
             <translation>&amp;Рассчитать</translation>
         </message>
         <message>
-            <source>Analyse the current recording with the settings of the panel</source>
-            <translation>Обработать текущую запись с настройками панели</translation>
+            <source>Analyse the current recording with the settings of the panel, as a run that is kept</source>
+            <translation>Обработать текущую запись с настройками панели и оставить расчёт в списке</translation>
+        </message>
+        <message>
+            <source>&amp;Live</source>
+            <translation>&amp;На лету</translation>
+        </message>
+        <message>
+            <source>Every change of a setting shows at once, in a run that follows the panel</source>
+            <translation>Каждое изменение настройки сразу видно: один расчёт следует за панелью</translation>
         </message>
         <message>
             <source>&amp;Cancel</source>
@@ -923,6 +931,10 @@
             <source>What</source>
             <translation>Что</translation>
         </message>
+        <message>
+            <source>%1: events are looked for when all windows are there.</source>
+            <translation>%1: события ищутся, когда готовы все окна.</translation>
+        </message>
     </context>
     <context>
         <name>vybeg::ui::HelpView</name>
@@ -1657,6 +1669,14 @@
             <source>Remove</source>
             <translation>Удалить</translation>
         </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
+        </message>
+        <message>
+            <source>Follows the settings while Live is on; Run keeps a run as it is</source>
+            <translation>Следует за настройками, пока включено «На лету»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
+        </message>
     </context>
     <context>
         <name>vybeg::ui::SettingsPanel</name>
@@ -1689,8 +1709,16 @@
             <translation>Рассчитать</translation>
         </message>
         <message>
-            <source>Analyse the current recording with these settings (F5)</source>
-            <translation>Обработать текущую запись с этими настройками (F5)</translation>
+            <source>Analyse the current recording with these settings and keep the run (F5)</source>
+            <translation>Обработать текущую запись с этими настройками и оставить расчёт в списке (F5)</translation>
+        </message>
+        <message>
+            <source>Live</source>
+            <translation>На лету</translation>
+        </message>
+        <message>
+            <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same run. What is to stay for comparison is kept by Run (Ctrl+L)</source>
+            <translation>Каждое изменение настройки сразу видно: сначала на видимой части графиков, затем на остальной, всегда в одном и том же расчёте. То, что нужно для сравнения, оставляет кнопка «Рассчитать» (Ctrl+L)</translation>
         </message>
     </context>
     <context>

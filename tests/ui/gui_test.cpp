@@ -46,6 +46,7 @@ QString GuiTestHome::file(const QString& name, const QByteArray& content) const 
 
 std::unique_ptr<MainWindow> shownWindow() {
     QSettings().clear();
+    QSettings().setValue(QStringLiteral("live"), false);
     auto window = std::make_unique<MainWindow>();
     window->setLanguage(QStringLiteral("en"));
     window->resize(1400, 900);

@@ -28,7 +28,8 @@ private:
     QTemporaryDir folder_;
 };
 
-// The main window in English, 1400 x 900, on the screen, with no settings of an earlier one.
+// The main window in English, 1400 x 900, on the screen, with no settings of an earlier one but
+// that it is not live: a run is what a test asks for.
 std::unique_ptr<MainWindow> shownWindow();
 
 }  // namespace vybeg::ui

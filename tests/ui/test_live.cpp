@@ -1,0 +1,358 @@
+// Live analysis: a run that follows the settings.
+#include "tests/ui/gui_test.h"
+#include "ui/message_bar.h"
+#include "ui/number_field.h"
+#include "ui/run_list.h"
+#include "ui/track_view.h"
+
+#include <QCheckBox>
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+namespace {
+
+// What a document showed of its live run each time that it changed.
+struct Shown {
+    std::int64_t length = 0;
+    std::shared_ptr<const Analysis> analysis;
+    bool partial = false;
+};
+
+std::size_t rows_between(const Track& track, const TimeRange& range) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        track.time_s(), [&](double t) { return t >= range.from_s && t <= range.to_s; }));
+}
+
+}  // namespace
+
+class TestLive : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    QString short_;
+    QString long_;  // with one sample of hop it takes long enough to be shown early
+
+    static bool idle(const Document& document, std::size_t runs) {
+        return QTest::qWaitFor([&] { return !document.busy() && document.runs().size() == runs; },
+                               60000);
+    }
+
+    using History = std::shared_ptr<std::vector<Shown>>;
+    static History watch(Document& document) {
+        auto shown = std::make_shared<std::vector<Shown>>();
+        connect(&document, &Document::runsChanged, &document, [&document, shown] {
+            for (const RunEntry& entry : document.runs()) {
+                const auto& analysis = entry.run.analysis;
+                if (entry.live && (shown->empty() || shown->back().analysis != analysis)) {
+                    shown->push_back({analysis->plan.length, analysis, entry.partial()});
+                }
+            }
+        });
+        return shown;
+    }
+
+    static void change(Document& document, std::int64_t window, std::int64_t hop = 0) {
+        Settings settings = document.settings();
+        settings.window = window;
+        settings.hop = hop;
+        document.setSettings(settings);
+    }
+
+private slots:
+    void initTestCase() {
+        short_ = home_.recording("short.wav");
+        long_ = home_.recording("long.wav", 120);
+    }
+
+    void a_change_updates_the_run_in_its_place() {
+        Document document;
+        document.setLive(true);
+        document.open({short_});
+        QVERIFY(idle(document, 1));
+        const RunEntry before = document.runs().front();
+        QVERIFY(before.live);
+        QCOMPARE(before.run.name, QStringLiteral("short"));
+        change(document, 80);
+        QVERIFY(idle(document, 1));
+        const RunEntry& after = document.runs().front();
+        QCOMPARE(after.run.analysis->plan.length, 80);
+        QCOMPARE(after.run.id, before.run.id);
+        QCOMPARE(after.run.name, before.run.name);
+        QCOMPARE(after.run.color, before.run.color);
+        QCOMPARE(after.run.dash, before.run.dash);
+        Settings settings = document.settings();
+        settings.algorithm = Algorithm::demodulation;
+        settings.calibration.kappa = 1.5;
+        document.setSettings(settings);
+        QVERIFY(idle(document, 1));
+        QCOMPARE(document.runs().front().run.analysis->settings.calibration.kappa, 1.5);
+        QCOMPARE(document.runs().front().run.analysis->settings.algorithm, Algorithm::demodulation);
+    }
+
+    void run_keeps_what_the_live_run_leaves() {
+        Document document;
+        document.setLive(true);
+        document.open({short_});
+        QVERIFY(idle(document, 1));
+        document.analyse();
+        QVERIFY(idle(document, 2));
+        document.analyse();  // the same once more: the same run
+        QVERIFY(idle(document, 2));
+        change(document, 80);
+        QVERIFY(idle(document, 2));
+        QCOMPARE(document.runs()[0].run.analysis->plan.length, 80);
+        QCOMPARE(document.runs()[1].run.analysis->plan.length, 60);
+        QVERIFY(!document.runs()[1].live);
+        QVERIFY(document.runs()[1].run.color != document.runs()[0].run.color);
+    }
+
+    void the_visible_part_arrives_first_and_is_that_of_the_whole() {
+        Document document;
+        document.setLive(true);
+        document.open({long_});
+        QVERIFY(idle(document, 1));
+        const TimeRange visible{30, 31};
+        document.setVisibleRange(visible);
+        const History history = watch(document);
+        const std::vector<Shown>& shown = *history;
+        change(document, 64, 1);
+        QVERIFY(idle(document, 1));
+        QCOMPARE(shown.size(), std::size_t(3));
+        QVERIFY(shown[0].partial && shown[1].partial && !shown[2].partial);
+        const Track& part = shown[1].analysis->track;
+        const Track& whole = shown[2].analysis->track;
+        QVERIFY(rows_between(part, visible) > 7900);
+        QCOMPARE(rows_between(part, visible), rows_between(whole, visible));
+        // The curve of other settings is nowhere shown as if it were this one.
+        QCOMPARE(part.time_s().front(), whole.time_s().front());
+        QCOMPARE(part.time_s().back(), whole.time_s().back());
+        std::size_t row = 0;
+        for (std::size_t k = 0; k < part.rows(); ++k) {
+            while (whole.time_s()[row] < part.time_s()[k] - 1e-9) {
+                ++row;
+            }
+            for (const SlowVariable variable : all_slow_variables) {
+                const double off = std::abs(part.values(variable)[k] - whole.values(variable)[row]);
+                QVERIFY(off <= 1e-9 * std::max(1.0, std::abs(whole.values(variable)[row])));
+            }
+        }
+        QVERIFY(document.runs().front().events.empty());
+    }
+
+    void the_newest_of_many_settings_wins_and_none_is_shown_late() {
+        Document document;
+        document.setLive(true);
+        document.open({long_});
+        QVERIFY(idle(document, 1));
+        const History history = watch(document);
+        const std::vector<Shown>& shown = *history;
+        // A spin box that is held, while the first of them computes already.
+        QElapsedTimer clock;
+        clock.start();
+        for (std::int64_t window = 40; window <= 140; ++window) {
+            change(document, window, 1);
+            QTest::qWait(2);
+        }
+        QVERIFY(idle(document, 1));
+        const qint64 all_ms = clock.elapsed();
+        QCOMPARE(shown.back().length, 140);
+        QVERIFY(!shown.back().partial);
+        // In the order of asking: nothing stale comes later.
+        QVERIFY(std::ranges::is_sorted(shown, {}, &Shown::length));
+        QCOMPARE(std::ranges::count_if(shown, [](const Shown& s) { return !s.partial; }), 1);
+        // A hundred runs in a queue would take a hundred times as long as one.
+        clock.start();
+        change(document, 141, 1);
+        QVERIFY(idle(document, 1));
+        QVERIFY2(all_ms < 1500 + 15 * clock.elapsed(), qPrintable(QString::number(all_ms)));
+    }
+
+    void undo_and_redo_are_followed() {
+        Document document;
+        document.setLive(true);
+        document.open({short_});
+        QVERIFY(idle(document, 1));
+        change(document, 80);
+        QVERIFY(idle(document, 1));
+        document.undoStack().undo();
+        QVERIFY(idle(document, 1));
+        QCOMPARE(document.runs().front().run.analysis->plan.length, 60);
+        document.undoStack().redo();
+        QVERIFY(idle(document, 1));
+        QCOMPARE(document.runs().front().run.analysis->plan.length, 80);
+    }
+
+    void nothing_is_run_while_live_is_off() {
+        Document document;
+        document.open({short_});
+        QVERIFY(idle(document, 1));
+        change(document, 80);
+        QVERIFY(!document.busy());
+        QTest::qWait(100);
+        QCOMPARE(document.runs().front().run.analysis->plan.length, 60);
+        // Switched on, it catches up, and leaves what was there.
+        document.setLive(true);
+        QVERIFY(idle(document, 2));
+        QCOMPARE(document.runs()[0].run.analysis->plan.length, 60);
+        QCOMPARE(document.runs()[1].run.analysis->plan.length, 80);
+        document.setLive(false);
+        change(document, 44);
+        QVERIFY(!document.busy());
+    }
+
+    void only_the_current_recording_follows() {
+        Document document;
+        document.setLive(true);
+        document.open({short_, home_.recording("other.wav")});
+        QVERIFY(idle(document, 2));
+        const int first = document.runs()[0].recording_id;
+        const int second = document.runs()[1].recording_id;
+        document.setCurrentRecording(first);
+        QVERIFY2(!document.busy(), "it shows the settings already");
+        change(document, 80);
+        QVERIFY(idle(document, 2));
+        const auto length_of = [&](int recording) {
+            const auto entry =
+                std::ranges::find(document.runs(), recording, &RunEntry::recording_id);
+            return entry->run.analysis->plan.length;
+        };
+        QCOMPARE(length_of(first), 80);
+        QCOMPARE(length_of(second), 60);
+        document.setCurrentRecording(second);
+        QVERIFY(idle(document, 2));
+        QCOMPARE(length_of(second), 80);
+    }
+
+    void the_known_carrier_gives_what_the_search_gives() {
+        Document document;
+        document.setLive(true);
+        document.open({short_});
+        QVERIFY(idle(document, 1));
+        Settings settings = document.settings();
+        settings.calibration.offset_auto = true;
+        settings.from_s = 0.5;
+        document.setSettings(settings);
+        QVERIFY(idle(document, 1));
+        settings.window = 44;
+        document.setSettings(settings);
+        QVERIFY(idle(document, 1));
+        const Recording& recording = *document.currentRecording()->recording;
+        const auto plain = analyse(recording, settings, {});
+        QVERIFY(plain);
+        const Analysis& live = *document.runs().front().run.analysis;
+        QCOMPARE(live.settings, plain->settings);
+        for (const SlowVariable variable : all_slow_variables) {
+            QVERIFY(std::ranges::equal(live.track.values(variable), plain->track.values(variable)));
+        }
+        QCOMPARE(*document.carrier(), plain->f0_hz());
+    }
+
+    void a_removed_live_run_stays_away_until_the_next_change() {
+        Document document;
+        document.setLive(true);
+        document.open({long_});
+        QVERIFY(idle(document, 1));
+        change(document, 64, 1);
+        document.removeRun(document.runs().front().run.id);
+        QVERIFY(idle(document, 0));
+        QTest::qWait(100);
+        QCOMPARE(document.runs().size(), std::size_t(0));
+        change(document, 80);
+        QVERIFY(idle(document, 1));
+    }
+
+    void a_cancelled_live_run_is_known_as_partial_and_not_written() {
+        Document document;
+        document.setLive(true);
+        document.open({long_});
+        QVERIFY(idle(document, 1));
+        Settings settings = document.settings();
+        settings.algorithm = Algorithm::conjugate_gradient;
+        settings.hop = 1;
+        document.setSettings(settings);
+        QVERIFY(QTest::qWaitFor([&] { return document.runs().front().partial(); }, 20000));
+        document.cancel();
+        QVERIFY(idle(document, 1));
+        QVERIFY(document.runs().front().partial());
+        bool told = false;
+        document.exportTrack(document.runs().front().run.id, home_.path("partial.csv"),
+                             [&](const Status&) { told = true; });
+        QTest::qWait(100);
+        QVERIFY(!told && !QFile::exists(home_.path("partial.csv")));
+    }
+
+    void the_window_follows_keeps_its_zoom_and_tells_one_error() {
+        const auto window = shownWindow();
+        window->action(Command::live)->setChecked(false);
+        window->action(Command::live)->trigger();
+        Document& document = window->document();
+        QVERIFY(document.live());
+        document.open({short_});
+        QVERIFY(idle(document, 1));
+        auto& tracks = *window->findChild<TrackView*>();
+        auto& messages = *window->findChild<MessageBar*>();
+        auto& list = *window->findChild<RunList*>();
+        tracks.setTimeRange({0.5, 1.0});
+        tracks.setCursor(Cursor::a, 0.7);
+        NumberField* length = nullptr;
+        for (NumberField* each : window->findChildren<NumberField*>()) {
+            length = each->accessibleName() == QLatin1String("Length") ? each : length;
+        }
+        QVERIFY(length);
+        length->setFocus();
+        QTest::keyClick(length, Qt::Key_Up);
+        QTest::keyClick(length, Qt::Key_Up);
+        QVERIFY(idle(document, 1));
+        QCOMPARE(document.runs().front().run.analysis->plan.length, 62);
+        QCOMPARE(tracks.timeRange(), (AxisRange{0.5, 1.0}));
+        QCOMPARE(tracks.cursor(Cursor::a), std::optional(0.7));
+        QCOMPARE(list.topLevelItemCount(), 1);
+        QVERIFY(list.topLevelItem(0)->font(0).italic());
+
+        const auto type = [&](const char* text) {
+            length->selectAll();
+            QTest::keyClicks(length, text);
+            QTest::keyClick(length, Qt::Key_Return);
+            QVERIFY(QTest::qWaitFor([&] { return !document.busy(); }, 20000));
+        };
+        // Impossible ones, each with other numbers: one message, the newest.
+        for (const char* text : {"100000", "200000", "300000"}) {
+            type(text);
+            QCOMPARE(messages.texts().size(), 1);
+        }
+        QVERIFY(messages.texts().first().contains("300"));
+        QCOMPARE(document.runs().front().run.analysis->plan.length, 62);
+        type("70");
+        QVERIFY(messages.texts().isEmpty());
+        QCOMPARE(document.runs().front().run.analysis->plan.length, 70);
+    }
+
+    void the_switch_is_in_panel_and_menu_and_remembered() {
+        auto window = shownWindow();
+        auto* box = window->findChild<QCheckBox*>("live");
+        QVERIFY(box);
+        box->click();
+        const bool now = window->document().live();
+        QCOMPARE(box->isChecked(), now);
+        QCOMPARE(window->action(Command::live)->isChecked(), now);
+        window->action(Command::live)->trigger();
+        QCOMPARE(box->isChecked(), !now);
+        box->click();
+        window->close();
+        window = std::make_unique<MainWindow>();
+        QCOMPARE(window->document().live(), now);
+        QCOMPARE(window->action(Command::live)->isChecked(), now);
+        QSettings().clear();
+        window = std::make_unique<MainWindow>();
+        QVERIFY2(window->document().live(), "by default");
+    }
+};
+
+QTEST_MAIN(TestLive)
+#include "test_live.moc"
