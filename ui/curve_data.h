@@ -57,7 +57,7 @@ public:
 private:
     static constexpr std::size_t fan = 64;  // rows in a block, blocks in one of the next level
 
-    void addRow(CurveColumn& column, std::size_t row) const;
+    void addRows(CurveColumn& column, std::size_t begin, std::size_t end) const;
     CurveColumn summarise(std::size_t begin, std::size_t end) const;
 
     std::shared_ptr<const Analysis> analysis_;

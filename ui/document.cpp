@@ -333,7 +333,14 @@ std::vector<Run> Document::plottedRuns() const {
     std::vector<Run> plotted;
     plotted.reserve(runs_.size());
     for (const RunEntry& entry : runs_) {
-        plotted.push_back(entry.run);
+        if (!(entry.live && live_)) {
+            plotted.push_back(entry.run);
+        }
+    }
+    for (const RunEntry& entry : runs_) {
+        if (entry.live && live_) {
+            plotted.push_back(entry.run);
+        }
     }
     return plotted;
 }

@@ -113,6 +113,7 @@ public:
     // Runs.
     const std::vector<RunEntry>& runs() const { return runs_; }
     const RunEntry* run(int id) const;
+    // In the order of drawing: what follows the settings lies on top of what was kept.
     std::vector<Run> plottedRuns() const;
     void setRunVisible(int id, bool visible);
     void renameRun(int id, const QString& name);

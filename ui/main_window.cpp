@@ -157,6 +157,7 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::liveChanged, this, [this] {
         action(Command::live)->setChecked(document_.live());
         QSettings().setValue(QStringLiteral("live"), document_.live());
+        showRuns();
     });
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
     connect(&document_, &Document::comparisonReady, this, &MainWindow::showComparison);
