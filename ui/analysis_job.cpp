@@ -18,13 +18,19 @@ std::filesystem::path toPath(const QString& path) {
     return std::filesystem::path(path.toStdU16String());
 }
 
+// Not the global pool: Qt draws with its threads, and would wait for those that free.
+QThreadPool& freeing() {
+    static QThreadPool pool;
+    return pool;
+}
+
 // Gives the memory of a long recording's results back in the background: that takes longer than the
 // window may stand still.
 template <class Value>
 std::shared_ptr<const Value> freedInBackground(std::shared_ptr<const Value> value) {
     const Value* place = value.get();
     return {place, [value = std::move(value)](const Value*) mutable {
-                QThreadPool::globalInstance()->start([value = std::move(value)] {});
+                freeing().start([value = std::move(value)] {});
             }};
 }
 

@@ -35,12 +35,18 @@ void drawBandShape(QCPPainter& painter, const std::vector<BandPoint>& piece) {
 
 // The same pixel column by pixel column: a polygon with a noisy outline costs a raster painter
 // 20 ms and more per plot, this a fraction of one.
-void drawBandPixels(QCPPainter& painter, const std::vector<BandPoint>& piece) {
+void drawBandPixels(QCPPainter& painter, const std::vector<BandPoint>& piece, const QColor& fill) {
     painter.setAntialiasing(false);
-    QVector<QRectF> bars;
+    // One by one: filling a rectangle with a colour is the way that takes no rasteriser. And not
+    // too tall: from 96 rows on Qt wakes threads for what is not opaque, and waits for them, which
+    // takes ten times as long as the filling (Qt 6.4, qdrawhelper.cpp).
+    const double tallest = 64 / painter.deviceTransform().m22();
     const auto add = [&](double x, double top, double bottom) {
-        // Half a pixel is what QCPPainter shifts all that is not smoothed.
-        bars.append({x, top + 0.5, 1, std::max(1.0, bottom - top)});
+        const double end = std::max(top + 1, bottom);
+        for (double from = top; from < end; from += tallest) {
+            // Half a pixel is what QCPPainter shifts all that is not smoothed.
+            painter.fillRect(QRectF(x, from + 0.5, 1, std::min(tallest, end - from)), fill);
+        }
     };
     if (piece.size() == 1) {
         add(std::floor(piece[0].x), piece[0].top, piece[0].bottom);
@@ -53,7 +59,6 @@ void drawBandPixels(QCPPainter& painter, const std::vector<BandPoint>& piece) {
             add(x, std::lerp(from.top, to.top, part), std::lerp(from.bottom, to.bottom, part));
         }
     }
-    painter.drawRects(bars);
 }
 
 }  // namespace
@@ -144,7 +149,7 @@ void CrispGraph::drawBand(QCPPainter& painter, const std::vector<CurveColumn>& c
     std::vector<BandPoint> piece;
     const auto flush = [&] {
         painter.modes().testFlag(QCPPainter::pmVectorized) ? drawBandShape(painter, piece)
-                                                           : drawBandPixels(painter, piece);
+                                                           : drawBandPixels(painter, piece, fill);
         piece.clear();
     };
     for (const CurveColumn& column : columns) {
