@@ -103,7 +103,7 @@ public:
     // the rest; the newest settings win. Runs that analyse() makes are kept as they are.
     void setLive(bool live);
     bool live() const { return live_; }
-    // What the plots show, s; without it all is visible.
+    // What the plots show.
     void setVisibleRange(const TimeRange& visible) { visible_ = visible; }
     void cancel();
     bool busy() const { return !requests_.empty(); }
@@ -190,7 +190,7 @@ private:
     double fraction_ = 0;     // of the analysis that computes now
     QElapsedTimer busy_since_;
     bool live_ = false;
-    TimeRange visible_{-1e300, 1e300};
+    TimeRange visible_;
 
     friend class SettingsCommand;
 };

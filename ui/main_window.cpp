@@ -188,7 +188,8 @@ void MainWindow::connectViews() {
     connect(signal_, &SignalView::analysedRangeEdited, this, &MainWindow::editAnalysedRange);
     connect(tracks_, &TrackView::timeRangeChanged, this, [this](double from_s, double to_s) {
         signal_->setVisibleRange({from_s, to_s});
-        document_.setVisibleRange({from_s, to_s});
+        // Empty plots show nothing of the recording that is about to come.
+        document_.setVisibleRange(document_.runs().empty() ? TimeRange() : TimeRange{from_s, to_s});
     });
     connect(tracks_, &TrackView::trackerMoved, this,
             [this](double time_s) { cursor_->setTime(time_s); });

@@ -3,13 +3,14 @@
 #include "core/analysis/analyse.h"
 
 #include <functional>
+#include <limits>
 
 namespace vybeg {
 
-// Seconds from the start of the recording.
+// Seconds from the start of the recording; all of it, where nothing is said.
 struct TimeRange {
-    double from_s = 0;
-    double to_s = 0;
+    double from_s = -std::numeric_limits<double>::infinity();
+    double to_s = std::numeric_limits<double>::infinity();
 };
 
 // Takes an analysis that has only some of its windows yet: fewer rows than plan.count, all of them
