@@ -100,7 +100,8 @@ public:
     void compareWindows(const std::vector<std::int64_t>& lengths);
     // Live: each recording has a run that follows the settings, with its name and colour, as soon
     // as they change while the recording is the current one: first where the plots show it, then
-    // the rest; the newest settings win. Runs that analyse() makes are kept as they are.
+    // the rest; the newest settings win. Runs that analyse() makes are kept as they are. Switched
+    // off, what computes comes to its end.
     void setLive(bool live);
     bool live() const { return live_; }
     // What the plots show.

@@ -26,10 +26,6 @@ void Document::setLive(bool live) {
     emit liveChanged();
     if (live_) {
         catchUp(current_);
-    } else {
-        for (const RecordingEntry& entry : recordings_) {
-            forgetLive(entry.id);
-        }
     }
 }
 

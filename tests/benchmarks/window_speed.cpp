@@ -1,6 +1,7 @@
-// The real window, offscreen: from the click on Run to the redrawn plots, and a frame of panning
-// and zooming. `bin/window_benchmarks` prints the table; its status tells whether all is fast
-// enough.
+// The real window, offscreen: from the click on Run to the redrawn plots, from a live change of the
+// window's length to them, and a frame of panning and zooming. `bin/window_benchmarks` prints the
+// table; its status tells whether all is fast enough. With a long recording in the environment
+// variable VYBEG_LONG_RECORDING it also tells when a live change of it shows what.
 #include "core/report/sample_files.h"
 #include "core/simulation/free_decay.h"
 #include "tests/ui/heartbeat.h"
@@ -38,7 +39,7 @@ public:
     }
     // One line; true where the median and the 99th percentile are low enough.
     bool print(const char* what, double median_ms, double late_ms) {
-        std::printf("%-34s %8.1f %8.1f %8.1f %10.0f %6.0f\n", what, quantile(0.5), quantile(0.99),
+        std::printf("%-38s %8.1f %8.1f %8.1f %10.0f %6.0f\n", what, quantile(0.5), quantile(0.99),
                     quantile(1), median_ms, late_ms);
         return quantile(0.5) <= median_ms && quantile(0.99) <= late_ms;
     }
@@ -127,6 +128,24 @@ public:
         return clock.ms();
     }
 
+    // A live change to the plots that show it.
+    double change_ms(const Settings& settings) {
+        const Clock clock;
+        document().setSettings(settings);
+        const std::int64_t length = settings.window;
+        const auto shown = [&] {
+            return document().runs().front().run.analysis->plan.length == length;
+        };
+        while (!shown()) {
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        }
+        const int drawn = drawn_;
+        while (drawn_ == drawn) {
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        }
+        return clock.ms();
+    }
+
     // One step of moving, to the drawn plots and the painted window.
     template <class Move>
     double frame_ms(Move move) {
@@ -146,6 +165,34 @@ private:
     QCustomPlot* plot_ = nullptr;
     int drawn_ = 0;
 };
+
+// When a live change shows what, in a recording of an hour or so.
+void print_live_steps(const QString& path) {
+    Bench bench(path);
+    Document& document = bench.document();
+    document.setLive(true);
+    const auto change = [&](std::int64_t window) {
+        Settings settings = document.settings();
+        settings.window = window;
+        QElapsedTimer clock;
+        clock.start();
+        const auto print = [&] {
+            const RunEntry& live = document.runs().back();
+            std::printf("%8lld ms: %zu of %lld windows\n", clock.elapsed(), live.summary.windows,
+                        static_cast<long long>(live.run.analysis->plan.count));
+        };
+        const auto watch = QObject::connect(&document, &Document::runsChanged, &document, print);
+        document.setSettings(settings);
+        bench.wait([&] { return !document.busy(); });
+        QObject::disconnect(watch);
+    };
+    std::printf("\n%s, n = 66, all visible\n", qPrintable(path));
+    change(66);
+    const double middle = bench.tracks().fullTimeRange().span() / 2;
+    bench.tracks().setTimeRange({middle, middle + 5});
+    std::printf("n = 60, 5 s visible\n");
+    change(60);
+}
 
 Settings with(Algorithm algorithm) {
     Settings settings;
@@ -172,6 +219,18 @@ int main(int argc, char** argv) {
     for (int i = 0; i < clicks; ++i) {
         run.add(bench.click_ms(with(Algorithm::maximum_likelihood)));
     }
+    // The live run, in the place of the others.
+    Series live;
+    bench.document().removeRun(bench.document().runs().front().run.id);
+    bench.document().setLive(true);
+    bench.wait([&] { return !bench.document().busy(); });
+    for (int i = 0; i < clicks; ++i) {
+        Settings settings = with(Algorithm::maximum_likelihood);
+        settings.window = i % 2 == 0 ? 7 : 6;
+        live.add(bench.change_ms(settings));
+    }
+    bench.document().setLive(false);
+    bench.wait([&] { return !bench.document().busy(); });
     for (const Algorithm other : {Algorithm::demodulation, Algorithm::in_phase}) {
         bench.click_ms(with(other));
     }
@@ -201,10 +260,15 @@ int main(int argc, char** argv) {
             pan.add(bench.frame_ms([&] { tracks.setTimeRange({from, from + span}); }));
         }
     }
-    std::printf("\n%-34s %8s %8s %8s %10s %6s\n", "milliseconds", "median", "99 %", "most",
+    std::printf("\n%-38s %8s %8s %8s %10s %6s\n", "milliseconds", "median", "99 %", "most",
                 "target", "99 %");
     bool enough = run.print("Run to plots, 155,554 windows", 250, 250);
+    enough = live.print("live change, 133,332 windows or more", 250, 250) && enough;
     enough = zoom.print("zooming, 3 runs in 5 plots", 16, 33) && enough;
     enough = pan.print("panning, 3 runs in 5 plots", 16, 33) && enough;
+    const QString long_recording = qEnvironmentVariable("VYBEG_LONG_RECORDING");
+    if (!long_recording.isEmpty()) {
+        print_live_steps(long_recording);
+    }
     return enough ? 0 : 1;
 }

@@ -109,6 +109,7 @@ private slots:
         QCOMPARE(document.runs()[0].run.analysis->plan.length, 80);
         QCOMPARE(document.runs()[1].run.analysis->plan.length, 60);
         QVERIFY(!document.runs()[1].live);
+        QCOMPARE(document.plottedRuns().back().id, document.runs()[0].run.id);  // on top
         QVERIFY(document.runs()[1].run.color != document.runs()[0].run.color);
     }
 
