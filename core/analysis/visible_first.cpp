@@ -140,12 +140,15 @@ Status show_early(const Recording& recording, const AnalysisSummary& whole,
     }
     const Stretch shown = visible_windows(plan, visible, recording.rate_hz);
     const bool is_part = shown.count() > 0 && 2 * shown.count() <= plan.count;
-    if (is_part) {
+    const bool is_quick = about_s(shown.count(), plan, whole.settings.algorithm) < at_once_s;
+    if (is_part && !is_quick) {
         if (const Status made = windows.spread(shown); !made) {
             return made;
         }
     }
-    early(windows.analysis());
+    if (!is_part || !is_quick) {
+        early(windows.analysis());
+    }
     if (is_part) {
         if (const Status made = windows.fill(shown); !made) {
             return made;
