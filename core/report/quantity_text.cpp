@@ -22,7 +22,10 @@ std::string fixed_text(double value, int decimals) {
     char buffer[400];
     const auto end =
         std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
-    return {buffer, end.ptr};
+    const std::string text(buffer, end.ptr);
+    // What is rounded to nought has no sign.
+    const bool nought = text.find_first_not_of("-0.") == std::string::npos;
+    return nought && text.starts_with('-') ? text.substr(1) : text;
 }
 
 std::string rounded_text(double value, int place) {

@@ -40,6 +40,10 @@ private slots:
                                << "0.10" << -7;
         QTest::newRow("deviation above value") << 1e-8 << 5e-6 << "0"
                                                << "5" << -6;
+        QTest::newRow("rounded to nought from below") << -1e-8 << 5e-6 << "0"
+                                                      << "5" << -6;
+        QTest::newRow("nought with decimals") << -0.0004 << 0.005 << "0.000"
+                                              << "0.005" << 0;
         QTest::newRow("large") << 1.5e9 << 2e7 << "1.500"
                                << "0.020" << 9;
         QTest::newRow("zero") << 0.0 << 0.005 << "0.000"
