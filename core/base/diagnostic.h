@@ -25,6 +25,14 @@ enum class DiagnosticKind {
     mains,                 // args: frequency (Hz), per cent of the carrier
     start_transient,       // args: seconds
     gaps_inserted,         // args: samples, places. On the engineer's wish.
+    frequency_drifts,      // args: run, Hz per s, its sd. Fitted.
+    frequency_follows_amplitude,  // args: Hz per squared unit of amplitude, its sd. Fitted.
+    q_disagrees,                  // args: run, Q from the envelope, Q from the coherent fit
+    decay_of_one_direction,       // tau and Q hold for the direction of the wave
+    structured_refused,           // args: fall of chi^2. The free model fits better.
+    kappa_assumes_equal_damping,  // the gain ratio rests on it
+    residual_above_noise,         // args: chi^2 per degree of freedom. Deviations enlarged.
+    fit_not_converged,            // the fit stopped early
 };
 
 // first_frame is -1 where the diagnostic has no place in the recording; count is in frames.

@@ -39,6 +39,8 @@ enum class ErrorCode {
     filter_too_long,  // args: transient in samples, frames in the recording
     no_valid_samples,
     simulation_impossible,  // args: reason
+    fit_too_few_windows,    // args: usable windows, least number
+    fit_failed,             // args: reason
     // The output cannot be written: exit status 5.
     output_failed,          // args: reason
     output_format_unknown,  // args: ending

@@ -116,6 +116,12 @@ const char* message_template(ErrorCode code) {
             return VYBEG_MESSAGE("Message", "%1: every sample of the range is missing (NaN).");
         case ErrorCode::simulation_impossible:
             return VYBEG_MESSAGE("Message", "This decay cannot be simulated: %2.");
+        case ErrorCode::fit_too_few_windows:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: the resonator needs %3 windows without faults, and there are "
+                                 "%2. Use a longer recording or shorter windows.");
+        case ErrorCode::fit_failed:
+            return VYBEG_MESSAGE("Message", "The resonator cannot be fitted to %1: %2.");
         case ErrorCode::output_failed:
             return VYBEG_MESSAGE("Message", "%1 cannot be written: %2. Nothing was changed there.");
         case ErrorCode::output_format_unknown:
@@ -193,6 +199,41 @@ const char* message_template(DiagnosticKind kind) {
             return VYBEG_MESSAGE("Message",
                                  "%1 lost samples at %2 places were made gaps, as asked for; "
                                  "windows over them have no values.");
+        case DiagnosticKind::frequency_drifts:
+            return VYBEG_MESSAGE("Message",
+                                 "Recording %1: the frequency drifts by %2 Hz per second (standard "
+                                 "deviation %3); the drift is fitted, and Q is free of it.");
+        case DiagnosticKind::frequency_follows_amplitude:
+            return VYBEG_MESSAGE("Message",
+                                 "The frequency depends on the amplitude: %1 Hz per squared "
+                                 "recording unit (standard deviation %2); this is fitted.");
+        case DiagnosticKind::q_disagrees:
+            return VYBEG_MESSAGE("Message",
+                                 "Recording %1: Q from the envelope, %2, and from the coherent "
+                                 "fit, %3, differ by more than three standard deviations: the "
+                                 "motion is not that of a resonator with constant parameters.");
+        case DiagnosticKind::decay_of_one_direction:
+            return VYBEG_MESSAGE("Message",
+                                 "The damping was seen in one direction only: the decay time and Q "
+                                 "are those of the wave as it stood, not the mean of both modes.");
+        case DiagnosticKind::structured_refused:
+            return VYBEG_MESSAGE("Message",
+                                 "The channels are no calibrated pair of pick-offs: the free model "
+                                 "fits significantly better (likelihood ratio %1), and the axes of "
+                                 "the resonator cannot be told.");
+        case DiagnosticKind::kappa_assumes_equal_damping:
+            return VYBEG_MESSAGE("Message",
+                                 "The gain ratio of the channels was found from a turning wave on "
+                                 "the assumption that the damping is the same in all directions.");
+        case DiagnosticKind::residual_above_noise:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is above the noise of the windows (chi square per degree of freedom "
+                "%1); the standard deviations are enlarged to match.");
+        case DiagnosticKind::fit_not_converged:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The fit of the resonator stopped before it converged; its values are doubtful.");
     }
     return "";
 }
@@ -216,6 +257,14 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::mains: return "mains";
         case DiagnosticKind::start_transient: return "start-transient";
         case DiagnosticKind::gaps_inserted: return "gaps-inserted";
+        case DiagnosticKind::frequency_drifts: return "frequency-drifts";
+        case DiagnosticKind::frequency_follows_amplitude: return "frequency-follows-amplitude";
+        case DiagnosticKind::q_disagrees: return "q-disagrees";
+        case DiagnosticKind::decay_of_one_direction: return "decay-of-one-direction";
+        case DiagnosticKind::structured_refused: return "structured-refused";
+        case DiagnosticKind::kappa_assumes_equal_damping: return "kappa-assumes-equal-damping";
+        case DiagnosticKind::residual_above_noise: return "residual-above-noise";
+        case DiagnosticKind::fit_not_converged: return "fit-not-converged";
     }
     return "";
 }
@@ -251,6 +300,8 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::filter_too_long: return "filter-too-long";
         case ErrorCode::no_valid_samples: return "no-valid-samples";
         case ErrorCode::simulation_impossible: return "simulation-impossible";
+        case ErrorCode::fit_too_few_windows: return "fit-too-few-windows";
+        case ErrorCode::fit_failed: return "fit-failed";
         case ErrorCode::output_failed: return "output-failed";
         case ErrorCode::output_format_unknown: return "output-format-unknown";
         case ErrorCode::interrupted: return "interrupted";

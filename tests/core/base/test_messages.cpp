@@ -48,6 +48,8 @@ const std::map<ErrorCode, Documented> documented{
     {ErrorCode::filter_too_long, {2, 4}},
     {ErrorCode::no_valid_samples, {0, 4}},
     {ErrorCode::simulation_impossible, {1, 4}},
+    {ErrorCode::fit_too_few_windows, {2, 4}},
+    {ErrorCode::fit_failed, {1, 4}},
     {ErrorCode::output_failed, {1, 5}},
     {ErrorCode::output_format_unknown, {1, 5}},
     {ErrorCode::interrupted, {0, 130}},
@@ -72,6 +74,14 @@ const std::map<DiagnosticKind, std::size_t> documented_kinds{
     {DiagnosticKind::mains, 2},
     {DiagnosticKind::start_transient, 1},
     {DiagnosticKind::gaps_inserted, 2},
+    {DiagnosticKind::frequency_drifts, 3},
+    {DiagnosticKind::frequency_follows_amplitude, 2},
+    {DiagnosticKind::q_disagrees, 3},
+    {DiagnosticKind::decay_of_one_direction, 0},
+    {DiagnosticKind::structured_refused, 1},
+    {DiagnosticKind::kappa_assumes_equal_damping, 0},
+    {DiagnosticKind::residual_above_noise, 1},
+    {DiagnosticKind::fit_not_converged, 0},
 };
 
 // The n of every %n in a template.

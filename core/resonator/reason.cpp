@@ -1,0 +1,82 @@
+#include "core/resonator/reason.h"
+
+#include "core/base/messages.h"
+
+// Marks a text for lupdate, as in core/base/messages.cpp.
+#define VYBEG_MESSAGE(context, text) text
+
+namespace vybeg {
+
+const char* message_template(ReasonCode code) {
+    switch (code) {
+        case ReasonCode::none: return "";
+        case ReasonCode::one_direction:
+            return VYBEG_MESSAGE("Reason",
+                                 "The wave hardly moves, so that one direction of the resonator is "
+                                 "seen and no other. Add a recording that starts at theta_A = %1 "
+                                 "degrees and lasts %2 s or longer.");
+        case ReasonCode::below_noise:
+            return VYBEG_MESSAGE("Reason",
+                                 "The difference between the modes, %1, is less than five of its "
+                                 "standard deviations, %2: it has no axis that could be told.");
+        case ReasonCode::confounded_rotation:
+            return VYBEG_MESSAGE("Reason",
+                                 "At one angle a rotation and a damping anisotropy turn the wave "
+                                 "alike. Add a recording that starts at theta_A = %1 degrees and "
+                                 "lasts %2 s or longer.");
+        case ReasonCode::free_model:
+            return VYBEG_MESSAGE("Reason",
+                                 "The free model takes the channels as any two views of the "
+                                 "modes: it has no angles.");
+        case ReasonCode::modes_not_apart:
+            return VYBEG_MESSAGE("Reason", "The two modes cannot be told apart.");
+        case ReasonCode::no_decay:
+            return VYBEG_MESSAGE("Reason",
+                                 "No decay is seen: 1/tau is %1 with a standard deviation of %2 "
+                                 "1/s. Record longer.");
+        case ReasonCode::circular_wave:
+            return VYBEG_MESSAGE("Reason", "A circular wave has no angle.");
+        case ReasonCode::kappa_still_wave:
+            return VYBEG_MESSAGE("Reason",
+                                 "The wave turns through %1 degrees; %2 are needed to see the gain "
+                                 "ratio of the channels.");
+        case ReasonCode::kappa_like_damping:
+            return VYBEG_MESSAGE("Reason",
+                                 "The damping depends on direction, and a wrong gain ratio of the "
+                                 "channels looks the same.");
+        case ReasonCode::kappa_known:
+            return VYBEG_MESSAGE("Reason", "The gain ratio is taken as calibrated.");
+        case ReasonCode::amplitude_like_drift:
+            return VYBEG_MESSAGE("Reason",
+                                 "Within this decay a dependence on the amplitude cannot be told "
+                                 "from a drift with time.");
+        case ReasonCode::too_few_windows:
+            return VYBEG_MESSAGE("Reason", "This recording has too few windows for it.");
+    }
+    return "";
+}
+
+std::string reason_name(ReasonCode code) {
+    switch (code) {
+        case ReasonCode::none: return "none";
+        case ReasonCode::one_direction: return "one-direction";
+        case ReasonCode::below_noise: return "below-noise";
+        case ReasonCode::confounded_rotation: return "confounded-rotation";
+        case ReasonCode::free_model: return "free-model";
+        case ReasonCode::modes_not_apart: return "modes-not-apart";
+        case ReasonCode::no_decay: return "no-decay";
+        case ReasonCode::circular_wave: return "circular-wave";
+        case ReasonCode::kappa_still_wave: return "kappa-still-wave";
+        case ReasonCode::kappa_like_damping: return "kappa-like-damping";
+        case ReasonCode::kappa_known: return "kappa-known";
+        case ReasonCode::amplitude_like_drift: return "amplitude-like-drift";
+        case ReasonCode::too_few_windows: return "too-few-windows";
+    }
+    return "";
+}
+
+std::string english(const Reason& reason) {
+    return fill_template(message_template(reason.code), reason.args);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <complex>
+
+namespace vybeg {
+
+// The rates in M of METHOD section 8, in coordinates in which nothing is singular where the modes
+// coincide:
+//     M = -decay I + i pi Sigma(split) - 1/2 Sigma(damping) + (rotation + i skew) J
+//     Sigma(v) = [[v_cos, v_sin], [v_sin, -v_cos]]        J = [[0, 1], [-1, 0]]
+// A calibrated cos/sin pair of pick-offs has no skew; with it the traceless part is any complex
+// matrix, and M that of the free model. The imaginary part of the trace is each run's own
+// frequency and stands with the run.
+struct SlowRates {
+    double split_cos_hz = 0;       // split * cos 4theta_w
+    double split_sin_hz = 0;       // split * sin 4theta_w
+    double damping_cos_per_s = 0;  // g * cos 4theta_tau, g = 1/tau_1 - 1/tau_2
+    double damping_sin_per_s = 0;  // g * sin 4theta_tau
+    double rotation_per_s = 0;     // r = 2 k Omega: d theta_A/dt = -r/2
+    double skew_per_s = 0;
+    double decay_per_s = 0;  // 1/tau
+
+    friend bool operator==(const SlowRates&, const SlowRates&) = default;
+};
+
+// Their order in every vector of derivatives.
+inline constexpr int rate_count = 7;
+inline constexpr std::array<double SlowRates::*, rate_count> all_rates{
+    &SlowRates::split_cos_hz,      &SlowRates::split_sin_hz,   &SlowRates::damping_cos_per_s,
+    &SlowRates::damping_sin_per_s, &SlowRates::rotation_per_s, &SlowRates::skew_per_s,
+    &SlowRates::decay_per_s};
+
+// The rates of a matrix; the imaginary part of its trace is not among them.
+SlowRates rates_of(const Eigen::Matrix2cd& m);
+
+// exp(M t) in closed form. With N the traceless part and N^2 = s^2 I
+//     exp(M t) = exp(-decay t) (cosh(s t) I + sinh(s t)/s N)
+// which is even in s: where the modes coincide (s = 0) it is a series in s^2 t^2.
+class SlowDynamics {
+public:
+    explicit SlowDynamics(const SlowRates& rates);
+
+    // M, 1/s.
+    Eigen::Matrix2cd matrix() const;
+
+    // s with Re s >= 0, Im s >= 0 where Re s = 0; the eigenvalues of M are -decay +- s, 1/s.
+    std::complex<double> half_difference() const;
+
+    // d(s^2)/d(rate).
+    const std::array<std::complex<double>, rate_count>& square_by_rate() const {
+        return square_by_rate_;
+    }
+
+    // exp(M t), t in seconds.
+    Eigen::Matrix2cd propagator(double t) const;
+
+    // The same with its derivatives by the rates, in their units.
+    struct Propagation {
+        Eigen::Matrix2cd value;
+        std::array<Eigen::Matrix2cd, rate_count> by_rate;
+    };
+    Propagation propagation(double t) const;
+
+    // The mean of exp(M u) over |u| < length/2, sinhc(M length/2): what a window of that length
+    // makes of the motion at its centre. `offset_hz` is the run's own frequency offset.
+    Eigen::Matrix2cd window_mean(double length, double offset_hz) const;
+
+private:
+    double decay_;
+    Eigen::Matrix2cd traceless_;
+    std::complex<double> square_;  // s^2
+    std::array<std::complex<double>, rate_count> square_by_rate_;
+};
+
+}  // namespace vybeg
