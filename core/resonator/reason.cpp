@@ -44,8 +44,11 @@ const char* message_template(ReasonCode code) {
             return VYBEG_MESSAGE("Reason",
                                  "The damping depends on direction, and a wrong gain ratio of the "
                                  "channels looks the same.");
-        case ReasonCode::kappa_known:
-            return VYBEG_MESSAGE("Reason", "The gain ratio is taken as calibrated.");
+        case ReasonCode::kappa_not_seen:
+            return VYBEG_MESSAGE("Reason",
+                                 "This motion does not show the gain ratio of the channels.");
+        case ReasonCode::not_asked:
+            return VYBEG_MESSAGE("Reason", "Its estimate was switched off.");
         case ReasonCode::amplitude_like_drift:
             return VYBEG_MESSAGE("Reason",
                                  "Within this decay a dependence on the amplitude cannot be told "
@@ -68,7 +71,8 @@ std::string reason_name(ReasonCode code) {
         case ReasonCode::circular_wave: return "circular-wave";
         case ReasonCode::kappa_still_wave: return "kappa-still-wave";
         case ReasonCode::kappa_like_damping: return "kappa-like-damping";
-        case ReasonCode::kappa_known: return "kappa-known";
+        case ReasonCode::kappa_not_seen: return "kappa-not-seen";
+        case ReasonCode::not_asked: return "not-asked";
         case ReasonCode::amplitude_like_drift: return "amplitude-like-drift";
         case ReasonCode::too_few_windows: return "too-few-windows";
     }

@@ -18,7 +18,8 @@ enum class ReasonCode {
     circular_wave,         // no angle where a_A = |a_B|
     kappa_still_wave,      // args: angle turned (deg), angle needed (deg)
     kappa_like_damping,    // a damping anisotropy looks the same
-    kappa_known,           // taken as calibrated: the caller asked for no estimate
+    kappa_not_seen,        // this motion does not show the gain ratio
+    not_asked,             // the caller asked for no estimate of it
     amplitude_like_drift,  // within this decay the amplitude does not tell it from a drift
     too_few_windows,       // not enough windows for it in this run
 };

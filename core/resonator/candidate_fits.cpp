@@ -1,0 +1,119 @@
+#include "core/resonator/candidate_fits.h"
+
+#include "core/resonator/identifiability.h"
+#include "core/resonator/start_values.h"
+
+#include <cmath>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Places in the shared parameters.
+enum Place { split_cos, split_sin, damping_cos, damping_sin, rotation, skew, decay };
+
+// A free M that is a structured one seen with a gain ratio kappa: K^-1 M K with K = diag(1, kappa)
+// leaves Im M_12 = kappa Im S_12 and Im M_21 = Im S_21/kappa, and those of S are equal.
+std::optional<FitState> without_kappa(FitState free) {
+    const Eigen::Matrix2cd m = SlowDynamics(rates_of(free.shared)).matrix();
+    const double square = m(0, 1).imag() / m(1, 0).imag();
+    // Beyond a factor of 1.25 these are no electrodes of one amplifier card, but other channels.
+    if (!(square > 0.64 && square < 1.5625)) {
+        return std::nullopt;
+    }
+    const double kappa = std::sqrt(square);
+    Eigen::Matrix2cd s = m;
+    s(0, 1) /= kappa;
+    s(1, 0) *= kappa;
+    FitState state{to_shared(rates_of(s)), std::move(free.runs)};
+    state.shared[skew] = 0;
+    state.shared[kappa_index] = kappa;
+    state.shared[power_index] = free.shared[power_index];
+    for (Own& own : state.runs) {
+        own.segment<2>(start_index + 2) *= kappa;
+    }
+    return state;
+}
+
+}  // namespace
+
+CandidateFits::CandidateFits(std::span<const ScaledRun> runs, bool drift, const JobControl& job)
+    : runs_(runs), drift_(drift), job_(job) {}
+
+ModelSpace CandidateFits::structured_space() const {
+    return space_of({split_cos, split_sin, damping_cos, damping_sin, rotation, decay}, drift_);
+}
+
+ModelSpace CandidateFits::free_space() const {
+    return space_of({split_cos, split_sin, damping_cos, damping_sin, rotation, skew, decay},
+                    drift_);
+}
+
+ModelSpace CandidateFits::kappa_space() const {
+    return space_of({split_cos, split_sin, damping_cos, damping_sin, rotation, decay, kappa_index},
+                    drift_);
+}
+
+ModelSpace CandidateFits::kappa_alone_space() const {
+    return space_of({split_cos, split_sin, rotation, decay, kappa_index}, drift_);
+}
+
+double CandidateFits::dof(const ModelSpace& space) const {
+    double count = 0;
+    for (const ScaledRun& run : runs_) {
+        count += 4 * static_cast<double>(run.size());
+    }
+    return count - static_cast<double>(dimension(space, runs_.size()));
+}
+
+Status CandidateFits::fit(std::optional<ModelFit>& into, const ModelSpace& space,
+                          const FitState& start) {
+    Result<ModelFit> fitted = fit_model(runs_, space, start, job_);
+    if (!fitted) {
+        return fitted.error();
+    }
+    into = std::move(*fitted);
+    return {};
+}
+
+FitState CandidateFits::better(const FitState& one, const FitState& other) const {
+    return chi_square(runs_, one) <= chi_square(runs_, other) ? one : other;
+}
+
+Status CandidateFits::fit_still() {
+    const FitState start = still_start(runs_);
+    still_space_ = space_of({rotation, decay, split_cos}, drift_);
+    still_space_.basis.col(2).setZero();
+    still_space_.basis.col(2).head<2>() = seen_direction(start);
+    return fit(still_, still_space_, start);
+}
+
+Status CandidateFits::fit_structured() {
+    pencil_ = pencil_start(runs_, still_->state, false);
+    FitState calibrated = *pencil_;
+    calibrated.shared[skew] = 0;
+    return fit(structured_, structured_space(), better(still_->state, calibrated));
+}
+
+Status CandidateFits::fit_free() {
+    return fit(free_, free_space(), better(structured_->state, *pencil_));
+}
+
+Status CandidateFits::fit_kappa() {
+    FitState start = structured_->state;
+    if (free_) {
+        if (const std::optional<FitState> balanced = without_kappa(free_->state)) {
+            start = better(start, *balanced);
+        }
+    }
+    return fit(kappa_, kappa_space(), start);
+}
+
+Status CandidateFits::fit_kappa_alone() {
+    FitState start = structured_->state;
+    start.shared[damping_cos] = 0;
+    start.shared[damping_sin] = 0;
+    return fit(kappa_alone_, kappa_alone_space(), start);
+}
+
+}  // namespace vybeg

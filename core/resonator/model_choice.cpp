@@ -1,0 +1,289 @@
+#include "core/resonator/model_choice.h"
+
+#include "core/base/number_text.h"
+#include "core/resonator/candidate_fits.h"
+#include "core/resonator/identifiability.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// A gain ratio is worth telling when it is known this well.
+constexpr double largest_kappa_sd = 0.01;
+// A wave turning by less sees rotation and anisotropy in one mixture.
+constexpr double least_turn_deg = 22.5;
+
+// Above 1 by more than four of its own standard deviations.
+double enlargement_of(double chi2, double dof) {
+    const double ratio = chi2 / dof;
+    return ratio > 1 + 4 * std::sqrt(2 / dof) ? ratio : 1;
+}
+
+class Choice {
+public:
+    Choice(std::span<const ScaledRun> runs, const FitOptions& options, const JobControl& job)
+        : runs_(runs), options_(options), job_(job), fits_(runs, options.fit_drift, job) {}
+
+    Result<ModelChoice> make() {
+        for (const auto step : {&Choice::fit_models, &Choice::look_for_kappa,
+                                &Choice::look_for_drift, &Choice::finish}) {
+            if (const Status done = (this->*step)(); !done) {
+                return done.error();
+            }
+        }
+        return std::move(made_);
+    }
+
+private:
+    void take(const ModelSpace& space, const ModelFit& fit) {
+        made_.space = space;
+        made_.fit = fit;
+        made_.dof = fits_.dof(space);
+        made_.enlargement = enlargement_of(fit.chi2, made_.dof);
+    }
+
+    Status fit_models() {
+        if (const Status done = fits_.fit_still(); !done) {
+            return done;
+        }
+        if (const Status done = fits_.fit_structured(); !done) {
+            return done;
+        }
+        take(fits_.structured_space(), fits_.structured());
+        if (const Status done = fits_.fit_free(); !done) {
+            return done;
+        }
+        const double free_scale = enlargement_of(fits_.free().chi2, fits_.dof(fits_.free_space()));
+        made_.free_over_structured = (made_.fit.chi2 - fits_.free().chi2) / free_scale;
+        bool free_better = significant(made_.free_over_structured, 1);
+        if (free_better && options_.estimate_kappa) {
+            // An unbalanced pair is free in the same way.
+            if (const Status done = fits_.fit_kappa(); !done) {
+                return done;
+            }
+            const double left = (fits_.kappa().chi2 - fits_.free().chi2) / free_scale;
+            if (!significant(left, 1) &&
+                kappa_sd(fits_.kappa(), fits_.kappa_space()) < largest_kappa_sd) {
+                free_better = false;
+                unbalanced_ = true;
+                take(fits_.kappa_space(), fits_.kappa());
+            }
+        }
+        if (options_.model == FitOptions::Model::free ||
+            (free_better && options_.model == FitOptions::Model::automatic)) {
+            made_.model = ResonatorModel::free;
+            take(fits_.free_space(), fits_.free());
+            if (options_.model == FitOptions::Model::automatic) {
+                made_.warnings.push_back({DiagnosticKind::structured_refused,
+                                          {short_text(made_.free_over_structured, 3)}});
+            }
+            return {};
+        }
+        choose_rates();
+        return {};
+    }
+
+    // Whether the rates can be told from each other, or the wave stood too still.
+    void choose_rates() {
+        const ModelFit& still = fits_.still();
+        const ModelFit& all = made_.fit;
+        const ModelSpace space = made_.space;
+        // Looked at where the unseen rates are zero: along what the data do not see the full fit
+        // follows the noise, far enough to see itself there.
+        const Sight before = sight(covariance(runs_, space, still.state));
+        const Sight after = sight(covariance(runs_, space, all.state));
+        const bool moved = significant((still.chi2 - all.chi2) / made_.enlargement, 3);
+        const double root = std::sqrt(made_.enlargement);
+        const auto seen = [&](double sd_before, double sd_after, double size) {
+            return (sd_before <= blur_limit * before.best && sd_after <= blur_limit * after.best) ||
+                   (moved && (sd_after <= blur_limit * after.best || size >= 5 * root * sd_after));
+        };
+        const Shared& shared = all.state.shared;
+        made_.split_seen = seen(before.split, after.split, split_size(shared));
+        made_.damping_seen = seen(before.damping, after.damping, damping_size(shared));
+        if (!made_.split_seen && !made_.damping_seen) {
+            take(fits_.still_space(), still);
+            made_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
+            return;
+        }
+        made_.rotation_seen = seen(before.rotation, after.rotation, std::abs(shared[4]));
+    }
+
+    double kappa_sd(const ModelFit& fit, const ModelSpace& space) const {
+        const double variance = covariance(runs_, space, fit.state)(kappa_index, kappa_index);
+        return std::sqrt(variance * enlargement_of(fit.chi2, fits_.dof(space)));
+    }
+
+    Status look_for_kappa() {
+        if (made_.model == ResonatorModel::free) {
+            made_.kappa.reason = {ReasonCode::free_model, {}};
+            return {};
+        }
+        if (!options_.estimate_kappa) {
+            made_.kappa.reason = {ReasonCode::not_asked, {}};
+            return {};
+        }
+        // With all else free, it is the split that shows kappa; with equal damping, the rotation.
+        const ModelSpace beside = fits_.kappa_space();
+        const ModelSpace alone = fits_.kappa_alone_space();
+        const ModelFit all = unbalanced_ ? fits_.kappa() : fits_.structured();
+        const double sd_beside = kappa_sd(all, beside);
+        const double turned = turned_deg(runs_);
+        bool like_damping = false;
+        if (turned >= least_turn_deg && sd_beside > 1e-4) {
+            if (const Status done = fits_.fit_kappa_alone(); !done) {
+                return done;
+            }
+            const double sd = kappa_sd(fits_.kappa_alone(), alone);
+            const double rise = (fits_.kappa_alone().chi2 - all.chi2) / made_.enlargement;
+            like_damping = significant(rise, unbalanced_ ? 2 : 1);
+            if (!like_damping && sd < std::min(largest_kappa_sd, sd_beside / 3)) {
+                use_kappa(alone, fits_.kappa_alone(), sd);
+                made_.warnings.push_back({DiagnosticKind::kappa_assumes_equal_damping, {}});
+                return {};
+            }
+        }
+        if (sd_beside < largest_kappa_sd) {
+            if (!unbalanced_) {
+                if (const Status done = fits_.fit_kappa(); !done) {
+                    return done;
+                }
+            }
+            use_kappa(beside, fits_.kappa(), sd_beside);
+            return {};
+        }
+        if (like_damping) {
+            made_.kappa.reason = {ReasonCode::kappa_like_damping, {}};
+        } else if (turned < least_turn_deg) {
+            made_.kappa.reason = {ReasonCode::kappa_still_wave,
+                                  {short_text(turned, 3), short_text(least_turn_deg, 3)}};
+        } else {
+            made_.kappa.reason = {ReasonCode::kappa_not_seen, {}};
+        }
+        return {};
+    }
+
+    // A ratio of 1 within its noise is taken as 1, and everything else is the sharper for it.
+    void use_kappa(const ModelSpace& space, const ModelFit& fit, double sd) {
+        made_.kappa.value = fit.state.shared[kappa_index];
+        made_.kappa.sd = sd;
+        if (unbalanced_ || std::abs(made_.kappa.value - 1) >= 5 * sd) {
+            take(space, fit);
+        }
+    }
+
+    Status refit(const ModelSpace& space, const FitState& start) {
+        Result<ModelFit> fit = fit_model(runs_, space, start, job_);
+        if (!fit) {
+            return fit.error();
+        }
+        take(space, *fit);
+        return {};
+    }
+
+    Status look_for_drift() {
+        if (!options_.fit_drift) {
+            const Estimate none{.reason = {ReasonCode::not_asked, {}}};
+            made_.drift_hz_per_s.assign(runs_.size(), none);
+            made_.frequency_per_power = none;
+            return {};
+        }
+        // Over time first; then whether the amplitude explains what is left.
+        const bool drifts = take_drifts();
+        const ModelSpace without_power = made_.space;
+        const ModelFit drifting = made_.fit;
+        if (!drifts) {
+            made_.space.drift = false;
+        }
+        FitState start = drifting.state;
+        ModelSpace with_power = made_.space;
+        with_power.basis.conservativeResize(Eigen::NoChange, with_power.basis.cols() + 1);
+        with_power.basis.col(with_power.basis.cols() - 1).setZero();
+        with_power.basis(power_index, with_power.basis.cols() - 1) = 1;
+        if (!drifts) {
+            clear_drift(start);
+        }
+        if (const Status done = refit(with_power, start); !done) {
+            return done;
+        }
+        const double sd =
+            std::sqrt(covariance(runs_, with_power, made_.fit.state)(power_index, power_index) *
+                      made_.enlargement);
+        const double value = made_.fit.state.shared[power_index];
+        const bool follows = std::abs(value) > 4 * sd;
+        if (!drifts || follows) {
+            made_.frequency_per_power = {value, sd, {}};
+        } else {
+            made_.frequency_per_power.reason = {ReasonCode::amplitude_like_drift, {}};
+        }
+        if (follows) {
+            if (drifts) {
+                take_drifts();
+            }
+            return {};
+        }
+        if (drifts) {
+            take(without_power, drifting);
+            return {};
+        }
+        ModelSpace steady = without_power;
+        steady.drift = false;
+        start = drifting.state;
+        clear_drift(start);
+        return refit(steady, start);
+    }
+
+    static void clear_drift(FitState& state) {
+        for (Own& own : state.runs) {
+            own[drift_index] = 0;
+        }
+    }
+
+    // The drifts of the present fit, and whether they are significant together.
+    bool take_drifts() {
+        const Eigen::MatrixXd all =
+            covariance(runs_, made_.space, made_.fit.state) * made_.enlargement;
+        const auto count = static_cast<Eigen::Index>(runs_.size());
+        Eigen::VectorXd drift(count);
+        Eigen::MatrixXd spread(count, count);
+        const auto at = [](Eigen::Index k) { return shared_count + own_count * k + drift_index; };
+        made_.drift_hz_per_s.clear();
+        for (Eigen::Index k = 0; k < count; ++k) {
+            drift[k] = made_.fit.state.runs[static_cast<std::size_t>(k)][drift_index];
+            for (Eigen::Index l = 0; l < count; ++l) {
+                spread(k, l) = all(at(k), at(l));
+            }
+            made_.drift_hz_per_s.push_back({drift[k], std::sqrt(spread(k, k)), {}});
+        }
+        return significant(drift.dot(spread.inverse() * drift), static_cast<int>(count));
+    }
+
+    Status finish() {
+        made_.covariance = covariance(runs_, made_.space, made_.fit.state);
+        if (!made_.fit.converged) {
+            made_.warnings.push_back({DiagnosticKind::fit_not_converged, {}});
+        }
+        return {};
+    }
+
+    std::span<const ScaledRun> runs_;
+    const FitOptions& options_;
+    const JobControl& job_;
+    CandidateFits fits_;
+    bool unbalanced_ = false;  // kappa alone makes the structured model as good as the free one
+    ModelChoice made_;
+};
+
+}  // namespace
+
+Result<ModelChoice> choose_model(std::span<const ScaledRun> runs, const FitOptions& options,
+                                 const JobControl& job) {
+    return Choice(runs, options, job).make();
+}
+
+}  // namespace vybeg

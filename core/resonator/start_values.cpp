@@ -1,0 +1,192 @@
+#include "core/resonator/start_values.h"
+
+#include "core/numerics/line_fit.h"
+#include "core/numerics/phase.h"
+#include "core/resonator/wave_angle.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace vybeg {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Vector2cd;
+using Matrix = Eigen::Matrix2cd;
+using std::numbers::pi;
+
+// Calls use(k, l) for windows whose distance in time is `lag` steps, gaps or not.
+template <class Use>
+void for_pairs(const ScaledRun& run, std::size_t lag, const Use& use) {
+    const double wanted = static_cast<double>(lag) * run.step_s;
+    for (std::size_t k = 0, l = 0; k < run.size(); ++k) {
+        while (l < run.size() && run.time_s[l] - run.time_s[k] < wanted - run.step_s / 4) {
+            ++l;
+        }
+        if (l < run.size() && run.time_s[l] - run.time_s[k] < wanted + run.step_s / 4) {
+            use(k, l);
+        }
+    }
+}
+
+// Steps between the ends of a run.
+std::size_t steps(const ScaledRun& run) {
+    return static_cast<std::size_t>(
+        std::lround((run.time_s.back() - run.time_s.front()) / run.step_s));
+}
+
+// Mean frequency of vectors w_k, Hz: from the turn over one step, then over longer and longer lags,
+// each resolving the whole turns of the next.
+double mean_frequency(const ScaledRun& run, const std::vector<Vector2cd>& w) {
+    double f = 0;
+    for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, steps(run) / 2); lag *= 2) {
+        Complex sum = 0;
+        for_pairs(run, lag, [&](std::size_t k, std::size_t l) { sum += w[k].dot(w[l]); });
+        if (sum != Complex{}) {
+            const double seconds = static_cast<double>(lag) * run.step_s;
+            f += wrap(std::arg(sum) - 2 * pi * f * seconds) / (2 * pi * seconds);
+        }
+    }
+    return f;
+}
+
+// z without the run's own frequency.
+std::vector<Vector2cd> aligned(const ScaledRun& run, double f) {
+    std::vector<Vector2cd> z(run.size());
+    for (std::size_t k = 0; k < run.size(); ++k) {
+        z[k] = std::polar(1.0, -2 * pi * f * run.time_s[k]) * run.z[k];
+    }
+    return z;
+}
+
+// Sums of z(t + lag) z(t)^H and z(t) z(t)^H.
+struct Pencil {
+    Matrix late = Matrix::Zero();
+    Matrix early = Matrix::Zero();
+    double noise = 0;  // what noise alone adds to each diagonal entry of `early`
+};
+
+void add(Pencil& pencil, const ScaledRun& run, const std::vector<Vector2cd>& z, std::size_t lag) {
+    for_pairs(run, lag, [&](std::size_t k, std::size_t l) {
+        pencil.late += z[l] * z[k].adjoint();
+        pencil.early += z[k] * z[k].adjoint();
+        pencil.noise += 2 / (run.weight[k] * run.weight[k]);
+    });
+}
+
+// log(E)/lag; nothing where the phasors show one direction only, or a mode grows or turns too far.
+std::optional<SlowRates> rates_of(const Pencil& pencil, double seconds) {
+    const Eigen::SelfAdjointEigenSolver<Matrix> seen(pencil.early, Eigen::EigenvaluesOnly);
+    if (!(seen.eigenvalues()[0] > 4 * pencil.noise)) {
+        return std::nullopt;
+    }
+    const Eigen::ComplexEigenSolver<Matrix> modes(pencil.late * pencil.early.inverse());
+    const Matrix v = modes.eigenvectors();
+    const Complex determinant = v.determinant();
+    if (modes.eigenvalues().cwiseAbs().minCoeff() < 1e-6 || std::abs(determinant) < 1e-6) {
+        return std::nullopt;
+    }
+    Vector2cd logs = modes.eigenvalues().array().log() / seconds;
+    return vybeg::rates_of(Matrix(v * logs.asDiagonal() * v.inverse()));
+}
+
+}  // namespace
+
+FitState runs_under(std::span<const ScaledRun> runs, const SlowRates& rates) {
+    FitState state{to_shared(rates), {}};
+    SlowRates no_decay = rates;
+    no_decay.decay_per_s = 0;
+    const SlowDynamics turning(no_decay);
+    for (const ScaledRun& run : runs) {
+        std::vector<Vector2cd> back(run.size());
+        for (std::size_t k = 0; k < run.size(); ++k) {
+            back[k] = turning.propagator(-run.time_s[k]) * run.z[k];
+        }
+        const double f = mean_frequency(run, back);
+        Matrix normal = Matrix::Zero();
+        Vector2cd right = Vector2cd::Zero();
+        const SlowDynamics motion(rates);
+        for (std::size_t k = 0; k < run.size(); ++k) {
+            const double t = run.time_s[k];
+            const Matrix basis =
+                run.weight[k] * std::polar(1.0, 2 * pi * f * t) * motion.propagator(t);
+            normal += basis.adjoint() * basis;
+            right += basis.adjoint() * (run.weight[k] * run.z[k]);
+        }
+        const Vector2cd start = normal.inverse() * right;
+        Own own = Own::Zero();
+        own[frequency_index] = f;
+        own.segment<4>(start_index) << start[0].real(), start[0].imag(), start[1].real(),
+            start[1].imag();
+        state.runs.push_back(own);
+    }
+    return state;
+}
+
+FitState still_start(std::span<const ScaledRun> runs) {
+    double decay = 0;
+    double turn = 0;
+    double weights = 0;
+    for (const ScaledRun& run : runs) {
+        const WaveAngle angle = wave_angle(run);
+        std::vector<double> log_power;
+        for (std::size_t k = 0; k < angle.time_s.size(); ++k) {
+            log_power.push_back(std::log(run.z[k].squaredNorm()));
+        }
+        const double weight = static_cast<double>(log_power.size());
+        decay -= weight * fit_line(angle.time_s, log_power).slope / 2;
+        turn -= weight * fit_line(angle.time_s, angle.two_theta).slope;
+        weights += weight;
+    }
+    return runs_under(runs, {.rotation_per_s = turn / weights, .decay_per_s = decay / weights});
+}
+
+FitState pencil_start(std::span<const ScaledRun> runs, const FitState& fallback, bool structured) {
+    FitState best = fallback;
+    double least = chi_square(runs, fallback);
+    const auto consider = [&](const Pencil& pencil, double seconds) {
+        std::optional<SlowRates> rates = rates_of(pencil, seconds);
+        if (!rates) {
+            return;
+        }
+        if (structured) {
+            rates->skew_per_s = 0;
+        }
+        FitState state = runs_under(runs, *rates);
+        const double chi2 = chi_square(runs, state);
+        if (chi2 < least) {
+            least = chi2;
+            best = std::move(state);
+        }
+    };
+    std::vector<std::vector<Vector2cd>> z;
+    std::size_t longest = 0;
+    for (const ScaledRun& run : runs) {
+        z.push_back(aligned(run, mean_frequency(run, run.z)));
+        longest = std::max(longest, steps(run));
+    }
+    for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, longest / 3); lag *= 4) {
+        Pencil all;
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            Pencil one;
+            add(one, runs[k], z[k], lag);
+            consider(one, static_cast<double>(lag) * runs[k].step_s);
+            if (std::abs(runs[k].step_s / runs[0].step_s - 1) < 1e-3) {
+                all.late += one.late;
+                all.early += one.early;
+                all.noise += one.noise;
+            }
+        }
+        if (runs.size() > 1) {
+            consider(all, static_cast<double>(lag) * runs[0].step_s);
+        }
+    }
+    return best;
+}
+
+}  // namespace vybeg
