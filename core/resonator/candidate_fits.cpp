@@ -17,8 +17,7 @@ enum Place { split_cos, split_sin, damping_cos, damping_sin, rotation, skew, dec
 std::optional<FitState> without_kappa(FitState free) {
     const Eigen::Matrix2cd m = SlowDynamics(rates_of(free.shared)).matrix();
     const double square = m(0, 1).imag() / m(1, 0).imag();
-    // Beyond a factor of 1.25 these are no electrodes of one amplifier card, but other channels.
-    if (!(square > 0.64 && square < 1.5625)) {
+    if (!(square > 0) || !std::isfinite(square)) {
         return std::nullopt;
     }
     const double kappa = std::sqrt(square);
@@ -39,6 +38,12 @@ std::optional<FitState> without_kappa(FitState free) {
 
 CandidateFits::CandidateFits(std::span<const ScaledRun> runs, bool drift, const JobControl& job)
     : runs_(runs), drift_(drift), job_(job) {}
+
+ModelSpace CandidateFits::still_split_space() const {
+    ModelSpace space = space_of({rotation, decay, split_cos, damping_cos, damping_sin}, drift_);
+    space.basis.col(2) = still_space_.basis.col(2);
+    return space;
+}
 
 ModelSpace CandidateFits::structured_space() const {
     return space_of({split_cos, split_sin, damping_cos, damping_sin, rotation, decay}, drift_);
@@ -86,6 +91,10 @@ Status CandidateFits::fit_still() {
     still_space_.basis.col(2).setZero();
     still_space_.basis.col(2).head<2>() = seen_direction(start);
     return fit(still_, still_space_, start);
+}
+
+Status CandidateFits::fit_still_split() {
+    return fit(still_split_, still_split_space(), still_->state);
 }
 
 Status CandidateFits::fit_structured() {

@@ -17,6 +17,8 @@ public:
 
     // The split along the direction that still waves see, rotation, decay; no anisotropy.
     Status fit_still();
+    // As fit_still(), with the anisotropy. Precondition: still() is there.
+    Status fit_still_split();
     // All six rates of a calibrated pair. Precondition: still() is there.
     Status fit_structured();
     // Any M. Precondition: structured() is there.
@@ -28,12 +30,14 @@ public:
     Status fit_kappa_alone();
 
     const ModelFit& still() const { return *still_; }
+    const ModelFit& still_split() const { return *still_split_; }
     const ModelFit& structured() const { return *structured_; }
     const ModelFit& free() const { return *free_; }
     const ModelFit& kappa() const { return *kappa_; }
     const ModelFit& kappa_alone() const { return *kappa_alone_; }
 
     const ModelSpace& still_space() const { return still_space_; }
+    ModelSpace still_split_space() const;
     ModelSpace structured_space() const;
     ModelSpace free_space() const;
     ModelSpace kappa_space() const;
@@ -53,6 +57,7 @@ private:
     ModelSpace still_space_;
     std::optional<FitState> pencil_;
     std::optional<ModelFit> still_;
+    std::optional<ModelFit> still_split_;
     std::optional<ModelFit> structured_;
     std::optional<ModelFit> free_;
     std::optional<ModelFit> kappa_;

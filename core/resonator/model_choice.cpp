@@ -15,6 +15,8 @@ namespace {
 
 // A gain ratio is worth telling when it is known this well.
 constexpr double largest_kappa_sd = 0.01;
+// Electrodes of one amplifier card; channels that differ by more are no pair.
+constexpr double least_kappa = 0.8;
 // A wave turning by less sees rotation and anisotropy in one mixture.
 constexpr double least_turn_deg = 22.5;
 
@@ -67,8 +69,10 @@ private:
                 return done;
             }
             const double left = (fits_.kappa().chi2 - fits_.free().chi2) / free_scale;
-            if (!significant(left, 1) &&
+            const double kappa = fits_.kappa().state.shared[kappa_index];
+            if (!significant(left, 1) && kappa > least_kappa && kappa < 1 / least_kappa &&
                 kappa_sd(fits_.kappa(), fits_.kappa_space()) < largest_kappa_sd) {
+                made_.free_over_structured = left;
                 free_better = false;
                 unbalanced_ = true;
                 take(fits_.kappa_space(), fits_.kappa());
@@ -84,34 +88,44 @@ private:
             }
             return {};
         }
-        choose_rates();
-        return {};
+        return choose_rates();
     }
 
     // Whether the rates can be told from each other, or the wave stood too still.
-    void choose_rates() {
+    Status choose_rates() {
         const ModelFit& still = fits_.still();
         const ModelFit& all = made_.fit;
-        const ModelSpace space = made_.space;
         // Looked at where the unseen rates are zero: along what the data do not see the full fit
-        // follows the noise, far enough to see itself there.
-        const Sight before = sight(covariance(runs_, space, still.state));
-        const Sight after = sight(covariance(runs_, space, all.state));
+        // follows the noise, far enough to see itself there. It is believed by itself only where it
+        // fits better than a still wave by more than chance.
+        const Sight before = sight(covariance(runs_, made_.space, still.state));
+        const Sight after = sight(covariance(runs_, made_.space, all.state));
         const bool moved = significant((still.chi2 - all.chi2) / made_.enlargement, 3);
         const double root = std::sqrt(made_.enlargement);
-        const auto seen = [&](double sd_before, double sd_after, double size) {
-            return (sd_before <= blur_limit * before.best && sd_after <= blur_limit * after.best) ||
-                   (moved && (sd_after <= blur_limit * after.best || size >= 5 * root * sd_after));
+        const auto seen = [&](double sd_before, double sd_after, double enough) {
+            return moved ? sd_after <= blur_limit * after.best || root * sd_after <= enough
+                         : sd_before <= blur_limit * before.best;
         };
         const Shared& shared = all.state.shared;
-        made_.split_seen = seen(before.split, after.split, split_size(shared));
-        made_.damping_seen = seen(before.damping, after.damping, damping_size(shared));
-        if (!made_.split_seen && !made_.damping_seen) {
-            take(fits_.still_space(), still);
-            made_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
-            return;
+        // Half the anisotropy is at most the decay: a fifth of that is already an upper bound.
+        const double decay = std::abs(shared[rate_count - 1]);
+        made_.split_seen = seen(before.split, after.split, split_size(shared) / 5);
+        made_.damping_seen =
+            seen(before.damping, after.damping, std::max(damping_size(shared), decay) / 5);
+        made_.rotation_seen = made_.damping_seen;
+        if (made_.split_seen) {
+            return {};
         }
-        made_.rotation_seen = seen(before.rotation, after.rotation, std::abs(shared[4]));
+        if (made_.damping_seen) {
+            if (const Status done = fits_.fit_still_split(); !done) {
+                return done;
+            }
+            take(fits_.still_split_space(), fits_.still_split());
+            return {};
+        }
+        take(fits_.still_space(), still);
+        made_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
+        return {};
     }
 
     double kappa_sd(const ModelFit& fit, const ModelSpace& space) const {
@@ -143,7 +157,10 @@ private:
             const double rise = (fits_.kappa_alone().chi2 - all.chi2) / made_.enlargement;
             like_damping = significant(rise, unbalanced_ ? 2 : 1);
             if (!like_damping && sd < std::min(largest_kappa_sd, sd_beside / 3)) {
-                use_kappa(alone, fits_.kappa_alone(), sd);
+                if (use_kappa(alone, fits_.kappa_alone(), sd)) {
+                    made_.damping_seen = false;
+                    made_.equal_damping = true;
+                }
                 made_.warnings.push_back({DiagnosticKind::kappa_assumes_equal_damping, {}});
                 return {};
             }
@@ -169,12 +186,15 @@ private:
     }
 
     // A ratio of 1 within its noise is taken as 1, and everything else is the sharper for it.
-    void use_kappa(const ModelSpace& space, const ModelFit& fit, double sd) {
+    // Whether the fit with kappa is the one taken.
+    bool use_kappa(const ModelSpace& space, const ModelFit& fit, double sd) {
         made_.kappa.value = fit.state.shared[kappa_index];
         made_.kappa.sd = sd;
         if (unbalanced_ || std::abs(made_.kappa.value - 1) >= 5 * sd) {
             take(space, fit);
+            return true;
         }
+        return false;
     }
 
     Status refit(const ModelSpace& space, const FitState& start) {

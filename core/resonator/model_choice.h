@@ -21,6 +21,7 @@ struct ModelChoice {
     bool split_seen = false;
     bool damping_seen = false;
     bool rotation_seen = false;
+    bool equal_damping = false;  // assumed, for kappa's sake
     Estimate kappa;
     std::vector<Estimate> drift_hz_per_s;  // one for each run
     Estimate frequency_per_power;          // Hz per squared scaled amplitude

@@ -42,8 +42,8 @@ const char* message_template(ReasonCode code) {
                                  "ratio of the channels.");
         case ReasonCode::kappa_like_damping:
             return VYBEG_MESSAGE("Reason",
-                                 "The damping depends on direction, and a wrong gain ratio of the "
-                                 "channels looks the same.");
+                                 "In a turning wave a gain ratio of the channels and a damping "
+                                 "anisotropy look the same, and only one of them is found here.");
         case ReasonCode::kappa_not_seen:
             return VYBEG_MESSAGE("Reason",
                                  "This motion does not show the gain ratio of the channels.");

@@ -17,7 +17,7 @@ enum class ReasonCode {
     no_decay,              // args: 1/tau, its sd (1/s)
     circular_wave,         // no angle where a_A = |a_B|
     kappa_still_wave,      // args: angle turned (deg), angle needed (deg)
-    kappa_like_damping,    // a damping anisotropy looks the same
+    kappa_like_damping,    // gain ratio and damping anisotropy look the same
     kappa_not_seen,        // this motion does not show the gain ratio
     not_asked,             // the caller asked for no estimate of it
     amplitude_like_drift,  // within this decay the amplitude does not tell it from a drift

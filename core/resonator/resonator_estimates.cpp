@@ -82,6 +82,30 @@ RawParameters raw_parameters(const ModelChoice& choice, const DeltaMethod& delta
     return raw;
 }
 
+FittedMotion fitted_motion(const FitState& state, std::span<const PhasorRun> runs,
+                           std::span<const ScaledRun> scaled, double scale) {
+    FittedMotion motion{.rates = rates_of(state.shared),
+                        .kappa = state.shared[kappa_index],
+                        .frequency_per_power = state.shared[power_index] / (scale * scale),
+                        .runs = {}};
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const Own& own = state.runs[k];
+        FittedMotion::Run run{.f_ref_hz = runs[k].f_ref_hz,
+                              .f_hz = own[frequency_index],
+                              .drift_hz_per_s = own[drift_index],
+                              .middle_s = scaled[k].middle_s,
+                              .window_s = runs[k].window_s,
+                              .start = scale * start_of(own),
+                              .time_s = scaled[k].time_s,
+                              .power_integral = scaled[k].power_integral};
+        for (double& integral : run.power_integral) {
+            integral *= scale * scale;
+        }
+        motion.runs.push_back(std::move(run));
+    }
+    return motion;
+}
+
 // Root of the mean square of the real and imaginary parts of what is left.
 double residual_rms(std::span<const ScaledRun> runs, const FitState& state) {
     double sum = 0;
@@ -115,7 +139,7 @@ void structured_estimates(ResonatorFit& fit, const ModelChoice& choice, const De
     out.split_hz = choice.split_seen ? split.size : Estimate{.reason = one_direction};
     out.theta_w_rad = choice.split_seen ? split.axis : Estimate{.reason = one_direction};
     Reason unseen = one_direction;
-    if (choice.kappa.given() && !choice.damping_seen) {
+    if (choice.equal_damping) {
         unseen = {ReasonCode::kappa_like_damping, {}};
     }
     out.damping_anisotropy_per_s = choice.damping_seen ? damping.size : Estimate{.reason = unseen};
@@ -206,6 +230,7 @@ ResonatorFit estimates(const ModelChoice& choice, std::span<const PhasorRun> run
                         .rotation = given.angle_rate_rad_s.given(),
                         .kappa = given.kappa.given()};
     fit.raw = raw_parameters(choice, delta, runs, scale);
+    fit.motion = fitted_motion(state, runs, scaled, scale);
     return fit;
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
+#include "core/resonator/fitted_motion.h"
 #include "core/resonator/phasor_run.h"
 #include "core/resonator/reason.h"
 
@@ -83,6 +84,7 @@ struct ResonatorFit {
     double free_over_structured = 0;  // likelihood ratio: fall of chi^2 (over chi2_per_dof, if
                                       // above 1) from structured to free M; about 1 by chance
     RawParameters raw;
+    FittedMotion motion;
     std::vector<Diagnostic> warnings;
 };
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/resonator/phasor_run.h"
+#include "core/simulation/gaussian_noise.h"
+#include "core/simulation/slow_motion.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace vybeg::test {
+
+// The window phasors of a simulated decay, without the samples: the simulator's motion, averaged
+// over each window by Simpson's rule, D over kappa, plus the noise that least squares over the
+// window's samples leaves, sd noise * sqrt(2/n).
+inline PhasorRun simulated_phasors(const FreeDecay& decay, std::int64_t window,
+                                   std::uint64_t seed) {
+    const SlowMotion motion(decay);
+    const Eigen::Vector2cd start = motion.at_frame(0);
+    GaussianNoise noise(seed);
+    const auto n = static_cast<double>(window);
+    const double sd = decay.noise * std::sqrt(2 / n);
+    PhasorRun run;
+    run.f_ref_hz = decay.f0_hz;
+    run.window_s = n / decay.rate_hz;
+    for (std::int64_t first = 0; first + window <= frame_count(decay); first += window) {
+        const double t = (static_cast<double>(first) + (n - 1) / 2) / decay.rate_hz;
+        Eigen::Vector2cd z = Eigen::Vector2cd::Zero();
+        for (const auto& [at, weight] :
+             {std::pair(-0.5, 1.0), {-0.25, 4.0}, {0.0, 2.0}, {0.25, 4.0}, {0.5, 1.0}}) {
+            z += weight / 12 * (motion.propagator(t + at * run.window_s) * start);
+        }
+        const auto [c_re, c_im] = noise.next();
+        const auto [d_re, d_im] = noise.next();
+        run.time_s.push_back(t);
+        run.c.push_back(z[0] + sd * std::complex(c_re, c_im));
+        run.d.push_back(z[1] / decay.kappa + sd * std::complex(d_re, d_im));
+        run.sd.push_back(sd);
+    }
+    return run;
+}
+
+// The same run at a frequency that differs from its reference: f(t) = offset + drift t, Hz.
+inline void shift(PhasorRun& run, double offset_hz, double drift_hz_per_s = 0) {
+    constexpr double two_pi = 6.283185307179586;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        const double t = run.time_s[k];
+        const auto turn = std::polar(1.0, two_pi * t * (offset_hz + drift_hz_per_s * t / 2));
+        run.c[k] *= turn;
+        run.d[k] *= turn;
+    }
+}
+
+}  // namespace vybeg::test
