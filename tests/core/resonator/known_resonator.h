@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/resonator/resonator_fit.h"
+#include "tests/core/resonator/simulated_phasors.h"
+
+#include <QtTest>
+
+#include <numbers>
+#include <vector>
+
+namespace vybeg::test {
+
+// Runs of one resonator that start at the angles theta_A (deg), each with its own phase and offset
+// of frequency, as window phasors. `decay` holds the resonator and the noise.
+inline std::vector<PhasorRun> set_of(const FreeDecay& decay, const std::vector<double>& angles,
+                                     std::int64_t window, std::uint64_t seed) {
+    std::vector<PhasorRun> runs;
+    for (const double angle : angles) {
+        const auto k = static_cast<double>(runs.size());
+        FreeDecay run = decay;
+        run.two_theta_A = 2 * angle * std::numbers::pi / 180;
+        run.alpha = 0.4 + 1.7 * k;
+        runs.push_back(simulated_phasors(run, window, 1000 * seed + runs.size()));
+        shift(runs.back(), 0.013 * (1 - 0.8 * k));
+    }
+    return runs;
+}
+
+inline ResonatorFit fitted(const std::vector<PhasorRun>& runs, const FitOptions& options = {}) {
+    Result<ResonatorFit> fit = fit_resonator(runs, options, {});
+    if (!fit) {
+        qFatal("the fit failed");
+    }
+    return std::move(*fit);
+}
+
+// The article's case, four starts 22.5 degrees apart, is `reference` over these angles.
+inline const std::vector<double> four_angles{0, 22.5, 45, 67.5};
+
+inline FreeDecay reference() {
+    FreeDecay decay;
+    decay.tau_s = 400;
+    decay.noise = 1e-3;
+    return decay;
+}
+
+inline bool warns(const ResonatorFit& fit, DiagnosticKind kind) {
+    return std::ranges::any_of(fit.warnings,
+                               [kind](const Diagnostic& known) { return known.kind == kind; });
+}
+
+// What is wrong with an estimate: empty where it is given, lies within `k` of its deviations of the
+// truth, and these are at most `most`.
+inline QString fault(const Estimate& estimate, double truth, double k, double most) {
+    const bool fine = estimate.given() && std::abs(estimate.value - truth) <= k * estimate.sd &&
+                      estimate.sd <= most;
+    return fine ? QString()
+                : QString("%1 +- %2 for %3")
+                      .arg(estimate.value, 0, 'g', 12)
+                      .arg(estimate.sd)
+                      .arg(truth, 0, 'g', 12);
+}
+
+}  // namespace vybeg::test
+
+// QCOMPARE tells the line, and the fault what is wrong.
+#define VYBEG_NEAR(estimate, truth, k, most) QCOMPARE(fault(estimate, truth, k, most), QString())

@@ -1,0 +1,170 @@
+#include "core/base/messages.h"
+#include "tests/core/resonator/known_resonator.h"
+
+#include <set>
+
+using namespace vybeg;
+using namespace vybeg::test;
+using std::numbers::pi;
+
+class TestFitReasons : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyReasonHasASentenceAndAName();
+    void oneStillWaveGivesSplitTimesSineAlone();
+    void oneRunSufficesForALargeSplit();
+    void twoRunsFortyFiveDegreesApartShowOneDirectionOfTheSplit();
+    void twoRunsAtHalfThatShowAll();
+    void noSplitIsAnUpperBoundWithoutAxis();
+    void aRotatingWaveShowsAllByItself();
+    void aCircularWaveHasNoAngle();
+    void noDecayIsNoTau();
+    void whatIsNotAskedForIsNotEstimated();
+    void theFreeModelHasNoAngles();
+};
+
+void TestFitReasons::everyReasonHasASentenceAndAName() {
+    std::set<std::string> names;
+    for (int k = 0; k <= static_cast<int>(ReasonCode::too_few_windows); ++k) {
+        const auto code = static_cast<ReasonCode>(k);
+        QVERIFY(names.insert(reason_name(code)).second);
+        QVERIFY(!reason_name(code).empty());
+        QCOMPARE(std::string(message_template(code)).empty(), code == ReasonCode::none);
+    }
+    QCOMPARE(reason_name(static_cast<ReasonCode>(names.size())), std::string());
+    QVERIFY(english({ReasonCode::one_direction, {"32.5", "28"}}).find("32.5 degrees") !=
+            std::string::npos);
+}
+
+void TestFitReasons::oneStillWaveGivesSplitTimesSineAlone() {
+    FreeDecay decay = reference();
+    decay.split_hz = 1e-4;
+    decay.theta_w = 0.2;
+    for (const double angle : {0.0, 10.0, 11.46, 33.96, 60.0}) {
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            const ResonatorFit fit = fitted(set_of(decay, {angle}, 1000, seed));
+            QVERIFY(!fit.identifiable.split && !fit.identifiable.theta_w &&
+                    !fit.identifiable.damping_anisotropy && !fit.identifiable.rotation &&
+                    !fit.identifiable.kappa);
+            const Reason& reason = fit.resonator.split_hz.reason;
+            QVERIFY(reason.code == ReasonCode::one_direction);
+            // The angle it asks for lies between those that show the same.
+            const double other = std::stod(reason.args[0]);
+            QVERIFY(std::abs(std::remainder(other - angle - 22.5, 90)) < 0.1);
+            QCOMPARE(reason.args[1], std::string("28"));
+            QVERIFY(fit.resonator.angle_rate_rad_s.reason.code == ReasonCode::confounded_rotation);
+            QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::kappa_still_wave);
+            QVERIFY(fit.modes.empty());
+            QVERIFY(fit.no_modes.code == ReasonCode::modes_not_apart);
+            const double truth = 1e-4 * std::sin(4 * (angle * pi / 180 - 0.2));
+            VYBEG_NEAR(fit.runs[0].split_sin_hz, truth, 4, 3e-7);
+            VYBEG_NEAR(fit.resonator.tau_s, 400, 4, 0.05);
+            QVERIFY(warns(fit, DiagnosticKind::decay_of_one_direction));
+        }
+    }
+}
+
+void TestFitReasons::oneRunSufficesForALargeSplit() {
+    FreeDecay decay = reference();
+    decay.split_hz = 1;
+    decay.theta_w = 0.2;
+    for (const double angle : {0.0, 22.5, 67.5}) {
+        const ResonatorFit fit = fitted(set_of(decay, {angle}, 500, 1));
+        QVERIFY(fit.model == ResonatorModel::structured);
+        VYBEG_NEAR(fit.resonator.split_hz, 1, 4, 1e-5);
+        VYBEG_NEAR(fit.resonator.theta_w_rad, 0.2, 4, 1e-4);
+        QCOMPARE(fit.modes.size(), std::size_t{2});
+    }
+}
+
+void TestFitReasons::twoRunsFortyFiveDegreesApartShowOneDirectionOfTheSplit() {
+    FreeDecay decay = reference();
+    decay.split_hz = 1e-5;
+    decay.damping_anisotropy_per_s = 1e-4;
+    decay.theta_tau = 0.1;
+    const ResonatorFit fit = fitted(set_of(decay, {5, 50}, 1000, 1));
+    QVERIFY(fit.resonator.split_hz.reason.code == ReasonCode::one_direction);
+    // The damping shows itself in decay and turn of both.
+    VYBEG_NEAR(fit.resonator.damping_anisotropy_per_s, 1e-4, 4, 1e-6);
+    VYBEG_NEAR(fit.resonator.theta_tau_rad, 0.1, 4, 1e-2);
+    QVERIFY(fit.identifiable.rotation);
+}
+
+void TestFitReasons::twoRunsAtHalfThatShowAll() {
+    FreeDecay decay = reference();
+    decay.split_hz = 1e-5;
+    decay.theta_w = -0.3;
+    const ResonatorFit fit = fitted(set_of(decay, {5, 27.5}, 1000, 1));
+    VYBEG_NEAR(fit.resonator.split_hz, 1e-5, 4, 1e-7);
+    VYBEG_NEAR(fit.resonator.theta_w_rad, -0.3, 4, 1e-2);
+    QVERIFY(fit.identifiable.rotation && fit.identifiable.damping_anisotropy);
+}
+
+void TestFitReasons::noSplitIsAnUpperBoundWithoutAxis() {
+    const ResonatorFit fit = fitted(set_of(reference(), four_angles, 1000, 1));
+    VYBEG_NEAR(fit.resonator.split_hz, 0, 4, 6e-8);
+    QVERIFY(fit.resonator.theta_w_rad.reason.code == ReasonCode::below_noise);
+    QVERIFY(fit.identifiable.split && !fit.identifiable.theta_w);
+    VYBEG_NEAR(fit.resonator.damping_anisotropy_per_s, 0, 4, 1e-6);
+    QVERIFY(fit.resonator.theta_tau_rad.reason.code == ReasonCode::below_noise);
+    QVERIFY(fit.modes.empty());
+}
+
+void TestFitReasons::aRotatingWaveShowsAllByItself() {
+    FreeDecay decay = reference();
+    decay.omega_rad_s = 0.2;
+    decay.split_hz = 1e-5;
+    decay.theta_w = 0.5;
+    const ResonatorFit fit = fitted(set_of(decay, {5}, 1000, 1));
+    VYBEG_NEAR(fit.resonator.split_hz, 1e-5, 4, 5e-7);
+    VYBEG_NEAR(fit.resonator.theta_w_rad, 0.5, 4, 0.02);
+    VYBEG_NEAR(fit.resonator.angle_rate_rad_s, -0.277 * 0.2, 4, 1e-6);
+}
+
+void TestFitReasons::aCircularWaveHasNoAngle() {
+    FreeDecay decay = reference();
+    decay.a_B = 1;
+    const ResonatorFit fit = fitted(set_of(decay, {5, 27.5}, 1000, 1));
+    QVERIFY(fit.runs[0].two_theta_A_rad.reason.code == ReasonCode::circular_wave);
+    QVERIFY(fit.runs[0].split_sin_hz.reason.code == ReasonCode::circular_wave);
+    VYBEG_NEAR(fit.runs[0].a_A, 1, 4, 1e-5);
+}
+
+void TestFitReasons::noDecayIsNoTau() {
+    FreeDecay decay = reference();
+    decay.tau_s = 1e12;
+    const ResonatorFit fit = fitted(set_of(decay, four_angles, 1000, 3));
+    QVERIFY(fit.resonator.tau_s.reason.code == ReasonCode::no_decay);
+    QVERIFY(fit.resonator.q.reason.code == ReasonCode::no_decay);
+    QVERIFY(fit.runs[0].q_envelope.reason.code == ReasonCode::no_decay);
+    QVERIFY(!fit.identifiable.tau);
+}
+
+void TestFitReasons::whatIsNotAskedForIsNotEstimated() {
+    const ResonatorFit fit = fitted(set_of(reference(), four_angles, 1000, 1),
+                                    {.estimate_kappa = false, .fit_drift = false});
+    QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::not_asked);
+    QVERIFY(fit.resonator.frequency_per_power.reason.code == ReasonCode::not_asked);
+    QVERIFY(fit.runs[3].drift_hz_per_s.reason.code == ReasonCode::not_asked);
+}
+
+void TestFitReasons::theFreeModelHasNoAngles() {
+    FreeDecay decay = reference();
+    decay.split_hz = 0.01;
+    const ResonatorFit fit =
+        fitted(set_of(decay, four_angles, 1000, 1), {.model = FitOptions::Model::free});
+    QVERIFY(fit.model == ResonatorModel::free);
+    QVERIFY(!warns(fit, DiagnosticKind::structured_refused));
+    for (const Estimate* none :
+         {&fit.resonator.split_hz, &fit.resonator.theta_w_rad, &fit.resonator.tau_s,
+          &fit.resonator.angle_rate_rad_s, &fit.resonator.kappa, &fit.runs[0].split_sin_hz}) {
+        QVERIFY(none->reason.code == ReasonCode::free_model);
+        QVERIFY(std::isnan(none->value) && std::isnan(none->sd));
+    }
+    VYBEG_NEAR(fit.modes[0].f_hz, fit.modes[1].f_hz.value + 0.01, 6, 1e-6);
+    VYBEG_NEAR(fit.modes[0].tau_s, 400, 4, 0.1);
+}
+
+QTEST_GUILESS_MAIN(TestFitReasons)
+#include "test_fit_reasons.moc"

@@ -1,0 +1,252 @@
+#include "tests/core/resonator/known_resonator.h"
+
+#include <complex>
+
+using namespace vybeg;
+using namespace vybeg::test;
+using std::numbers::pi;
+
+namespace {
+
+FreeDecay rich() {
+    FreeDecay decay = reference();
+    decay.a_B = 0.02;
+    decay.split_hz = 0.012;
+    decay.theta_w = -0.2;
+    decay.tau_s = 30;
+    decay.damping_anisotropy_per_s = 0.002;
+    decay.theta_tau = 0.3;
+    decay.omega_rad_s = 0.08;
+    return decay;
+}
+
+// The same motion seen by two pick-offs that are any two mixtures of c and d.
+void mix(PhasorRun& run) {
+    using Complex = std::complex<double>;
+    for (std::size_t k = 0; k < run.c.size(); ++k) {
+        const Complex c = run.c[k];
+        const Complex d = run.d[k];
+        run.c[k] = Complex{0.9, 0.3} * c + Complex{0.2, -0.5} * d;
+        run.d[k] = Complex{-0.1, 0.4} * c + Complex{0.6, 0.1} * d;
+    }
+}
+
+}  // namespace
+
+class TestResonatorFit : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aSetGivesBackTheResonator();
+    void theRunsComeBackWithTheirStarts();
+    void anyMixtureOfTheChannelsGivesTheModes();
+    void aBellIsResolvedFromOneStrike();
+    void referencePhaseAndScaleDoNotMatter();
+    void gapsDoNotMatter();
+    void longWindowsDoNotMatter();
+    void thePredictionIsWithinTheNoise();
+    void theSameDataGiveTheSameBits();
+    void excessResidualsEnlargeTheDeviations();
+    void whatCannotBeFittedSaysSo();
+};
+
+void TestResonatorFit::aSetGivesBackTheResonator() {
+    const ResonatorFit fit = fitted(set_of(rich(), four_angles, 1000, 1));
+    QVERIFY(fit.model == ResonatorModel::structured);
+    const ResonatorEstimate& found = fit.resonator;
+    VYBEG_NEAR(found.split_hz, 0.012, 4, 1e-6);
+    VYBEG_NEAR(found.theta_w_rad, -0.2, 4, 1e-5);
+    VYBEG_NEAR(found.tau_s, 30, 4, 1e-3);
+    VYBEG_NEAR(found.q, pi * found.f_mean_hz.value * 30, 4, 20);
+    VYBEG_NEAR(found.damping_anisotropy_per_s, 0.002, 4, 1e-5);
+    VYBEG_NEAR(found.theta_tau_rad, 0.3, 4, 1e-3);
+    VYBEG_NEAR(found.angle_rate_rad_s, -0.277 * 0.08, 4, 1e-5);
+    // The mean of the offsets that set_of() gives.
+    VYBEG_NEAR(found.f_mean_hz, 5300 + 0.013 * (1 - 0.8 * 1.5), 4, 1e-6);
+    QVERIFY(fit.identifiable.split && fit.identifiable.theta_w && fit.identifiable.tau &&
+            fit.identifiable.damping_anisotropy && fit.identifiable.theta_tau &&
+            fit.identifiable.rotation);
+    QVERIFY(std::abs(fit.chi2_per_dof - 1) < 0.05);
+    QVERIFY(fit.warnings.empty());
+    // Eigenvalues of the simulator's M.
+    QCOMPARE(fit.modes.size(), std::size_t{2});
+    QVERIFY(fit.modes[0].f_hz.value > fit.modes[1].f_hz.value);
+}
+
+void TestResonatorFit::theRunsComeBackWithTheirStarts() {
+    const ResonatorFit fit = fitted(set_of(rich(), four_angles, 1000, 2));
+    QCOMPARE(fit.runs.size(), std::size_t{4});
+    for (std::size_t k = 0; k < 4; ++k) {
+        const RunEstimate& run = fit.runs[k];
+        VYBEG_NEAR(run.a_A, 1.0, 4, 1e-5);
+        VYBEG_NEAR(run.a_B, 0.02, 4, 1e-5);
+        const double two_theta = 2 * four_angles[k] * pi / 180;
+        QVERIFY(std::abs(std::remainder(run.two_theta_A_rad.value - two_theta, pi)) <
+                4 * run.two_theta_A_rad.sd);
+        VYBEG_NEAR(run.split_sin_hz, 0.012 * std::sin(2 * two_theta + 0.8), 4, 1e-6);
+        VYBEG_NEAR(run.f_offset_hz, -0.013 * 0.8 * (static_cast<double>(k) - 1.5), 4, 1e-6);
+    }
+}
+
+void TestResonatorFit::anyMixtureOfTheChannelsGivesTheModes() {
+    std::vector<PhasorRun> runs = set_of(rich(), four_angles, 1000, 3);
+    const ResonatorFit straight = fitted(runs);
+    for (PhasorRun& run : runs) {
+        mix(run);
+    }
+    const ResonatorFit fit = fitted(runs);
+    QVERIFY(fit.model == ResonatorModel::free);
+    QVERIFY(warns(fit, DiagnosticKind::structured_refused));
+    QVERIFY(fit.resonator.split_hz.reason.code == ReasonCode::free_model);
+    QCOMPARE(fit.modes.size(), std::size_t{2});
+    for (std::size_t k = 0; k < 2; ++k) {
+        VYBEG_NEAR(fit.modes[k].f_hz, straight.modes[k].f_hz.value, 4, 1e-5);
+        VYBEG_NEAR(fit.modes[k].tau_s, straight.modes[k].tau_s.value, 4, 0.1);
+    }
+}
+
+void TestResonatorFit::aBellIsResolvedFromOneStrike() {
+    FreeDecay bell = reference();
+    bell.seconds = 6;
+    bell.rate_hz = 44100;
+    bell.f0_hz = 1020.4;
+    bell.split_hz = 5.268;
+    bell.tau_s = 0.83;
+    bell.damping_anisotropy_per_s = 0.09;
+    bell.noise = 1e-2;
+    std::vector<PhasorRun> runs = set_of(bell, {20}, 500, 4);
+    mix(runs[0]);
+    const ResonatorFit fit = fitted(runs);
+    QVERIFY(fit.model == ResonatorModel::free);
+    QCOMPARE(fit.modes.size(), std::size_t{2});
+    const double offset = 0.013;
+    VYBEG_NEAR(fit.modes[0].f_hz, 1020.4 + offset + 2.634, 4, 1e-3);
+    VYBEG_NEAR(fit.modes[1].f_hz, 1020.4 + offset - 2.634, 4, 1e-3);
+    VYBEG_NEAR(fit.modes[0].tau_s, 1 / (1 / 0.83 + 0.045), 4, 1e-3);
+    VYBEG_NEAR(fit.modes[1].tau_s, 1 / (1 / 0.83 - 0.045), 4, 1e-3);
+}
+
+void TestResonatorFit::referencePhaseAndScaleDoNotMatter() {
+    std::vector<PhasorRun> runs = set_of(rich(), four_angles, 1000, 5);
+    const ResonatorFit before = fitted(runs);
+    for (PhasorRun& run : runs) {
+        shift(run, 0.05);
+        run.f_ref_hz -= 0.05;
+        for (std::size_t k = 0; k < run.c.size(); ++k) {
+            run.c[k] *= std::polar(3e4, 1.1);
+            run.d[k] *= std::polar(3e4, 1.1);
+            run.sd[k] *= 3e4;
+        }
+    }
+    std::swap(runs[0], runs[3]);
+    const ResonatorFit after = fitted(runs);
+    // To a thousandth of the deviations: that far the fit converges.
+    const auto same = [](const Estimate& one, const Estimate& other, double factor = 1) {
+        return std::abs(one.value * factor - other.value) <= 2e-3 * other.sd &&
+               std::abs(one.sd * factor / other.sd - 1) < 1e-4;
+    };
+    QVERIFY(same(before.resonator.f_mean_hz, after.resonator.f_mean_hz));
+    QVERIFY(same(before.resonator.split_hz, after.resonator.split_hz));
+    QVERIFY(same(before.resonator.theta_w_rad, after.resonator.theta_w_rad));
+    QVERIFY(same(before.resonator.tau_s, after.resonator.tau_s));
+    QVERIFY(same(before.resonator.angle_rate_rad_s, after.resonator.angle_rate_rad_s));
+    QVERIFY(same(before.runs[0].a_A, after.runs[3].a_A, 3e4));
+    QVERIFY(same(before.runs[1].a_B, after.runs[1].a_B, 3e4));
+    QVERIFY(same(before.runs[2].split_sin_hz, after.runs[2].split_sin_hz));
+}
+
+void TestResonatorFit::gapsDoNotMatter() {
+    std::vector<PhasorRun> runs = set_of(rich(), four_angles, 500, 6);
+    for (PhasorRun& run : runs) {
+        // A long gap, single windows missing, and one that is not a number.
+        PhasorRun left{run.f_ref_hz, run.window_s, {}, {}, {}, {}};
+        for (std::size_t k = 0; k < run.c.size(); ++k) {
+            if ((k > 400 && k < 900) || k % 7 == 3) {
+                continue;
+            }
+            left.time_s.push_back(run.time_s[k]);
+            left.c.push_back(run.c[k]);
+            left.d.push_back(k == 5 ? std::nan("") : run.d[k]);
+            left.sd.push_back(run.sd[k]);
+        }
+        run = left;
+    }
+    const ResonatorFit fit = fitted(runs);
+    VYBEG_NEAR(fit.resonator.split_hz, 0.012, 4, 1e-6);
+    VYBEG_NEAR(fit.resonator.theta_w_rad, -0.2, 4, 1e-5);
+    VYBEG_NEAR(fit.resonator.tau_s, 30, 4, 2e-3);
+    QVERIFY(fit.warnings.empty());
+}
+
+void TestResonatorFit::longWindowsDoNotMatter() {
+    // The beat turns by a tenth of a turn within one window: its mean is modelled, not neglected.
+    FreeDecay decay = rich();
+    decay.split_hz = 1;
+    const ResonatorFit fit = fitted(set_of(decay, four_angles, 6667, 7));
+    VYBEG_NEAR(fit.resonator.split_hz, 1.0, 4, 1e-5);
+    VYBEG_NEAR(fit.runs[1].a_A, 1.0, 4, 1e-4);
+    VYBEG_NEAR(fit.runs[1].a_B, 0.02, 4, 1e-4);
+    QVERIFY(std::abs(fit.chi2_per_dof - 1) < 0.2);
+}
+
+void TestResonatorFit::thePredictionIsWithinTheNoise() {
+    std::vector<PhasorRun> runs = set_of(rich(), {10, 30}, 500, 8);
+    shift(runs[1], 0, 1e-3);
+    const ResonatorFit fit = fitted(runs);
+    for (std::size_t run = 0; run < 2; ++run) {
+        double sum = 0;
+        for (std::size_t k = 0; k < runs[run].c.size(); ++k) {
+            const Phasors z = predicted_phasors(fit.motion, run, runs[run].time_s[k]);
+            sum += std::norm(z.c - runs[run].c[k]) + std::norm(z.d - runs[run].d[k]);
+        }
+        const double rms = std::sqrt(sum / (4 * static_cast<double>(runs[run].c.size())));
+        QVERIFY2(std::abs(rms / runs[run].sd[0] - 1) < 0.05, qPrintable(QString::number(rms)));
+    }
+}
+
+void TestResonatorFit::theSameDataGiveTheSameBits() {
+    const std::vector<PhasorRun> runs = set_of(rich(), {0, 22.5}, 1000, 9);
+    const ResonatorFit one = fitted(runs);
+    const ResonatorFit other = fitted(runs);
+    QVERIFY(one.raw.values == other.raw.values);
+    QVERIFY(one.raw.covariance == other.raw.covariance);
+    QCOMPARE(one.raw.covariance.size(), one.raw.names.size() * one.raw.names.size());
+    QCOMPARE(one.raw.names.front(), std::string("split_cos4_hz"));
+}
+
+void TestResonatorFit::excessResidualsEnlargeTheDeviations() {
+    std::vector<PhasorRun> runs = set_of(rich(), four_angles, 1000, 10);
+    const ResonatorFit before = fitted(runs);
+    for (PhasorRun& run : runs) {
+        for (double& sd : run.sd) {
+            sd /= 3;
+        }
+    }
+    const ResonatorFit after = fitted(runs);
+    QVERIFY(warns(after, DiagnosticKind::residual_above_noise));
+    QVERIFY(std::abs(after.chi2_per_dof - 9) < 0.5);
+    QVERIFY(std::abs(after.resonator.split_hz.sd / before.resonator.split_hz.sd - 1) < 0.05);
+    QVERIFY(after.model == ResonatorModel::structured);
+}
+
+void TestResonatorFit::whatCannotBeFittedSaysSo() {
+    QVERIFY(fit_resonator({}, {}, {}).error().code == ErrorCode::fit_failed);
+    std::vector<PhasorRun> runs = set_of(rich(), {0, 30}, 1000, 11);
+    for (auto* values : {&runs[1].time_s, &runs[1].sd}) {
+        values->resize(5);
+    }
+    runs[1].c.resize(5);
+    runs[1].d.resize(5);
+    const Error few = fit_resonator(runs, {}, {}).error();
+    QVERIFY(few.code == ErrorCode::fit_too_few_windows);
+    QCOMPARE(few.where, std::string("recording 2"));
+    QCOMPARE(few.args, (std::vector<std::string>{"5", "8"}));
+    std::stop_source stop;
+    stop.request_stop();
+    const auto cancelled =
+        fit_resonator(set_of(rich(), {0}, 1000, 12), {}, JobControl(stop.get_token()));
+    QVERIFY(cancelled.error().code == ErrorCode::interrupted);
+}
+
+QTEST_GUILESS_MAIN(TestResonatorFit)
+#include "test_resonator_fit.moc"
