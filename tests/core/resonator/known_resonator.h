@@ -20,8 +20,8 @@ inline std::vector<PhasorRun> set_of(const FreeDecay& decay, const std::vector<d
         FreeDecay run = decay;
         run.two_theta_A = 2 * angle * std::numbers::pi / 180;
         run.alpha = 0.4 + 1.7 * k;
-        runs.push_back(simulated_phasors(run, window, 1000 * seed + runs.size()));
-        shift(runs.back(), 0.013 * (1 - 0.8 * k));
+        runs.push_back(
+            simulated_phasors(run, window, 1000 * seed + runs.size(), 0.013 * (1 - 0.8 * k)));
     }
     return runs;
 }

@@ -9,11 +9,12 @@
 
 namespace vybeg::test {
 
-// The window phasors of a simulated decay, without the samples: the simulator's motion, averaged
-// over each window by Simpson's rule, D over kappa, plus the noise that least squares over the
-// window's samples leaves, sd noise * sqrt(2/n).
-inline PhasorRun simulated_phasors(const FreeDecay& decay, std::int64_t window,
-                                   std::uint64_t seed) {
+// The window phasors of a simulated decay, without the samples: the simulator's motion at a
+// frequency `offset_hz` above its carrier, averaged over each window by Simpson's rule, D over
+// kappa, plus the noise that least squares over the window's samples leaves, sd noise * sqrt(2/n).
+inline PhasorRun simulated_phasors(const FreeDecay& decay, std::int64_t window, std::uint64_t seed,
+                                   double offset_hz = 0) {
+    constexpr double two_pi = 6.283185307179586;
     const SlowMotion motion(decay);
     const Eigen::Vector2cd start = motion.at_frame(0);
     GaussianNoise noise(seed);
@@ -27,7 +28,9 @@ inline PhasorRun simulated_phasors(const FreeDecay& decay, std::int64_t window,
         Eigen::Vector2cd z = Eigen::Vector2cd::Zero();
         for (const auto& [at, weight] :
              {std::pair(-0.5, 1.0), {-0.25, 4.0}, {0.0, 2.0}, {0.25, 4.0}, {0.5, 1.0}}) {
-            z += weight / 12 * (motion.propagator(t + at * run.window_s) * start);
+            const double u = t + at * run.window_s;
+            z += weight / 12 * std::polar(1.0, two_pi * offset_hz * u) *
+                 (motion.propagator(u) * start);
         }
         const auto [c_re, c_im] = noise.next();
         const auto [d_re, d_im] = noise.next();
@@ -39,7 +42,7 @@ inline PhasorRun simulated_phasors(const FreeDecay& decay, std::int64_t window,
     return run;
 }
 
-// The same run at a frequency that differs from its reference: f(t) = offset + drift t, Hz.
+// Turns the phasors as if the frequency were higher by offset + drift t, Hz, within no window.
 inline void shift(PhasorRun& run, double offset_hz, double drift_hz_per_s = 0) {
     constexpr double two_pi = 6.283185307179586;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
