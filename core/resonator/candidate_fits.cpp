@@ -36,6 +36,11 @@ std::optional<FitState> without_kappa(FitState free) {
 
 }  // namespace
 
+double enlargement_of(double chi2, double dof) {
+    const double ratio = chi2 / dof;
+    return ratio > 1 + 4 * std::sqrt(2 / dof) ? ratio : 1;
+}
+
 CandidateFits::CandidateFits(std::span<const ScaledRun> runs, bool drift, const JobControl& job)
     : runs_(runs), drift_(drift), job_(job) {}
 
@@ -82,7 +87,8 @@ Status CandidateFits::fit(std::optional<ModelFit>& into, const ModelSpace& space
 }
 
 FitState CandidateFits::better(const FitState& one, const FitState& other) const {
-    return chi_square(runs_, one) <= chi_square(runs_, other) ? one : other;
+    // The first, too, where the second is beyond all numbers.
+    return chi_square(runs_, other) < chi_square(runs_, one) ? other : one;
 }
 
 Status CandidateFits::fit_still() {
@@ -98,14 +104,23 @@ Status CandidateFits::fit_still_split() {
 }
 
 Status CandidateFits::fit_structured() {
-    pencil_ = pencil_start(runs_, still_->state, false);
+    if (const Status done = fit(structured_, structured_space(), still_->state);
+        !done || enlargement_of(structured_->chi2, dof(structured_space())) == 1) {
+        return done;
+    }
+    // It does not follow the phasors: perhaps it began too far away.
+    pencil_ = pencil_start(runs_, still_->state);
     FitState calibrated = *pencil_;
     calibrated.shared[skew] = 0;
-    return fit(structured_, structured_space(), better(still_->state, calibrated));
+    if (chi_square(runs_, calibrated) < structured_->chi2) {
+        return fit(structured_, structured_space(), calibrated);
+    }
+    return {};  // also where it is beyond all numbers
 }
 
 Status CandidateFits::fit_free() {
-    return fit(free_, free_space(), better(structured_->state, *pencil_));
+    return fit(free_, free_space(),
+               pencil_ ? better(structured_->state, *pencil_) : structured_->state);
 }
 
 Status CandidateFits::fit_kappa() {

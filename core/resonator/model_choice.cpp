@@ -20,12 +20,6 @@ constexpr double least_kappa = 0.8;
 // A wave turning by less sees rotation and anisotropy in one mixture.
 constexpr double least_turn_deg = 22.5;
 
-// Above 1 by more than four of its own standard deviations.
-double enlargement_of(double chi2, double dof) {
-    const double ratio = chi2 / dof;
-    return ratio > 1 + 4 * std::sqrt(2 / dof) ? ratio : 1;
-}
-
 class Choice {
 public:
     Choice(std::span<const ScaledRun> runs, const FitOptions& options, const JobControl& job)
@@ -211,6 +205,18 @@ private:
             const Estimate none{.reason = {ReasonCode::not_asked, {}}};
             made_.drift_hz_per_s.assign(runs_.size(), none);
             made_.frequency_per_power = none;
+            return {};
+        }
+        if (made_.model == ResonatorModel::free) {
+            // The channels' scales are unknown, and |z|^2 beats: it would follow the beat.
+            made_.frequency_per_power.reason = {ReasonCode::free_model, {}};
+            if (!take_drifts()) {
+                ModelSpace steady = made_.space;
+                steady.drift = false;
+                FitState start = made_.fit.state;
+                clear_drift(start);
+                return refit(steady, start);
+            }
             return {};
         }
         // Over time first; then whether the amplitude explains what is left.

@@ -33,7 +33,8 @@ public:
         if (by_x != nullptr) {
             Eigen::Map<RowMajor>(by_x, num_residuals(), basis_.cols()) = by_shared * basis_;
         }
-        return true;
+        // A step into a motion that grows beyond all numbers is refused, and a shorter one tried.
+        return Eigen::Map<const Eigen::VectorXd>(residual, num_residuals()).allFinite();
     }
 
 private:

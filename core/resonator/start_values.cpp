@@ -2,6 +2,8 @@
 
 #include "core/numerics/line_fit.h"
 #include "core/numerics/phase.h"
+#include "core/resonator/delayed_pencil.h"
+#include "core/resonator/envelope_decay.h"
 #include "core/resonator/wave_angle.h"
 
 #include <Eigen/Eigenvalues>
@@ -134,28 +136,23 @@ FitState still_start(std::span<const ScaledRun> runs) {
     double weights = 0;
     for (const ScaledRun& run : runs) {
         const WaveAngle angle = wave_angle(run);
-        std::vector<double> log_power;
-        for (std::size_t k = 0; k < angle.time_s.size(); ++k) {
-            log_power.push_back(std::log(run.z[k].squaredNorm()));
-        }
-        const double weight = static_cast<double>(log_power.size());
-        decay -= weight * fit_line(angle.time_s, log_power).slope / 2;
+        const auto weight = static_cast<double>(angle.time_s.size());
+        // Beside a motion that does not decay.
+        decay += weight * envelope_decay(run, to_shared({}), Own::Ones()).per_s;
         turn -= weight * fit_line(angle.time_s, angle.two_theta).slope;
         weights += weight;
     }
-    return runs_under(runs, {.rotation_per_s = turn / weights, .decay_per_s = decay / weights});
+    // A beat may begin by growing; a motion that grows all the time would leave the numbers' range.
+    return runs_under(
+        runs, {.rotation_per_s = turn / weights, .decay_per_s = std::max(decay / weights, 0.0)});
 }
 
-FitState pencil_start(std::span<const ScaledRun> runs, const FitState& fallback, bool structured) {
+FitState pencil_start(std::span<const ScaledRun> runs, const FitState& fallback) {
     FitState best = fallback;
     double least = chi_square(runs, fallback);
-    const auto consider = [&](const Pencil& pencil, double seconds) {
-        std::optional<SlowRates> rates = rates_of(pencil, seconds);
+    const auto consider = [&](const std::optional<SlowRates>& rates) {
         if (!rates) {
             return;
-        }
-        if (structured) {
-            rates->skew_per_s = 0;
         }
         FitState state = runs_under(runs, *rates);
         const double chi2 = chi_square(runs, state);
@@ -175,7 +172,8 @@ FitState pencil_start(std::span<const ScaledRun> runs, const FitState& fallback,
         for (std::size_t k = 0; k < runs.size(); ++k) {
             Pencil one;
             add(one, runs[k], z[k], lag);
-            consider(one, static_cast<double>(lag) * runs[k].step_s);
+            consider(rates_of(one, static_cast<double>(lag) * runs[k].step_s));
+            consider(delayed_pencil(runs[k], z[k], lag));
             if (std::abs(runs[k].step_s / runs[0].step_s - 1) < 1e-3) {
                 all.late += one.late;
                 all.early += one.early;
@@ -183,7 +181,7 @@ FitState pencil_start(std::span<const ScaledRun> runs, const FitState& fallback,
             }
         }
         if (runs.size() > 1) {
-            consider(all, static_cast<double>(lag) * runs[0].step_s);
+            consider(rates_of(all, static_cast<double>(lag) * runs[0].step_s));
         }
     }
     return best;

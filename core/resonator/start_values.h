@@ -16,8 +16,8 @@ FitState runs_under(std::span<const ScaledRun> runs, const SlowRates& rates);
 FitState still_start(std::span<const ScaledRun> runs);
 
 // The best of all matrix pencils: z(t + lag) = E z(t) in least squares over one run or over all, M
-// = log(E)/lag, for lags from one window to a third of the run. It finds resolved pairs; where the
-// wave hardly moves, it returns `fallback` or something no better. `structured`: without skew.
-FitState pencil_start(std::span<const ScaledRun> runs, const FitState& fallback, bool structured);
+// = log(E)/lag, for lags from one window to a third of the run, and those of delayed_pencil.h. They
+// find resolved pairs; where the wave hardly moves, it is `fallback` or something no better.
+FitState pencil_start(std::span<const ScaledRun> runs, const FitState& fallback);
 
 }  // namespace vybeg

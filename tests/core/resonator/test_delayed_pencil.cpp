@@ -1,0 +1,70 @@
+#include "core/resonator/delayed_pencil.h"
+#include "tests/core/resonator/known_resonator.h"
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+// A bell's pair before two microphones that hear nearly the same mixture: the second principal
+// direction has 1e-4 of the power.
+PhasorRun two_microphones(double noise) {
+    FreeDecay bell = reference();
+    bell.seconds = 4;
+    bell.rate_hz = 44100;
+    bell.f0_hz = 3618;
+    bell.split_hz = 5.6;
+    bell.tau_s = 0.83;
+    bell.noise = noise;
+    PhasorRun run = simulated_phasors(
+        [&] {
+            FreeDecay struck = bell;
+            struck.two_theta_A = 0.7;
+            return struck;
+        }(),
+        600, 3);
+    for (std::size_t k = 0; k < run.c.size(); ++k) {
+        const auto both = run.c[k] + run.d[k];
+        run.d[k] = both + std::complex(0.01, 0.01) * run.d[k];
+        run.c[k] = both;
+    }
+    return run;
+}
+
+}  // namespace
+
+class TestDelayedPencil : public QObject {
+    Q_OBJECT
+
+private slots:
+    void nearlyEqualChannelsGiveBothModes();
+    void theFitFindsThem();
+    void tooFewWindowsGiveNothing();
+};
+
+void TestDelayedPencil::nearlyEqualChannelsGiveBothModes() {
+    const ScaledRun run = scaled_run(two_microphones(0.03), 1);
+    const std::optional<SlowRates> rates = delayed_pencil(run, run.z, 2);
+    QVERIFY(rates.has_value());
+    const SlowDynamics motion(*rates);
+    const double split = std::abs(motion.half_difference().imag()) / std::numbers::pi;
+    QVERIFY2(std::abs(split - 5.6) < 0.02, qPrintable(QString::number(split)));
+    QVERIFY2(std::abs(rates->decay_per_s * 0.83 - 1) < 0.05,
+             qPrintable(QString::number(rates->decay_per_s)));
+}
+
+void TestDelayedPencil::theFitFindsThem() {
+    const ResonatorFit fit = fitted({two_microphones(0.03)}, {.model = FitOptions::Model::free});
+    QCOMPARE(fit.modes.size(), std::size_t{2});
+    VYBEG_NEAR(fit.modes[0].f_hz, 3618 + 2.8, 4, 1e-2);
+    VYBEG_NEAR(fit.modes[1].f_hz, 3618 - 2.8, 4, 1e-2);
+    VYBEG_NEAR(fit.modes[0].tau_s, 0.83, 4, 1e-2);
+}
+
+void TestDelayedPencil::tooFewWindowsGiveNothing() {
+    const ScaledRun run = scaled_run(two_microphones(0.03), 1);
+    QVERIFY(!delayed_pencil(run, run.z, run.size()).has_value());
+}
+
+QTEST_GUILESS_MAIN(TestDelayedPencil)
+#include "test_delayed_pencil.moc"

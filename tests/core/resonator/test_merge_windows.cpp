@@ -1,0 +1,96 @@
+#include "core/resonator/merge_windows.h"
+#include "tests/core/resonator/known_resonator.h"
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+FreeDecay decay_with(double split_hz) {
+    FreeDecay decay = reference();
+    decay.seconds = 6;
+    decay.split_hz = split_hz;
+    decay.theta_w = 0.2;
+    return decay;
+}
+
+}  // namespace
+
+class TestMergeWindows : public QObject {
+    Q_OBJECT
+
+private slots:
+    void touchingWindowsAreOneLongWindow();
+    void fewWindowsAreLeftAlone();
+    void aBeatIsNotAveragedAway();
+    void gapsBeginAnew();
+    void theFitIsTheSame();
+};
+
+void TestMergeWindows::touchingWindowsAreOneLongWindow() {
+    FreeDecay decay = decay_with(0.1);
+    decay.noise = 1e-9;
+    const PhasorRun merged = merge_windows(simulated_phasors(decay, 100, 1), 200);
+    const PhasorRun whole = simulated_phasors(decay, 1000, 1);
+    QCOMPARE(merged.time_s.size(), std::size_t{199});
+    QVERIFY(std::abs(merged.window_s - whole.window_s) < 1e-12);
+    for (std::size_t k = 0; k < merged.time_s.size(); ++k) {
+        QVERIFY(std::abs(merged.time_s[k] - whole.time_s[k]) < 1e-9);
+        QVERIFY(std::abs(merged.c[k] - whole.c[k]) < 1e-8);
+        QVERIFY(std::abs(merged.d[k] - whole.d[k]) < 1e-8);
+        QVERIFY(std::abs(merged.sd[k] / whole.sd[k] - 1) < 1e-9);
+    }
+}
+
+void TestMergeWindows::fewWindowsAreLeftAlone() {
+    const PhasorRun run = simulated_phasors(decay_with(0.1), 1000, 1);
+    QCOMPARE(merge_windows(run, 1000).time_s.size(), run.time_s.size());
+}
+
+void TestMergeWindows::aBeatIsNotAveragedAway() {
+    // A split of 5 Hz turns each mode by 2.5 Hz: 0.3 rad in 19 ms.
+    const PhasorRun merged = merge_windows(simulated_phasors(decay_with(5), 60, 1), 10);
+    QVERIFY2(merged.window_s < 0.02 && merged.window_s > 0.015,
+             qPrintable(QString::number(merged.window_s)));
+}
+
+void TestMergeWindows::gapsBeginAnew() {
+    PhasorRun run = simulated_phasors(decay_with(0.1), 100, 1);
+    const auto drop = [&](std::size_t k) {
+        const auto at = static_cast<std::ptrdiff_t>(k);
+        run.time_s.erase(run.time_s.begin() + at);
+        run.c.erase(run.c.begin() + at);
+        run.d.erase(run.d.begin() + at);
+        run.sd.erase(run.sd.begin() + at);
+    };
+    drop(1005);
+    const PhasorRun merged = merge_windows(run, 200);
+    // Of the ten windows around the gap five before it are lost, then the tens go on behind it.
+    for (const double time : merged.time_s) {
+        const double first = time * 33333 - 499.5;
+        const bool before = first < 100000;
+        const double phase = std::remainder(first - (before ? 0 : 600), 1000);
+        QVERIFY2(std::abs(phase) < 1e-3, qPrintable(QString::number(first)));
+    }
+    // Every seventh missing: nothing longer than three would keep nine tenths.
+    PhasorRun sparse = simulated_phasors(decay_with(0.1), 100, 1);
+    run = sparse;
+    for (std::size_t k = sparse.time_s.size() - 1; k > 7; k -= 7) {
+        drop(k);
+    }
+    QVERIFY(10 * merge_windows(run, 200).time_s.size() >= 9 * run.time_s.size() / 3);
+}
+
+void TestMergeWindows::theFitIsTheSame() {
+    // 60 samples a window: 15,000 of them are merged before the fit.
+    FreeDecay decay = reference();
+    decay.split_hz = 1e-3;
+    decay.theta_w = 0.2;
+    const ResonatorFit fit = fitted(set_of(decay, four_angles, 60, 1));
+    VYBEG_NEAR(fit.resonator.split_hz, 1e-3, 4, 6e-8);
+    VYBEG_NEAR(fit.resonator.theta_w_rad, 0.2, 4, 1e-4);
+    QVERIFY(std::abs(fit.chi2_per_dof - 1) < 0.05);
+}
+
+QTEST_GUILESS_MAIN(TestMergeWindows)
+#include "test_merge_windows.moc"
