@@ -36,11 +36,6 @@ std::optional<FitState> without_kappa(FitState free) {
 
 }  // namespace
 
-double enlargement_of(double chi2, double dof) {
-    const double ratio = chi2 / dof;
-    return ratio > 1 + 4 * std::sqrt(2 / dof) ? ratio : 1;
-}
-
 CandidateFits::CandidateFits(std::span<const ScaledRun> runs, bool drift, const JobControl& job)
     : runs_(runs), drift_(drift), job_(job) {}
 
@@ -66,14 +61,6 @@ ModelSpace CandidateFits::kappa_space() const {
 
 ModelSpace CandidateFits::kappa_alone_space() const {
     return space_of({split_cos, split_sin, rotation, decay, kappa_index}, drift_);
-}
-
-double CandidateFits::dof(const ModelSpace& space) const {
-    double count = 0;
-    for (const ScaledRun& run : runs_) {
-        count += 4 * static_cast<double>(run.size());
-    }
-    return count - static_cast<double>(dimension(space, runs_.size()));
 }
 
 Status CandidateFits::fit(std::optional<ModelFit>& into, const ModelSpace& space,
@@ -105,7 +92,7 @@ Status CandidateFits::fit_still_split() {
 
 Status CandidateFits::fit_structured() {
     if (const Status done = fit(structured_, structured_space(), still_->state);
-        !done || enlargement_of(structured_->chi2, dof(structured_space())) == 1) {
+        !done || enlargement_of(structured_->chi2, degrees(runs_, structured_space())) == 1) {
         return done;
     }
     // It does not follow the phasors: perhaps it began too far away.

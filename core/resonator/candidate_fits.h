@@ -8,10 +8,6 @@
 
 namespace vybeg {
 
-// By how much the noise exceeds its stated variance: chi^2/dof where that is above 1 by more than
-// four of its own standard deviations, else 1.
-double enlargement_of(double chi2, double dof);
-
 // The fits that the choice of a model weighs against each other, each from the best start at hand.
 // The drift of each run is free in all of them (where asked for): it is common to both signals, so
 // that it costs the modes' difference nothing, and unfitted it would spoil every comparison.
@@ -48,8 +44,6 @@ public:
     ModelSpace kappa_alone_space() const;
 
     bool drift() const { return drift_; }
-    // Residuals less parameters.
-    double dof(const ModelSpace& space) const;
 
 private:
     Status fit(std::optional<ModelFit>& into, const ModelSpace& space, const FitState& start);

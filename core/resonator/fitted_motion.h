@@ -15,7 +15,7 @@ namespace vybeg {
 struct FittedMotion {
     struct Run {
         double f_ref_hz = 0;  // as of the run's phasors
-        double f_hz = 0;      // from f_ref_hz, in the middle of the run
+        double f_hz = 0;      // from f_ref_hz, at middle_s
         double drift_hz_per_s = 0;
         double middle_s = 0;
         double window_s = 0;

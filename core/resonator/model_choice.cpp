@@ -2,9 +2,8 @@
 
 #include "core/base/number_text.h"
 #include "core/resonator/candidate_fits.h"
+#include "core/resonator/drift_choice.h"
 #include "core/resonator/identifiability.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,7 @@ private:
     void take(const ModelSpace& space, const ModelFit& fit) {
         made_.space = space;
         made_.fit = fit;
-        made_.dof = fits_.dof(space);
+        made_.dof = degrees(runs_, space);
         made_.enlargement = enlargement_of(fit.chi2, made_.dof);
     }
 
@@ -54,7 +53,8 @@ private:
         if (const Status done = fits_.fit_free(); !done) {
             return done;
         }
-        const double free_scale = enlargement_of(fits_.free().chi2, fits_.dof(fits_.free_space()));
+        const double free_scale =
+            enlargement_of(fits_.free().chi2, degrees(runs_, fits_.free_space()));
         made_.free_over_structured = (made_.fit.chi2 - fits_.free().chi2) / free_scale;
         bool free_better = significant(made_.free_over_structured, 1);
         if (free_better && options_.estimate_kappa) {
@@ -124,7 +124,7 @@ private:
 
     double kappa_sd(const ModelFit& fit, const ModelSpace& space) const {
         const double variance = covariance(runs_, space, fit.state)(kappa_index, kappa_index);
-        return std::sqrt(variance * enlargement_of(fit.chi2, fits_.dof(space)));
+        return std::sqrt(variance * enlargement_of(fit.chi2, degrees(runs_, space)));
     }
 
     Status look_for_kappa() {
@@ -191,15 +191,6 @@ private:
         return false;
     }
 
-    Status refit(const ModelSpace& space, const FitState& start) {
-        Result<ModelFit> fit = fit_model(runs_, space, start, job_);
-        if (!fit) {
-            return fit.error();
-        }
-        take(space, *fit);
-        return {};
-    }
-
     Status look_for_drift() {
         if (!options_.fit_drift) {
             const Estimate none{.reason = {ReasonCode::not_asked, {}}};
@@ -207,86 +198,16 @@ private:
             made_.frequency_per_power = none;
             return {};
         }
-        if (made_.model == ResonatorModel::free) {
-            // The channels' scales are unknown, and |z|^2 beats: it would follow the beat.
-            made_.frequency_per_power.reason = {ReasonCode::free_model, {}};
-            if (!take_drifts()) {
-                ModelSpace steady = made_.space;
-                steady.drift = false;
-                FitState start = made_.fit.state;
-                clear_drift(start);
-                return refit(steady, start);
-            }
-            return {};
+        // |z|^2 of channels of unknown scale beats: a dependence on it would follow the beat.
+        Result<DriftChoice> drift = choose_drift(runs_, made_.space, made_.fit,
+                                                 made_.model == ResonatorModel::structured, job_);
+        if (!drift) {
+            return drift.error();
         }
-        // Over time first; then whether the amplitude explains what is left.
-        const bool drifts = take_drifts();
-        const ModelSpace without_power = made_.space;
-        const ModelFit drifting = made_.fit;
-        if (!drifts) {
-            made_.space.drift = false;
-        }
-        FitState start = drifting.state;
-        ModelSpace with_power = made_.space;
-        with_power.basis.conservativeResize(Eigen::NoChange, with_power.basis.cols() + 1);
-        with_power.basis.col(with_power.basis.cols() - 1).setZero();
-        with_power.basis(power_index, with_power.basis.cols() - 1) = 1;
-        if (!drifts) {
-            clear_drift(start);
-        }
-        if (const Status done = refit(with_power, start); !done) {
-            return done;
-        }
-        const double sd =
-            std::sqrt(covariance(runs_, with_power, made_.fit.state)(power_index, power_index) *
-                      made_.enlargement);
-        const double value = made_.fit.state.shared[power_index];
-        const bool follows = std::abs(value) > 4 * sd;
-        if (!drifts || follows) {
-            made_.frequency_per_power = {value, sd, {}};
-        } else {
-            made_.frequency_per_power.reason = {ReasonCode::amplitude_like_drift, {}};
-        }
-        if (follows) {
-            if (drifts) {
-                take_drifts();
-            }
-            return {};
-        }
-        if (drifts) {
-            take(without_power, drifting);
-            return {};
-        }
-        ModelSpace steady = without_power;
-        steady.drift = false;
-        start = drifting.state;
-        clear_drift(start);
-        return refit(steady, start);
-    }
-
-    static void clear_drift(FitState& state) {
-        for (Own& own : state.runs) {
-            own[drift_index] = 0;
-        }
-    }
-
-    // The drifts of the present fit, and whether they are significant together.
-    bool take_drifts() {
-        const Eigen::MatrixXd all =
-            covariance(runs_, made_.space, made_.fit.state) * made_.enlargement;
-        const auto count = static_cast<Eigen::Index>(runs_.size());
-        Eigen::VectorXd drift(count);
-        Eigen::MatrixXd spread(count, count);
-        const auto at = [](Eigen::Index k) { return shared_count + own_count * k + drift_index; };
-        made_.drift_hz_per_s.clear();
-        for (Eigen::Index k = 0; k < count; ++k) {
-            drift[k] = made_.fit.state.runs[static_cast<std::size_t>(k)][drift_index];
-            for (Eigen::Index l = 0; l < count; ++l) {
-                spread(k, l) = all(at(k), at(l));
-            }
-            made_.drift_hz_per_s.push_back({drift[k], std::sqrt(spread(k, k)), {}});
-        }
-        return significant(drift.dot(spread.inverse() * drift), static_cast<int>(count));
+        take(drift->space, drift->fit);
+        made_.drift_hz_per_s = std::move(drift->drift_hz_per_s);
+        made_.frequency_per_power = drift->frequency_per_power;
+        return {};
     }
 
     Status finish() {

@@ -71,6 +71,19 @@ Eigen::Index dimension(const ModelSpace& space, std::size_t runs) {
            static_cast<Eigen::Index>(runs) * (space.drift ? own_count : own_count - 1);
 }
 
+double degrees(std::span<const ScaledRun> runs, const ModelSpace& space) {
+    double residuals = 0;
+    for (const ScaledRun& run : runs) {
+        residuals += 4 * static_cast<double>(run.size());
+    }
+    return residuals - static_cast<double>(dimension(space, runs.size()));
+}
+
+double enlargement_of(double chi2, double dof) {
+    const double ratio = chi2 / dof;
+    return ratio > 1 + 4 * std::sqrt(2 / dof) ? ratio : 1;
+}
+
 Result<ModelFit> fit_model(std::span<const ScaledRun> runs, const ModelSpace& space,
                            const FitState& start, const JobControl& job) {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(space.basis.cols());

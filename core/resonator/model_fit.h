@@ -21,6 +21,13 @@ ModelSpace space_of(std::initializer_list<int> shared, bool drift);
 // Parameters of a space for `runs` runs.
 Eigen::Index dimension(const ModelSpace& space, std::size_t runs);
 
+// Degrees of freedom: residuals less parameters.
+double degrees(std::span<const ScaledRun> runs, const ModelSpace& space);
+
+// By how much the noise exceeds its stated variance: chi^2/dof where that is above 1 by more than
+// four of its own standard deviations, else 1.
+double enlargement_of(double chi2, double dof);
+
 struct ModelFit {
     FitState state;
     double chi2 = 0;

@@ -42,12 +42,14 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
     ScaledRun scaled;
     const std::size_t n = run.time_s.size();
     scaled.time_s = run.time_s;
-    scaled.middle_s = (run.time_s.front() + run.time_s.back()) / 2;
     std::vector<double> steps;
     double integral = 0;
+    double power = 0;
     for (std::size_t k = 0; k < n; ++k) {
         scaled.z.emplace_back(run.c[k] / scale, run.d[k] / scale);
         scaled.weight.push_back(scale / run.sd[k]);
+        scaled.middle_s += run.time_s[k] * scaled.z[k].squaredNorm();
+        power += scaled.z[k].squaredNorm();
         if (k > 0) {
             const double step = run.time_s[k] - run.time_s[k - 1];
             steps.push_back(step);
@@ -55,6 +57,7 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
         }
         scaled.power_integral.push_back(integral);
     }
+    scaled.middle_s = power > 0 ? scaled.middle_s / power : run.time_s.front();
     std::ranges::nth_element(steps, steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
     scaled.step_s = steps[steps.size() / 2];
     return scaled;

@@ -53,6 +53,10 @@ const char* message_template(ReasonCode code) {
             return VYBEG_MESSAGE("Reason",
                                  "Within this decay a dependence on the amplitude cannot be told "
                                  "from a drift with time.");
+        case ReasonCode::residual_from_elsewhere:
+            return VYBEG_MESSAGE("Reason",
+                                 "The residual comes from elsewhere: this term would follow it "
+                                 "without explaining it.");
         case ReasonCode::too_few_windows:
             return VYBEG_MESSAGE("Reason", "This recording has too few windows for it.");
     }
@@ -74,6 +78,7 @@ std::string reason_name(ReasonCode code) {
         case ReasonCode::kappa_not_seen: return "kappa-not-seen";
         case ReasonCode::not_asked: return "not-asked";
         case ReasonCode::amplitude_like_drift: return "amplitude-like-drift";
+        case ReasonCode::residual_from_elsewhere: return "residual-from-elsewhere";
         case ReasonCode::too_few_windows: return "too-few-windows";
     }
     return "";

@@ -21,7 +21,8 @@ enum class ReasonCode {
     kappa_not_seen,        // this motion does not show the gain ratio
     not_asked,             // the caller asked for no estimate of it
     amplitude_like_drift,  // within this decay the amplitude does not tell it from a drift
-    too_few_windows,       // not enough windows for it in this run
+    residual_from_elsewhere,  // significant, but it leaves most of the residual
+    too_few_windows,          // not enough windows for it in this run
 };
 
 struct Reason {
