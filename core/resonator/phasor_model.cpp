@@ -13,6 +13,26 @@ using std::numbers::pi;
 
 constexpr Complex i{0, 1};
 
+// Where a straight line through the phase, weighted with the power, is parallel to a bent one: at
+// this instant the frequency does not depend on the drift.
+double best_known_instant(const ScaledRun& run) {
+    double power = 0;
+    double mean = 0;
+    for (std::size_t k = 0; k < run.size(); ++k) {
+        power += run.z[k].squaredNorm();
+        mean += run.z[k].squaredNorm() * run.time_s[k];
+    }
+    mean /= power;
+    double spread = 0;
+    double skew = 0;
+    for (std::size_t k = 0; k < run.size(); ++k) {
+        const double t = run.time_s[k] - mean;
+        spread += run.z[k].squaredNorm() * t * t;
+        skew += run.z[k].squaredNorm() * t * t * t;
+    }
+    return spread > 0 ? mean + skew / (2 * spread) : run.time_s.front();
+}
+
 }  // namespace
 
 Shared to_shared(const SlowRates& rates) {
@@ -44,12 +64,9 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
     scaled.time_s = run.time_s;
     std::vector<double> steps;
     double integral = 0;
-    double power = 0;
     for (std::size_t k = 0; k < n; ++k) {
         scaled.z.emplace_back(run.c[k] / scale, run.d[k] / scale);
         scaled.weight.push_back(scale / run.sd[k]);
-        scaled.middle_s += run.time_s[k] * scaled.z[k].squaredNorm();
-        power += scaled.z[k].squaredNorm();
         if (k > 0) {
             const double step = run.time_s[k] - run.time_s[k - 1];
             steps.push_back(step);
@@ -57,7 +74,7 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
         }
         scaled.power_integral.push_back(integral);
     }
-    scaled.middle_s = power > 0 ? scaled.middle_s / power : run.time_s.front();
+    scaled.middle_s = best_known_instant(scaled);
     std::ranges::nth_element(steps, steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
     scaled.step_s = steps[steps.size() / 2];
     return scaled;

@@ -13,8 +13,9 @@ namespace vybeg {
 // The model of the window phasors of one run, in recording units divided by a common scale:
 //     c_k = z_1(t_k), d_k = z_2(t_k) / kappa,  z(t) = e^{i phi(t)} exp(M t) y
 //     phi = 2 pi (f t + drift (t^2/2 - t t_mid) + b P(t)),  P = integral of |z|^2 as measured
-// so that f is the frequency in the middle of the run's power. exp(M t) and the mean over a window
-// commute: y is the start as a window sees it, and no window is too long for the model.
+// so that f is the frequency at t_mid, where it is known best: in the middle of a run that hardly
+// decays, one decay time from the start of one that decays away. exp(M t) and the mean over a
+// window commute: y is the start as a window sees it, and no window is too long for the model.
 
 // What all runs share, in this order: the rates, kappa, b.
 inline constexpr int kappa_index = rate_count;
@@ -44,7 +45,7 @@ struct ScaledRun {
     std::vector<Eigen::Vector2cd> z;
     std::vector<double> weight;  // 1/sd
     std::vector<double> power_integral;
-    double middle_s = 0;  // mean time, weighted with the power
+    double middle_s = 0;  // t_mid
     double step_s = 0;    // median distance of neighbours
 
     std::size_t size() const { return time_s.size(); }
