@@ -106,8 +106,18 @@ Status CandidateFits::fit_structured() {
 }
 
 Status CandidateFits::fit_free() {
-    return fit(free_, free_space(),
-               pencil_ ? better(structured_->state, *pencil_) : structured_->state);
+    if (const Status done = fit(free_, free_space(), structured_->state); !done || !pencil_) {
+        return done;
+    }
+    // The structured fit of what is not structured ends anywhere, and the next begins there.
+    const ModelFit from_structured = *free_;
+    if (const Status done = fit(free_, free_space(), *pencil_); !done) {
+        return done;
+    }
+    if (from_structured.chi2 < free_->chi2) {
+        free_ = from_structured;
+    }
+    return {};
 }
 
 Status CandidateFits::fit_kappa() {
