@@ -73,9 +73,19 @@ Status CandidateFits::fit(std::optional<ModelFit>& into, const ModelSpace& space
     return {};
 }
 
-FitState CandidateFits::better(const FitState& one, const FitState& other) const {
-    // The first, too, where the second is beyond all numbers.
-    return chi_square(runs_, other) < chi_square(runs_, one) ? other : one;
+Status CandidateFits::fit_again(std::optional<ModelFit>& into, const ModelSpace& space,
+                                const FitState& start) {
+    if (!std::isfinite(chi_square(runs_, start))) {
+        return {};
+    }
+    const ModelFit before = *into;
+    if (const Status done = fit(into, space, start); !done) {
+        return done;
+    }
+    if (before.chi2 < into->chi2) {
+        into = before;
+    }
+    return {};
 }
 
 Status CandidateFits::fit_still() {
@@ -96,38 +106,29 @@ Status CandidateFits::fit_structured() {
         return done;
     }
     // It does not follow the phasors: perhaps it began too far away.
-    pencil_ = pencil_start(runs_, still_->state);
+    pencil_ = pencil_start(runs_);
+    if (!pencil_) {
+        return {};
+    }
     FitState calibrated = *pencil_;
     calibrated.shared[skew] = 0;
-    if (chi_square(runs_, calibrated) < structured_->chi2) {
-        return fit(structured_, structured_space(), calibrated);
-    }
-    return {};  // also where it is beyond all numbers
+    return fit_again(structured_, structured_space(), calibrated);
 }
 
 Status CandidateFits::fit_free() {
     if (const Status done = fit(free_, free_space(), structured_->state); !done || !pencil_) {
         return done;
     }
-    // The structured fit of what is not structured ends anywhere, and the next begins there.
-    const ModelFit from_structured = *free_;
-    if (const Status done = fit(free_, free_space(), *pencil_); !done) {
-        return done;
-    }
-    if (from_structured.chi2 < free_->chi2) {
-        free_ = from_structured;
-    }
-    return {};
+    // The structured fit of what is not structured ends anywhere, and this one began there.
+    return fit_again(free_, free_space(), *pencil_);
 }
 
 Status CandidateFits::fit_kappa() {
-    FitState start = structured_->state;
-    if (free_) {
-        if (const std::optional<FitState> balanced = without_kappa(free_->state)) {
-            start = better(start, *balanced);
-        }
+    if (const Status done = fit(kappa_, kappa_space(), structured_->state); !done || !free_) {
+        return done;
     }
-    return fit(kappa_, kappa_space(), start);
+    const std::optional<FitState> balanced = without_kappa(free_->state);
+    return balanced ? fit_again(kappa_, kappa_space(), *balanced) : Status{};
 }
 
 Status CandidateFits::fit_kappa_alone() {

@@ -47,7 +47,8 @@ public:
 
 private:
     Status fit(std::optional<ModelFit>& into, const ModelSpace& space, const FitState& start);
-    FitState better(const FitState& one, const FitState& other) const;
+    // From another start; keeps the better of both. A start beyond all numbers is passed over.
+    Status fit_again(std::optional<ModelFit>& into, const ModelSpace& space, const FitState& start);
 
     std::span<const ScaledRun> runs_;
     bool drift_;

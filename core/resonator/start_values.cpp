@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -147,9 +148,9 @@ FitState still_start(std::span<const ScaledRun> runs) {
         runs, {.rotation_per_s = turn / weights, .decay_per_s = std::max(decay / weights, 0.0)});
 }
 
-FitState pencil_start(std::span<const ScaledRun> runs, const FitState& fallback) {
-    FitState best = fallback;
-    double least = chi_square(runs, fallback);
+std::optional<FitState> pencil_start(std::span<const ScaledRun> runs) {
+    std::optional<FitState> best;
+    double least = std::numeric_limits<double>::infinity();
     const auto consider = [&](const std::optional<SlowRates>& rates) {
         if (!rates) {
             return;

@@ -2,6 +2,7 @@
 
 #include "core/resonator/phasor_model.h"
 
+#include <optional>
 #include <span>
 
 namespace vybeg {
@@ -17,7 +18,7 @@ FitState still_start(std::span<const ScaledRun> runs);
 
 // The best of all matrix pencils: z(t + lag) = E z(t) in least squares over one run or over all, M
 // = log(E)/lag, for lags from one window to a third of the run, and those of delayed_pencil.h. They
-// find resolved pairs; where the wave hardly moves, it is `fallback` or something no better.
-FitState pencil_start(std::span<const ScaledRun> runs, const FitState& fallback);
+// find resolved pairs; where the wave hardly moves, there is none, or it is no good.
+std::optional<FitState> pencil_start(std::span<const ScaledRun> runs);
 
 }  // namespace vybeg
