@@ -109,8 +109,10 @@ Result<ModelFit> fit_model(std::span<const ScaledRun> runs, const ModelSpace& sp
     options.function_tolerance = 1e-10;
     options.parameter_tolerance = 1e-14;
     options.gradient_tolerance = 0;
-    // What the data do not see at all stays damped: the factorisation would fail without.
-    options.max_trust_region_radius = 1e10;
+    // What the data hardly see stays damped, by 1e-10 of the information of its coordinates: without
+    // it the factorisation fails, and Ceres says so on standard error.
+    options.max_trust_region_radius = 1e8;
+    options.min_lm_diagonal = 1e-2;
     options.logging_type = ceres::SILENT;
     StopWhenCancelled stop(job);
     options.callbacks.push_back(&stop);

@@ -11,7 +11,7 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr int seeds = 20;
+constexpr int seeds = 12;
 
 // Sum of squared errors in units of the reported deviations over seeds, and the worst of them.
 struct Scores {
@@ -108,7 +108,7 @@ void TestResonatorSweep::fourRunsTellTheTruthWithinTheirDeviations() {
     Scores rotation;
     int structured = 0;
     int axes = 0;
-    for (const ResonatorFit& fit : fits_of(decay, four_angles, 2000)) {
+    for (const ResonatorFit& fit : fits_of(decay, four_angles, 4000)) {
         structured += fit.model == ResonatorModel::structured ? 1 : 0;
         const ResonatorEstimate& found = fit.resonator;
         // Where the split drowns in the noise it is an upper bound, and its size no longer normal.
