@@ -597,6 +597,46 @@
             <source>%1: there is no column %2 to be the time; the file has %3.</source>
             <translation>%1: нет столбца %2, который был бы временем; столбцов в файле: %3.</translation>
         </message>
+        <message>
+            <source>%1: the resonator needs %3 windows without faults, and there are %2. Use a longer recording or shorter windows.</source>
+            <translation>%1: для резонатора нужно не меньше %3 окон без дефектов, а их %2. Возьмите запись длиннее или окна короче.</translation>
+        </message>
+        <message>
+            <source>The resonator cannot be fitted to %1: %2.</source>
+            <translation>Не удалось подогнать резонатор к %1: %2.</translation>
+        </message>
+        <message>
+            <source>Recording %1: the frequency drifts by %2 Hz per second (standard deviation %3); the drift is fitted, and Q is free of it.</source>
+            <translation>Запись %1: частота уходит на %2 Гц в секунду (стандартное отклонение %3); уход включён в подгонку, и добротность от него не зависит.</translation>
+        </message>
+        <message>
+            <source>The frequency depends on the amplitude: %1 Hz per squared recording unit (standard deviation %2); this is fitted.</source>
+            <translation>Частота зависит от амплитуды: %1 Гц на квадрат единицы записи (стандартное отклонение %2); это включено в подгонку.</translation>
+        </message>
+        <message>
+            <source>Recording %1: Q from the envelope, %2, and from the coherent fit, %3, differ by more than three standard deviations: the motion is not that of a resonator with constant parameters.</source>
+            <translation>Запись %1: добротность по огибающей, %2, и по когерентной подгонке, %3, расходятся больше чем на три стандартных отклонения: это не движение резонатора с постоянными параметрами.</translation>
+        </message>
+        <message>
+            <source>The damping was seen in one direction only: the decay time and Q are those of the wave as it stood, not the mean of both modes.</source>
+            <translation>Затухание видно только в одном направлении: постоянная времени и добротность относятся к волне, как она стояла, а не к среднему двух мод.</translation>
+        </message>
+        <message>
+            <source>The channels are no calibrated pair of pick-offs: the free model fits significantly better (likelihood ratio %1), and the axes of the resonator cannot be told.</source>
+            <translation>Каналы — не калиброванная пара датчиков: свободная модель подходит значимо лучше (отношение правдоподобия %1), и оси резонатора определить нельзя.</translation>
+        </message>
+        <message>
+            <source>The gain ratio of the channels was found from a turning wave on the assumption that the damping is the same in all directions.</source>
+            <translation>Отношение усилений каналов найдено по поворачивающейся волне в предположении, что затухание одинаково во всех направлениях.</translation>
+        </message>
+        <message>
+            <source>The residual is above the noise of the windows (chi square per degree of freedom %1); the standard deviations are enlarged to match.</source>
+            <translation>Остаток больше шума окон (хи-квадрат на степень свободы %1); стандартные отклонения соответственно увеличены.</translation>
+        </message>
+        <message>
+            <source>The fit of the resonator stopped before it converged; its values are doubtful.</source>
+            <translation>Подгонка резонатора остановилась, не сойдясь; её значения сомнительны.</translation>
+        </message>
     </context>
     <context>
         <name>PlotPanel</name>
@@ -607,6 +647,69 @@
         <message>
             <source>no window has a value</source>
             <translation>ни в одном окне нет значения</translation>
+        </message>
+    </context>
+    <context>
+        <name>Reason</name>
+        <message>
+            <source>The wave hardly moves, so that one direction of the resonator is seen and no other. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
+            <translation>Волна почти неподвижна, поэтому видно одно направление резонатора и никакое другое. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
+        </message>
+        <message>
+            <source>The difference between the modes, %1, is less than five of its standard deviations, %2: it has no axis that could be told.</source>
+            <translation>Различие мод, %1, меньше пяти своих стандартных отклонений, %2: его ось определить нельзя.</translation>
+        </message>
+        <message>
+            <source>At one angle a rotation and a damping anisotropy turn the wave alike. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
+            <translation>При одном угле вращение и анизотропия затухания поворачивают волну одинаково. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
+        </message>
+        <message>
+            <source>The free model takes the channels as any two views of the modes: it has no angles.</source>
+            <translation>Свободная модель считает каналы любыми двумя видами мод: углов в ней нет.</translation>
+        </message>
+        <message>
+            <source>The two modes cannot be told apart.</source>
+            <translation>Две моды не различить.</translation>
+        </message>
+        <message>
+            <source>No decay is seen: 1/tau is %1 with a standard deviation of %2 1/s. Record longer.</source>
+            <translation>Затухание не видно: 1/tau равно %1 при стандартном отклонении %2 1/с. Запишите дольше.</translation>
+        </message>
+        <message>
+            <source>A circular wave has no angle.</source>
+            <translation>У круговой волны нет угла.</translation>
+        </message>
+        <message>
+            <source>The waves stand at too few angles for the drift as a function of the angle: it needs three starts 22.5 degrees apart or more, or a wave that turns.</source>
+            <translation>Волны стоят под слишком малым числом углов для дрейфа как функции угла: нужны три пуска через 22,5 градуса или больше либо волна, которая поворачивается.</translation>
+        </message>
+        <message>
+            <source>The wave turns through %1 degrees; %2 are needed to see the gain ratio of the channels.</source>
+            <translation>Волна поворачивается на %1 градусов; чтобы увидеть отношение усилений каналов, нужно %2.</translation>
+        </message>
+        <message>
+            <source>In a turning wave a gain ratio of the channels and a damping anisotropy look the same, and only one of them is found here.</source>
+            <translation>В поворачивающейся волне отношение усилений каналов и анизотропия затухания выглядят одинаково, и здесь найдено только одно из них.</translation>
+        </message>
+        <message>
+            <source>This motion does not show the gain ratio of the channels.</source>
+            <translation>Это движение не показывает отношения усилений каналов.</translation>
+        </message>
+        <message>
+            <source>Its estimate was switched off.</source>
+            <translation>Его оценка выключена.</translation>
+        </message>
+        <message>
+            <source>Within this decay a dependence on the amplitude cannot be told from a drift with time.</source>
+            <translation>В пределах этого выбега зависимость от амплитуды не отличить от ухода со временем.</translation>
+        </message>
+        <message>
+            <source>The residual comes from elsewhere: this term would follow it without explaining it.</source>
+            <translation>Остаток другого происхождения: этот член следовал бы ему, не объясняя его.</translation>
+        </message>
+        <message>
+            <source>This recording has too few windows for it.</source>
+            <translation>В этой записи для этого слишком мало окон.</translation>
         </message>
     </context>
     <context>
