@@ -171,10 +171,11 @@ private slots:
         QVERIFY(QFile::copy(VYBEG_SOURCE_DIR "/translations/vybeg_ru.ts", copy));
         QProcess lupdate;
         lupdate.setWorkingDirectory(VYBEG_SOURCE_DIR);
-        lupdate.start(VYBEG_LUPDATE,
-                      {"-silent", "-I", ".", "-locations", "none", "-no-obsolete",
-                       "-tr-function-alias", "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE", "ui", "app",
-                       "core/base/messages.cpp", "core/track/slow_variables.cpp", "-ts", copy});
+        lupdate.start(
+            VYBEG_LUPDATE,
+            {"-silent", "-I", ".", "-locations", "none", "-no-obsolete", "-tr-function-alias",
+             "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE", "ui", "app", "core/base/messages.cpp",
+             "core/resonator/reason.cpp", "core/track/slow_variables.cpp", "-ts", copy});
         QVERIFY(lupdate.waitForFinished(60000));
         QCOMPARE(lupdate.exitCode(), 0);
 
