@@ -142,8 +142,9 @@ private:
         const ModelFit all = unbalanced_ ? fits_.kappa() : fits_.structured();
         const double sd_beside = kappa_sd(all, beside);
         const double turned = turned_deg(runs_);
+        const bool moves = made_.split_seen || made_.damping_seen;
         bool like_damping = false;
-        if (turned >= least_turn_deg && sd_beside > 1e-4) {
+        if (moves && turned >= least_turn_deg && sd_beside > 1e-4) {
             if (const Status done = fits_.fit_kappa_alone(); !done) {
                 return done;
             }
@@ -159,7 +160,7 @@ private:
                 return {};
             }
         }
-        if (sd_beside < largest_kappa_sd) {
+        if (made_.split_seen && sd_beside < largest_kappa_sd) {
             if (!unbalanced_) {
                 if (const Status done = fits_.fit_kappa(); !done) {
                     return done;
@@ -179,8 +180,8 @@ private:
         return {};
     }
 
-    // A ratio of 1 within its noise is taken as 1, and everything else is the sharper for it.
-    // Whether the fit with kappa is the one taken.
+    // A ratio of 1 within its noise is taken as 1, and everything else is the sharper for it. Returns
+    // whether the fit with kappa is the one taken.
     bool use_kappa(const ModelSpace& space, const ModelFit& fit, double sd) {
         made_.kappa.value = fit.state.shared[kappa_index];
         made_.kappa.sd = sd;
