@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/resonator/slow_dynamics.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace vybeg {

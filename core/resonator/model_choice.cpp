@@ -180,8 +180,8 @@ private:
         return {};
     }
 
-    // A ratio of 1 within its noise is taken as 1, and everything else is the sharper for it. Returns
-    // whether the fit with kappa is the one taken.
+    // A ratio of 1 within its noise is taken as 1, and everything else is the sharper for it.
+    // Returns whether the fit with kappa is the one taken.
     bool use_kappa(const ModelSpace& space, const ModelFit& fit, double sd) {
         made_.kappa.value = fit.state.shared[kappa_index];
         made_.kappa.sd = sd;

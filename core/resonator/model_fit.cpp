@@ -4,6 +4,7 @@
 
 #include <ceres/ceres.h>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace vybeg {
@@ -109,8 +110,8 @@ Result<ModelFit> fit_model(std::span<const ScaledRun> runs, const ModelSpace& sp
     options.function_tolerance = 1e-10;
     options.parameter_tolerance = 1e-14;
     options.gradient_tolerance = 0;
-    // What the data hardly see stays damped, by 1e-10 of the information of its coordinates: without
-    // it the factorisation fails, and Ceres says so on standard error.
+    // What the data hardly see stays damped, by 1e-10 of the information of its coordinates:
+    // without it the factorisation fails, and Ceres says so on standard error.
     options.max_trust_region_radius = 1e8;
     options.min_lm_diagonal = 1e-2;
     options.logging_type = ceres::SILENT;

@@ -5,8 +5,10 @@
 #include "core/resonator/mode_estimates.h"
 #include "core/resonator/run_estimates.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace vybeg {
 namespace {

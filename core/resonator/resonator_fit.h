@@ -31,6 +31,8 @@ struct ModeEstimate {
     Estimate q;
 };
 
+// Where one direction alone was seen (decay_of_one_direction), f_mean, tau and Q are those of the
+// wave as it stood.
 struct ResonatorEstimate {
     Estimate f_mean_hz;    // of both modes, mean of the runs
     Estimate split_hz;     // f_p - f_q >= 0
@@ -44,6 +46,8 @@ struct ResonatorEstimate {
     Estimate frequency_per_power;       // Hz per squared recording unit of |z|^2 = a_A^2 + a_B^2
 };
 
+// Frequencies of a run that drifts are those of the instant at which its frequency is known best:
+// the middle of a run that hardly decays, one decay time from the start of one that decays away.
 struct RunEstimate {
     Estimate f_offset_hz;  // of this run from f_mean_hz; the runs' offsets have mean zero
     Estimate a_A;          // at the start of the recording, as the next two, recording units

@@ -6,6 +6,8 @@
 
 #include <Eigen/LU>
 
+#include <array>
+#include <cmath>
 #include <numbers>
 
 namespace vybeg {
