@@ -105,9 +105,9 @@ Result<ModelFit> fit_model(std::span<const ScaledRun> runs, const ModelSpace& sp
     options.linear_solver_ordering = std::move(order);
     options.num_threads = 1;
     options.max_num_iterations = 100;
-    // A step is worth taking while it lowers chi^2 by 1e-4 of one standard deviation squared, for
-    // up to 10^6 residuals; without noise the parameters' own rounding ends it.
-    options.function_tolerance = 1e-10;
+    // It ends with a step that lowers chi^2 by less than 1e-4, for 10^4 residuals: a hundredth of a
+    // standard deviation before that step, far below it behind it.
+    options.function_tolerance = 1e-8;
     options.parameter_tolerance = 1e-14;
     options.gradient_tolerance = 0;
     // What the data hardly see stays damped, by 1e-10 of the information of its coordinates:

@@ -11,7 +11,7 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr int seeds = 12;
+constexpr int seeds = 8;
 
 // Sum of squared errors in units of the reported deviations over seeds, and the worst of them.
 struct Scores {
