@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vybeg::cli {
@@ -127,16 +130,21 @@ void add_band(CLI::App& app, const std::string& name, std::optional<Band>& targe
     });
 }
 
-void add_window_options(CLI::App& app, Settings& settings) {
-    auto* const window = add_value(app, "--window", "N", "Window length, samples (default 60)",
-                                   [&settings](const auto& option, const auto& text) {
-                                       settings.window = whole_value(option, text);
+// The window's length, of which `take` gets the samples.
+void add_length_options(CLI::App& app, Settings& settings, const std::string& help,
+                        std::function<void(std::int64_t)> take) {
+    auto* const window = add_value(app, "--window", "N", help,
+                                   [take = std::move(take)](const auto& option, const auto& text) {
+                                       take(whole_value(option, text));
                                    });
     add_number(app, "--periods", settings.periods, "P",
                "Window length in periods of the carrier; may be fractional")
         ->excludes(window);
     app.add_flag("--snap", settings.snap,
                  "Move the window to whole half-periods, where the averages are orthogonal");
+}
+
+void add_hop_option(CLI::App& app, Settings& settings) {
     add_value(app, "--hop", "N", "Samples between window starts (default: the window)",
               [&settings](const auto& option, const auto& text) {
                   settings.hop = whole_value(option, text);
@@ -184,6 +192,25 @@ void add_calibration_options(CLI::App& app, Calibration& calibration) {
                "By how much channel D comes late, s (default 0)");
     add_number(app, "--angle-zero", calibration.angle_zero_deg, "DEG",
                "Angle of the first electrode, degrees; subtracted from theta_A (default 0)");
+}
+
+void add_f0_option(CLI::App& app, Settings& settings) {
+    add_number(app, "--f0", settings.f0_hz, "HZ", "The carrier, Hz; skips the search for it");
+}
+
+// What is done to the signals on their way to the windows.
+void add_signal_options(CLI::App& app, Settings& settings) {
+    add_number(app, "--from", settings.from_s, "S", "Start of the part to analyse, s");
+    add_number(app, "--to", settings.to_s, "S", "End of the part to analyse, s");
+    add_band(app, "--band", settings.band, "Look for the carrier between two frequencies, Hz");
+    add_band(app, "--filter", settings.filter, "Zero-phase band-pass before everything, Hz");
+    add_calibration_options(app, settings.calibration);
+    app.add_flag("--repair-lost", settings.repair_lost,
+                 "Make gaps where samples were lost, so that time runs on behind them");
+    add_value(app, "--threads", "N", "Threads (default: as many as the machine has)",
+              [&settings](const auto& option, const auto& text) {
+                  settings.threads = small_whole_value(option, text, 1, "it must be at least 1");
+              });
 }
 
 }  // namespace
@@ -247,20 +274,31 @@ void add_analysis_options(CLI::App& app, Settings& settings) {
                   }
                   settings.algorithm = *algorithm;
               });
-    add_window_options(app, settings);
-    add_number(app, "--f0", settings.f0_hz, "HZ", "The carrier, Hz; skips the search for it");
+    add_length_options(app, settings, "Window length, samples (default 60)",
+                       [&settings](std::int64_t samples) { settings.window = samples; });
+    add_hop_option(app, settings);
+    add_f0_option(app, settings);
     add_start_options(app, settings);
-    add_number(app, "--from", settings.from_s, "S", "Start of the part to analyse, s");
-    add_number(app, "--to", settings.to_s, "S", "End of the part to analyse, s");
-    add_band(app, "--band", settings.band, "Look for the carrier between two frequencies, Hz");
-    add_band(app, "--filter", settings.filter, "Zero-phase band-pass before everything, Hz");
-    add_calibration_options(app, settings.calibration);
-    app.add_flag("--repair-lost", settings.repair_lost,
-                 "Make gaps where samples were lost, so that time runs on behind them");
-    add_value(app, "--threads", "N", "Threads (default: as many as the machine has)",
+    add_signal_options(app, settings);
+}
+
+void add_identify_options(CLI::App& app, IdentifySettings& settings) {
+    add_value(app, "--model", "NAME",
+              "auto (default), structured (the pick-offs are a calibrated pair) or free (only the "
+              "modes)",
               [&settings](const auto& option, const auto& text) {
-                  settings.threads = small_whole_value(option, text, 1, "it must be at least 1");
+                  using enum FitOptions::Model;
+                  if (text != "auto" && text != "structured" && text != "free") {
+                      reject(option, text, "it is auto, structured or free");
+                  }
+                  settings.model =
+                      text == "auto" ? automatic : (text == "free" ? free : structured);
               });
+    add_length_options(app, settings.signal,
+                       "Window length, samples (default: 15 ms, 12 periods at least)",
+                       [&settings](std::int64_t samples) { settings.window = samples; });
+    add_f0_option(app, settings.signal);
+    add_signal_options(app, settings.signal);
 }
 
 }  // namespace vybeg::cli

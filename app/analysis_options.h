@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
 #include "core/recording/open_recording.h"
 
@@ -15,5 +16,9 @@ void add_open_options(CLI::App& app, OpenOptions& options);
 // `settings` must outlive the parse. Their values are checked one by one here and together by
 // validate().
 void add_analysis_options(CLI::App& app, Settings& settings);
+
+// Those of them that have a part in an identification, and --model. `settings` must outlive the
+// parse.
+void add_identify_options(CLI::App& app, IdentifySettings& settings);
 
 }  // namespace vybeg::cli

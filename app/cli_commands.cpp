@@ -1,6 +1,7 @@
 #include "app/cli_commands.h"
 
 #include "app/cli_simulate_options.h"
+#include "app/cli_support.h"
 #include "core/analysis/analyse.h"
 #include "core/analysis/inspect.h"
 #include "core/base/messages.h"
@@ -11,46 +12,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
 namespace vybeg::cli {
 namespace {
-
-double seconds_now() {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration<double>(now).count();
-}
-
-JobControl job_of(std::stop_token stop, Log& log) {
-    return JobControl(
-        std::move(stop), [&log](double fraction) { log.progress(fraction); }, seconds_now);
-}
-
-// Everything but the longest part of the work: heard when it is to stop, without its own progress.
-JobControl silent(std::stop_token stop) {
-    return JobControl(std::move(stop), {}, seconds_now);
-}
-
-Result<OutputFile> open_output(const std::string& name, const JobControl& job) {
-    if (name == "-") {
-        return OutputFile::onto(STDOUT_FILENO, "standard output", job);
-    }
-    return OutputFile::create(name, job);
-}
-
-Status write_text(const std::string& text, const JobControl& job) {
-    OutputFile output = OutputFile::onto(STDOUT_FILENO, "standard output", job);
-    if (const Status written = output.write(text); !written) {
-        return written;
-    }
-    return output.commit();
-}
 
 std::string described(const Recording& recording, const std::string& sha256,
                       const std::vector<Diagnostic>& findings) {
@@ -75,12 +42,6 @@ std::string described(const Recording& recording, const std::string& sha256,
         text += "check     nothing found\n";
     }
     return text;
-}
-
-// The recording must not be replaced by its own track.
-bool same_file(const std::string& input, const std::string& output) {
-    std::error_code missing;
-    return output != "-" && std::filesystem::equivalent(input, output, missing) && !missing;
 }
 
 std::string timing_line(const AnalysisSummary& analysis, double open_s, double write_s) {
@@ -127,11 +88,12 @@ Status write_truth(OutputFile& file, const SimulateRequest& request, double full
 }  // namespace
 
 int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
-    const Result<Recording> recording = open_recording(request.input, request.open, silent(stop));
+    const Result<Recording> recording =
+        open_recording(request.input, request.open, silent_job(stop));
     if (!recording) {
         return log.fail(recording.error());
     }
-    const Result<std::string> sha256 = file_sha256(request.input, silent(stop));
+    const Result<std::string> sha256 = file_sha256(request.input, silent_job(stop));
     if (!sha256) {
         return log.fail(sha256.error());
     }
@@ -142,7 +104,7 @@ int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     const Status written =
         write_text(request.json ? recording_json(*recording, *sha256, faults->findings)
                                 : described(*recording, *sha256, faults->findings),
-                   silent(stop));
+                   silent_job(stop));
     return written ? 0 : log.fail(written.error());
 }
 
@@ -151,11 +113,12 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
         return log.fail(valid.error());
     }
     const double begun = seconds_now();
-    const Result<Recording> recording = open_recording(request.input, request.open, silent(stop));
+    const Result<Recording> recording =
+        open_recording(request.input, request.open, silent_job(stop));
     if (!recording) {
         return log.fail(recording.error());
     }
-    const Result<std::string> sha256 = file_sha256(request.input, silent(stop));
+    const Result<std::string> sha256 = file_sha256(request.input, silent_job(stop));
     if (!sha256) {
         return log.fail(sha256.error());
     }
@@ -164,11 +127,11 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
             {ErrorCode::setting_invalid, "", {"-o", request.output, "it is the recording itself"}});
     }
     const double opened = seconds_now();
-    Result<OutputFile> output = open_output(request.output, silent(stop));
+    Result<OutputFile> output = open_output(request.output, silent_job(stop));
     if (!output) {
         return log.fail(output.error());
     }
-    TrackCsvWriter rows(*output, silent(stop));
+    TrackCsvWriter rows(*output, silent_job(stop));
     double write_s = 0;
     const TrackSink sink = [&](const Track& next) {
         const double before = seconds_now();
@@ -210,7 +173,7 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
     if (!format) {
         return log.fail(format.error());
     }
-    Result<OutputFile> output = open_output(request.output, silent(stop));
+    Result<OutputFile> output = open_output(request.output, silent_job(stop));
     if (!output) {
         return log.fail(output.error());
     }
@@ -238,8 +201,8 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
         written = output->flush();  // a full disk shows before the truth is put in place
     }
     if (written && !request.truth.empty()) {
-        Result<OutputFile> truth = open_output(request.truth, silent(stop));
-        written = truth ? write_truth(*truth, request, *full_scale, pcm, silent(stop))
+        Result<OutputFile> truth = open_output(request.truth, silent_job(stop));
+        written = truth ? write_truth(*truth, request, *full_scale, pcm, silent_job(stop))
                         : Status(truth.error());
     }
     if (written) {

@@ -37,18 +37,25 @@ void Log::clear_progress() {
     }
 }
 
-void Log::warnings(std::span<const Diagnostic> diagnostics) {
+void Log::warnings(std::span<const Diagnostic> diagnostics, const std::string& about) {
     if (quiet_) {
         return;
     }
     for (const Diagnostic& diagnostic : diagnostics) {
         const std::string text = english(diagnostic);
-        line(json_ ? text_of({{"level", "warning"},
-                              {"code", kind_name(diagnostic.kind)},
-                              {"text", text},
-                              {"first_frame", diagnostic.first_frame},
-                              {"count", diagnostic.count}})
-                   : "vybeg-cli: warning: " + text);
+        if (!json_) {
+            line("vybeg-cli: warning: " + (about.empty() ? "" : about + ": ") + text);
+            continue;
+        }
+        Json object{{"level", "warning"},
+                    {"code", kind_name(diagnostic.kind)},
+                    {"text", text},
+                    {"first_frame", diagnostic.first_frame},
+                    {"count", diagnostic.count}};
+        if (!about.empty()) {
+            object["input"] = about;
+        }
+        line(text_of(object));
     }
 }
 

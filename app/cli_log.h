@@ -16,7 +16,8 @@ public:
     Log(bool json, bool quiet);
     ~Log();
 
-    void warnings(std::span<const Diagnostic> diagnostics);
+    // `about`: the file that they concern, where there are several; empty: none.
+    void warnings(std::span<const Diagnostic> diagnostics, const std::string& about = {});
     // Returns the exit status of the error.
     int fail(const Error& error);
     // A wrong command line: exit status 2.

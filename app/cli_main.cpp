@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -31,6 +32,22 @@ void add_input(CLI::App& app, std::string& input) {
                    "The recording: WAV, FLAC, AIFF, CSV, raw samples; recognised by content")
         ->type_name("")
         ->required();
+}
+
+void add_inputs(CLI::App& app, std::vector<std::string>& inputs) {
+    app.add_option("FILE", inputs, "The recordings of one resonator, started at different angles")
+        ->type_name("")
+        ->required();
+}
+
+void add_identification(CLI::App& app, IdentifyRequest& request) {
+    app.add_option("-o,--output", request.output,
+                   "The result, JSON; - for standard output (default: a summary there)")
+        ->type_name("RESULT.json");
+    add_identify_options(app, request.settings);
+    add_open_options(app, request.open);
+    app.add_flag("--timing", request.timing,
+                 "Last line of standard error: where the time went, JSON, s");
 }
 
 // What is wrong with the command line, as one sentence: CLI11's own words where they are clear.
@@ -84,6 +101,28 @@ int main(int argc, char** argv) {
     analyze_command->add_flag("--timing", analyze.timing,
                               "Last line of standard error: where the time went, JSON, s");
 
+    IdentifyRequest identification;
+    CLI::App* const identify_command = app.add_subcommand(
+        "identify", "The resonator behind one or several recordings of its free decay");
+    add_inputs(*identify_command, identification.inputs);
+    add_identification(*identify_command, identification);
+    identify_command
+        ->add_option("--passport", identification.new_passport,
+                     "Also write the gyro's passport, to compare with later")
+        ->type_name("PASSPORT.json");
+    add_log_options(*identify_command, log_options);
+
+    IdentifyRequest comparison;
+    CLI::App* const compare_command =
+        app.add_subcommand("compare", "Identify the resonator and compare it with its passport");
+    compare_command
+        ->add_option("PASSPORT", comparison.old_passport, "A passport that identify has written")
+        ->type_name("")
+        ->required();
+    add_inputs(*compare_command, comparison.inputs);
+    add_identification(*compare_command, comparison);
+    add_log_options(*compare_command, log_options);
+
     SimulateRequest simulation;
     CLI::App* const simulate_command =
         app.add_subcommand("simulate", "A recording from the equations of motion, and its truth");
@@ -111,6 +150,12 @@ int main(int argc, char** argv) {
     }
     if (analyze_command->parsed()) {
         return run_analyze(analyze, log, interrupt.token());
+    }
+    if (identify_command->parsed()) {
+        return run_identify(identification, log, interrupt.token());
+    }
+    if (compare_command->parsed()) {
+        return run_identify(comparison, log, interrupt.token());
     }
     return run_simulate(simulation, log, interrupt.token());
 }

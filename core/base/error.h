@@ -28,6 +28,8 @@ enum class ErrorCode {
     channel_out_of_range,  // args: channel asked for, channels found
     too_few_frames,        // args: frames found, frames needed
     rate_unknown,
+    passport_damaged,      // args: reason
+    passport_schema,       // args: schema of the file, newest schema known here
     variable_missing,  // args: variable asked for, the variables that the file has
     // The analysis is impossible: exit status 4.
     window_too_long,          // args: window in samples, samples in the range
@@ -39,6 +41,7 @@ enum class ErrorCode {
     filter_too_long,  // args: transient in samples, frames in the recording
     no_valid_samples,
     simulation_impossible,  // args: reason
+    fit_window_too_short,   // args: window in samples, least window at this carrier
     fit_too_few_windows,    // args: usable windows, least number
     fit_failed,             // args: reason
     // The output cannot be written: exit status 5.

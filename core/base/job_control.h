@@ -26,6 +26,11 @@ public:
     // The same job for a part of it that has no progress of its own.
     JobControl silent() const { return JobControl(stop_, {}, clock_); }
 
+    // The same job, which tells its progress to someone else.
+    JobControl with_progress(std::function<void(double)> progress) const {
+        return JobControl(stop_, std::move(progress), clock_);
+    }
+
     double now() const { return clock_ ? clock_() : 0; }
 
 private:

@@ -75,6 +75,12 @@ const char* message_template(ErrorCode code) {
             return VYBEG_MESSAGE(
                 "Message",
                 "%1: the file does not tell its sample rate. Give it with --rate, in Hz.");
+        case ErrorCode::passport_damaged:
+            return VYBEG_MESSAGE("Message", "%1 is not a passport that can be read: %2.");
+        case ErrorCode::passport_schema:
+            return VYBEG_MESSAGE("Message",
+                                 "%1: a passport of schema %2; this program knows schemas up to %3. "
+                                 "Use the program that wrote it, or a newer one.");
         case ErrorCode::variable_missing:
             return VYBEG_MESSAGE("Message",
                                  "%1: there is no variable \"%2\" to read; the file has %3. "
@@ -116,6 +122,11 @@ const char* message_template(ErrorCode code) {
             return VYBEG_MESSAGE("Message", "%1: every sample of the range is missing (NaN).");
         case ErrorCode::simulation_impossible:
             return VYBEG_MESSAGE("Message", "This decay cannot be simulated: %2.");
+        case ErrorCode::fit_window_too_short:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the window of %2 samples is too short for the resonator's fit; at this "
+                "carrier it needs at least %3 (16 samples and two periods).");
         case ErrorCode::fit_too_few_windows:
             return VYBEG_MESSAGE("Message",
                                  "%1: the resonator needs %3 windows without faults, and there are "
@@ -199,6 +210,10 @@ const char* message_template(DiagnosticKind kind) {
             return VYBEG_MESSAGE("Message",
                                  "%1 lost samples at %2 places were made gaps, as asked for; "
                                  "windows over them have no values.");
+        case DiagnosticKind::lost_counted:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 lost samples at %2 places are counted in the time behind them, "
+                                 "so that the phase runs on.");
         case DiagnosticKind::frequency_drifts:
             return VYBEG_MESSAGE("Message",
                                  "Recording %1: the frequency drifts by %2 Hz per second (standard "
@@ -257,6 +272,7 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::mains: return "mains";
         case DiagnosticKind::start_transient: return "start-transient";
         case DiagnosticKind::gaps_inserted: return "gaps-inserted";
+        case DiagnosticKind::lost_counted: return "lost-counted";
         case DiagnosticKind::frequency_drifts: return "frequency-drifts";
         case DiagnosticKind::frequency_follows_amplitude: return "frequency-follows-amplitude";
         case DiagnosticKind::q_disagrees: return "q-disagrees";
@@ -290,6 +306,8 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::channel_out_of_range: return "channel-out-of-range";
         case ErrorCode::too_few_frames: return "too-few-frames";
         case ErrorCode::rate_unknown: return "rate-unknown";
+        case ErrorCode::passport_damaged: return "passport-damaged";
+        case ErrorCode::passport_schema: return "passport-schema";
         case ErrorCode::variable_missing: return "variable-missing";
         case ErrorCode::window_too_long: return "window-too-long";
         case ErrorCode::window_too_short: return "window-too-short";
@@ -300,6 +318,7 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::filter_too_long: return "filter-too-long";
         case ErrorCode::no_valid_samples: return "no-valid-samples";
         case ErrorCode::simulation_impossible: return "simulation-impossible";
+        case ErrorCode::fit_window_too_short: return "fit-window-too-short";
         case ErrorCode::fit_too_few_windows: return "fit-too-few-windows";
         case ErrorCode::fit_failed: return "fit-failed";
         case ErrorCode::output_failed: return "output-failed";

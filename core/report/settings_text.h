@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
 
 #include <string>
@@ -15,5 +16,11 @@ using NamedValue = std::pair<std::string, std::string>;
 // Every setting that has a part in the result, in the order of the command line's help: all but
 // the number of threads. Numbers round-trip.
 std::vector<NamedValue> settings_list(const Settings& settings);
+
+// The same for an identification: the settings that have a part in it, and --model.
+std::vector<NamedValue> settings_list(const IdentifySettings& settings);
+
+// "auto", "structured" or "free", as --model takes it.
+const char* model_name(FitOptions::Model model);
 
 }  // namespace vybeg

@@ -36,6 +36,11 @@ const char* message_template(ReasonCode code) {
                                  "1/s. Record longer.");
         case ReasonCode::circular_wave:
             return VYBEG_MESSAGE("Reason", "A circular wave has no angle.");
+        case ReasonCode::few_angles:
+            return VYBEG_MESSAGE("Reason",
+                                 "The waves stand at too few angles for the drift as a function of "
+                                 "the angle: it needs three starts 22.5 degrees apart or more, or "
+                                 "a wave that turns.");
         case ReasonCode::kappa_still_wave:
             return VYBEG_MESSAGE("Reason",
                                  "The wave turns through %1 degrees; %2 are needed to see the gain "
@@ -73,6 +78,7 @@ std::string reason_name(ReasonCode code) {
         case ReasonCode::modes_not_apart: return "modes-not-apart";
         case ReasonCode::no_decay: return "no-decay";
         case ReasonCode::circular_wave: return "circular-wave";
+        case ReasonCode::few_angles: return "few-angles";
         case ReasonCode::kappa_still_wave: return "kappa-still-wave";
         case ReasonCode::kappa_like_damping: return "kappa-like-damping";
         case ReasonCode::kappa_not_seen: return "kappa-not-seen";

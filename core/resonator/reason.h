@@ -16,6 +16,7 @@ enum class ReasonCode {
     modes_not_apart,       // the modes' difference is within its noise
     no_decay,              // args: 1/tau, its sd (1/s)
     circular_wave,         // no angle where a_A = |a_B|
+    few_angles,            // no drift function: the waves stand at too few angles
     kappa_still_wave,      // args: angle turned (deg), angle needed (deg)
     kappa_like_damping,    // gain ratio and damping anisotropy look the same
     kappa_not_seen,        // this motion does not show the gain ratio

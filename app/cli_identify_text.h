@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/report/identify_json.h"
+
+#include <span>
+#include <string>
+
+namespace vybeg::cli {
+
+// The summary of an identification for people: resonator, modes, runs, drift function and, where
+// there is one, the comparison; every number with its standard deviation or its reason.
+std::string identify_text(std::span<const IdentifiedInput> inputs,
+                          const Identification& identification,
+                          const PassportComparison* comparison);
+
+}  // namespace vybeg::cli

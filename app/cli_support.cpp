@@ -1,0 +1,45 @@
+#include "app/cli_support.h"
+
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace vybeg::cli {
+
+double seconds_now() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+JobControl job_of(std::stop_token stop, Log& log) {
+    return JobControl(
+        std::move(stop), [&log](double fraction) { log.progress(fraction); }, seconds_now);
+}
+
+JobControl silent_job(std::stop_token stop) {
+    return JobControl(std::move(stop), {}, seconds_now);
+}
+
+Result<OutputFile> open_output(const std::string& name, const JobControl& job) {
+    if (name == "-") {
+        return OutputFile::onto(STDOUT_FILENO, "standard output", job);
+    }
+    return OutputFile::create(name, job);
+}
+
+Status write_text(const std::string& text, const JobControl& job) {
+    OutputFile output = OutputFile::onto(STDOUT_FILENO, "standard output", job);
+    if (const Status written = output.write(text); !written) {
+        return written;
+    }
+    return output.commit();
+}
+
+bool same_file(const std::string& input, const std::string& output) {
+    std::error_code missing;
+    return output != "-" && std::filesystem::equivalent(input, output, missing) && !missing;
+}
+
+}  // namespace vybeg::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/cli_log.h"
+#include "core/base/job_control.h"
+#include "core/report/output_file.h"
+
+#include <stop_token>
+#include <string>
+
+namespace vybeg::cli {
+
+// What the subcommands share.
+
+// A monotonic clock, seconds.
+double seconds_now();
+
+// The longest part of the work, with its progress in the log.
+JobControl job_of(std::stop_token stop, Log& log);
+// Everything else: heard when it is to stop, without its own progress.
+JobControl silent_job(std::stop_token stop);
+
+// A file, or standard output for "-".
+Result<OutputFile> open_output(const std::string& name, const JobControl& job);
+// Text to standard output.
+Status write_text(const std::string& text, const JobControl& job);
+
+// Whether an output would replace an input: never a recording by its own result.
+bool same_file(const std::string& input, const std::string& output);
+
+}  // namespace vybeg::cli

@@ -1,0 +1,165 @@
+#include "core/analysis/identify.h"
+
+#include "core/analysis/phasor_windows.h"
+#include "core/analysis/prepare.h"
+#include "core/base/number_text.h"
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+#include <numeric>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Points of a run's track: enough for a picture.
+constexpr std::size_t track_points = 200;
+
+// Progress of several recordings that are gone through at the same time.
+class SharedProgress {
+public:
+    SharedProgress(const JobControl& job, std::size_t parts) : job_(job), fractions_(parts) {}
+
+    void report(std::size_t part, double fraction) {
+        const std::lock_guard lock(mutex_);
+        fractions_[part] = fraction;
+        job_.report(std::accumulate(fractions_.begin(), fractions_.end(), 0.0) /
+                    static_cast<double>(fractions_.size()));
+    }
+
+private:
+    const JobControl& job_;
+    std::mutex mutex_;
+    std::vector<double> fractions_;
+};
+
+Result<WindowPlan> plan_of(const IdentifySettings& settings, const Prepared& prepared,
+                           double rate_hz) {
+    const std::int64_t frames = prepared.end - prepared.first;
+    std::int64_t length =
+        settings.window.value_or(default_phasor_window(frames, prepared.f0_hz, rate_hz));
+    if (settings.signal.periods) {
+        length = window_of_periods(*settings.signal.periods, prepared.f0_hz, rate_hz);
+    }
+    const std::int64_t least = least_phasor_window(prepared.f0_hz, rate_hz);
+    if (length < least) {
+        return Error{
+            ErrorCode::fit_window_too_short, "", {integer_text(length), integer_text(least)}};
+    }
+    if (settings.signal.snap) {
+        length = snap_window(length, prepared.f0_hz, rate_hz);
+    }
+    const WindowPlan plan = plan_windows(prepared.first, prepared.end, length, length);
+    if (plan.count == 0) {
+        return Error{ErrorCode::window_too_long, "", {integer_text(length), integer_text(frames)}};
+    }
+    return plan;
+}
+
+struct Windows {
+    PhasorWindows windows;
+    Calibration calibration;
+    double carrier_s = 0;
+};
+
+// From one recording to its phasors.
+Result<Windows> windows_of(const Recording& recording, const IdentifySettings& settings,
+                           int threads, const JobControl& job) {
+    const Result<Prepared> prepared = prepare(recording, settings.signal, job.silent());
+    if (!prepared) {
+        return prepared.error();
+    }
+    const Result<WindowPlan> plan = plan_of(settings, *prepared, recording.rate_hz);
+    if (!plan) {
+        return plan.error();
+    }
+    Result<PhasorWindows> windows =
+        phasor_windows(*prepared, *plan, recording.rate_hz, threads, job);
+    if (!windows) {
+        return windows.error();
+    }
+    return Windows{std::move(*windows), prepared->calibration, prepared->carrier_s};
+}
+
+IdentifiedRun run_of(Windows& from) {
+    const PhasorWindows& windows = from.windows;
+    return {windows.run.f_ref_hz, windows.plan.length,
+            windows.plan.count,   static_cast<std::int64_t>(windows.run.time_s.size()),
+            windows.noise_sd,     from.calibration,
+            windows.diagnostics,  run_track(windows.run, track_points)};
+}
+
+// The recordings' phasors, several recordings at a time.
+std::vector<Result<Windows>> all_windows(std::span<const Recording> recordings,
+                                         const IdentifySettings& settings, int threads,
+                                         const JobControl& job) {
+    const Error not_yet{ErrorCode::interrupted, "", {}};
+    std::vector<Result<Windows>> found(recordings.size(), Result<Windows>(not_yet));
+    SharedProgress progress(job, recordings.size());
+    tbb::task_arena(threads).execute([&] {
+        tbb::parallel_for(std::size_t{0}, recordings.size(), [&](std::size_t k) {
+            found[k] =
+                windows_of(recordings[k], settings, threads,
+                           job.with_progress([&progress, k](double f) { progress.report(k, f); }));
+        });
+    });
+    return found;
+}
+
+}  // namespace
+
+Result<Identification> identify(std::span<const Recording> recordings,
+                                const IdentifySettings& settings, const JobControl& job) {
+    if (const Status valid = validate(settings.signal); !valid) {
+        return valid.error();
+    }
+    if (settings.window && *settings.window < 16) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--window", integer_text(*settings.window),
+                      "the resonator's fit needs at least 16 samples"}};
+    }
+    const int cores = tbb::info::default_concurrency();
+    const int threads =
+        settings.signal.threads > 0 ? std::min(settings.signal.threads, cores) : cores;
+    Identification found;
+    found.settings = settings;
+    found.timing.threads = threads;
+    const double begun = job.now();
+    std::vector<Result<Windows>> windows = all_windows(recordings, settings, threads, job);
+    std::vector<PhasorRun> phasors;
+    for (std::size_t k = 0; k < windows.size(); ++k) {
+        if (!windows[k]) {
+            Error error = windows[k].error();
+            if (error.where.empty()) {
+                error.where = recording_name(recordings[k]);
+            }
+            return error;
+        }
+        Windows& of_run = *windows[k];
+        found.runs.push_back(run_of(of_run));
+        found.timing.read_s += of_run.windows.read_s;
+        found.timing.carrier_s += of_run.carrier_s;
+        found.timing.estimate_s += of_run.windows.estimate_s;
+        phasors.push_back(std::move(of_run.windows.run));
+    }
+    const double fitted_from = job.now();
+    found.timing.windows_s = fitted_from - begun;
+    FitOptions options;
+    options.model = settings.model;
+    options.estimate_kappa = settings.signal.calibration.kappa == 1;
+    Result<ResonatorFit> fit = fit_resonator(phasors, options, job.silent());
+    if (!fit) {
+        return fit.error();
+    }
+    found.fit = std::move(*fit);
+    found.drift = drift_function(phasors);
+    found.timing.fit_s = job.now() - fitted_from;
+    return found;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/analysis/settings.h"
+#include "core/base/job_control.h"
+#include "core/recording/recording.h"
+#include "core/resonator/drift_function.h"
+#include "core/resonator/resonator_fit.h"
+#include "core/resonator/run_track.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+struct IdentifySettings {
+    // Carrier, range, filter, calibration, periods, snap and threads; its algorithm, window, hop
+    // and start values have no part: the fit demodulates at a fixed frequency.
+    Settings signal;
+    std::optional<std::int64_t> window;  // samples; neither it nor periods: default_phasor_window()
+    FitOptions::Model model = FitOptions::Model::automatic;
+
+    friend bool operator==(const IdentifySettings&, const IdentifySettings&) = default;
+};
+
+// What became of one recording.
+struct IdentifiedRun {
+    double f0_hz = 0;
+    std::int64_t window = 0;        // samples
+    std::int64_t windows = 0;       // in the range
+    std::int64_t windows_used = 0;  // without faults
+    double noise_sd = 0;            // per sample and channel, recording units
+    Calibration calibration;        // offsets resolved
+    std::vector<Diagnostic> diagnostics;
+    RunTrack track;
+};
+
+struct IdentifyTiming {
+    double read_s = 0;      // reading, calibration and filter; summed over the recordings
+    double carrier_s = 0;   // search for the carrier, summed
+    double estimate_s = 0;  // the windows, summed
+    double windows_s = 0;   // all of these together, by the clock
+    double fit_s = 0;
+    int threads = 0;
+};
+
+struct Identification {
+    IdentifySettings settings;
+    std::vector<IdentifiedRun> runs;  // one for each recording, in their order
+    ResonatorFit fit;
+    DriftFunction drift;
+    IdentifyTiming timing;
+};
+
+// The whole road from the recordings of one resonator to the resonator (METHOD section 8): a set of
+// runs that differ in their start. The gain ratio of the channels is estimated where the settings
+// leave it at 1. Memory does not grow with the recordings, and the result is the same to the last
+// bit for any number of threads. Errors: setting_invalid, those of prepare(), fit_window_too_short,
+// window_too_long, no_valid_samples, those of fit_resonator(), interrupted. Precondition: at least
+// one recording.
+Result<Identification> identify(std::span<const Recording> recordings,
+                                const IdentifySettings& settings, const JobControl& job);
+
+}  // namespace vybeg

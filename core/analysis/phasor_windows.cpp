@@ -1,0 +1,243 @@
+#include "core/analysis/phasor_windows.h"
+
+#include "core/analysis/inspect.h"
+#include "core/analysis/window_faults.h"
+#include "core/analysis/window_mean.h"
+#include "core/base/number_text.h"
+
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <numeric>
+
+namespace vybeg {
+namespace {
+
+// Frames of a chunk, about a millisecond of work between two looks at the stop token.
+constexpr std::int64_t chunk_frames = std::int64_t{1} << 16;
+// A window whose noise power stands this many of its deviations above the median is disturbed, and
+// has its own noise; all others have the median, so that weights do not scatter.
+constexpr double disturbed = 6;
+
+struct Chunk {
+    std::int64_t first_window = 0;
+    std::int64_t windows = 0;
+    std::vector<double> c;
+    std::vector<double> d;
+};
+
+using Estimates = std::vector<WindowMean::Estimate>;
+
+// Estimates the windows of a chunk into their places.
+double estimate_chunk(const Chunk& chunk, const WindowPlan& plan, const WindowMean& mean,
+                      Estimates& estimates, const JobControl& job) {
+    const double begun = job.now();
+    const auto length = static_cast<std::size_t>(plan.length);
+    for (std::int64_t k = 0; k < chunk.windows; ++k) {
+        const auto at = static_cast<std::size_t>(k) * length;
+        const Window window{std::span(chunk.c).subspan(at, length),
+                            std::span(chunk.d).subspan(at, length)};
+        estimates[static_cast<std::size_t>(chunk.first_window + k)] = mean.estimate(window);
+    }
+    return job.now() - begun;
+}
+
+struct Pass {
+    Estimates estimates;
+    double read_s = 0;
+    double estimate_s = 0;
+};
+
+// All windows of the plan: one thread reads, the others estimate.
+Result<Pass> estimate_all(const Prepared& prepared, const WindowPlan& plan, double rate_hz,
+                          int threads, const JobControl& job) {
+    const WindowMean mean(plan.length, 2 * std::numbers::pi * prepared.f0_hz / rate_hz);
+    Pass pass;
+    pass.estimates.resize(static_cast<std::size_t>(plan.count));
+    const std::int64_t per_chunk = std::max<std::int64_t>(1, chunk_frames / plan.length);
+    std::vector<double> seconds(static_cast<std::size_t>((plan.count + per_chunk - 1) / per_chunk));
+    Status status;
+    std::int64_t next = 0;
+    const auto read = [&](tbb::flow_control& flow) {
+        auto chunk = std::make_shared<Chunk>();
+        if (next >= plan.count || job.cancelled() || !status) {
+            flow.stop();
+            return chunk;
+        }
+        const double begun = job.now();
+        chunk->first_window = next;
+        chunk->windows = std::min(per_chunk, plan.count - next);
+        chunk->c.resize(static_cast<std::size_t>(chunk->windows * plan.length));
+        chunk->d.resize(chunk->c.size());
+        status = prepared.source->read(plan.start(next), chunk->c, chunk->d);
+        if (!status) {
+            flow.stop();
+            return chunk;
+        }
+        next += chunk->windows;
+        pass.read_s += job.now() - begun;
+        job.report(static_cast<double>(next) / static_cast<double>(plan.count));
+        return chunk;
+    };
+    const auto estimate = [&](const std::shared_ptr<Chunk>& chunk) {
+        seconds[static_cast<std::size_t>(chunk->first_window / per_chunk)] =
+            estimate_chunk(*chunk, plan, mean, pass.estimates, job);
+    };
+    using ChunkPointer = std::shared_ptr<Chunk>;
+    tbb::task_arena(threads).execute([&] {
+        tbb::parallel_pipeline(
+            static_cast<std::size_t>(threads) + 1,
+            tbb::make_filter<void, ChunkPointer>(tbb::filter_mode::serial_in_order, read) &
+                tbb::make_filter<ChunkPointer, void>(tbb::filter_mode::parallel, estimate));
+    });
+    if (!status) {
+        return status.error();
+    }
+    if (job.cancelled()) {
+        return Error{ErrorCode::interrupted, "", {}};
+    }
+    pass.estimate_s = std::accumulate(seconds.begin(), seconds.end(), 0.0) / threads;
+    return pass;
+}
+
+// Marks the windows over faults as missing.
+void leave_out(const SampleFaults& faults, const WindowPlan& plan, Estimates& estimates) {
+    for (const FlaggedRows& rows : windows_over(faults, plan)) {
+        for (std::size_t k = rows.first; k < rows.first + rows.count; ++k) {
+            estimates[k].noise_power = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+}
+
+// Median of the noise powers that exist; NaN where there is none.
+double median_power(const Estimates& estimates) {
+    std::vector<double> powers;
+    for (const WindowMean::Estimate& estimate : estimates) {
+        if (std::isfinite(estimate.noise_power)) {
+            powers.push_back(estimate.noise_power);
+        }
+    }
+    if (powers.empty()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
+    std::ranges::nth_element(powers, middle);
+    return *middle;
+}
+
+// Samples lost (less those doubled) before each window, from the steps in their order.
+class LostBefore {
+public:
+    explicit LostBefore(const std::vector<PhaseStep>& steps) : steps_(steps) {}
+
+    // For frames that do not fall from call to call.
+    std::int64_t at(std::int64_t frame) {
+        for (; next_ < steps_.size() && steps_[next_].frame <= frame; ++next_) {
+            lost_ += steps_[next_].lost;
+        }
+        return lost_;
+    }
+
+private:
+    const std::vector<PhaseStep>& steps_;
+    std::size_t next_ = 0;
+    std::int64_t lost_ = 0;
+};
+
+// e^{-i angle} both phasors, from the window's centre to the start of the recording, and turned so
+// that angles count from the first electrode.
+Phasors moved(const Phasors& local, double cycles, double two_theta_zero) {
+    const std::complex<double> back =
+        std::polar(1.0, -2 * std::numbers::pi * std::remainder(cycles, 1.0));
+    const double cosine = std::cos(two_theta_zero);
+    const double sine = std::sin(two_theta_zero);
+    return {back * (local.c * cosine + local.d * sine), back * (local.d * cosine - local.c * sine)};
+}
+
+// The windows that exist, with their times, phasors and deviations.
+PhasorRun collect(const Estimates& estimates, const Prepared& prepared, const WindowPlan& plan,
+                  const std::vector<PhaseStep>& steps, double rate_hz, double noise_power) {
+    const WindowMean mean(plan.length, 2 * std::numbers::pi * prepared.f0_hz / rate_hz);
+    const double limit = noise_power * (1 + disturbed * std::sqrt(2 / mean.freedom()));
+    const double two_theta_zero = prepared.calibration.angle_zero_deg * std::numbers::pi / 90;
+    PhasorRun run;
+    run.f_ref_hz = prepared.f0_hz;
+    run.window_s = static_cast<double>(plan.length) / rate_hz;
+    LostBefore lost(steps);
+    for (std::int64_t k = 0; k < plan.count; ++k) {
+        const WindowMean::Estimate& estimate = estimates[static_cast<std::size_t>(k)];
+        const auto moved_on = static_cast<double>(lost.at(plan.start(k)));
+        if (!std::isfinite(estimate.noise_power)) {
+            continue;
+        }
+        const double time_s = plan.centre_s(k, rate_hz) + moved_on / rate_hz;
+        const Phasors phasors = moved(estimate.mean, prepared.f0_hz * time_s, two_theta_zero);
+        run.time_s.push_back(time_s);
+        run.c.push_back(phasors.c);
+        run.d.push_back(phasors.d);
+        const double power = estimate.noise_power > limit ? estimate.noise_power : noise_power;
+        run.sd.push_back(mean.sd_of_part() * std::sqrt(power));
+    }
+    return run;
+}
+
+void tell_of_lost_samples(const std::vector<PhaseStep>& steps,
+                          std::vector<Diagnostic>& diagnostics) {
+    std::int64_t samples = 0;
+    std::int64_t places = 0;
+    for (const PhaseStep& step : steps) {
+        if (step.lost != 0) {
+            samples += step.lost;
+            ++places;
+        }
+    }
+    if (places > 0) {
+        diagnostics.push_back(
+            {DiagnosticKind::lost_counted, {integer_text(samples), integer_text(places)}});
+    }
+}
+
+}  // namespace
+
+std::int64_t least_phasor_window(double f0_hz, double rate_hz) {
+    return std::max<std::int64_t>(16, static_cast<std::int64_t>(std::ceil(2 * rate_hz / f0_hz)));
+}
+
+std::int64_t default_phasor_window(std::int64_t frames, double f0_hz, double rate_hz) {
+    constexpr double wish_s = 0.015;
+    constexpr double periods = 12;
+    const auto wish =
+        static_cast<std::int64_t>(std::llround(std::max(wish_s, periods / f0_hz) * rate_hz));
+    return std::max(
+        {std::min(wish, frames / 64), frames / 16384 + 1, least_phasor_window(f0_hz, rate_hz)});
+}
+
+Result<PhasorWindows> phasor_windows(const Prepared& prepared, const WindowPlan& plan,
+                                     double rate_hz, int threads, const JobControl& job) {
+    Result<Pass> pass = estimate_all(prepared, plan, rate_hz, threads, job);
+    if (!pass) {
+        return pass.error();
+    }
+    PhasorWindows found;
+    found.plan = plan;
+    found.read_s = pass->read_s;
+    found.estimate_s = pass->estimate_s;
+    found.diagnostics = prepared.diagnostics;
+    const SampleFaults faults = prepared.check->finish();
+    add_findings(faults.findings, found.diagnostics);
+    tell_of_lost_samples(faults.steps, found.diagnostics);
+    leave_out(faults, plan, pass->estimates);
+    const double noise_power = median_power(pass->estimates);
+    if (!std::isfinite(noise_power)) {
+        return Error{ErrorCode::no_valid_samples, "", {}};
+    }
+    found.noise_sd = std::sqrt(noise_power);
+    found.run = collect(pass->estimates, prepared, plan, faults.steps, rate_hz, noise_power);
+    return found;
+}
+
+}  // namespace vybeg

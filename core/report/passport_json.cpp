@@ -1,0 +1,251 @@
+#include "core/report/passport_json.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/file_bytes.h"
+#include "core/report/quantity_json.h"
+#include "core/resonator/resonator_parameters.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+namespace vybeg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The columns of a track in the file.
+struct TrackColumn {
+    const char* name;
+    std::vector<double> RunTrack::*member;
+};
+constexpr std::array<TrackColumn, 8> track_columns{{
+    {"time_s", &RunTrack::time_s},
+    {"a_A", &RunTrack::a_A},
+    {"a_B", &RunTrack::a_B},
+    {"sd_a", &RunTrack::sd_a},
+    {"two_theta_A_rad", &RunTrack::two_theta_A},
+    {"sd_two_theta_A_rad", &RunTrack::sd_two_theta_A},
+    {"f_hz", &RunTrack::f_hz},
+    {"sd_f_hz", &RunTrack::sd_f_hz},
+}};
+
+Json written(const Estimate& estimate) {
+    Json json = quantity_json(estimate);
+    if (!estimate.given()) {
+        json["code"] = reason_name(estimate.reason.code);
+        json["args"] = estimate.reason.args;
+    }
+    return json;
+}
+
+// What follows throws std::runtime_error, or the JSON library's own exception, with what is wrong.
+
+[[noreturn]] void fail(const std::string& reason) {
+    throw std::runtime_error(reason);
+}
+
+double number(const Json& json) {
+    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+std::vector<double> numbers(const Json& json) {
+    std::vector<double> values;
+    for (const Json& value : json) {
+        values.push_back(number(value));
+    }
+    return values;
+}
+
+ReasonCode reason_code(const std::string& name) {
+    // The codes' names, up to the first number that has none.
+    for (int code = 1;; ++code) {
+        const std::string known = reason_name(static_cast<ReasonCode>(code));
+        if (known.empty()) {
+            fail("the reason \"" + name + "\" is not known");
+        }
+        if (known == name) {
+            return static_cast<ReasonCode>(code);
+        }
+    }
+}
+
+Estimate read_estimate(const Json& json) {
+    Estimate estimate;
+    if (!json.at("value").is_null()) {
+        estimate.value = json.at("value").get<double>();
+        estimate.sd = json.at("sd").get<double>();
+        if (!(estimate.sd >= 0)) {
+            fail("a standard deviation is negative");
+        }
+        return estimate;
+    }
+    // What was not finite when it was written has neither code nor arguments.
+    if (json.contains("code")) {
+        estimate.reason.code = reason_code(json.at("code").get<std::string>());
+        estimate.reason.args = json.at("args").get<std::vector<std::string>>();
+    } else {
+        estimate.reason.code = ReasonCode::too_few_windows;
+    }
+    return estimate;
+}
+
+template <class Owner, class Parameters>
+Json written_parameters(const Owner& owner, const Parameters& parameters) {
+    Json json;
+    for (const auto& parameter : parameters) {
+        json[parameter.name] = written(owner.*parameter.member);
+    }
+    return json;
+}
+
+template <class Owner, class Parameters>
+Owner read_parameters(const Json& json, const Parameters& parameters) {
+    Owner owner;
+    for (const auto& parameter : parameters) {
+        owner.*parameter.member = read_estimate(json.at(parameter.name));
+    }
+    return owner;
+}
+
+IdentifiedInput read_input(const Json& json) {
+    return {json.at("name").get<std::string>(),  json.at("sha256").get<std::string>(),
+            json.at("start").get<std::string>(), json.at("seconds").get<double>(),
+            json.at("rate_hz").get<double>(),    json.at("f0_hz").get<double>()};
+}
+
+RunTrack read_track(const Json& json) {
+    RunTrack track;
+    for (const TrackColumn& column : track_columns) {
+        track.*column.member = numbers(json.at(column.name));
+        if ((track.*column.member).size() != track.time_s.size()) {
+            fail(std::string("the track's ") + column.name + " has another length than its times");
+        }
+    }
+    return track;
+}
+
+ResonatorModel read_model(const std::string& name) {
+    if (name != "structured" && name != "free") {
+        fail("the model is \"" + name + "\"");
+    }
+    return name == "free" ? ResonatorModel::free : ResonatorModel::structured;
+}
+
+Passport read_all(const Json& json) {
+    Passport passport;
+    passport.program = json.at("program").get<std::string>();
+    for (const Json& input : json.at("inputs")) {
+        passport.inputs.push_back(read_input(input));
+    }
+    for (const auto& [name, value] : json.at("settings").items()) {
+        passport.settings.emplace_back(name, value.get<std::string>());
+    }
+    passport.model = read_model(json.at("model").get<std::string>());
+    passport.resonator =
+        read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters);
+    for (const Json& mode : json.at("modes")) {
+        passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters));
+    }
+    const Json& parameters = json.at("parameters");
+    passport.raw.names = parameters.at("names").get<std::vector<std::string>>();
+    passport.raw.values = numbers(parameters.at("values"));
+    passport.raw.covariance = numbers(parameters.at("covariance"));
+    const std::size_t count = passport.raw.names.size();
+    if (passport.raw.values.size() != count || passport.raw.covariance.size() != count * count) {
+        fail("parameters and covariance differ in size");
+    }
+    for (const Json& track : json.at("tracks")) {
+        passport.tracks.push_back(read_track(track));
+    }
+    return passport;
+}
+
+}  // namespace
+
+std::string passport_json(const Passport& passport) {
+    Json inputs = Json::array();
+    for (const IdentifiedInput& input : passport.inputs) {
+        inputs.push_back({{"name", input.name},
+                          {"sha256", input.sha256},
+                          {"start", input.start},
+                          {"seconds", input.seconds},
+                          {"rate_hz", input.rate_hz},
+                          {"f0_hz", input.f0_hz}});
+    }
+    Json settings = Json::object();
+    for (const auto& [name, value] : passport.settings) {
+        settings[name] = value;
+    }
+    Json modes = Json::array();
+    for (const ModeEstimate& mode : passport.modes) {
+        modes.push_back(written_parameters(mode, mode_parameters));
+    }
+    Json tracks = Json::array();
+    for (const RunTrack& track : passport.tracks) {
+        Json columns;
+        for (const TrackColumn& column : track_columns) {
+            columns[column.name] = numbers_json(track.*column.member);
+        }
+        tracks.push_back(columns);
+    }
+    return json_text({{"vybeg", "passport"},
+                      {"schema", Passport::schema},
+                      {"program", passport.program},
+                      {"inputs", inputs},
+                      {"settings", settings},
+                      {"model", passport.model == ResonatorModel::free ? "free" : "structured"},
+                      {"resonator", written_parameters(passport.resonator, resonator_parameters)},
+                      {"modes", modes},
+                      {"parameters",
+                       {{"names", passport.raw.names},
+                        {"values", numbers_json(passport.raw.values)},
+                        {"covariance", numbers_json(passport.raw.covariance)}}},
+                      {"tracks", tracks}});
+}
+
+Result<Passport> read_passport(std::string_view text, const std::string& where) {
+    try {
+        const Json json = Json::parse(text);
+        if (!json.is_object() || json.value("vybeg", Json()) != "passport") {
+            return Error{ErrorCode::passport_damaged, where, {"its JSON is not a passport's"}};
+        }
+        const int schema = json.at("schema").get<int>();
+        if (schema < 1) {
+            fail("its schema is " + std::to_string(schema));
+        }
+        if (schema > Passport::schema) {
+            return Error{ErrorCode::passport_schema,
+                         where,
+                         {integer_text(schema), integer_text(Passport::schema)}};
+        }
+        return read_all(json);
+    } catch (const Json::parse_error& error) {
+        return Error{ErrorCode::passport_damaged,
+                     where,
+                     {"it is no JSON at byte " + std::to_string(error.byte)}};
+    } catch (const std::exception& error) {
+        return Error{ErrorCode::passport_damaged, where, {error.what()}};
+    }
+}
+
+Result<Passport> read_passport_file(const std::filesystem::path& path) {
+    constexpr std::int64_t most_bytes = std::int64_t{1} << 26;
+    const auto file = FileBytes::open(path);
+    if (!file) {
+        return file.error();
+    }
+    if ((*file)->size() > most_bytes) {
+        return Error{ErrorCode::passport_damaged, path.string(), {"it has more than 64 MiB"}};
+    }
+    std::vector<char> bytes(static_cast<std::size_t>((*file)->size()));
+    const auto got = (*file)->read(0, bytes);
+    if (!got) {
+        return got.error();
+    }
+    return read_passport({bytes.data(), static_cast<std::size_t>(*got)}, path.string());
+}
+
+}  // namespace vybeg
