@@ -22,9 +22,9 @@ using Terms = Eigen::Matrix<double, terms, 1>;
 using TermMatrix = Eigen::Matrix<double, terms, terms>;
 
 constexpr double angle_needs_sd = 6;
-// Least eigenvalue of the information, its diagonal scaled to one: below it the angles are so near
-// that the harmonics cannot be told apart.
-constexpr double least_information = 1e-3;
+// Least eigenvalue of the information in units of that of a constant drift: three starts 22.5
+// degrees apart have 0.2, three starts at half of that 0.03.
+constexpr double least_information = 0.02;
 // Power of the quadrature against that of its noise at which its term is fitted along: below, the
 // regressor is noise.
 constexpr double quadrature_power = 4;
@@ -155,12 +155,18 @@ std::vector<int> chosen(int order, bool quadrature) {
 bool fit(const Normal& normal, int order, bool quadrature, DriftFunction& found) {
     const std::vector<int> list = chosen(order, quadrature);
     const Eigen::MatrixXd information = normal.information(list, list);
-    const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
+    // All terms of the curve have amplitude one; only those of the quadrature have a size of their
+    // own.
+    Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
+    scale.head(1 + order / 2).setConstant(scale[0]);
     if (!scale.allFinite()) {
         return false;
     }
     const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled, Eigen::EigenvaluesOnly);
+    const Eigen::Index kept = 1 + order / 2;
+    // Of the curve alone: what the quadrature takes from it shows in the deviations.
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled.topLeftCorner(kept, kept),
+                                                               Eigen::EigenvaluesOnly);
     if (eigen.eigenvalues()[0] < least_information) {
         return false;
     }
@@ -179,7 +185,6 @@ bool fit(const Normal& normal, int order, bool quadrature, DriftFunction& found)
     if (freedom > 0 && found.chi2_per_freedom > 1 + 3 * std::sqrt(2 / freedom)) {
         covariance *= found.chi2_per_freedom;
     }
-    const Eigen::Index kept = 1 + order / 2;
     found.coefficients = all.head(kept);
     found.covariance = covariance.topLeftCorner(kept, kept);
     return true;

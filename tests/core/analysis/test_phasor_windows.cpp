@@ -1,0 +1,225 @@
+// Phasors of windows against the equations of motion.
+//
+// Statistical model: the errors of the four real parts are independent and Gaussian with the
+// deviation told; the mean of N squares in units of it has a deviation of sqrt(2/N).
+#include "core/analysis/phasor_windows.h"
+#include "core/simulation/slow_motion.h"
+#include "tests/statistical/simulated_recording.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+FreeDecay bell() {
+    FreeDecay decay;
+    decay.seconds = 3;
+    decay.rate_hz = 44100;
+    decay.f0_hz = 1020;
+    decay.split_hz = 5;
+    decay.theta_w = 0.3;
+    decay.tau_s = 0.8;
+    decay.damping_anisotropy_per_s = 0.1;
+    return decay;
+}
+
+FreeDecay gyro() {
+    FreeDecay decay;
+    decay.seconds = 4;
+    decay.a_B = 0.1;
+    decay.tau_s = 400;
+    decay.noise = 1e-3;
+    return decay;
+}
+
+PhasorWindows phasors_of(const Recording& recording, const Settings& settings, std::int64_t window,
+                         int threads = 2) {
+    const Result<Prepared> prepared = prepare(recording, settings, {});
+    if (!prepared) {
+        qFatal("the recording cannot be prepared");
+    }
+    const WindowPlan plan = plan_windows(prepared->first, prepared->end, window, window);
+    Result<PhasorWindows> found =
+        phasor_windows(*prepared, plan, recording.rate_hz, threads, JobControl());
+    if (!found) {
+        qFatal("no phasors");
+    }
+    return std::move(*found);
+}
+
+PhasorWindows phasors_of(const FreeDecay& decay, std::int64_t window) {
+    Settings settings;
+    settings.f0_hz = decay.f0_hz;
+    return phasors_of(simulated_recording(decay), settings, window);
+}
+
+// The motion's mean over the samples of a window that is centred on a time.
+Eigen::Vector2cd true_mean(const SlowMotion& motion, const FreeDecay& decay, double time_s,
+                           std::int64_t window) {
+    Eigen::Vector2cd sum = Eigen::Vector2cd::Zero();
+    const double first = std::round(time_s * decay.rate_hz - 0.5 * static_cast<double>(window - 1));
+    for (std::int64_t j = 0; j < window; ++j) {
+        const double frame = first + static_cast<double>(j);
+        sum += motion.at_frame(frame) * std::conj(motion.carrier(frame));
+    }
+    return sum / static_cast<double>(window);
+}
+
+struct Errors {
+    double worst = 0;   // of the phasors, recording units
+    double square = 0;  // mean, in units of the deviations told
+};
+
+Errors errors_of(const PhasorWindows& found, const FreeDecay& decay) {
+    const SlowMotion motion(decay);
+    Errors errors;
+    const PhasorRun& run = found.run;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        const Eigen::Vector2cd truth = true_mean(motion, decay, run.time_s[k], found.plan.length);
+        const double c = std::norm(run.c[k] - truth[0]);
+        const double d = std::norm(run.d[k] - truth[1]);
+        errors.worst = std::max({errors.worst, std::sqrt(c), std::sqrt(d)});
+        errors.square +=
+            (c + d) / (4 * run.sd[k] * run.sd[k]) / static_cast<double>(run.time_s.size());
+    }
+    return errors;
+}
+
+}  // namespace
+
+class TestPhasorWindows : public QObject {
+    Q_OBJECT
+
+private slots:
+    void they_are_the_mean_of_the_motion_over_the_window() {
+        // 15 ms are 0.08 of the beat: its curvature is there, its third order is below 1e-5.
+        const Errors resolved = errors_of(phasors_of(bell(), 661), bell());
+        QVERIFY2(resolved.worst < 3e-5, qPrintable(QString::number(resolved.worst)));
+        FreeDecay still = gyro();
+        still.noise = 0;
+        const Errors unresolved = errors_of(phasors_of(still, 500), still);
+        QVERIFY2(unresolved.worst < 1e-10, qPrintable(QString::number(unresolved.worst)));
+    }
+
+    void their_deviations_are_those_of_the_noise_and_not_of_the_beat() {
+        for (FreeDecay decay : {bell(), gyro()}) {
+            decay.noise = 1e-3;
+            const PhasorWindows found = phasors_of(decay, 512);
+            QVERIFY2(std::abs(found.noise_sd / 1e-3 - 1) < 0.01,
+                     qPrintable(QString::number(found.noise_sd)));
+            const double count = 4 * static_cast<double>(found.run.time_s.size());
+            const double square = errors_of(found, decay).square;
+            QVERIFY2(std::abs(square - 1) < 4 * std::sqrt(2 / count) + 0.02,
+                     qPrintable(QString::number(square)));
+        }
+    }
+
+    void short_windows_keep_their_deviations() {
+        // 0.95 of a period beyond two: cos and sin, and their slopes, are far from orthogonal.
+        const FreeDecay decay = gyro();
+        const PhasorWindows found = phasors_of(decay, 18);
+        const double square = errors_of(found, decay).square;
+        const double count = 4 * static_cast<double>(found.run.time_s.size());
+        QVERIFY2(std::abs(square - 1) < 4 * std::sqrt(2 / count) + 0.03,
+                 qPrintable(QString::number(square)));
+    }
+
+    void any_number_of_threads_gives_the_same_bits() {
+        FreeDecay decay = bell();
+        decay.noise = 1e-3;
+        const Recording recording = simulated_recording(decay);
+        Settings settings;
+        settings.f0_hz = decay.f0_hz;
+        const PhasorRun one = phasors_of(recording, settings, 300, 1).run;
+        const PhasorRun two = phasors_of(recording, settings, 300, 2).run;
+        QVERIFY(one.time_s == two.time_s && one.c == two.c && one.d == two.d && one.sd == two.sd);
+    }
+
+    void windows_over_missing_and_clipped_samples_are_left_out() {
+        const FreeDecay decay = gyro();
+        SimulatedDecay samples = simulated(decay);
+        samples.c[5250] = std::numeric_limits<double>::quiet_NaN();
+        for (std::size_t j = 20000; j < 20500; ++j) {
+            samples.d[j] = std::clamp(samples.d[j], -0.15, 0.15);
+        }
+        for (double& x : samples.d) {  // the rail is the largest value anywhere
+            x = std::clamp(x, -0.15, 0.15);
+        }
+        Settings settings;
+        settings.f0_hz = decay.f0_hz;
+        const PhasorWindows clipped =
+            phasors_of(recording_of(samples.c, simulated(decay).d, 33333), settings, 500);
+        QCOMPARE(clipped.run.time_s.size(), std::size_t{265});  // of 266
+        const double missing = (10 * 500 + 249.5) / 33333;
+        QVERIFY(std::ranges::none_of(clipped.run.time_s,
+                                     [&](double t) { return std::abs(t - missing) < 1e-3; }));
+        const Result<Prepared> prepared =
+            prepare(recording_of(simulated(decay).c, samples.d, 33333), settings, {});
+        QVERIFY(prepared);
+        const auto none =
+            phasor_windows(*prepared, plan_windows(0, 133332, 500, 500), 33333, 2, JobControl());
+        QVERIFY(!none);
+        QVERIFY(none.error().code == ErrorCode::no_valid_samples);
+    }
+
+    void the_phase_runs_on_behind_a_lost_sample() {
+        const FreeDecay decay = gyro();
+        SimulatedDecay samples = simulated(decay);
+        const std::ptrdiff_t lost = 66000;
+        samples.c.erase(samples.c.begin() + lost);
+        samples.d.erase(samples.d.begin() + lost);
+        Settings settings;
+        settings.f0_hz = decay.f0_hz;
+        const PhasorWindows found =
+            phasors_of(recording_of(samples.c, samples.d, 33333), settings, 512);
+        QCOMPARE(found.run.time_s.size(), static_cast<std::size_t>(found.plan.count - 1));
+        QCOMPARE(
+            std::ranges::count(found.diagnostics, DiagnosticKind::lost_counted, &Diagnostic::kind),
+            1);
+        const double square = errors_of(found, decay).square;
+        QVERIFY2(square < 1.2, qPrintable(QString::number(square)));
+    }
+
+    void the_angle_of_the_first_electrode_is_subtracted() {
+        const FreeDecay decay = gyro();
+        Settings settings;
+        settings.f0_hz = decay.f0_hz;
+        settings.calibration.angle_zero_deg = 7;
+        const PhasorRun run = phasors_of(simulated_recording(decay), settings, 500).run;
+        const WaveState state = to_wave_state({run.c[0], run.d[0]});
+        QVERIFY(std::abs(state.two_theta_A - 0.3 + 14 * std::numbers::pi / 180) < 1e-3);
+    }
+
+    void the_default_window_is_bounded_in_length_and_number() {
+        QCOMPARE(default_phasor_window(933324, 5300, 33333), std::int64_t{500});
+        QCOMPARE(default_phasor_window(200000, 100, 33333), std::int64_t{3125});  // frames / 64
+        QCOMPARE(default_phasor_window(2000000, 100, 33333), std::int64_t{4000});
+        const std::int64_t hour = default_phasor_window(119998800, 5300, 33333);
+        QVERIFY(119998800 / hour <= 16384 && 119998800 / hour > 16000);
+        QCOMPARE(default_phasor_window(300, 5300, 33333), std::int64_t{16});
+        QCOMPARE(least_phasor_window(100, 33333), std::int64_t{667});
+    }
+
+    void a_stop_is_heard() {
+        std::stop_source stop;
+        stop.request_stop();
+        const Recording recording = simulated_recording(gyro());
+        Settings settings;
+        settings.f0_hz = 5300;
+        const Result<Prepared> prepared = prepare(recording, settings, {});
+        QVERIFY(prepared);
+        const auto found = phasor_windows(*prepared, plan_windows(0, 133332, 500, 500), 33333, 2,
+                                          JobControl(stop.get_token()));
+        QVERIFY(!found);
+        QVERIFY(found.error().code == ErrorCode::interrupted);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPhasorWindows)
+#include "test_phasor_windows.moc"

@@ -1,0 +1,186 @@
+// The drift function against the equations of motion.
+//
+// Statistical model: the coefficients' errors are Gaussian with the covariance told; each is held
+// to four and a half of its deviations, and over many seeds their squares in units of it to their
+// mean of one.
+#include "core/resonator/drift_function.h"
+#include "core/resonator/slow_dynamics.h"
+#include "tests/core/resonator/motion_run.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+FreeDecay gyro() {
+    FreeDecay decay;
+    decay.tau_s = 400;
+    decay.noise = 1e-3;
+    decay.split_hz = 1e-4;
+    decay.theta_w = 0.2;
+    decay.damping_anisotropy_per_s = 3e-4;
+    decay.theta_tau = -0.3;
+    decay.omega_rad_s = 2e-5;
+    return decay;
+}
+
+// Standing waves at `starts` degrees of theta_A.
+std::vector<PhasorRun> set_of(FreeDecay decay, const std::vector<double>& starts,
+                              std::uint64_t seed) {
+    std::vector<PhasorRun> runs;
+    for (const double start : starts) {
+        decay.two_theta_A = 2 * start * pi / 180;
+        runs.push_back(motion_run(decay, 500, seed * 100 + runs.size()));
+    }
+    return runs;
+}
+
+// m, c4, s4 as METHOD section 8 has them.
+Eigen::Vector3d truth_of(const FreeDecay& decay) {
+    const double quarter = decay.damping_anisotropy_per_s / 4;
+    return {-decay.bryan * decay.omega_rad_s, -quarter * std::sin(4 * decay.theta_tau),
+            quarter * std::cos(4 * decay.theta_tau)};
+}
+
+double worst_deviation(const DriftFunction& found, const Eigen::Vector3d& truth) {
+    double worst = 0;
+    for (Eigen::Index k = 0; k < found.coefficients.size(); ++k) {
+        const double expected = k < 3 ? truth[k] : 0;
+        worst = std::max(
+            worst, std::abs(found.coefficients[k] - expected) / std::sqrt(found.covariance(k, k)));
+    }
+    return worst;
+}
+
+const std::vector<double> four_starts{0, 22.5, 45, 67.5};
+
+}  // namespace
+
+class TestDriftFunction : public QObject {
+    Q_OBJECT
+
+private slots:
+    void a_set_of_four_angles_gives_the_fourth_harmonic_and_no_eighth() {
+        const FreeDecay decay = gyro();
+        const DriftFunction found = drift_function(set_of(decay, four_starts, 1));
+        QCOMPARE(found.order, 4);
+        QCOMPARE(found.coefficients.size(), Eigen::Index{3});
+        QVERIFY2(worst_deviation(found, truth_of(decay)) < 4.5,
+                 qPrintable(QString::number(worst_deviation(found, truth_of(decay)))));
+        QVERIFY(std::sqrt(found.covariance(1, 1)) < 0.01 * decay.damping_anisotropy_per_s);
+        QVERIFY(std::abs(found.chi2_per_freedom - 1) < 0.1);
+        QCOMPARE(found.points.size(), std::size_t{4});
+        for (const DriftPoint& point : found.points) {
+            // The points stand on the curve, but for what the growing quadrature adds.
+            const double off = point.rate - found.rate(point.theta);
+            QVERIFY2(std::abs(off) < 2e-6, qPrintable(QString::number(off)));
+            QVERIFY(point.sd_rate > 0 && point.sd_rate < 1e-7);
+        }
+    }
+
+    void six_angles_show_that_there_is_no_eighth_harmonic() {
+        const FreeDecay decay = gyro();
+        const DriftFunction found = drift_function(set_of(decay, {0, 15, 30, 45, 60, 75}, 2));
+        QCOMPARE(found.order, 8);
+        QVERIFY(worst_deviation(found, truth_of(decay)) < 4.5);
+    }
+
+    void a_wave_that_turns_shows_its_drift_function_alone() {
+        FreeDecay decay = gyro();
+        decay.omega_rad_s = 0.3;  // through 133 degrees of theta_A
+        const DriftFunction found = drift_function(set_of(decay, {10}, 3));
+        QVERIFY(found.order >= 4);
+        QVERIFY2(worst_deviation(found, truth_of(decay)) < 4.5,
+                 qPrintable(QString::number(worst_deviation(found, truth_of(decay)))));
+        QVERIFY(found.points.size() > 20);
+    }
+
+    void deviations_are_those_of_the_scatter() {
+        const FreeDecay decay = gyro();
+        const Eigen::Vector3d truth = truth_of(decay);
+        constexpr int seeds = 60;
+        Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+        for (int seed = 0; seed < seeds; ++seed) {
+            const DriftFunction found =
+                drift_function(set_of(decay, four_starts, static_cast<std::uint64_t>(10 + seed)));
+            QCOMPARE(found.order, 4);
+            for (int k = 0; k < 3; ++k) {
+                squares[k] +=
+                    std::pow(found.coefficients[k] - truth[k], 2) / found.covariance(k, k) / seeds;
+            }
+        }
+        // The mean of 60 squares has a deviation of sqrt(2/60) = 0.18.
+        for (int k = 0; k < 3; ++k) {
+            QVERIFY2(std::abs(squares[k] - 1) < 4 * std::sqrt(2.0 / seeds),
+                     qPrintable(QString("%1: %2").arg(k).arg(squares[k])));
+        }
+    }
+
+    void a_gap_takes_nothing_but_its_windows() {
+        const FreeDecay decay = gyro();
+        std::vector<PhasorRun> runs = set_of(decay, four_starts, 4);
+        for (PhasorRun& run : runs) {
+            const auto cut = [](auto& list) { list.erase(list.begin() + 500, list.begin() + 700); };
+            cut(run.time_s);
+            cut(run.c);
+            cut(run.d);
+            cut(run.sd);
+        }
+        const DriftFunction found = drift_function(runs);
+        QCOMPARE(found.order, 4);
+        QCOMPARE(found.points.size(), std::size_t{8});
+        QVERIFY(worst_deviation(found, truth_of(decay)) < 4.5);
+    }
+
+    void too_few_angles_leave_the_curve_unknown_data() {
+        QTest::addColumn<QList<double>>("starts");
+        QTest::newRow("one") << QList<double>{10};
+        QTest::newRow("two") << QList<double>{10, 32.5};
+        QTest::newRow("one angle, four times") << QList<double>{10, 10, 100, -80};
+    }
+
+    void too_few_angles_leave_the_curve_unknown() {
+        QFETCH(QList<double>, starts);
+        const DriftFunction found =
+            drift_function(set_of(gyro(), {starts.begin(), starts.end()}, 5));
+        QCOMPARE(found.order, 0);
+        QCOMPARE(found.coefficients.size(), Eigen::Index{0});
+        QCOMPARE(found.points.size(), static_cast<std::size_t>(starts.size()));
+    }
+
+    void a_circular_wave_has_no_drift() {
+        FreeDecay decay = gyro();
+        decay.a_B = 1;
+        const DriftFunction found = drift_function(set_of(decay, four_starts, 6));
+        QCOMPARE(found.order, 0);
+        QCOMPARE(drift_function({}).points.size(), std::size_t{0});
+    }
+
+    void the_dynamics_have_the_same_curve() {
+        const FreeDecay decay = gyro();
+        SlowRates rates;
+        rates.split_cos_hz = decay.split_hz * std::cos(4 * decay.theta_w);
+        rates.split_sin_hz = decay.split_hz * std::sin(4 * decay.theta_w);
+        rates.damping_cos_per_s = decay.damping_anisotropy_per_s * std::cos(4 * decay.theta_tau);
+        rates.damping_sin_per_s = decay.damping_anisotropy_per_s * std::sin(4 * decay.theta_tau);
+        rates.rotation_per_s = 2 * decay.bryan * decay.omega_rad_s;
+        rates.decay_per_s = 1 / decay.tau_s;
+        const Eigen::Matrix2cd m = SlowDynamics(rates).matrix();
+        const Eigen::Vector3d truth = truth_of(decay);
+        for (double theta = -0.8; theta < 0.8; theta += 0.1) {
+            const double expected =
+                truth[0] + truth[1] * std::cos(4 * theta) + truth[2] * std::sin(4 * theta);
+            QVERIFY(std::abs(drift_of_dynamics(m, theta) - expected) < 1e-15);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDriftFunction)
+#include "test_drift_function.moc"
