@@ -113,11 +113,57 @@ void leave_out(const SampleFaults& faults, const WindowPlan& plan, Estimates& es
     }
 }
 
+bool counts(const WindowMean::Estimate& estimate) {
+    return std::isfinite(estimate.noise_power);
+}
+
+// Power of both channels; zero where the window does not count.
+double power_of(const WindowMean::Estimate& estimate) {
+    return counts(estimate) ? std::norm(estimate.mean.c) + std::norm(estimate.mean.d) : 0;
+}
+
+// The first window of the free decay (phasor_windows.h).
+std::size_t first_of_decay(const Estimates& estimates, const WindowPlan& plan,
+                           std::int64_t filter_reach) {
+    constexpr double silence = 1e-3;
+    // The strongest window itself may come late where noise is all that tells the first ones apart.
+    constexpr double strong = 0.9;
+    const auto place = [&](auto found) {
+        return static_cast<std::size_t>(found - estimates.begin());
+    };
+    const double most = power_of(*std::ranges::max_element(estimates, {}, power_of));
+    const auto begin = std::ranges::find_if(estimates, counts);
+    const auto struck = std::ranges::find_if(
+        estimates, [&](double power) { return power >= strong * most; }, power_of);
+    const bool silent_before = std::any_of(begin, struck, [&](const auto& estimate) {
+        return counts(estimate) && power_of(estimate) < silence * most;
+    });
+    const std::int64_t still_rings = (filter_reach + plan.length - 1) / plan.length;
+    // The strike lies inside its window.
+    return (silent_before ? place(struck) + 1 : place(begin)) +
+           static_cast<std::size_t>(still_rings);
+}
+
+void leave_out_strike(const WindowPlan& plan, double rate_hz, std::int64_t filter_reach,
+                      Estimates& estimates, std::vector<Diagnostic>& diagnostics) {
+    const std::size_t first = first_of_decay(estimates, plan, filter_reach);
+    bool any = false;
+    for (std::size_t k = 0; k < std::min(first, estimates.size()); ++k) {
+        any = any || counts(estimates[k]);
+        estimates[k].noise_power = std::numeric_limits<double>::quiet_NaN();
+    }
+    if (any) {
+        const double seconds =
+            static_cast<double>(static_cast<std::int64_t>(first) * plan.length) / rate_hz;
+        diagnostics.push_back({DiagnosticKind::strike_left_out, {short_text(seconds, 3)}});
+    }
+}
+
 // Median of the noise powers that exist; NaN where there is none.
 double median_power(const Estimates& estimates) {
     std::vector<double> powers;
     for (const WindowMean::Estimate& estimate : estimates) {
-        if (std::isfinite(estimate.noise_power)) {
+        if (counts(estimate)) {
             powers.push_back(estimate.noise_power);
         }
     }
@@ -171,7 +217,7 @@ PhasorRun collect(const Estimates& estimates, const Prepared& prepared, const Wi
     for (std::int64_t k = 0; k < plan.count; ++k) {
         const WindowMean::Estimate& estimate = estimates[static_cast<std::size_t>(k)];
         const auto moved_on = static_cast<double>(lost.at(plan.start(k)));
-        if (!std::isfinite(estimate.noise_power)) {
+        if (!counts(estimate)) {
             continue;
         }
         const double time_s = plan.centre_s(k, rate_hz) + moved_on / rate_hz;
@@ -231,6 +277,7 @@ Result<PhasorWindows> phasor_windows(const Prepared& prepared, const WindowPlan&
     add_findings(faults.findings, found.diagnostics);
     tell_of_lost_samples(faults.steps, found.diagnostics);
     leave_out(faults, plan, pass->estimates);
+    leave_out_strike(plan, rate_hz, prepared.filter_reach, pass->estimates, found.diagnostics);
     const double noise_power = median_power(pass->estimates);
     if (!std::isfinite(noise_power)) {
         return Error{ErrorCode::no_valid_samples, "", {}};

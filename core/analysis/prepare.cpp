@@ -218,7 +218,8 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
     prepared.source = *condition(watched, prepared.calibration, settings.filter, rate);
     if (settings.filter) {
         const auto [low, high] = *settings.filter;
-        const double lost = static_cast<double>(band_pass_reach(low, high, rate)) / rate;
+        prepared.filter_reach = band_pass_reach(low, high, rate);
+        const double lost = static_cast<double>(prepared.filter_reach) / rate;
         prepared.diagnostics.push_back({DiagnosticKind::filter_transients, {short_text(lost, 3)}});
         prepared.diagnostics.push_back({DiagnosticKind::filter_colours_noise, {}});
     }

@@ -28,8 +28,8 @@ enum class ErrorCode {
     channel_out_of_range,  // args: channel asked for, channels found
     too_few_frames,        // args: frames found, frames needed
     rate_unknown,
-    passport_damaged,      // args: reason
-    passport_schema,       // args: schema of the file, newest schema known here
+    passport_damaged,  // args: reason
+    passport_schema,   // args: schema of the file, newest schema known here
     variable_missing,  // args: variable asked for, the variables that the file has
     // The analysis is impossible: exit status 4.
     window_too_long,          // args: window in samples, samples in the range

@@ -78,9 +78,10 @@ const char* message_template(ErrorCode code) {
         case ErrorCode::passport_damaged:
             return VYBEG_MESSAGE("Message", "%1 is not a passport that can be read: %2.");
         case ErrorCode::passport_schema:
-            return VYBEG_MESSAGE("Message",
-                                 "%1: a passport of schema %2; this program knows schemas up to %3. "
-                                 "Use the program that wrote it, or a newer one.");
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: a passport of schema %2; this program knows schemas up to %3. "
+                "Use the program that wrote it, or a newer one.");
         case ErrorCode::variable_missing:
             return VYBEG_MESSAGE("Message",
                                  "%1: there is no variable \"%2\" to read; the file has %3. "
@@ -211,9 +212,14 @@ const char* message_template(DiagnosticKind kind) {
                                  "%1 lost samples at %2 places were made gaps, as asked for; "
                                  "windows over them have no values.");
         case DiagnosticKind::lost_counted:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1 lost samples at %2 places are counted in the time behind them, "
+                "so that the phase runs on.");
+        case DiagnosticKind::strike_left_out:
             return VYBEG_MESSAGE("Message",
-                                 "%1 lost samples at %2 places are counted in the time behind them, "
-                                 "so that the phase runs on.");
+                                 "The first %1 s are left out of the fit: the strike and what the "
+                                 "band-pass makes of it are no free decay.");
         case DiagnosticKind::frequency_drifts:
             return VYBEG_MESSAGE("Message",
                                  "Recording %1: the frequency drifts by %2 Hz per second (standard "
@@ -273,6 +279,7 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::start_transient: return "start-transient";
         case DiagnosticKind::gaps_inserted: return "gaps-inserted";
         case DiagnosticKind::lost_counted: return "lost-counted";
+        case DiagnosticKind::strike_left_out: return "strike-left-out";
         case DiagnosticKind::frequency_drifts: return "frequency-drifts";
         case DiagnosticKind::frequency_follows_amplitude: return "frequency-follows-amplitude";
         case DiagnosticKind::q_disagrees: return "q-disagrees";

@@ -3,6 +3,7 @@
 // Statistical model: the errors of the four real parts are independent and Gaussian with the
 // deviation told; the mean of N squares in units of it has a deviation of sqrt(2/N).
 #include "core/analysis/phasor_windows.h"
+#include "core/recording/filtered_source.h"
 #include "core/simulation/slow_motion.h"
 #include "tests/statistical/simulated_recording.h"
 
@@ -184,6 +185,35 @@ private slots:
             1);
         const double square = errors_of(found, decay).square;
         QVERIFY2(square < 1.2, qPrintable(QString::number(square)));
+    }
+
+    void what_is_no_free_decay_yet_is_left_out() {
+        const FreeDecay decay = gyro();
+        SimulatedDecay samples = simulated(decay);
+        // Half a second of silence before the strike.
+        std::vector<double> c(16666, 0.0);
+        std::vector<double> d(16666, 0.0);
+        c.insert(c.end(), samples.c.begin(), samples.c.end());
+        d.insert(d.end(), samples.d.begin(), samples.d.end());
+        Settings settings;
+        settings.f0_hz = decay.f0_hz;
+        const PhasorWindows struck = phasors_of(recording_of(c, d, 33333), settings, 500);
+        QVERIFY(struck.run.time_s.front() > 0.5 && struck.run.time_s.front() < 0.53);
+        const auto told = [](const PhasorWindows& found) {
+            return std::ranges::count(found.diagnostics, DiagnosticKind::strike_left_out,
+                                      &Diagnostic::kind);
+        };
+        QCOMPARE(told(struck), 1);
+        const PhasorWindows plain = phasors_of(decay, 500);
+        QCOMPARE(told(plain), 0);
+        QCOMPARE(plain.run.time_s.size(), static_cast<std::size_t>(plain.plan.count));
+        // Behind a band-pass, its reach at both ends, and once more at the start.
+        settings.filter = Band{5200, 5400};
+        const PhasorWindows filtered =
+            phasors_of(recording_of(samples.c, samples.d, 33333), settings, 500);
+        const double reach = static_cast<double>(band_pass_reach(5200, 5400, 33333)) / 33333;
+        QVERIFY(std::abs(filtered.run.time_s.front() - 2 * reach) < 0.035);
+        QCOMPARE(told(filtered), 1);
     }
 
     void the_angle_of_the_first_electrode_is_subtracted() {

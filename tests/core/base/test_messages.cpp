@@ -78,6 +78,7 @@ const std::map<DiagnosticKind, std::size_t> documented_kinds{
     {DiagnosticKind::start_transient, 1},
     {DiagnosticKind::gaps_inserted, 2},
     {DiagnosticKind::lost_counted, 2},
+    {DiagnosticKind::strike_left_out, 1},
     {DiagnosticKind::frequency_drifts, 3},
     {DiagnosticKind::frequency_follows_amplitude, 2},
     {DiagnosticKind::q_disagrees, 3},
