@@ -158,6 +158,11 @@ Result<Identification> identify(std::span<const Recording> recordings,
     }
     found.fit = std::move(*fit);
     found.drift = drift_function(phasors);
+    if (found.fit.model == ResonatorModel::structured) {
+        for (std::size_t k = 0; k < phasors.size(); ++k) {
+            found.balance.push_back(channel_balance(phasors[k], found.fit.motion, k, track_points));
+        }
+    }
     found.timing.fit_s = job.now() - fitted_from;
     return found;
 }

@@ -3,6 +3,7 @@
 #include "core/analysis/settings.h"
 #include "core/base/job_control.h"
 #include "core/recording/recording.h"
+#include "core/resonator/channel_balance.h"
 #include "core/resonator/drift_function.h"
 #include "core/resonator/resonator_fit.h"
 #include "core/resonator/run_track.h"
@@ -50,6 +51,7 @@ struct Identification {
     std::vector<IdentifiedRun> runs;  // one for each recording, in their order
     ResonatorFit fit;
     DriftFunction drift;
+    std::vector<ChannelBalance> balance;  // of each run; empty for the free model
     IdentifyTiming timing;
 };
 

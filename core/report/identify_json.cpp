@@ -114,23 +114,31 @@ Json identifiable_json(const Identifiable& identifiable) {
             {"kappa", identifiable.kappa}};
 }
 
-// The curve at every 2.5 degrees of its period.
-Json curve_json(const DriftFunction& drift) {
+// The curve at every 2.5 degrees of its period, and the one that the fitted resonator would have.
+Json curve_json(const DriftFunction& drift, const ResonatorFit& fit) {
     constexpr int steps = 36;
     std::vector<double> theta;
     std::vector<double> rate;
     std::vector<double> sd;
+    std::vector<double> fitted;
+    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates).matrix();
     for (int k = 0; k <= steps; ++k) {
         theta.push_back((static_cast<double>(k) / steps - 0.5) * std::numbers::pi / 2);
         rate.push_back(drift.rate(theta.back()));
         sd.push_back(drift.sd_rate(theta.back()));
+        fitted.push_back(drift_of_dynamics(m, theta.back()));
     }
-    return {{"theta_rad", numbers_json(theta)},
-            {"rate_rad_s", numbers_json(rate)},
-            {"sd_rad_s", numbers_json(sd)}};
+    Json curve{{"theta_rad", numbers_json(theta)},
+               {"rate_rad_s", numbers_json(rate)},
+               {"sd_rad_s", numbers_json(sd)}};
+    if (fit.model == ResonatorModel::structured) {
+        curve["of_resonator_rad_s"] = numbers_json(fitted);
+    }
+    return curve;
 }
 
-Json drift_json(const DriftFunction& drift) {
+Json drift_json(const Identification& identification) {
+    const DriftFunction& drift = identification.drift;
     constexpr std::array<const char*, 5> names{"mean_rad_s", "cos4_rad_s", "sin4_rad_s",
                                                "cos8_rad_s", "sin8_rad_s"};
     Json points = Json::array();
@@ -151,7 +159,22 @@ Json drift_json(const DriftFunction& drift) {
             {"harmonics", harmonics},
             {"chi2_per_dof", number_json(drift.chi2_per_freedom)},
             {"points", points},
-            {"curve", drift.order > 0 ? curve_json(drift) : Json(nullptr)}};
+            {"curve", drift.order > 0 ? curve_json(drift, identification.fit) : Json(nullptr)}};
+}
+
+Json balance_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
+    if (identification.balance.empty()) {
+        return nullptr;
+    }
+    Json list = Json::array();
+    for (std::size_t k = 0; k < identification.balance.size(); ++k) {
+        const ChannelBalance& balance = identification.balance[k];
+        list.push_back({{"name", inputs[k].name},
+                        {"time_s", numbers_json(balance.time_s)},
+                        {"orthogonality", numbers_json(balance.orthogonality)},
+                        {"sd", numbers_json(balance.sd)}});
+    }
+    return list;
 }
 
 Json differences_json(std::span<const Difference> differences) {
@@ -217,7 +240,8 @@ std::string identify_json(const std::string& program, std::span<const Identified
     json["identifiable"] = identifiable_json(fit.identifiable);
     json["chi2_per_dof"] = number_json(fit.chi2_per_dof);
     json["free_over_structured"] = number_json(fit.free_over_structured);
-    json["drift_function"] = drift_json(identification.drift);
+    json["drift_function"] = drift_json(identification);
+    json["channel_balance"] = balance_json(identification, inputs);
     return json_text(json);
 }
 

@@ -1,0 +1,67 @@
+#include "core/resonator/channel_balance.h"
+#include "core/resonator/resonator_fit.h"
+#include "tests/core/resonator/motion_run.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+FreeDecay turning() {
+    FreeDecay decay;
+    decay.tau_s = 100;
+    decay.omega_rad_s = 0.3;  // 2 theta_A turns through 266 degrees
+    decay.noise = 1e-3;
+    return decay;
+}
+
+double mean_square(const ChannelBalance& balance) {
+    double sum = 0;
+    for (std::size_t k = 0; k < balance.sd.size(); ++k) {
+        sum += std::pow(balance.orthogonality[k] / balance.sd[k], 2);
+    }
+    return sum / static_cast<double>(balance.sd.size());
+}
+
+ChannelBalance balance_of(const PhasorRun& run) {
+    FitOptions options;
+    options.model = FitOptions::Model::structured;
+    options.estimate_kappa = false;
+    const Result<ResonatorFit> fit = fit_resonator({&run, 1}, options, {});
+    if (!fit) {
+        qFatal("no fit");
+    }
+    return channel_balance(run, fit->motion, 0, 100);
+}
+
+}  // namespace
+
+class TestChannelBalance : public QObject {
+    Q_OBJECT
+
+private slots:
+    void balanced_channels_meet_the_condition() {
+        const ChannelBalance balance = balance_of(motion_run(turning(), 500, 1));
+        QCOMPARE(balance.time_s.size(), std::size_t{100});
+        // The mean of a hundred squares has a deviation of 0.14.
+        const double square = mean_square(balance);
+        QVERIFY2(std::abs(square - 1) < 0.6, qPrintable(QString::number(square)));
+    }
+
+    void a_gain_that_changes_on_the_way_breaks_it() {
+        // A constant one would not: to the fit it is the gain ratio, or a damping anisotropy.
+        PhasorRun run = motion_run(turning(), 500, 2);
+        for (std::size_t k = run.d.size() / 2; k < run.d.size(); ++k) {
+            run.d[k] *= 1.01;
+        }
+        const double square = mean_square(balance_of(run));
+        QVERIFY2(square > 100, qPrintable(QString::number(square)));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestChannelBalance)
+#include "test_channel_balance.moc"
