@@ -1,0 +1,390 @@
+// identify and compare from files to JSON, on simulated recordings with known truth.
+//
+// Statistical model: each estimate's error is Gaussian with the deviation that the JSON gives, and
+// is held to four of them; seeds are fixed.
+#include "tests/app/cli_run.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <numbers>
+
+using namespace vybeg::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Twice theta_A of the four starts: 0, 22.5, 45, 67.5 degrees.
+const std::array<const char*, 4> starts{"0", "0.7853981633974483", "1.5707963267948966",
+                                        "2.356194490192345"};
+const QStringList set{"r0.wav", "r1.wav", "r2.wav", "r3.wav"};
+
+bool is_quantity(const QJsonObject& object) {
+    if (object["value"].isNull()) {
+        return object.keys() == QStringList{"reason", "value"} &&
+               object["reason"].toString().endsWith('.');
+    }
+    return object.keys() == QStringList{"sd", "value"} && object["value"].isDouble() &&
+           object["sd"].isDouble();
+}
+
+// The error of a quantity in its own deviations.
+double deviations(const QJsonValue& quantity, double truth, double period = 0) {
+    const double error = quantity["value"].toDouble() - truth;
+    const double off = period > 0 ? std::remainder(error, period) : error;
+    return std::abs(off) / quantity["sd"].toDouble();
+}
+
+QJsonObject named(const QJsonArray& list, const QString& name) {
+    for (const QJsonValue& entry : list) {
+        if (entry["name"] == name) {
+            return entry.toObject();
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+class TestCliIdentify : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir folder_;
+
+    Outcome run(const QStringList& arguments) { return run_cli(arguments, folder_.path()); }
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    QByteArray file(const QString& name) { return content(path(name)); }
+    QStringList temporaries() const {
+        return QDir(folder_.path()).entryList({".vybeg*"}, QDir::AllEntries | QDir::Hidden);
+    }
+
+    void simulate_set(const QString& prefix, const QString& split, int seed) {
+        for (std::size_t k = 0; k < starts.size(); ++k) {
+            const Outcome simulated =
+                run({"simulate",
+                     "--seconds",
+                     "10",
+                     "--noise",
+                     "0.001",
+                     "--tau",
+                     "400",
+                     "--split",
+                     split,
+                     "--theta-w",
+                     "0.2",
+                     "--damping-anisotropy",
+                     "3e-4",
+                     "--theta-tau",
+                     "-0.3",
+                     "--omega",
+                     "2e-4",
+                     "--f0",
+                     QString::number(5300 + 0.01 * static_cast<double>(k), 'g', 17),
+                     "--two-theta-A",
+                     starts[k],
+                     "--seed",
+                     QString::number(seed + static_cast<int>(k)),
+                     "-o",
+                     prefix + QString::number(k) + ".wav"});
+            QCOMPARE(simulated.status, 0);
+        }
+    }
+
+private slots:
+    void initTestCase() {
+        simulate_set("r", "1e-3", 1);
+        simulate_set("changed", "1.02e-3", 11);
+        simulate_set("same", "1e-3", 21);
+        // A wave that hardly moves: 28 s at a tenth of a thousandth of a hertz.
+        QCOMPARE(run({"simulate", "--seconds", "28", "--noise", "0.001", "--tau", "400", "--split",
+                      "1e-4", "--theta-w", "0.2", "--two-theta-A", starts[1], "-o", "still.wav"})
+                     .status,
+                 0);
+        QVERIFY(put(path("noise.csv"), [] {
+            QByteArray text = "C,D\n";
+            std::srand(1);
+            for (int k = 0; k < 4000; ++k) {
+                text +=
+                    QByteArray::number(std::rand()) + "," + QByteArray::number(std::rand()) + "\n";
+            }
+            return text;
+        }()));
+        QVERIFY(put(path("not.json"), "{\"some\": 1}"));
+        QVERIFY(put(path("no.json"), "{"));
+        QVERIFY(put(path("newer.json"), "{\"vybeg\": \"passport\", \"schema\": 99}"));
+        QVERIFY(put(path("part.json"), "{\"vybeg\": \"passport\", \"schema\": 1}"));
+    }
+
+    void a_set_gives_its_resonator_within_its_deviations() {
+        const Outcome outcome = run(QStringList{"identify"} + set + QStringList{"-o", "r.json"});
+        QCOMPARE(outcome.err, QByteArray());
+        QCOMPARE(outcome.out, QByteArray());
+        QCOMPARE(outcome.status, 0);
+        const QByteArray text = file("r.json");
+        QVERIFY(!text.contains("nan") && !text.contains("inf,"));
+        const QJsonObject json = object(text);
+        const QJsonObject resonator = json["resonator"].toObject();
+        const auto within = [&](const char* name, double truth, double period = 0) {
+            const double off = deviations(resonator[name], truth, period);
+            if (!(off < 4)) {
+                qWarning("%s: %g deviations", name, off);
+            }
+            return off < 4;
+        };
+        QVERIFY(within("f_mean_hz", 5300.015));
+        QVERIFY(within("split_hz", 1e-3));
+        QVERIFY(within("theta_w_rad", 0.2, pi / 2));
+        QVERIFY(within("tau_s", 400));
+        QVERIFY(within("q", pi * 5300.015 * 400));
+        QVERIFY(within("damping_anisotropy_per_s", 3e-4));
+        QVERIFY(within("theta_tau_rad", -0.3, pi / 2));
+        QVERIFY(within("angle_rate_rad_s", -0.277 * 2e-4));
+        QVERIFY(resonator["split_hz"]["sd"].toDouble() < 3e-6);
+        for (int k = 0; k < 4; ++k) {
+            const QJsonValue of_run = json["runs"][k];
+            QVERIFY(deviations(of_run["two_theta_A_rad"], k * pi / 4, pi) < 4);
+            QVERIFY(deviations(of_run["a_A"], 1) < 4);
+            QVERIFY(deviations(of_run["f_offset_hz"], 0.01 * k - 0.015) < 4);
+            QVERIFY(deviations(of_run["split_sin_hz"], 1e-3 * std::sin(k * pi / 2 - 0.8)) < 4);
+        }
+        // Modes by falling frequency, half a split beside the mean.
+        QVERIFY(deviations(json["modes"][0]["f_hz"], 5300.015 + 0.5e-3) < 4.5);
+        QVERIFY(deviations(json["modes"][1]["f_hz"], 5300.015 - 0.5e-3) < 4.5);
+        const QJsonValue harmonics = json["drift_function"]["harmonics"];
+        QCOMPARE(json["drift_function"]["order"].toInt(), 4);
+        QVERIFY(deviations(harmonics["mean_rad_s"], -0.277 * 2e-4) < 4);
+        QVERIFY(deviations(harmonics["sin4_rad_s"], 0.75e-4 * std::cos(1.2)) < 4);
+        QVERIFY(deviations(harmonics["cos4_rad_s"], 0.75e-4 * std::sin(1.2)) < 4);
+    }
+
+    void the_json_has_the_members_of_the_interface() {
+        QCOMPARE(run(QStringList{"identify"} + set + QStringList{"-o", "r.json"}).status, 0);
+        const QJsonObject json = object(file("r.json"));
+        for (const char* name :
+             {"program", "inputs", "settings", "warnings", "model", "modes", "resonator", "runs",
+              "identifiable", "drift_function", "channel_balance"}) {
+            QVERIFY2(json.contains(name), name);
+        }
+        QVERIFY(json["program"].toString().startsWith("vybeg-cli "));
+        QCOMPARE(json["model"].toString(), QString("structured"));
+        QVERIFY(json["warnings"].isArray());
+        QCOMPARE(json["settings"]["model"].toString(), QString("auto"));
+        const QJsonValue input = json["inputs"][1];
+        QCOMPARE(input["name"].toString(), QString("r1.wav"));
+        QCOMPARE(input["sha256"].toString().toLatin1(),
+                 QCryptographicHash::hash(file("r1.wav"), QCryptographicHash::Sha256).toHex());
+        QCOMPARE(input["seconds"].toDouble(), 333330 / 33333.0);
+        QCOMPARE(input["rate_hz"].toDouble(), 33333.0);
+        QVERIFY(std::abs(input["f0_hz"].toDouble() - 5300.01) < 1e-3);
+        const QJsonObject resonator = json["resonator"].toObject();
+        for (const char* name :
+             {"f_mean_hz", "split_hz", "theta_w_rad", "tau_s", "q", "damping_anisotropy_per_s",
+              "theta_tau_rad", "angle_rate_rad_s", "kappa", "residual_rms"}) {
+            QVERIFY2(is_quantity(resonator[name].toObject()), name);
+        }
+        QCOMPARE(json["modes"].toArray().size(), 2);
+        for (const char* name : {"f_hz", "tau_s", "q"}) {
+            QVERIFY2(is_quantity(json["modes"][0][name].toObject()), name);
+        }
+        QCOMPARE(json["runs"].toArray().size(), 4);
+        for (const char* name : {"f_offset_hz", "a_A", "a_B", "two_theta_A_rad", "split_sin_hz",
+                                 "q_envelope", "drift_hz_per_s"}) {
+            QVERIFY2(is_quantity(json["runs"][3][name].toObject()), name);
+        }
+        QVERIFY(json["identifiable"]["split"].toBool());
+        QVERIFY(json["identifiable"]["theta_w"].isBool());
+        QCOMPARE(json["channel_balance"].toArray().size(), 4);
+    }
+
+    void any_number_of_threads_gives_the_same_bytes() {
+        const Outcome one =
+            run(QStringList{"identify"} + set + QStringList{"-o", "-", "--threads", "1"});
+        const Outcome all = run(QStringList{"identify"} + set + QStringList{"-o", "-"});
+        QCOMPARE(one.status, 0);
+        QVERIFY(one.out == all.out);
+        QVERIFY(!object(one.out).isEmpty());
+    }
+
+    void one_still_run_is_refused_its_split_with_a_reason() {
+        const Outcome outcome = run({"identify", "still.wav", "-o", "-"});
+        QCOMPARE(outcome.status, 0);
+        const QJsonObject json = object(outcome.out);
+        QVERIFY(json["resonator"]["split_hz"]["value"].isNull());
+        const QString reason = json["resonator"]["split_hz"]["reason"].toString();
+        QVERIFY2(reason.contains("recording that starts at"), qPrintable(reason));
+        QVERIFY(json["resonator"]["theta_w_rad"]["value"].isNull());
+        QVERIFY(!json["identifiable"]["split"].toBool());
+        QVERIFY(deviations(json["runs"][0]["split_sin_hz"], 1e-4 * std::sin(pi / 2 - 0.8)) < 4);
+        QVERIFY(json["runs"][0]["split_sin_hz"]["sd"].toDouble() < 3e-7);
+        QCOMPARE(json["drift_function"]["order"].toInt(), 0);
+        QVERIFY(json["drift_function"]["curve"].isNull());
+        QVERIFY(is_quantity(json["drift_function"]["harmonics"]["mean_rad_s"].toObject()));
+        const Outcome summary = run({"identify", "still.wav"});
+        QCOMPARE(summary.status, 0);
+        QVERIFY(summary.out.contains("split_hz                  - "));
+        QVERIFY(summary.out.contains(reason.toUtf8()));
+    }
+
+    void the_free_model_has_modes_and_no_axes() {
+        const Outcome outcome =
+            run(QStringList{"identify"} + set + QStringList{"-o", "-", "--model", "free"});
+        QCOMPARE(outcome.status, 0);
+        const QJsonObject json = object(outcome.out);
+        QCOMPARE(json["model"].toString(), QString("free"));
+        QVERIFY(json["resonator"].isNull());
+        QVERIFY(json["resonator_reason"].toString().endsWith('.'));
+        QVERIFY(deviations(json["modes"][0]["f_hz"], 5300.015 + 0.5e-3) < 4.5);
+    }
+
+    void a_passport_is_compared_parameter_by_parameter() {
+        const Outcome made =
+            run(QStringList{"identify"} + set + QStringList{"--passport", "p.json"});
+        QCOMPARE(made.status, 0);
+        QVERIFY(made.out.contains("split_hz"));
+        QCOMPARE(object(file("p.json"))["schema"].toInt(), 1);
+        QCOMPARE(object(file("p.json"))["tracks"].toArray().size(), 4);
+
+        const auto compared = [&](const QStringList& files) {
+            const Outcome outcome =
+                run(QStringList{"compare", "p.json"} + files + QStringList{"-o", "-"});
+            return outcome.status == 0 ? object(outcome.out) : QJsonObject();
+        };
+        const QJsonObject itself = compared(set);
+        QVERIFY(itself["differences"].toArray().size() > 8);
+        QCOMPARE(itself["passport"]["file"].toString(), QString("p.json"));
+        for (const QJsonValue& difference : itself["differences"].toArray()) {
+            QCOMPARE(difference["verdict"].toString(), QString("unchanged"));
+            QVERIFY(difference["deviations"].toDouble() < 1e-6);
+        }
+        const QJsonArray changed = compared({"changed0.wav", "changed1.wav", "changed2.wav",
+                                             "changed3.wav"})["differences"]
+                                       .toArray();
+        const QJsonObject split = named(changed, "split_hz");
+        QCOMPARE(split["verdict"].toString(), QString("changed"));
+        QVERIFY(split["deviations"].toDouble() > 3);
+        QVERIFY(deviations(split["change"], 2e-5) < 4);
+        QCOMPARE(named(changed, "tau_s")["verdict"].toString(), QString("unchanged"));
+        QCOMPARE(named(changed, "theta_w_rad")["verdict"].toString(), QString("unchanged"));
+        const QJsonArray same =
+            compared({"same0.wav", "same1.wav", "same2.wav", "same3.wav"})["differences"].toArray();
+        QCOMPARE(named(same, "split_hz")["verdict"].toString(), QString("unchanged"));
+        QVERIFY(named(same, "split_hz")["deviations"].toDouble() > 0);
+
+        // One still recording does not know the split: not comparable, for its reason.
+        const QJsonObject single =
+            named(compared({"still.wav"})["differences"].toArray(), "split_hz");
+        QCOMPARE(single["verdict"].toString(), QString("not comparable"));
+        QVERIFY(single["now"]["reason"].toString().contains("recording that starts at"));
+        const Outcome summary = run(QStringList{"compare", "p.json"} + set);
+        QCOMPARE(summary.status, 0);
+        QVERIFY(summary.out.contains("compared with p.json"));
+        QVERIFY(summary.out.contains("unchanged"));
+    }
+
+    void a_failure_has_its_status_and_one_sentence_data() {
+        QTest::addColumn<QString>("arguments");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QString>("part");
+        const auto row = [](const char* name, const QString& arguments, int status,
+                            const QString& part) {
+            QTest::newRow(name) << arguments << status << part;
+        };
+        row("no file", "identify", 2, "FILE");
+        row("unknown model", "identify r0.wav --model rigid", 2, "auto, structured or free");
+        row("an option of analyze alone", "identify r0.wav --hop 5", 2, "--hop");
+        row("window of a few samples", "identify r0.wav --window 8", 2, "at least 16 samples");
+        row("result over a recording", "identify r0.wav r1.wav -o r1.wav", 2, "the recordings");
+        row("passport over a recording", "identify r0.wav --passport r0.wav", 2, "the recordings");
+        row("two results in one", "identify r0.wav -o x.json --passport x.json", 2,
+            "goes there already");
+        row("result over the passport", "compare not.json r0.wav -o not.json", 3, "not.json");
+        row("compare without a recording", "compare p.json", 2, "FILE");
+        row("second file missing", "identify r0.wav missing.wav", 3, "missing.wav: there is no");
+        row("second file is no recording", "identify r0.wav no.json", 3, "no.json");
+        row("no passport there", "compare none.json r0.wav", 3, "no such file");
+        row("another JSON", "compare not.json r0.wav", 3, "not a passport");
+        row("no JSON", "compare no.json r0.wav", 3, "no JSON");
+        row("newer passport", "compare newer.json r0.wav", 3, "schema 99");
+        row("part of a passport", "compare part.json r0.wav", 3, "program");
+        row("no carrier", "identify noise.csv --rate 33333", 4, "noise.csv: no carrier");
+        row("long window", "identify r0.wav --window 400000", 4, "r0.wav: the window of 400000");
+        row("short window", "identify r0.wav --f0 1000 --window 30", 4, "two periods");
+        row("too few windows", "identify r0.wav --window 200000", 4, "windows");
+        row("no folder", "identify r0.wav -o none/x.json", 5, "none/x.json");
+        row("full device", "identify r0.wav -o /dev/full", 5, "No space left");
+    }
+
+    void a_failure_has_its_status_and_one_sentence() {
+        QFETCH(QString, arguments);
+        QFETCH(int, status);
+        QFETCH(QString, part);
+        const Outcome outcome = run(arguments.split(' '));
+        QCOMPARE(outcome.status, status);
+        QCOMPARE(outcome.err_lines().size(), 1);
+        QVERIFY2(outcome.err.startsWith("vybeg-cli: "), outcome.err.constData());
+        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err.constData());
+        QVERIFY(outcome.err.endsWith(".\n"));
+        QCOMPARE(temporaries(), QStringList());
+        QVERIFY(!QFile::exists(path("x.json")));
+    }
+
+    void warnings_name_their_file() {
+        QVERIFY(QFile::copy(path("r0.wav"), path("early.wav")));
+        QVERIFY(QFile::resize(path("early.wav"), 4000001));
+        const Outcome outcome = run({"identify", "early.wav", "r1.wav", "-o", "-"});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY2(outcome.err.startsWith("vybeg-cli: warning: early.wav: The file ends early"),
+                 outcome.err.constData());
+        const QJsonValue warning = object(outcome.out)["warnings"][0];
+        QCOMPARE(warning["kind"].toString(), QString("file-ends-early"));
+        QCOMPARE(warning["input"].toString(), QString("early.wav"));
+        const Outcome log = run({"identify", "early.wav", "-o", "x2.json", "--json-log"});
+        const QList<QByteArray> lines = log.err_lines();
+        QVERIFY(std::ranges::any_of(lines, [](const QByteArray& line) {
+            return object(line)["level"] == "warning" && object(line)["input"] == "early.wav";
+        }));
+        const Outcome quiet = run({"identify", "early.wav", "-o", "x2.json", "--quiet"});
+        QCOMPARE(quiet.err, QByteArray());
+    }
+
+    void timing_is_the_last_line_of_standard_error() {
+        const Outcome outcome = run(QStringList{"identify"} + set +
+                                    QStringList{"-o", "t.json", "--timing", "--threads", "1"});
+        QCOMPARE(outcome.status, 0);
+        const QJsonObject timing = object(outcome.err_lines().last());
+        QCOMPARE(timing.keys(), (QStringList{"carrier_s", "estimate_s", "fit_s", "open_s", "read_s",
+                                             "threads", "windows", "windows_s", "write_s"}));
+        QCOMPARE(timing["windows"].toInt(), 4 * (333330 / 500));
+    }
+
+    void a_signal_ends_it_cleanly() {
+        QCOMPARE(run({"simulate", "--seconds", "300", "--noise", "0.001", "--tau", "400", "-o",
+                      "long.wav"})
+                     .status,
+                 0);
+        QVERIFY(put(path("old.json"), "old"));
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(VYBEG_CLI, {"identify", "long.wav", "-o", "old.json", "--threads", "1",
+                                  "--window", "20"});
+        QTRY_COMPARE_WITH_TIMEOUT(temporaries().size(), 1, 20000);
+        QTest::qWait(50);
+        QCOMPARE(process.state(), QProcess::Running);
+        QCOMPARE(kill(static_cast<pid_t>(process.processId()), SIGINT), 0);
+        QVERIFY(process.waitForFinished(20000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 130);
+        QCOMPARE(process.readAllStandardError(),
+                 QByteArray("vybeg-cli: Interrupted; nothing was written.\n"));
+        QCOMPARE(file("old.json"), QByteArray("old"));
+        QCOMPARE(temporaries(), QStringList());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliIdentify)
+#include "test_cli_identify.moc"
