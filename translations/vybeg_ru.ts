@@ -498,6 +498,10 @@
             <translation>Такой выбег смоделировать нельзя: %2.</translation>
         </message>
         <message>
+            <source>%1: the window of %2 samples is too short for the resonator&apos;s fit; at this carrier it needs at least %3 (16 samples and two periods).</source>
+            <translation>%1: окно из %2 отсчётов слишком коротко для подгонки резонатора; при такой несущей нужно не меньше %3 (16 отсчётов и два периода).</translation>
+        </message>
+        <message>
             <source>%1 cannot be written: %2. Nothing was changed there.</source>
             <translation>Не удалось записать %1: %2. Прежнее содержимое не изменено.</translation>
         </message>
@@ -550,6 +554,14 @@
             <translation>%1: файл %2 содержит %3, здесь это не читается. Сохраните запись в WAV или CSV.</translation>
         </message>
         <message>
+            <source>%1 is not a passport that can be read: %2.</source>
+            <translation>%1 — не паспорт, который можно прочитать: %2.</translation>
+        </message>
+        <message>
+            <source>%1: a passport of schema %2; this program knows schemas up to %3. Use the program that wrote it, or a newer one.</source>
+            <translation>%1: паспорт схемы %2; эта программа знает схемы до %3. Возьмите программу, которая его записала, или более новую.</translation>
+        </message>
+        <message>
             <source>%1: there is no variable &quot;%2&quot; to read; the file has %3. Choose others with --variables.</source>
             <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие (--variables).</translation>
         </message>
@@ -584,6 +596,14 @@
         <message>
             <source>%1 lost samples at %2 places were made gaps, as asked for; windows over them have no values.</source>
             <translation>По запросу на месте потерянных отсчётов сделаны пропуски (отсчётов: %1, мест: %2); окна над ними без значений.</translation>
+        </message>
+        <message>
+            <source>%1 lost samples at %2 places are counted in the time behind them, so that the phase runs on.</source>
+            <translation>Потерянные отсчёты (%1, мест: %2) учтены во времени после них, так что фаза идёт дальше.</translation>
+        </message>
+        <message>
+            <source>The first %1 s are left out of the fit: the strike and what the band-pass makes of it are no free decay.</source>
+            <translation>Первые %1 с в подгонку не взяты: удар и то, что делает с ним полосовой фильтр, — не свободный выбег.</translation>
         </message>
         <message>
             <source>%1: %2 lines are to be skipped, and the file has only %3.</source>

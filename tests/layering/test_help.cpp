@@ -225,7 +225,8 @@ void TestHelp::everyQuotedMessageIsOneOfTheProgram() {
 void TestHelp::theOptionsAreThoseOfTheCommandLine() {
     const QStringList analyze = optionsOf("analyze");
     QVERIFY(analyze.contains("--algorithm"));
-    QStringList all = analyze + optionsOf("info") + optionsOf("simulate") +
+    QStringList all = analyze + optionsOf("info") + optionsOf("simulate") + optionsOf("identify") +
+                      optionsOf("compare") +
                       QStringList{"--figure", "--windows"};  // those of the desktop program
     all.removeDuplicates();
     all.sort();
