@@ -92,6 +92,26 @@ private slots:
         QVERIFY(peaks[1] < 150'000'000);            // one hour may take 300 MB
         QVERIFY(peaks[1] - peaks[0] < 10'000'000);  // the nine minutes more are 288 MB of samples
     }
+
+    void nor_does_that_of_an_identification() {
+        const QTemporaryDir folder;
+        const QString recording = folder.filePath("run.wav");
+        std::vector<qint64> peaks;
+        // From 250 s on the windows grow instead of their number.
+        for (const char* seconds : {"250", "600"}) {
+            const Outcome made = run_cli(
+                {"simulate", "--demo", "--seconds", seconds, "--tau", "900", "-o", recording},
+                folder.path());
+            QCOMPARE(made.status, 0);
+            peaks.push_back(
+                peak_of({"identify", recording, "-o", folder.filePath("resonator.json")}));
+        }
+        qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
+              1e-6 * static_cast<double>(peaks[1]));
+        QVERIFY(peaks[0] > 0 && peaks[1] > 0);
+        QVERIFY(peaks[1] < 150'000'000);
+        QVERIFY(peaks[1] - peaks[0] < 10'000'000);  // the 350 s more are 187 MB of samples
+    }
 };
 
 QTEST_GUILESS_MAIN(TestCliMemory)

@@ -1,0 +1,64 @@
+// The mode pairs of two bells (METHOD section 9) by the whole road from file to resonator. Their
+// channels are no calibrated pair of pick-offs: the free model has to see that by itself.
+#include "core/analysis/identify.h"
+#include "core/recording/open_recording.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace vybeg;
+
+class RealResonators : public QObject {
+    Q_OBJECT
+
+private slots:
+    void the_pair_of_a_bell_is_found_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<double>("upper_hz");
+        QTest::addColumn<double>("lower_hz");
+        QTest::addColumn<double>("upper_tau_s");
+        QTest::addColumn<double>("lower_tau_s");
+        QTest::newRow("kyoto bell") << "kyoto-bell.wav" << 1023.07 << 1017.81 << 0.86 << 0.86;
+        QTest::newRow("perc bell") << "perc-bell.flac" << 3620.97 << 3615.36 << 0.86 << 0.80;
+    }
+
+    void the_pair_of_a_bell_is_found() {
+        QFETCH(QString, name);
+        QFETCH(double, upper_hz);
+        QFETCH(double, lower_hz);
+        QFETCH(double, upper_tau_s);
+        QFETCH(double, lower_tau_s);
+        const QString folder = qEnvironmentVariable("VYBEG_REAL_DATA");
+        if (folder.isEmpty()) {
+            QSKIP("VYBEG_REAL_DATA is not set: THE REAL RECORDINGS ARE NOT TESTED");
+        }
+        const Result<Recording> recording =
+            open_recording((folder + "/" + name).toStdString(), {}, {});
+        QVERIFY2(recording, "the recording does not open");
+        for (const auto model : {FitOptions::Model::free, FitOptions::Model::automatic}) {
+            IdentifySettings settings;
+            settings.signal.filter = Band{lower_hz - 12, upper_hz + 12};
+            settings.model = model;
+            const Result<Identification> found = identify({&*recording, 1}, settings, {});
+            QVERIFY(found);
+            QVERIFY(found->fit.model == ResonatorModel::free);
+            QCOMPARE(found->fit.modes.size(), std::size_t{2});
+            const ModeEstimate& upper = found->fit.modes[0];
+            const ModeEstimate& lower = found->fit.modes[1];
+            const QString text = QString("%1 Hz, %2 s; %3 Hz, %4 s")
+                                     .arg(upper.f_hz.value, 0, 'f', 4)
+                                     .arg(upper.tau_s.value)
+                                     .arg(lower.f_hz.value, 0, 'f', 4)
+                                     .arg(lower.tau_s.value);
+            qInfo("%s", qPrintable(text));
+            QVERIFY2(std::abs(upper.f_hz.value - upper_hz) < 0.03, qPrintable(text));
+            QVERIFY2(std::abs(lower.f_hz.value - lower_hz) < 0.03, qPrintable(text));
+            QVERIFY2(std::abs(upper.tau_s.value / upper_tau_s - 1) < 0.1, qPrintable(text));
+            QVERIFY2(std::abs(lower.tau_s.value / lower_tau_s - 1) < 0.1, qPrintable(text));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(RealResonators)
+#include "test_real_resonators.moc"
