@@ -38,7 +38,7 @@ private slots:
         QVERIFY2(recording, "the recording does not open");
         for (const auto model : {FitOptions::Model::free, FitOptions::Model::automatic}) {
             IdentifySettings settings;
-            settings.signal.filter = Band{lower_hz - 12, upper_hz + 12};
+            settings.signal.filter = Band{lower_hz - 14, upper_hz + 14};
             settings.model = model;
             const Result<Identification> found = identify({&*recording, 1}, settings, {});
             QVERIFY(found);

@@ -1,6 +1,6 @@
 #include "core/resonator/channel_balance.h"
 #include "core/resonator/resonator_fit.h"
-#include "tests/core/resonator/motion_run.h"
+#include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>
 
@@ -45,7 +45,7 @@ class TestChannelBalance : public QObject {
 
 private slots:
     void balanced_channels_meet_the_condition() {
-        const ChannelBalance balance = balance_of(motion_run(turning(), 500, 1));
+        const ChannelBalance balance = balance_of(simulated_phasors(turning(), 500, 1));
         QCOMPARE(balance.time_s.size(), std::size_t{100});
         // The mean of a hundred squares has a deviation of 0.14.
         const double square = mean_square(balance);
@@ -54,7 +54,7 @@ private slots:
 
     void a_gain_that_changes_on_the_way_breaks_it() {
         // A constant one would not: to the fit it is the gain ratio, or a damping anisotropy.
-        PhasorRun run = motion_run(turning(), 500, 2);
+        PhasorRun run = simulated_phasors(turning(), 500, 2);
         for (std::size_t k = run.d.size() / 2; k < run.d.size(); ++k) {
             run.d[k] *= 1.01;
         }

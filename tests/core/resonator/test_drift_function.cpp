@@ -5,7 +5,7 @@
 // mean of one.
 #include "core/resonator/drift_function.h"
 #include "core/resonator/slow_dynamics.h"
-#include "tests/core/resonator/motion_run.h"
+#include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>
 
@@ -37,7 +37,7 @@ std::vector<PhasorRun> set_of(FreeDecay decay, const std::vector<double>& starts
     std::vector<PhasorRun> runs;
     for (const double start : starts) {
         decay.two_theta_A = 2 * start * pi / 180;
-        runs.push_back(motion_run(decay, 500, seed * 100 + runs.size()));
+        runs.push_back(simulated_phasors(decay, 500, seed * 100 + runs.size()));
     }
     return runs;
 }

@@ -1,10 +1,11 @@
 #include "core/resonator/run_track.h"
-#include "tests/core/resonator/motion_run.h"
+#include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -20,7 +21,7 @@ private slots:
         decay.a_B = 0.2;
         decay.omega_rad_s = 0.4;  // 2 theta_A turns through 355 degrees
         decay.noise = 1e-3;
-        const RunTrack track = run_track(motion_run(decay, 500, 1), 200);
+        const RunTrack track = run_track(simulated_phasors(decay, 500, 1), 200);
         QCOMPARE(track.time_s.size(), std::size_t{200});
         double squares = 0;
         for (std::size_t k = 0; k < 200; ++k) {
@@ -39,7 +40,7 @@ private slots:
     void its_frequency_is_that_of_the_phase() {
         FreeDecay decay;
         decay.noise = 1e-3;
-        PhasorRun run = motion_run(decay, 500, 2);
+        PhasorRun run = simulated_phasors(decay, 500, 2);
         run.f_ref_hz += 0.02;  // the same signals seen from another reference
         for (std::size_t k = 0; k < run.time_s.size(); ++k) {
             const auto turn = std::polar(1.0, -2 * std::numbers::pi * 0.02 * run.time_s[k]);
@@ -57,7 +58,7 @@ private slots:
     void few_windows_are_points_of_their_own() {
         FreeDecay decay;
         decay.seconds = 0.05;
-        const RunTrack track = run_track(motion_run(decay, 500, 3), 200);
+        const RunTrack track = run_track(simulated_phasors(decay, 500, 3), 200);
         QCOMPARE(track.time_s.size(), std::size_t{3});
         QVERIFY(std::isnan(track.f_hz[0]));
         QCOMPARE(run_track({}, 200), RunTrack{});
