@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 namespace vybeg::cli {
 namespace {
@@ -40,6 +41,17 @@ std::string line(const std::string& name, const std::string& text) {
            "\n";
 }
 
+// Parameters for people have the names of the JSON without their units.
+std::string label_of(std::string name) {
+    for (const std::string_view unit : {"_hz_per_s", "_rad_s", "_per_s", "_rad", "_hz", "_s"}) {
+        if (name.ends_with(unit)) {
+            name.resize(name.size() - unit.size());
+            break;
+        }
+    }
+    return name;
+}
+
 std::string parameter_text(const ResonatorParameter& parameter, const Estimate& estimate) {
     return parameter.period > 0 ? text_in_degrees(estimate) : text_of(estimate, parameter.unit);
 }
@@ -52,7 +64,8 @@ std::string modes_text(const ResonatorFit& fit) {
     for (std::size_t k = 0; k < fit.modes.size(); ++k) {
         text += "mode " + std::to_string(k + 1) + "\n";
         for (const ModeParameter& parameter : mode_parameters) {
-            text += line(parameter.name, text_of(fit.modes[k].*parameter.member, parameter.unit));
+            text += line(label_of(parameter.name),
+                         text_of(fit.modes[k].*parameter.member, parameter.unit));
         }
     }
     return text;
@@ -63,12 +76,12 @@ std::string run_text(const IdentifiedInput& input, const IdentifiedRun& run,
     return "run " + input.name + "\n" +
            line("windows", integer_text(run.windows_used) + " of " + integer_text(run.windows) +
                                ", " + integer_text(run.window) + " samples") +
-           line("f_offset_hz", text_of(estimate.f_offset_hz, "Hz")) +
+           line("f_offset", text_of(estimate.f_offset_hz, "Hz")) +
            line("a_A", text_of(estimate.a_A, "")) + line("a_B", text_of(estimate.a_B, "")) +
-           line("two_theta_A_rad", text_in_degrees(estimate.two_theta_A_rad)) +
-           line("split_sin_hz", text_of(estimate.split_sin_hz, "Hz")) +
+           line("two_theta_A", text_in_degrees(estimate.two_theta_A_rad)) +
+           line("split_sin", text_of(estimate.split_sin_hz, "Hz")) +
            line("q_envelope", text_of(estimate.q_envelope, "")) +
-           line("drift_hz_per_s", text_of(estimate.drift_hz_per_s, "Hz/s"));
+           line("drift", text_of(estimate.drift_hz_per_s, "Hz/s"));
 }
 
 std::string drift_text(const DriftFunction& drift) {
@@ -89,14 +102,16 @@ std::string drift_text(const DriftFunction& drift) {
 std::string difference_text(const Difference& difference) {
     if (difference.verdict == Verdict::not_comparable) {
         const bool then = difference.then.given();
-        return line(difference.name,
+        return line(label_of(difference.name),
                     std::string(verdict_name(difference.verdict)) + ": " +
                         (then ? "now: " : "in the passport: ") +
                         english(then ? difference.now.reason : difference.then.reason));
     }
-    return line(difference.name,
+    const Estimate change{difference.change, difference.sd, {}};
+    const bool angle = std::string_view(difference.unit) == "rad";
+    return line(label_of(difference.name),
                 std::string(verdict_name(difference.verdict)) + ": by " +
-                    text_of({difference.change, difference.sd, {}}, difference.unit) + ", " +
+                    (angle ? text_in_degrees(change) : text_of(change, difference.unit)) + ", " +
                     short_text(difference.deviations(), 3) + " standard deviations");
 }
 
@@ -110,8 +125,8 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
     if (fit.model == ResonatorModel::structured) {
         text += "resonator, structured model\n";
         for (const ResonatorParameter& parameter : resonator_parameters) {
-            text +=
-                line(parameter.name, parameter_text(parameter, fit.resonator.*parameter.member));
+            text += line(label_of(parameter.name),
+                         parameter_text(parameter, fit.resonator.*parameter.member));
         }
     } else {
         text += "resonator, free model: " + english(Reason{ReasonCode::free_model, {}}) + "\n";

@@ -227,7 +227,12 @@ Result<Passport> read_passport(std::string_view text, const std::string& where) 
                      where,
                      {"it is no JSON at byte " + std::to_string(error.byte)}};
     } catch (const std::exception& error) {
-        return Error{ErrorCode::passport_damaged, where, {error.what()}};
+        // The JSON library begins with its own name of the error, in brackets.
+        const std::string reason = error.what();
+        const std::size_t bracket = reason.starts_with('[') ? reason.find("] ") : std::string::npos;
+        return Error{ErrorCode::passport_damaged,
+                     where,
+                     {bracket == std::string::npos ? reason : reason.substr(bracket + 2)}};
     }
 }
 

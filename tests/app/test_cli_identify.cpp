@@ -114,6 +114,8 @@ private slots:
             }
             return text;
         }()));
+        QCOMPARE(run(QStringList{"identify"} + set + QStringList{"--passport", "p.json"}).status,
+                 0);
         QVERIFY(put(path("not.json"), "{\"some\": 1}"));
         QVERIFY(put(path("no.json"), "{"));
         QVERIFY(put(path("newer.json"), "{\"vybeg\": \"passport\", \"schema\": 99}"));
@@ -226,7 +228,7 @@ private slots:
         QVERIFY(is_quantity(json["drift_function"]["harmonics"]["mean_rad_s"].toObject()));
         const Outcome summary = run({"identify", "still.wav"});
         QCOMPARE(summary.status, 0);
-        QVERIFY(summary.out.contains("split_hz                  - "));
+        QVERIFY(summary.out.contains("  split                     - "));
         QVERIFY(summary.out.contains(reason.toUtf8()));
     }
 
@@ -241,11 +243,23 @@ private slots:
         QVERIFY(deviations(json["modes"][0]["f_hz"], 5300.015 + 0.5e-3) < 4.5);
     }
 
+    void options_of_the_signals_have_their_part() {
+        const Outcome turned =
+            run(QStringList{"identify"} + set +
+                QStringList{"-o", "-", "--angle-zero", "10", "--from", "1", "--to", "9", "--kappa",
+                            "1.0000001", "--window", "700"});
+        QCOMPARE(turned.status, 0);
+        const QJsonObject json = object(turned.out);
+        QVERIFY(deviations(json["resonator"]["theta_w_rad"], 0.2 - pi / 18, pi / 2) < 4);
+        QVERIFY(json["resonator"]["kappa"]["value"].isNull());
+        QCOMPARE(json["settings"]["window"].toString(), QString("700"));
+        QCOMPARE(json["runs"][0]["window_samples"].toInt(), 700);
+        QCOMPARE(json["runs"][0]["windows"].toInt(), (299997 - 33333) / 700);
+        const Outcome in_periods = run({"identify", "r0.wav", "-o", "-", "--periods", "100"});
+        QCOMPARE(object(in_periods.out)["runs"][0]["window_samples"].toInt(), 629);
+    }
+
     void a_passport_is_compared_parameter_by_parameter() {
-        const Outcome made =
-            run(QStringList{"identify"} + set + QStringList{"--passport", "p.json"});
-        QCOMPARE(made.status, 0);
-        QVERIFY(made.out.contains("split_hz"));
         QCOMPARE(object(file("p.json"))["schema"].toInt(), 1);
         QCOMPARE(object(file("p.json"))["tracks"].toArray().size(), 4);
 
@@ -302,7 +316,7 @@ private slots:
         row("passport over a recording", "identify r0.wav --passport r0.wav", 2, "the recordings");
         row("two results in one", "identify r0.wav -o x.json --passport x.json", 2,
             "goes there already");
-        row("result over the passport", "compare not.json r0.wav -o not.json", 3, "not.json");
+        row("result over the passport", "compare p.json r0.wav -o p.json", 2, "to compare with");
         row("compare without a recording", "compare p.json", 2, "FILE");
         row("second file missing", "identify r0.wav missing.wav", 3, "missing.wav: there is no");
         row("second file is no recording", "identify r0.wav no.json", 3, "no.json");
