@@ -1,13 +1,12 @@
-// identify and compare from files to JSON, on simulated recordings with known truth.
+// identify from files to JSON, on simulated recordings with known truth.
 //
 // Statistical model: each estimate's error is Gaussian with the deviation that the JSON gives, and
 // is held to four of them; seeds are fixed.
-#include "tests/app/cli_run.h"
+#include "tests/app/resonator_runs.h"
 
 #include <QtTest>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <csignal>
 #include <numbers>
@@ -17,36 +16,7 @@ using namespace vybeg::test;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-// Twice theta_A of the four starts: 0, 22.5, 45, 67.5 degrees.
-const std::array<const char*, 4> starts{"0", "0.7853981633974483", "1.5707963267948966",
-                                        "2.356194490192345"};
-const QStringList set{"r0.wav", "r1.wav", "r2.wav", "r3.wav"};
-
-bool is_quantity(const QJsonObject& object) {
-    if (object["value"].isNull()) {
-        return object.keys() == QStringList{"reason", "value"} &&
-               object["reason"].toString().endsWith('.');
-    }
-    return object.keys() == QStringList{"sd", "value"} && object["value"].isDouble() &&
-           object["sd"].isDouble();
-}
-
-// The error of a quantity in its own deviations.
-double deviations(const QJsonValue& quantity, double truth, double period = 0) {
-    const double error = quantity["value"].toDouble() - truth;
-    const double off = period > 0 ? std::remainder(error, period) : error;
-    return std::abs(off) / quantity["sd"].toDouble();
-}
-
-QJsonObject named(const QJsonArray& list, const QString& name) {
-    for (const QJsonValue& entry : list) {
-        if (entry["name"] == name) {
-            return entry.toObject();
-        }
-    }
-    return {};
-}
+const QStringList set = set_of("r");
 
 }  // namespace
 
@@ -63,48 +33,10 @@ private:
         return QDir(folder_.path()).entryList({".vybeg*"}, QDir::AllEntries | QDir::Hidden);
     }
 
-    void simulate_set(const QString& prefix, const QString& split, int seed) {
-        for (std::size_t k = 0; k < starts.size(); ++k) {
-            const Outcome simulated =
-                run({"simulate",
-                     "--seconds",
-                     "10",
-                     "--noise",
-                     "0.001",
-                     "--tau",
-                     "400",
-                     "--split",
-                     split,
-                     "--theta-w",
-                     "0.2",
-                     "--damping-anisotropy",
-                     "3e-4",
-                     "--theta-tau",
-                     "-0.3",
-                     "--omega",
-                     "2e-4",
-                     "--f0",
-                     QString::number(5300 + 0.01 * static_cast<double>(k), 'g', 17),
-                     "--two-theta-A",
-                     starts[k],
-                     "--seed",
-                     QString::number(seed + static_cast<int>(k)),
-                     "-o",
-                     prefix + QString::number(k) + ".wav"});
-            QCOMPARE(simulated.status, 0);
-        }
-    }
-
 private slots:
     void initTestCase() {
-        simulate_set("r", "1e-3", 1);
-        simulate_set("changed", "1.02e-3", 11);
-        simulate_set("same", "1e-3", 21);
-        // A wave that hardly moves: 28 s at a tenth of a thousandth of a hertz.
-        QCOMPARE(run({"simulate", "--seconds", "28", "--noise", "0.001", "--tau", "400", "--split",
-                      "1e-4", "--theta-w", "0.2", "--two-theta-A", starts[1], "-o", "still.wav"})
-                     .status,
-                 0);
+        QVERIFY(simulate_set(folder_.path(), "r", "1e-3", 1));
+        QVERIFY(simulate_still(folder_.path()));
         QVERIFY(put(path("noise.csv"), [] {
             QByteArray text = "C,D\n";
             std::srand(1);
@@ -114,12 +46,7 @@ private slots:
             }
             return text;
         }()));
-        QCOMPARE(run(QStringList{"identify"} + set + QStringList{"--passport", "p.json"}).status,
-                 0);
-        QVERIFY(put(path("not.json"), "{\"some\": 1}"));
         QVERIFY(put(path("no.json"), "{"));
-        QVERIFY(put(path("newer.json"), "{\"vybeg\": \"passport\", \"schema\": 99}"));
-        QVERIFY(put(path("part.json"), "{\"vybeg\": \"passport\", \"schema\": 1}"));
     }
 
     void a_set_gives_its_resonator_within_its_deviations() {
@@ -259,47 +186,6 @@ private slots:
         QCOMPARE(object(in_periods.out)["runs"][0]["window_samples"].toInt(), 629);
     }
 
-    void a_passport_is_compared_parameter_by_parameter() {
-        QCOMPARE(object(file("p.json"))["schema"].toInt(), 1);
-        QCOMPARE(object(file("p.json"))["tracks"].toArray().size(), 4);
-
-        const auto compared = [&](const QStringList& files) {
-            const Outcome outcome =
-                run(QStringList{"compare", "p.json"} + files + QStringList{"-o", "-"});
-            return outcome.status == 0 ? object(outcome.out) : QJsonObject();
-        };
-        const QJsonObject itself = compared(set);
-        QVERIFY(itself["differences"].toArray().size() > 8);
-        QCOMPARE(itself["passport"]["file"].toString(), QString("p.json"));
-        for (const QJsonValue& difference : itself["differences"].toArray()) {
-            QCOMPARE(difference["verdict"].toString(), QString("unchanged"));
-            QVERIFY(difference["deviations"].toDouble() < 1e-6);
-        }
-        const QJsonArray changed = compared({"changed0.wav", "changed1.wav", "changed2.wav",
-                                             "changed3.wav"})["differences"]
-                                       .toArray();
-        const QJsonObject split = named(changed, "split_hz");
-        QCOMPARE(split["verdict"].toString(), QString("changed"));
-        QVERIFY(split["deviations"].toDouble() > 3);
-        QVERIFY(deviations(split["change"], 2e-5) < 4);
-        QCOMPARE(named(changed, "tau_s")["verdict"].toString(), QString("unchanged"));
-        QCOMPARE(named(changed, "theta_w_rad")["verdict"].toString(), QString("unchanged"));
-        const QJsonArray same =
-            compared({"same0.wav", "same1.wav", "same2.wav", "same3.wav"})["differences"].toArray();
-        QCOMPARE(named(same, "split_hz")["verdict"].toString(), QString("unchanged"));
-        QVERIFY(named(same, "split_hz")["deviations"].toDouble() > 0);
-
-        // One still recording does not know the split: not comparable, for its reason.
-        const QJsonObject single =
-            named(compared({"still.wav"})["differences"].toArray(), "split_hz");
-        QCOMPARE(single["verdict"].toString(), QString("not comparable"));
-        QVERIFY(single["now"]["reason"].toString().contains("recording that starts at"));
-        const Outcome summary = run(QStringList{"compare", "p.json"} + set);
-        QCOMPARE(summary.status, 0);
-        QVERIFY(summary.out.contains("compared with p.json"));
-        QVERIFY(summary.out.contains("unchanged"));
-    }
-
     void a_failure_has_its_status_and_one_sentence_data() {
         QTest::addColumn<QString>("arguments");
         QTest::addColumn<int>("status");
@@ -316,15 +202,8 @@ private slots:
         row("passport over a recording", "identify r0.wav --passport r0.wav", 2, "the recordings");
         row("two results in one", "identify r0.wav -o x.json --passport x.json", 2,
             "goes there already");
-        row("result over the passport", "compare p.json r0.wav -o p.json", 2, "to compare with");
-        row("compare without a recording", "compare p.json", 2, "FILE");
         row("second file missing", "identify r0.wav missing.wav", 3, "missing.wav: there is no");
         row("second file is no recording", "identify r0.wav no.json", 3, "no.json");
-        row("no passport there", "compare none.json r0.wav", 3, "no such file");
-        row("another JSON", "compare not.json r0.wav", 3, "not a passport");
-        row("no JSON", "compare no.json r0.wav", 3, "no JSON");
-        row("newer passport", "compare newer.json r0.wav", 3, "schema 99");
-        row("part of a passport", "compare part.json r0.wav", 3, "program");
         row("no carrier", "identify noise.csv --rate 33333", 4, "noise.csv: no carrier");
         row("long window", "identify r0.wav --window 400000", 4, "r0.wav: the window of 400000");
         row("short window", "identify r0.wav --f0 1000 --window 30", 4, "two periods");
@@ -337,12 +216,7 @@ private slots:
         QFETCH(QString, arguments);
         QFETCH(int, status);
         QFETCH(QString, part);
-        const Outcome outcome = run(arguments.split(' '));
-        QCOMPARE(outcome.status, status);
-        QCOMPARE(outcome.err_lines().size(), 1);
-        QVERIFY2(outcome.err.startsWith("vybeg-cli: "), outcome.err.constData());
-        QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err.constData());
-        QVERIFY(outcome.err.endsWith(".\n"));
+        QCOMPARE(fault_of(run(arguments.split(' ')), status, part), QString());
         QCOMPARE(temporaries(), QStringList());
         QVERIFY(!QFile::exists(path("x.json")));
     }

@@ -1,0 +1,116 @@
+// compare: a passport against new recordings, on simulated sets of which one is another
+// resonator's.
+#include "tests/app/resonator_runs.h"
+
+#include <QtTest>
+
+using namespace vybeg::test;
+
+namespace {
+
+const QStringList set = set_of("r");
+
+QJsonObject named(const QJsonArray& list, const QString& name) {
+    for (const QJsonValue& entry : list) {
+        if (entry["name"] == name) {
+            return entry.toObject();
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+class TestCliCompare : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir folder_;
+
+    Outcome run(const QStringList& arguments) { return run_cli(arguments, folder_.path()); }
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    QByteArray file(const QString& name) { return content(path(name)); }
+    QStringList temporaries() const {
+        return QDir(folder_.path()).entryList({".vybeg*"}, QDir::AllEntries | QDir::Hidden);
+    }
+
+private slots:
+    void initTestCase() {
+        QVERIFY(simulate_set(folder_.path(), "r", "1e-3", 1));
+        QVERIFY(simulate_set(folder_.path(), "changed", "1.02e-3", 11));
+        QVERIFY(simulate_set(folder_.path(), "same", "1e-3", 21));
+        QVERIFY(simulate_still(folder_.path()));
+        QCOMPARE(run(QStringList{"identify"} + set + QStringList{"--passport", "p.json"}).status,
+                 0);
+        QVERIFY(put(path("not.json"), "{\"some\": 1}"));
+        QVERIFY(put(path("no.json"), "{"));
+        QVERIFY(put(path("newer.json"), "{\"vybeg\": \"passport\", \"schema\": 99}"));
+        QVERIFY(put(path("part.json"), "{\"vybeg\": \"passport\", \"schema\": 1}"));
+    }
+
+    void a_passport_is_compared_parameter_by_parameter() {
+        QCOMPARE(object(file("p.json"))["schema"].toInt(), 1);
+        QCOMPARE(object(file("p.json"))["tracks"].toArray().size(), 4);
+
+        const auto compared = [&](const QStringList& files) {
+            const Outcome outcome =
+                run(QStringList{"compare", "p.json"} + files + QStringList{"-o", "-"});
+            return outcome.status == 0 ? object(outcome.out) : QJsonObject();
+        };
+        const QJsonObject itself = compared(set);
+        QVERIFY(itself["differences"].toArray().size() > 8);
+        QCOMPARE(itself["passport"]["file"].toString(), QString("p.json"));
+        for (const QJsonValue& difference : itself["differences"].toArray()) {
+            QCOMPARE(difference["verdict"].toString(), QString("unchanged"));
+            QVERIFY(difference["deviations"].toDouble() < 1e-6);
+        }
+        const QJsonArray changed = compared(set_of("changed"))["differences"].toArray();
+        const QJsonObject split = named(changed, "split_hz");
+        QCOMPARE(split["verdict"].toString(), QString("changed"));
+        QVERIFY(split["deviations"].toDouble() > 3);
+        QVERIFY(deviations(split["change"], 2e-5) < 4);
+        QCOMPARE(named(changed, "tau_s")["verdict"].toString(), QString("unchanged"));
+        QCOMPARE(named(changed, "theta_w_rad")["verdict"].toString(), QString("unchanged"));
+        const QJsonArray same = compared(set_of("same"))["differences"].toArray();
+        QCOMPARE(named(same, "split_hz")["verdict"].toString(), QString("unchanged"));
+        QVERIFY(named(same, "split_hz")["deviations"].toDouble() > 0);
+
+        // One still recording does not know the split: not comparable, for its reason.
+        const QJsonObject single =
+            named(compared({"still.wav"})["differences"].toArray(), "split_hz");
+        QCOMPARE(single["verdict"].toString(), QString("not comparable"));
+        QVERIFY(single["now"]["reason"].toString().contains("recording that starts at"));
+        const Outcome summary = run(QStringList{"compare", "p.json"} + set);
+        QCOMPARE(summary.status, 0);
+        QVERIFY(summary.out.contains("compared with p.json"));
+        QVERIFY(summary.out.contains("unchanged"));
+    }
+
+    void a_failure_has_its_status_and_one_sentence_data() {
+        QTest::addColumn<QString>("arguments");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QString>("part");
+        const auto row = [](const char* name, const QString& arguments, int status,
+                            const QString& part) {
+            QTest::newRow(name) << arguments << status << part;
+        };
+        row("result over the passport", "compare p.json r0.wav -o p.json", 2, "to compare with");
+        row("compare without a recording", "compare p.json", 2, "FILE");
+        row("no passport there", "compare none.json r0.wav", 3, "no such file");
+        row("another JSON", "compare not.json r0.wav", 3, "not a passport");
+        row("no JSON", "compare no.json r0.wav", 3, "no JSON");
+        row("newer passport", "compare newer.json r0.wav", 3, "schema 99");
+        row("part of a passport", "compare part.json r0.wav", 3, "program");
+    }
+
+    void a_failure_has_its_status_and_one_sentence() {
+        QFETCH(QString, arguments);
+        QFETCH(int, status);
+        QFETCH(QString, part);
+        QCOMPARE(fault_of(run(arguments.split(' ')), status, part), QString());
+        QCOMPARE(temporaries(), QStringList());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliCompare)
+#include "test_cli_compare.moc"
