@@ -134,7 +134,7 @@ private slots:
         row("no output", "analyze good.wav", 2, "--output");
         row("no input", "analyze -o x.csv", 2, "FILE");
         row("no command", "--quiet", 2, "subcommand");
-        row("later command", "identify good.wav", 2, "\"identify\"");
+        row("unknown command", "draw good.wav", 2, "\"draw\"");
         row("onto itself", "analyze good.wav -o ./good.wav", 2, "recording itself");
         row("truth onto samples", "simulate -o x.csv --truth x.csv", 2, "--truth");
         row("33 bits", "simulate -o x.csv --bits 33", 2, "\"33\"");
