@@ -84,9 +84,10 @@ std::string run_text(const IdentifiedInput& input, const IdentifiedRun& run,
            line("drift", text_of(estimate.drift_hz_per_s, "Hz/s"));
 }
 
-std::string drift_text(const DriftFunction& drift) {
+std::string drift_text(const Identification& identification) {
+    const DriftFunction& drift = identification.drift;
     if (drift.order == 0) {
-        return "drift function: - " + english(Reason{ReasonCode::few_angles, {}}) + "\n";
+        return "drift function: - " + english(no_drift_function(identification)) + "\n";
     }
     constexpr std::array<const char*, 5> names{"mean", "cos 4 theta", "sin 4 theta", "cos 8 theta",
                                                "sin 8 theta"};
@@ -135,7 +136,7 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         text += run_text(inputs[k], identification.runs[k], fit.runs[k]);
     }
-    text += drift_text(identification.drift);
+    text += drift_text(identification);
     text += "residual rms " + short_text(fit.residual_rms, 4) + ", chi^2 per degree of freedom " +
             short_text(fit.chi2_per_dof, 4) + "\n";
     if (comparison != nullptr) {

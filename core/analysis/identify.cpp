@@ -157,14 +157,22 @@ Result<Identification> identify(std::span<const Recording> recordings,
         return fit.error();
     }
     found.fit = std::move(*fit);
-    found.drift = drift_function(phasors);
     if (found.fit.model == ResonatorModel::structured) {
+        found.drift = drift_function(phasors);
         for (std::size_t k = 0; k < phasors.size(); ++k) {
             found.balance.push_back(channel_balance(phasors[k], found.fit.motion, k, track_points));
         }
     }
     found.timing.fit_s = job.now() - fitted_from;
     return found;
+}
+
+Reason no_drift_function(const Identification& identification) {
+    if (identification.drift.order > 0) {
+        return {};
+    }
+    const bool free = identification.fit.model == ResonatorModel::free;
+    return {free ? ReasonCode::free_model : ReasonCode::few_angles, {}};
 }
 
 }  // namespace vybeg

@@ -50,7 +50,7 @@ struct Identification {
     IdentifySettings settings;
     std::vector<IdentifiedRun> runs;  // one for each recording, in their order
     ResonatorFit fit;
-    DriftFunction drift;
+    DriftFunction drift;                  // empty for the free model
     std::vector<ChannelBalance> balance;  // of each run; empty for the free model
     IdentifyTiming timing;
 };
@@ -63,5 +63,8 @@ struct Identification {
 // one recording.
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job);
+
+// Why an identification has no drift function; ReasonCode::none where it has one.
+Reason no_drift_function(const Identification& identification);
 
 }  // namespace vybeg

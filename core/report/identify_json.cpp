@@ -147,13 +147,17 @@ Json drift_json(const Identification& identification) {
                           {"theta_rad", number_json(point.theta)},
                           {"rate_rad_s", quantity_json({point.rate, point.sd_rate, {}})}});
     }
+    Reason none = no_drift_function(identification);
+    if (none.code == ReasonCode::none) {
+        none.code = ReasonCode::few_angles;  // of the harmonics beyond the curve's order
+    }
     Json harmonics = Json::object();
     for (std::size_t k = 0; k < names.size(); ++k) {
         const auto at = static_cast<Eigen::Index>(k);
         harmonics[names[k]] = quantity_json(
             at < drift.coefficients.size()
                 ? Estimate{drift.coefficients[at], std::sqrt(drift.covariance(at, at)), {}}
-                : Estimate{.reason = {ReasonCode::few_angles, {}}});
+                : Estimate{.reason = none});
     }
     return {{"order", drift.order},
             {"harmonics", harmonics},
