@@ -704,6 +704,10 @@
             <translation>Волны стоят под слишком малым числом углов для дрейфа как функции угла: нужны три пуска через 22,5 градуса или больше либо волна, которая поворачивается.</translation>
         </message>
         <message>
+            <source>The motion tells one number of the channels, which is taken as their gain ratio. A wrong angle between the pick-offs, or a delay between the channels, looks like it or like an anisotropy.</source>
+            <translation>Движение сообщает о каналах одно число, оно принимается за отношение их усилений. Неверный угол между датчиками или запаздывание между каналами выглядят как оно или как анизотропия.</translation>
+        </message>
+        <message>
             <source>The wave turns through %1 degrees; %2 are needed to see the gain ratio of the channels.</source>
             <translation>Волна поворачивается на %1 градусов; чтобы увидеть отношение усилений каналов, нужно %2.</translation>
         </message>

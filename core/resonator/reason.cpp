@@ -52,6 +52,12 @@ const char* message_template(ReasonCode code) {
         case ReasonCode::kappa_not_seen:
             return VYBEG_MESSAGE("Reason",
                                  "This motion does not show the gain ratio of the channels.");
+        case ReasonCode::channels_one_number:
+            return VYBEG_MESSAGE(
+                "Reason",
+                "The motion tells one number of the channels, which is taken as "
+                "their gain ratio. A wrong angle between the pick-offs, or a delay "
+                "between the channels, looks like it or like an anisotropy.");
         case ReasonCode::not_asked:
             return VYBEG_MESSAGE("Reason", "Its estimate was switched off.");
         case ReasonCode::amplitude_like_drift:
@@ -82,6 +88,7 @@ std::string reason_name(ReasonCode code) {
         case ReasonCode::kappa_still_wave: return "kappa-still-wave";
         case ReasonCode::kappa_like_damping: return "kappa-like-damping";
         case ReasonCode::kappa_not_seen: return "kappa-not-seen";
+        case ReasonCode::channels_one_number: return "channels-one-number";
         case ReasonCode::not_asked: return "not-asked";
         case ReasonCode::amplitude_like_drift: return "amplitude-like-drift";
         case ReasonCode::residual_from_elsewhere: return "residual-from-elsewhere";

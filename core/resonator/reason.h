@@ -20,6 +20,7 @@ enum class ReasonCode {
     kappa_still_wave,      // args: angle turned (deg), angle needed (deg)
     kappa_like_damping,    // gain ratio and damping anisotropy look the same
     kappa_not_seen,        // this motion does not show the gain ratio
+    channels_one_number,   // M tells one number of the channels, taken as their gain ratio
     not_asked,             // the caller asked for no estimate of it
     amplitude_like_drift,  // within this decay the amplitude does not tell it from a drift
     residual_from_elsewhere,  // significant, but it leaves most of the residual

@@ -213,6 +213,11 @@ ResonatorFit estimates(const ModelChoice& choice, std::span<const PhasorRun> run
         free_estimates(fit);
     }
     fit.resonator.kappa = choice.kappa;
+    // M is eight numbers and a resonator seven: one is left for all errors of the channels.
+    const Reason channels{choice.model == ResonatorModel::free ? ReasonCode::free_model
+                                                               : ReasonCode::channels_one_number,
+                          {}};
+    fit.resonator.non_orthogonality_rad = fit.resonator.delay_s = Estimate{.reason = channels};
     fit.resonator.frequency_per_power = scaled_by(choice.frequency_per_power, 1 / (scale * scale));
 
     const bool told_apart =

@@ -43,6 +43,8 @@ struct ResonatorEstimate {
     Estimate theta_tau_rad;             // axis of larger damping, (-pi/4, pi/4]
     Estimate angle_rate_rad_s;          // d theta_A/dt = -k Omega = -r/2
     Estimate kappa;                     // D = kappa S_D
+    Estimate non_orthogonality_rad;     // of the pick-offs; never told, for the reason that it has
+    Estimate delay_s;                   // of D behind C; likewise
     Estimate frequency_per_power;       // Hz per squared recording unit of |z|^2 = a_A^2 + a_B^2
 };
 

@@ -16,7 +16,7 @@ struct ResonatorParameter {
     double period;  // of an axis, rad; 0 where the values are no angles
 };
 
-inline constexpr std::array<ResonatorParameter, 10> resonator_parameters{{
+inline constexpr std::array<ResonatorParameter, 12> resonator_parameters{{
     {"f_mean_hz", "Hz", &ResonatorEstimate::f_mean_hz, 0},
     {"split_hz", "Hz", &ResonatorEstimate::split_hz, 0},
     {"theta_w_rad", "rad", &ResonatorEstimate::theta_w_rad, std::numbers::pi / 2},
@@ -26,6 +26,8 @@ inline constexpr std::array<ResonatorParameter, 10> resonator_parameters{{
     {"theta_tau_rad", "rad", &ResonatorEstimate::theta_tau_rad, std::numbers::pi / 2},
     {"angle_rate_rad_s", "rad/s", &ResonatorEstimate::angle_rate_rad_s, 0},
     {"kappa", "", &ResonatorEstimate::kappa, 0},
+    {"non_orthogonality_rad", "rad", &ResonatorEstimate::non_orthogonality_rad, 0},
+    {"delay_s", "s", &ResonatorEstimate::delay_s, 0},
     {"frequency_per_power", "Hz per squared unit", &ResonatorEstimate::frequency_per_power, 0},
 }};
 

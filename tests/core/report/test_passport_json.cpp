@@ -26,7 +26,8 @@ Passport example() {
     const Reason reason{ReasonCode::one_direction, {"22.5", "28"}};
     for (Estimate* estimate :
          {&resonator.theta_w_rad, &resonator.damping_anisotropy_per_s, &resonator.theta_tau_rad,
-          &resonator.angle_rate_rad_s, &resonator.kappa, &resonator.frequency_per_power}) {
+          &resonator.angle_rate_rad_s, &resonator.kappa, &resonator.non_orthogonality_rad,
+          &resonator.delay_s, &resonator.frequency_per_power}) {
         estimate->reason = reason;
     }
     ModeEstimate mode;

@@ -146,6 +146,7 @@ void TestFitReasons::whatIsNotAskedForIsNotEstimated() {
                                     {.estimate_kappa = false, .fit_drift = false});
     QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::not_asked);
     QVERIFY(fit.resonator.frequency_per_power.reason.code == ReasonCode::not_asked);
+    QVERIFY(fit.resonator.delay_s.reason.code == ReasonCode::channels_one_number);
     QVERIFY(fit.runs[3].drift_hz_per_s.reason.code == ReasonCode::not_asked);
 }
 

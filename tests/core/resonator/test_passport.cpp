@@ -17,7 +17,8 @@ ResonatorEstimate all_unknown() {
     for (Estimate* estimate :
          {&resonator.f_mean_hz, &resonator.split_hz, &resonator.theta_w_rad, &resonator.tau_s,
           &resonator.q, &resonator.damping_anisotropy_per_s, &resonator.theta_tau_rad,
-          &resonator.angle_rate_rad_s, &resonator.kappa, &resonator.frequency_per_power}) {
+          &resonator.angle_rate_rad_s, &resonator.kappa, &resonator.non_orthogonality_rad,
+          &resonator.delay_s, &resonator.frequency_per_power}) {
         estimate->reason = unknown;
     }
     return resonator;
