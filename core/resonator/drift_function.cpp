@@ -12,6 +12,7 @@
 #include <complex>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -38,6 +39,7 @@ struct Place {
     double p = 0;
     double q = 0;
     double sd_q = 0;
+    double by_quadrature = 0;  // by so much the quadrature has turned it since its stretch began
 };
 
 std::optional<Place> place_of(const PhasorRun& run, std::size_t k) {
@@ -152,7 +154,9 @@ std::vector<int> chosen(int order, bool quadrature) {
 }
 
 // Fits the chosen terms into `found`; false where the angles cannot tell them apart.
-bool fit(const Normal& normal, int order, bool quadrature, DriftFunction& found) {
+// `by_quadrature` gets the coefficients of the quadrature's terms.
+bool fit(const Normal& normal, int order, bool quadrature, DriftFunction& found,
+         Eigen::Vector2d& by_quadrature) {
     const std::vector<int> list = chosen(order, quadrature);
     const Eigen::MatrixXd information = normal.information(list, list);
     // All terms of the curve have amplitude one; only those of the quadrature have a size of their
@@ -186,11 +190,15 @@ bool fit(const Normal& normal, int order, bool quadrature, DriftFunction& found)
         covariance *= found.chi2_per_freedom;
     }
     found.coefficients = all.head(kept);
+    if (quadrature) {
+        by_quadrature = all.tail<2>();
+    }
     found.covariance = covariance.topLeftCorner(kept, kept);
     return true;
 }
 
-// The straight line through the places [first, end) of a stretch, by weighted least squares.
+// The straight line through the places [first, end) of a stretch, by weighted least squares, less
+// what the quadrature turns them.
 DriftPoint point_of(std::size_t run, const Stretch& stretch, std::size_t first, std::size_t end) {
     double weight = 0;
     double mean_t = 0;
@@ -211,7 +219,7 @@ DriftPoint point_of(std::size_t run, const Stretch& stretch, std::size_t first, 
         const double w = 1 / (stretch[k].sd_theta * stretch[k].sd_theta);
         const double t = stretch[k].time_s - t0 - mean_t;
         spread += w * t * t;
-        moment += w * t * (stretch[k].theta - theta0 - mean_theta);
+        moment += w * t * (stretch[k].theta - theta0 - mean_theta - stretch[k].by_quadrature);
     }
     return {run, wrap(4 * (theta0 + mean_theta)) / 4, moment / spread, 1 / std::sqrt(spread)};
 }
@@ -249,22 +257,28 @@ double DriftFunction::sd_rate(double theta) const {
 DriftFunction drift_function(std::span<const PhasorRun> runs) {
     DriftFunction found;
     Normal normal;
+    std::vector<std::pair<std::size_t, Stretch>> stretches;  // with their runs
     for (std::size_t run = 0; run < runs.size(); ++run) {
-        for (const Stretch& stretch : stretches_of(runs[run])) {
+        for (Stretch& stretch : stretches_of(runs[run])) {
             if (stretch.size() > 2) {
                 normal.add(stretch);
-                add_points(run, stretch, found.points);
+                stretches.emplace_back(run, std::move(stretch));
             }
         }
     }
-    if (normal.count == 0) {
-        return found;
-    }
     const bool quadrature = normal.q_power > quadrature_power * normal.count;
+    Eigen::Vector2d by_quadrature = Eigen::Vector2d::Zero();
     for (const int order : {8, 4}) {
-        if (fit(normal, order, quadrature, found)) {
+        if (normal.count > 0 && fit(normal, order, quadrature, found, by_quadrature)) {
             break;
         }
+    }
+    for (auto& [run, stretch] : stretches) {
+        const std::vector<Terms> sums = integrals(stretch);
+        for (std::size_t k = 0; k < stretch.size(); ++k) {
+            stretch[k].by_quadrature = by_quadrature.dot(sums[k].tail<2>());
+        }
+        add_points(run, stretch, found.points);
     }
     return found;
 }

@@ -21,7 +21,8 @@ namespace vybeg {
 // last line is what the split does through the quadrature, -pi split cos 4(theta - theta_w); it is
 // fitted along where there is a quadrature, and is no part of the curve.
 
-// The mean drift over a stretch of one run, along which the angle moves by 5 degrees at most.
+// The mean drift over a stretch of one run, along which the angle moves by 5 degrees at most; less
+// what the quadrature does, where the curve is known.
 struct DriftPoint {
     std::size_t run = 0;
     double theta = 0;  // in (-pi/4, pi/4]
