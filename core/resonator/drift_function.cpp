@@ -154,9 +154,8 @@ std::vector<int> chosen(int order, bool quadrature) {
 }
 
 // Fits the chosen terms into `found`; false where the angles cannot tell them apart.
-// `by_quadrature` gets the coefficients of the quadrature's terms.
-bool fit(const Normal& normal, int order, bool quadrature, DriftFunction& found,
-         Eigen::Vector2d& by_quadrature) {
+// `fitted` gets the coefficients of all terms, 0 where they were not chosen.
+bool fit(const Normal& normal, int order, bool quadrature, DriftFunction& found, Terms& fitted) {
     const std::vector<int> list = chosen(order, quadrature);
     const Eigen::MatrixXd information = normal.information(list, list);
     // All terms of the curve have amplitude one; only those of the quadrature have a size of their
@@ -190,9 +189,7 @@ bool fit(const Normal& normal, int order, bool quadrature, DriftFunction& found,
         covariance *= found.chi2_per_freedom;
     }
     found.coefficients = all.head(kept);
-    if (quadrature) {
-        by_quadrature = all.tail<2>();
-    }
+    fitted(list) = all;
     found.covariance = covariance.topLeftCorner(kept, kept);
     return true;
 }
@@ -267,16 +264,22 @@ DriftFunction drift_function(std::span<const PhasorRun> runs) {
         }
     }
     const bool quadrature = normal.q_power > quadrature_power * normal.count;
-    Eigen::Vector2d by_quadrature = Eigen::Vector2d::Zero();
+    Terms fitted = Terms::Zero();
     for (const int order : {8, 4}) {
-        if (normal.count > 0 && fit(normal, order, quadrature, found, by_quadrature)) {
+        if (normal.count > 0 && fit(normal, order, quadrature, found, fitted)) {
             break;
         }
     }
     for (auto& [run, stretch] : stretches) {
-        const std::vector<Terms> sums = integrals(stretch);
+        Stretch linear = stretch;
+        for (Place& place : linear) {
+            place.p = 1;
+            place.q = 0;
+        }
+        const std::vector<Terms> with = integrals(stretch);
+        const std::vector<Terms> without = integrals(linear);
         for (std::size_t k = 0; k < stretch.size(); ++k) {
-            stretch[k].by_quadrature = by_quadrature.dot(sums[k].tail<2>());
+            stretch[k].by_quadrature = fitted.dot(with[k] - without[k]);
         }
         add_points(run, stretch, found.points);
     }
