@@ -1765,8 +1765,8 @@
             <translation>СКО</translation>
         </message>
         <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
+            <source>Time, ms</source>
+            <translation>Время, мс</translation>
         </message>
         <message>
             <source>Mean frequency f_cp over all windows ± standard deviation of the mean, from the scatter between windows</source>

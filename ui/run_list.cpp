@@ -127,8 +127,8 @@ void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) const {
             : flagged);
     item.setText(frequency, valueText(entry.summary.mean_f_hz, entry.summary.sd_mean_f_hz));
     item.setText(rms, locale.toString(entry.summary.rms, 'g', 4));
-    item.setText(time,
-                 entry.partial() ? QString() : locale.toString(entry.run.seconds_taken, 'g', 2));
+    const double ms = 1e3 * entry.run.seconds_taken;
+    item.setText(time, entry.partial() ? QString() : locale.toString(ms, 'f', ms < 10 ? 2 : 0));
     QStringList notes;
     if (entry.live && document_.live()) {
         QFont font = this->font();
@@ -177,7 +177,7 @@ void RunList::changeEvent(QEvent* event) {
 void RunList::retranslate() {
     setAccessibleName(tr("Runs"));
     setHeaderLabels({tr("Run"), tr("Recording"), tr("Algorithm"), tr("n"), tr("Windows"),
-                     tr("Mean f, Hz"), tr("rms"), tr("Time, s")});
+                     tr("Mean f, Hz"), tr("rms"), tr("Time, ms")});
     headerItem()->setToolTip(frequency,
                              tr("Mean frequency f_cp over all windows ± standard deviation of the "
                                 "mean, from the scatter between windows"));
