@@ -1,5 +1,7 @@
 #include "ui/analysis_job.h"
 
+#include "core/report/identify_json.h"
+#include "core/report/passport_json.h"
 #include "core/report/track_csv.h"
 
 #include <QElapsedTimer>
@@ -242,31 +244,102 @@ void AnalysisJob::analyseLive(int key, const Recording& recording, const Setting
         std::move(done));
 }
 
+void AnalysisJob::identify(int key, const std::vector<Recording>& recordings,
+                           std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
+                           std::function<void(Result<ResonatorOutcome>)> done) {
+    start<ResonatorOutcome>(
+        analyses_, {Kind::identification, key},
+        [this, key, recordings, inputs = std::move(inputs),
+         settings](const Ticket& ticket) -> Result<ResonatorOutcome> {
+            QMetaObject::invokeMethod(
+                this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
+            const JobControl job = reporting(key, ticket.stop);
+            ResonatorOutcome outcome;
+            outcome.inputs = inputs;
+            for (std::size_t k = 0; k < recordings.size(); ++k) {
+                IdentifiedInput& input = outcome.inputs[k];
+                if (!input.sha256.empty()) {
+                    continue;
+                }
+                Result<std::string> hash = file_sha256(recordings[k].path, job.silent());
+                if (!hash) {
+                    return hash.error();
+                }
+                input.sha256 = std::move(*hash);
+            }
+            const double begun = job.now();
+            Result<Identification> found = vybeg::identify(recordings, settings, job);
+            if (!found) {
+                return found.error();
+            }
+            outcome.seconds = job.now() - begun;
+            outcome.identification = std::move(*found);
+            for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
+                outcome.inputs[k].f0_hz = outcome.identification.runs[k].f0_hz;
+            }
+            return outcome;
+        },
+        std::move(done));
+}
+
+void AnalysisJob::readPassport(int key, const QString& path,
+                               std::function<void(Result<Passport>)> done) {
+    start<Passport>(
+        others_, {Kind::passport, key},
+        [path = toPath(path)](const Ticket&) { return read_passport_file(path); }, std::move(done));
+}
+
+void AnalysisJob::writePassport(int key, std::shared_ptr<const ResonatorOutcome> outcome,
+                                const QString& program, const QString& path,
+                                std::function<void(Status)> done) {
+    write(
+        key,
+        [outcome = std::move(outcome), name = program.toStdString(),
+         path = toPath(path)](const JobControl& job) -> Status {
+            Result<OutputFile> file = OutputFile::create(path, job);
+            if (!file) {
+                return file.error();
+            }
+            const Passport passport = passport_of(name, outcome->inputs, outcome->identification);
+            if (Status written = file->write(passport_json(passport)); !written) {
+                return written;
+            }
+            return file->commit();
+        },
+        std::move(done));
+}
+
 void AnalysisJob::writeTrack(int key, const Recording& recording,
                              std::shared_ptr<const Analysis> analysis, const QString& program,
                              const QString& path, std::function<void(Status)> done) {
+    write(
+        key,
+        [recording, analysis = std::move(analysis), name = program.toStdString(),
+         path = toPath(path)](const JobControl& job) -> Status {
+            const Result<std::string> hash = file_sha256(recording.path, job);
+            if (!hash) {
+                return hash.error();
+            }
+            Result<OutputFile> file = OutputFile::create(path, job);
+            if (!file) {
+                return file.error();
+            }
+            const auto header = track_header(name, recording, *hash, *analysis);
+            if (Status written = write_track_csv(*file, analysis->track, header, job); !written) {
+                return written;
+            }
+            return file->commit();
+        },
+        std::move(done));
+}
+
+void AnalysisJob::write(int key, std::function<Status(const JobControl&)> work,
+                        std::function<void(Status)> done) {
     struct Nothing {};
-    const auto write = [recording, analysis = std::move(analysis), name = program.toStdString(),
-                        path = toPath(path)](const Ticket& ticket) -> Status {
-        const JobControl job(ticket.stop);
-        const Result<std::string> hash = file_sha256(recording.path, job);
-        if (!hash) {
-            return hash.error();
-        }
-        Result<OutputFile> file = OutputFile::create(path, job);
-        if (!file) {
-            return file.error();
-        }
-        const auto header = track_header(name, recording, *hash, *analysis);
-        if (Status written = write_track_csv(*file, analysis->track, header, job); !written) {
-            return written;
-        }
-        return file->commit();
-    };
     start<Nothing>(
         others_, {Kind::write, key},
-        [write](const Ticket& ticket) -> Result<Nothing> {
-            const Status status = write(ticket);
+        [work = std::move(work)](const Ticket& ticket) -> Result<Nothing> {
+            const Status status = work(JobControl(ticket.stop));
             return status ? Result<Nothing>(Nothing{}) : Result<Nothing>(status.error());
         },
         [done = std::move(done)](const Result<Nothing>& result) {
@@ -293,7 +366,8 @@ void AnalysisJob::forgetLive(int key) {
 
 void AnalysisJob::cancelAnalyses() {
     for (auto& [id, task] : tasks_) {
-        if (id.first == Kind::analysis || id.first == Kind::live) {
+        if (id.first == Kind::analysis || id.first == Kind::live ||
+            id.first == Kind::identification) {
             task.stop.request_stop();
         }
     }

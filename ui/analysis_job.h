@@ -10,6 +10,7 @@
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
 #include "ui/curve_data.h"
+#include "ui/run_set.h"
 
 #include <QObject>
 #include <QString>
@@ -69,6 +70,15 @@ public:
                      const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
                      std::function<void(Result<AnalysisOutcome>)> done);
 
+    // One resonator behind all recordings. `inputs` as these; hashes that are missing are made.
+    void identify(int key, const std::vector<Recording>& recordings,
+                  std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
+                  std::function<void(Result<ResonatorOutcome>)> done);
+    void readPassport(int key, const QString& path, std::function<void(Result<Passport>)> done);
+    void writePassport(int key, std::shared_ptr<const ResonatorOutcome> outcome,
+                       const QString& program, const QString& path,
+                       std::function<void(Status)> done);
+
     // Writes the track CSV of INTERFACE.md; hashes the recording first.
     void writeTrack(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
                     const QString& program, const QString& path, std::function<void(Status)> done);
@@ -76,7 +86,7 @@ public:
     // Stops all jobs about a key without a result.
     void forget(int key);
     void forgetLive(int key);
-    // Stops all analyses, live ones too; each delivers ErrorCode::interrupted.
+    // Stops all analyses, live ones and identifications too; each delivers ErrorCode::interrupted.
     void cancelAnalyses();
 
 signals:
@@ -86,7 +96,19 @@ signals:
     void analysisStarted(int key);
 
 private:
-    enum class Kind { open, preview, envelope, hash, carrier, check, analysis, live, write };
+    enum class Kind {
+        open,
+        preview,
+        envelope,
+        hash,
+        carrier,
+        check,
+        analysis,
+        live,
+        identification,
+        passport,
+        write
+    };
     struct Task {
         quint64 generation = 0;
         std::stop_source stop;
@@ -102,6 +124,8 @@ private:
     template <class Value>
     void start(QThreadPool& pool, TaskId id, std::function<Result<Value>(const Ticket&)> work,
                std::function<void(Result<Value>)> done);
+    void write(int key, std::function<Status(const JobControl&)> work,
+               std::function<void(Status)> done);
     bool isStale(const Ticket& ticket) const;
     // Lets `act` run in the window's thread, unless the job is stale by then.
     void post(const Ticket& ticket, std::function<void()> act);

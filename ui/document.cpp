@@ -112,8 +112,19 @@ void Document::reopen(int id, const OpenOptions& options) {
         return;
     }
     const QString path = entry->path;
+    std::vector<int> holders;  // sets that hold it, and will hold it as it is read now
+    for (const RunSet& set : sets_) {
+        if (std::ranges::count(set.recordings, id) > 0) {
+            holders.push_back(set.id);
+        }
+    }
     closeRecording(id);
     open({path}, options);
+    for (const int holder : holders) {
+        RunSet& set = *findSet(holder);
+        set.recordings.push_back(recordings_.back().id);
+        edited(set);
+    }
 }
 
 void Document::whenLookedAt(int id, const FirstLook& look) {
@@ -216,6 +227,7 @@ void Document::closeRecording(int id) {
         job_.forget(key);
         requestDone(key);
     }
+    forgetInSets(id);
     std::erase_if(recordings_, [id](const RecordingEntry& entry) { return entry.id == id; });
     const auto gone =
         std::erase_if(runs_, [id](const RunEntry& entry) { return entry.recording_id == id; });
@@ -312,6 +324,7 @@ void Document::startWith(const Settings& settings) {
 void Document::apply(const Settings& settings) {
     const Settings before = std::exchange(settings_, settings);
     emit settingsChanged();
+    emit setsChanged();  // what was found with other settings is out of date
     const bool search_differs = before.band != settings.band || before.filter != settings.filter ||
                                 before.from_s != settings.from_s || before.to_s != settings.to_s ||
                                 before.f0_hz != settings.f0_hz;

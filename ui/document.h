@@ -2,6 +2,7 @@
 
 #include "ui/analysis_job.h"
 #include "ui/run.h"
+#include "ui/run_set.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -122,6 +123,36 @@ public:
     // Track CSV in the background; `done` hears how it went. A partial run is not written.
     void exportTrack(int id, const QString& path, std::function<void(const Status&)> done);
 
+    // Sets of runs, and what was identified from them (document_sets.cpp). An edit of a set stops
+    // its identification; what was found before stays, out of date.
+    const std::vector<RunSet>& sets() const { return sets_; }
+    const RunSet* set(int id) const;
+    const RunSet* currentSet() const { return set(current_set_); }
+    void setCurrentSet(int id);
+    int addSet(const std::vector<int>& recording_ids = {});  // becomes the current one
+    void removeSet(int id);
+    void renameSet(int id, const QString& name);
+    void setModel(int id, FitOptions::Model model);
+    // To the current set; the first one is made where there is none. Already there: no matter.
+    void addToSet(const std::vector<int>& recording_ids);
+    void removeFromSet(int id, const std::vector<int>& recording_ids);
+    // Files from outside: those that are open already are added, the others opened and added.
+    void openIntoSet(const QStringList& paths);
+    // The current set, in the background; where it is empty, the current recording as a set of one.
+    void identify();
+    bool canIdentify() const;
+    // The newest of a set: with its recordings and settings as they are now, if there is one.
+    std::shared_ptr<const ResonatorOutcome> outcome(const RunSet& set) const;
+    bool outOfDate(const RunSet& set, const ResonatorOutcome& outcome) const;
+
+    // Passports. They are written and read in the background; errors are reported.
+    void savePassport(const QString& path, std::function<void(const Status&)> done);
+    void openPassport(const QString& path);
+    void closePassport();
+    const OpenPassport* passport() const { return passport_ ? &*passport_ : nullptr; }
+    // Of the current set's outcome from the passport; empty where one of them is missing.
+    std::vector<Difference> differences() const;
+
     void report(const Message& message) { emit reported(message); }
     void reportError(const Error& error);
 
@@ -135,6 +166,9 @@ signals:
     void liveChanged();
     void runsChanged();
     void runAdded(int id);
+    void setsChanged();      // the sets, their recordings and what was found
+    void passportChanged();  // what sets are compared with
+    void identified(int set_id);
     void busyChanged();
     void progressChanged();
     void finished(int run_id, double seconds);
@@ -149,6 +183,7 @@ private:
         Settings settings;
         int batch = 0;  // 0: a run of its own
         bool live = false;
+        int set_id = 0;  // not 0: an identification
     };
 
     RecordingEntry* find(int id);
@@ -171,6 +206,13 @@ private:
     RunEntry* liveRun(int recording_id);
     static Settings withKnownCarrier(const RecordingEntry& entry, Settings settings);
     void learnCarrier(int recording_id, const Settings& requested, const Settings& used);
+    // document_sets.cpp
+    RunSet* findSet(int id);
+    IdentifySettings settingsOf(const RunSet& set) const;
+    void edited(RunSet& set);
+    void forgetIdentification(int set_id);
+    void forgetInSets(int recording_id);
+    void whenIdentified(int key, Result<ResonatorOutcome> result);
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
     int addRun(const Request& request, AnalysisOutcome outcome);
     void apply(const Settings& settings);
@@ -192,6 +234,10 @@ private:
     QElapsedTimer busy_since_;
     bool live_ = false;
     TimeRange visible_;
+    std::vector<RunSet> sets_;
+    int current_set_ = 0;
+    int sets_made_ = 0;
+    std::optional<OpenPassport> passport_;
 
     friend class SettingsCommand;
 };

@@ -21,8 +21,8 @@ QString localisedNumber(QString text) {
                : text;
 }
 
-QString filled(const char* text, const std::vector<std::string>& args) {
-    const QString translated = QCoreApplication::translate("Message", text);
+QString filled(const char* context, const char* text, const std::vector<std::string>& args) {
+    const QString translated = QCoreApplication::translate(context, text);
     std::vector<std::string> localised;
     for (const std::string& arg : args) {
         localised.push_back(localisedNumber(QString::fromStdString(arg)).toStdString());
@@ -35,11 +35,17 @@ QString filled(const char* text, const std::vector<std::string>& args) {
 QString errorText(const Error& error) {
     std::vector<std::string> args{error.where};
     args.insert(args.end(), error.args.begin(), error.args.end());
-    return filled(message_template(error.code), args);
+    return filled("Message", message_template(error.code), args);
 }
 
 QString diagnosticText(const Diagnostic& diagnostic) {
-    return filled(message_template(diagnostic.kind), diagnostic.args);
+    return filled("Message", message_template(diagnostic.kind), diagnostic.args);
+}
+
+QString reasonText(const Reason& reason) {
+    return reason.code == ReasonCode::none
+               ? QString()
+               : filled("Reason", message_template(reason.code), reason.args);
 }
 
 QString flagsText(Flags flags) {

@@ -3,6 +3,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/estimators/flags.h"
+#include "core/resonator/reason.h"
 #include "core/track/events.h"
 
 #include <QString>
@@ -12,6 +13,8 @@ namespace vybeg::ui {
 // Sentences in the interface's language for what core/ returns as codes.
 QString errorText(const Error& error);
 QString diagnosticText(const Diagnostic& diagnostic);
+// Empty for a number that is given.
+QString reasonText(const Reason& reason);
 
 // Why a window's value is missing or doubtful, e.g. "samples are missing"; empty without a reason.
 QString flagsText(Flags flags);

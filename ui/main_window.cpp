@@ -7,6 +7,7 @@
 #include "ui/message_bar.h"
 #include "ui/recent_files.h"
 #include "ui/recording_panel.h"
+#include "ui/resonator_panel.h"
 #include "ui/run_list.h"
 #include "ui/settings_panel.h"
 #include "ui/signal_view.h"
@@ -99,6 +100,7 @@ void MainWindow::buildDocks() {
     recordings_ = new RecordingPanel(document_, this);
     settings_ = new SettingsPanel(document_, this);
     cursor_ = new CursorPanel(document_, this);
+    resonator_ = new ResonatorPanel(document_, this);
     events_ = new EventsPanel(document_, this);
     runs_ = new RunList(document_, this);
     const auto dock = [this](QWidget* panel, const char* name, const char* title,
@@ -116,6 +118,7 @@ void MainWindow::buildDocks() {
     readings_ = new QTabWidget(this);
     readings_->setDocumentMode(true);
     readings_->addTab(cursor_, QString());
+    readings_->addTab(resonator_, QString());
     readings_->addTab(events_, QString());
     auto* readings =
         dock(readings_, "readings", QT_TR_NOOP("Values and events"), Qt::RightDockWidgetArea);
@@ -123,7 +126,7 @@ void MainWindow::buildDocks() {
     readings->setTitleBarWidget(new QWidget(readings));
     auto* runs = dock(runs_, "runs", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea);
     resizeDocks({recordings, settings}, {340, 420}, Qt::Vertical);
-    resizeDocks({settings, readings}, {300, 270}, Qt::Horizontal);
+    resizeDocks({settings, readings}, {300, 330}, Qt::Horizontal);
     resizeDocks({runs}, {130}, Qt::Vertical);
 }
 
@@ -162,6 +165,22 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
     connect(&document_, &Document::comparisonReady, this, &MainWindow::showComparison);
     connect(&document_, &Document::reported, messages_, &MessageBar::add);
+    connect(&document_, &Document::setsChanged, this, &MainWindow::refreshActions);
+    connect(&document_, &Document::passportChanged, this, [this] {
+        if (document_.passport()) {
+            readings_->setCurrentWidget(resonator_);
+            resonator_->showComparison();
+        }
+    });
+    connect(&document_, &Document::identified, this, [this](int set_id) {
+        const auto found = document_.outcome(*document_.set(set_id));
+        const auto count = static_cast<int>(found->inputs.size());
+        status_text_ = [count, seconds = found->seconds] {
+            return tr("Resonator of %n recording(s) in %1 s", nullptr, count)
+                .arg(QLocale().toString(seconds, 'g', 2));
+        };
+        status_->setText(status_text_());
+    });
     connect(&document_, &Document::finished, this, [this](int run_id, double seconds) {
         const RunEntry* entry = document_.run(run_id);
         const auto windows = static_cast<int>(entry->summary.windows);
@@ -196,6 +215,7 @@ void MainWindow::connectViews() {
     connect(tracks_, &TrackView::zoomHistoryChanged, this, &MainWindow::refreshActions);
     connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
     connect(events_, &EventsPanel::eventChosen, this, &MainWindow::goToEvent);
+    connect(resonator_, &ResonatorPanel::exportWanted, this, &MainWindow::exportResonatorPlot);
 }
 
 void MainWindow::showCurrentRecording() {
@@ -298,6 +318,11 @@ void MainWindow::editAnalysedRange(double from_s, double to_s) {
     settings.from_s = from_s > 0 ? std::optional(from_s) : std::nullopt;
     settings.to_s = to_s < entry->recording->seconds() ? std::optional(to_s) : std::nullopt;
     document_.setSettings(settings, range_gesture_);
+}
+
+void MainWindow::identify() {
+    readings_->setCurrentWidget(resonator_);
+    document_.identify();
 }
 
 void MainWindow::goToEvent(double time_s, double seconds) {

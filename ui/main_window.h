@@ -1,9 +1,11 @@
 #pragma once
 
+#include "ui/command_texts.h"
 #include "ui/display_units.h"
 #include "ui/document.h"
 #include "ui/language.h"
 #include "ui/theme.h"
+#include "ui/xy_plot.h"
 #include "ui/zoom_stack.h"
 
 #include <QElapsedTimer>
@@ -32,40 +34,12 @@ class ImportDialog;
 class MessageBar;
 class RecentFiles;
 class RecordingPanel;
+class ResonatorPanel;
 class RunList;
 class SettingsPanel;
 class SignalView;
 class TrackView;
 class WelcomePage;
-
-// What the menus, the tool bar and the keyboard offer.
-enum class Command {
-    open,
-    import_file,
-    close_recording,
-    export_plots,
-    export_track,
-    quit,
-    undo,
-    redo,
-    copy_plot,
-    copy_table,
-    zoom_in,
-    zoom_out,
-    zoom_fit,
-    zoom_back,
-    zoom_forward,
-    sigma_bands,
-    log_a_A,
-    run,
-    live,
-    cancel,
-    compare,
-    help,
-    copy_diagnostics,
-    about,
-    count
-};
 
 // The window: puts the panels and views together and passes on what they tell each other. All state
 // is the document's; all of the window's own (geometry, theme, language, units) is kept in
@@ -86,6 +60,8 @@ public:
     void exportPlotsTo(const QString& path);
     void exportTrackTo(const QString& path);
     void exportFigureTo(const QString& path);
+    void savePassportTo(const QString& path);
+    void comparePassport(const QString& path);
     // Program, libraries, platform and settings, for a report of a fault.
     QString diagnosticsText() const;
 
@@ -115,6 +91,7 @@ private:
     void showRun(int id);
     void editAnalysedRange(double from_s, double to_s);
     void goToEvent(double time_s, double seconds);
+    void identify();
 
     // main_window_actions.cpp
     void buildActions();
@@ -131,8 +108,10 @@ private:
     void askForImport();
     void openImport(const QString& path, const OpenOptions& options);
     void askWhereTo(const QString& title, const QString& name, const QStringList& filters,
-                    void (MainWindow::*save)(const QString&));
+                    const std::function<void(const QString&)>& save);
     void told(const Status& status, const QString& path);
+    void askForPassport();
+    void exportResonatorPlot(const XYPlot& plot, QSize size);
     void openCompare();
     void showComparison(const QList<int>& run_ids);
     void showHelp();
@@ -162,6 +141,7 @@ private:
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
     CursorPanel* cursor_ = nullptr;
+    ResonatorPanel* resonator_ = nullptr;
     EventsPanel* events_ = nullptr;
     RunList* runs_ = nullptr;
     QTabWidget* readings_ = nullptr;

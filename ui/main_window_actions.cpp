@@ -1,10 +1,12 @@
 // Menus, tool bar, shortcuts and their texts.
+#include "ui/command_texts.h"
 #include "ui/compare_dialog.h"
 #include "ui/cursor_panel.h"
 #include "ui/main_window.h"
 #include "ui/number_field.h"
 #include "ui/plot_export.h"
 #include "ui/recent_files.h"
+#include "ui/resonator_panel.h"
 #include "ui/run_list.h"
 #include "ui/signal_view.h"
 #include "ui/track_view.h"
@@ -23,92 +25,6 @@
 
 namespace vybeg::ui {
 
-namespace {
-
-struct CommandTexts {
-    const char* text;
-    const char* tip;
-};
-
-// In the order of Command.
-constexpr std::array<CommandTexts, static_cast<std::size_t>(Command::count)> command_texts{{
-    {QT_TRANSLATE_NOOP("Command", "&Open…"),
-     QT_TRANSLATE_NOOP("Command", "Open recordings of a free decay")},
-    {QT_TRANSLATE_NOOP("Command", "&Import…"),
-     QT_TRANSLATE_NOOP("Command",
-                       "Say how a file is to be read, and see at once what comes of it")},
-    {QT_TRANSLATE_NOOP("Command", "&Close recording"),
-     QT_TRANSLATE_NOOP("Command", "Close the current recording and its runs")},
-    {QT_TRANSLATE_NOOP("Command", "&Export plots…"),
-     QT_TRANSLATE_NOOP("Command", "Save the plots as PNG, SVG or PDF")},
-    {QT_TRANSLATE_NOOP("Command", "Export &track…"),
-     QT_TRANSLATE_NOOP("Command", "Save the slow variables of the chosen run as CSV")},
-    {QT_TRANSLATE_NOOP("Command", "&Quit"), ""},
-    {QT_TRANSLATE_NOOP("Command", "&Undo"),
-     QT_TRANSLATE_NOOP("Command", "Take back the last change of the settings")},
-    {QT_TRANSLATE_NOOP("Command", "&Redo"),
-     QT_TRANSLATE_NOOP("Command", "Make the change of the settings again")},
-    {QT_TRANSLATE_NOOP("Command", "&Copy plots"),
-     QT_TRANSLATE_NOOP("Command", "The plots as an image to the clipboard")},
-    {QT_TRANSLATE_NOOP("Command", "Copy &table"),
-     QT_TRANSLATE_NOOP("Command", "The values at the cursor to the clipboard, for a spreadsheet")},
-    {QT_TRANSLATE_NOOP("Command", "Zoom &in"), ""},
-    {QT_TRANSLATE_NOOP("Command", "Zoom &out"), ""},
-    {QT_TRANSLATE_NOOP("Command", "&Fit"),
-     QT_TRANSLATE_NOOP("Command", "Show the whole time range (double click, Home)")},
-    {QT_TRANSLATE_NOOP("Command", "Zoom &back"),
-     QT_TRANSLATE_NOOP("Command", "Back in the zoom history (R)")},
-    {QT_TRANSLATE_NOOP("Command", "Zoom fo&rward"),
-     QT_TRANSLATE_NOOP("Command", "Forward in the zoom history")},
-    {QT_TRANSLATE_NOOP("Command", "One-&sigma bands"), ""},
-    {QT_TRANSLATE_NOOP("Command", "&Logarithmic working amplitude"), ""},
-    {QT_TRANSLATE_NOOP("Command", "&Run"),
-     QT_TRANSLATE_NOOP("Command",
-                       "Analyse the current recording with the settings of the panel, as a run "
-                       "that is kept")},
-    {QT_TRANSLATE_NOOP("Command", "&Live"),
-     QT_TRANSLATE_NOOP("Command",
-                       "Every change of a setting shows at once, in a run that follows the panel")},
-    {QT_TRANSLATE_NOOP("Command", "&Cancel"),
-     QT_TRANSLATE_NOOP("Command", "Stop the analyses that are under way")},
-    {QT_TRANSLATE_NOOP("Command", "Compare &windows…"),
-     QT_TRANSLATE_NOOP("Command", "The article's figure: one column per window length")},
-    {QT_TRANSLATE_NOOP("Command", "&Help"),
-     QT_TRANSLATE_NOOP("Command", "How to use the program, the method and its formulas")},
-    {QT_TRANSLATE_NOOP("Command", "Copy &diagnostics"),
-     QT_TRANSLATE_NOOP("Command",
-                       "Versions and settings to the clipboard, for a report of a fault")},
-    {QT_TRANSLATE_NOOP("Command", "&About Vybeg"), ""},
-}};
-
-QList<QKeySequence> shortcutsOf(Command command) {
-    switch (command) {
-        case Command::open: return {QKeySequence::Open};
-        case Command::import_file: return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_O)};
-        case Command::close_recording: return {QKeyCombination(Qt::CTRL, Qt::Key_W)};
-        case Command::export_plots: return {QKeyCombination(Qt::CTRL, Qt::Key_E)};
-        case Command::export_track: return {QKeyCombination(Qt::CTRL, Qt::Key_S)};
-        case Command::quit: return {QKeyCombination(Qt::CTRL, Qt::Key_Q)};
-        case Command::undo: return {QKeyCombination(Qt::CTRL, Qt::Key_Z)};
-        case Command::redo:
-            return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_Z),
-                    QKeyCombination(Qt::CTRL, Qt::Key_Y)};
-        case Command::copy_plot: return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_C)};
-        case Command::copy_table: return {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_T)};
-        case Command::zoom_fit: return {QKeyCombination(Qt::CTRL, Qt::Key_0)};
-        case Command::zoom_back: return {QKeyCombination(Qt::ALT, Qt::Key_Left)};
-        case Command::zoom_forward: return {QKeyCombination(Qt::ALT, Qt::Key_Right)};
-        case Command::run: return {QKeySequence(Qt::Key_F5)};
-        case Command::live: return {QKeyCombination(Qt::CTRL, Qt::Key_L)};
-        case Command::cancel: return {QKeyCombination(Qt::SHIFT, Qt::Key_F5)};
-        case Command::compare: return {QKeySequence(Qt::Key_F6)};
-        case Command::help: return {QKeySequence(Qt::Key_F1)};
-        default: return {};
-    }
-}
-
-}  // namespace
-
 void MainWindow::buildActions() {
     for (std::size_t i = 0; i < actions_.size(); ++i) {
         actions_[i] = new QAction(this);
@@ -124,12 +40,17 @@ void MainWindow::buildActions() {
     on(Command::export_plots, [this] {
         askWhereTo(tr("Export plots"), QStringLiteral("vybeg.png"),
                    {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
-                   &MainWindow::exportPlotsTo);
+                   [this](const QString& path) { exportPlotsTo(path); });
     });
     on(Command::export_track, [this] {
         askWhereTo(tr("Export track"), QStringLiteral("track.csv"), {tr("Track (*.csv)")},
-                   &MainWindow::exportTrackTo);
+                   [this](const QString& path) { exportTrackTo(path); });
     });
+    on(Command::save_passport, [this] {
+        askWhereTo(tr("Save passport"), QStringLiteral("passport.json"), {tr("Passport (*.json)")},
+                   [this](const QString& path) { savePassportTo(path); });
+    });
+    on(Command::compare_passport, [this] { askForPassport(); });
     on(Command::quit, [this] { close(); });
     on(Command::undo, [this] { document_.undoStack().undo(); });
     on(Command::redo, [this] { document_.undoStack().redo(); });
@@ -150,6 +71,11 @@ void MainWindow::buildActions() {
     on(Command::live, [this](bool on_now) { document_.setLive(on_now); });
     on(Command::cancel, [this] { document_.cancel(); });
     on(Command::compare, [this] { openCompare(); });
+    on(Command::identify, [this] { identify(); });
+    on(Command::new_set, [this] {
+        document_.addSet();
+        readings_->setCurrentWidget(resonator_);
+    });
     on(Command::help, [this] { showHelp(); });
     on(Command::copy_diagnostics,
        [this] { QApplication::clipboard()->setText(diagnosticsText()); });
@@ -175,6 +101,7 @@ void MainWindow::changeUnits(const std::function<void(DisplayUnits&)>& change) {
     change(units);
     tracks_->setUnits(units);
     cursor_->setUnits(units);
+    resonator_->setUnits(units);
 }
 
 QMenu* MainWindow::choiceMenu(QMenu* parent, const std::vector<const char*>& texts, int chosen,
@@ -214,6 +141,8 @@ void MainWindow::buildMenus() {
     add(file, {Command::import_file, Command::close_recording});
     file->addSeparator();
     add(file, {Command::export_plots, Command::export_track});
+    file->addSeparator();
+    add(file, {Command::save_passport, Command::compare_passport});
     file->addSeparator();
     add(file, {Command::quit});
 
@@ -292,6 +221,8 @@ void MainWindow::buildMenus() {
 
     QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
     add(analysis, {Command::run, Command::live, Command::cancel, Command::compare});
+    analysis->addSeparator();
+    add(analysis, {Command::identify, Command::new_set});
     QMenu* help = top(QT_TR_NOOP("&Help"));
     add(help, {Command::help, Command::copy_diagnostics, Command::about});
 }
@@ -339,15 +270,21 @@ void MainWindow::refreshActions() {
     enable({Command::undo}, document_.undoStack().canUndo());
     enable({Command::redo}, document_.undoStack().canRedo());
     enable({Command::cancel}, document_.busy());
+    const RunSet* set = document_.currentSet();
+    const auto outcome = set ? document_.outcome(*set) : nullptr;
+    enable({Command::identify}, document_.canIdentify());
+    enable({Command::save_passport}, outcome && !document_.outOfDate(*set, *outcome));
 }
 
 void MainWindow::retranslate() {
     for (std::size_t i = 0; i < actions_.size(); ++i) {
-        const CommandTexts& texts = command_texts[i];
+        const auto which = static_cast<Command>(i);
         QAction& command = *actions_[i];
-        command.setText(QCoreApplication::translate("Command", texts.text));
-        QString tip = *texts.tip ? QCoreApplication::translate("Command", texts.tip)
-                                 : command.text().remove(QLatin1Char('&'));
+        command.setText(commandName(which));
+        QString tip = commandTip(which);
+        if (tip.isEmpty()) {
+            tip = command.text().remove(QLatin1Char('&'));
+        }
         if (!command.shortcut().isEmpty()) {
             tip +=
                 QStringLiteral(" (%1)").arg(command.shortcut().toString(QKeySequence::NativeText));
@@ -378,7 +315,8 @@ void MainWindow::retranslate() {
         }
     }
     readings_->setTabText(0, tr("At the cursor"));
-    readings_->setTabText(1, tr("Events"));
+    readings_->setTabText(1, tr("Resonator"));
+    readings_->setTabText(2, tr("Events"));
     tools_->setWindowTitle(tr("Tools"));
     cancel_->setText(tr("Cancel"));
     progress_->setAccessibleName(tr("Progress of the analysis"));

@@ -6,6 +6,7 @@
 #include "ui/import_dialog.h"
 #include "ui/main_window.h"
 #include "ui/plot_export.h"
+#include "ui/recording_drag.h"
 #include "ui/run_list.h"
 #include "ui/track_view.h"
 
@@ -27,16 +28,6 @@ namespace vybeg::ui {
 namespace {
 
 const QString folder_key = QStringLiteral("folder");
-
-QStringList localFiles(const QMimeData& data) {
-    QStringList files;
-    for (const QUrl& url : data.urls()) {
-        if (url.isLocalFile()) {
-            files << url.toLocalFile();
-        }
-    }
-    return files;
-}
 
 }  // namespace
 
@@ -105,7 +96,7 @@ void MainWindow::openImport(const QString& path, const OpenOptions& options) {
 }
 
 void MainWindow::askWhereTo(const QString& title, const QString& name, const QStringList& filters,
-                            void (MainWindow::*save)(const QString&)) {
+                            const std::function<void(const QString&)>& save) {
     auto* dialog = new QFileDialog(this, title, QSettings().value(folder_key).toString());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -144,6 +135,31 @@ void MainWindow::exportFigureTo(const QString& path) {
     }
 }
 
+void MainWindow::savePassportTo(const QString& path) {
+    document_.savePassport(path, [this, path](const Status& status) { told(status, path); });
+}
+
+void MainWindow::comparePassport(const QString& path) {
+    document_.openPassport(path);
+}
+
+void MainWindow::askForPassport() {
+    auto* dialog = new QFileDialog(this, tr("Compare with passport"),
+                                   QSettings().value(folder_key).toString());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({tr("Passport (*.json)"), tr("All files (*)")});
+    connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::comparePassport);
+    dialog->open();
+}
+
+void MainWindow::exportResonatorPlot(const XYPlot& plot, QSize size) {
+    askWhereTo(
+        tr("Export plot"), QStringLiteral("resonator.png"),
+        {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
+        [this, plot, size](const QString& path) { told(exportXYPlot(plot, size, path), path); });
+}
+
 void MainWindow::openCompare() {
     if (!compare_) {
         compare_ = new CompareDialog(this);
@@ -152,7 +168,7 @@ void MainWindow::openCompare() {
             askWhereTo(
                 tr("Export figure"), QStringLiteral("figure.pdf"),
                 {tr("PDF document (*.pdf)"), tr("SVG drawing (*.svg)"), tr("PNG image (*.png)")},
-                &MainWindow::exportFigureTo);
+                [this](const QString& path) { exportFigureTo(path); });
         });
     }
     compare_->setBusy(document_.busy());

@@ -2,6 +2,7 @@
 #include "ui/help_view.h"
 #include "ui/icons.h"
 #include "ui/main_window.h"
+#include "ui/resonator_panel.h"
 #include "ui/signal_view.h"
 #include "ui/track_view.h"
 
@@ -91,6 +92,7 @@ void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
     signal_->setTheme(theme_);
     tracks_->setTheme(theme_);
+    resonator_->setTheme(theme_);
     for (std::size_t i = 0; i < actions_.size(); ++i) {
         if (const char* name = iconName(static_cast<Command>(i))) {
             actions_[i]->setIcon(themedIcon(QLatin1String(name), theme_.palette));

@@ -2,6 +2,7 @@
 
 #include "ui/check_list.h"
 #include "ui/error_text.h"
+#include "ui/recording_drag.h"
 
 #include <QAction>
 #include <QDir>
@@ -51,7 +52,7 @@ QString channelText(const Recording& recording, int number) {
 }  // namespace
 
 RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), list_(new QListWidget(this)) {
+    : QWidget(parent), document_(document), list_(new RecordingDragList(this)) {
     list_->setIconSize({16, 16});
     list_->setTextElideMode(Qt::ElideMiddle);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -61,7 +62,11 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     close_->setShortcut(QKeySequence::Delete);
     close_->setShortcutContext(Qt::WidgetShortcut);
     reopen_ = new QAction(this);
-    list_->addActions({reopen_, close_});
+    add_to_set_ = new QAction(this);
+    add_to_set_->setShortcut(Qt::Key_Insert);
+    add_to_set_->setShortcutContext(Qt::WidgetShortcut);
+    list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    list_->addActions({add_to_set_, reopen_, close_});
 
     auto* content = new QWidget;
     info_ = new QFormLayout(content);
@@ -106,6 +111,8 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
             document_.closeRecording(item->data(Qt::UserRole).toInt());
         }
     });
+    connect(add_to_set_, &QAction::triggered, this,
+            [this] { document_.addToSet(list_->selectedRecordings()); });
     connect(reopen_, &QAction::triggered, this, [this] {
         if (const RecordingEntry* entry = document_.currentRecording()) {
             emit reopenWanted(entry->path, entry->options);
@@ -120,26 +127,29 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
 
 void RecordingPanel::rebuildList() {
     const QSignalBlocker blocker(list_);
-    list_->clear();
+    // The items of recordings that stay are kept: one of them may be under the mouse, about to be
+    // dragged.
+    list_->setRecordings(document_.recordings());
+    int row = 0;
     for (const RecordingEntry& entry : document_.recordings()) {
-        const QString text = entry.recording ? entry.name : tr("%1 (opening)").arg(entry.name);
-        auto* item = new QListWidgetItem(text, list_);
-        item->setData(Qt::UserRole, entry.id);
+        QListWidgetItem* item = list_->item(row++);
+        item->setText(entry.recording ? entry.name : tr("%1 (opening)").arg(entry.name));
         item->setToolTip(QDir::toNativeSeparators(entry.path));
         const bool doubtful =
             entry.faults ? std::ranges::any_of(entry.faults->findings, isWorthAWarning)
                          : entry.recording &&
                                std::ranges::any_of(entry.recording->diagnostics, isWorthAWarning);
-        if (doubtful) {
-            item->setIcon(style()->standardIcon(QStyle::SP_MessageBoxWarning));
-        }
-        if (document_.currentRecording() && document_.currentRecording()->id == entry.id) {
+        item->setIcon(doubtful ? style()->standardIcon(QStyle::SP_MessageBoxWarning) : QIcon());
+        const bool current =
+            document_.currentRecording() && document_.currentRecording()->id == entry.id;
+        if (current && list_->currentItem() != item) {
             list_->setCurrentItem(item);
         }
     }
     const bool any = document_.currentRecording() != nullptr;
     close_->setEnabled(any);
     reopen_->setEnabled(any);
+    add_to_set_->setEnabled(any);
     refreshInfo();
 }
 
@@ -195,6 +205,7 @@ void RecordingPanel::retranslate() {
     list_->setAccessibleName(tr("Open recordings"));
     close_->setText(tr("Close recording"));
     reopen_->setText(tr("Import again…"));
+    add_to_set_->setText(tr("Add to the set of the resonator"));
     const QString texts[row_count] = {tr("File"),     tr("Format"), tr("Rate"), tr("Length"),
                                       tr("Channels"), tr("Start"),  tr("f₀"),   tr("SHA-256")};
     for (int row = 0; row < row_count; ++row) {

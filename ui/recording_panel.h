@@ -9,13 +9,14 @@
 class QAction;
 class QFormLayout;
 class QLabel;
-class QListWidget;
 
 namespace vybeg::ui {
 
 class CheckList;
+class RecordingDragList;
 
-// The open recordings, and what is known of the current one.
+// The open recordings, and what is known of the current one. Recordings are dragged from here into
+// a set of runs, or added to it with Insert.
 class RecordingPanel : public QWidget {
     Q_OBJECT
 
@@ -40,9 +41,10 @@ private:
     void retranslate();
 
     Document& document_;
-    QListWidget* list_;
+    RecordingDragList* list_;
     QAction* close_;
     QAction* reopen_;
+    QAction* add_to_set_;
     QFormLayout* info_;
     CheckList* check_;
     std::vector<QLabel*> names_;

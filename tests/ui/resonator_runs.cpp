@@ -1,0 +1,38 @@
+#include "tests/ui/resonator_runs.h"
+
+#include "core/report/sample_files.h"
+#include "core/simulation/free_decay.h"
+
+#include <numbers>
+
+namespace vybeg::ui {
+
+QStringList resonatorRuns(const GuiTestHome& home, const QString& prefix,
+                          const TestResonator& resonator) {
+    QStringList paths;
+    for (int k = 0; k < 4; ++k) {
+        FreeDecay decay;
+        decay.seconds = 4;
+        decay.rate_hz = 8000;
+        decay.f0_hz = 1000 + 0.01 * k;
+        decay.two_theta_A = k * std::numbers::pi / 4;
+        decay.split_hz = resonator.split_hz;
+        decay.theta_w = resonator.theta_w;
+        decay.tau_s = resonator.tau_s;
+        decay.noise = 1e-3;
+        decay.seed = static_cast<std::uint64_t>(k + 1);
+        const QString path = home.path(QStringLiteral("%1-%2.wav").arg(prefix).arg(k * 45 / 2));
+        const auto samples = simulate(decay, JobControl());
+        auto file = OutputFile::create(path.toStdString(), JobControl());
+        const auto format = sample_format(path.toStdString());
+        if (!samples || !file || !format ||
+            !write_samples(*file, *format, {samples->c, samples->d, decay.rate_hz}, JobControl()) ||
+            !file->commit()) {
+            qFatal("the test's recording cannot be written");
+        }
+        paths << path;
+    }
+    return paths;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,313 @@
+// Sets of runs, their identification and the passport, through the window's own widgets.
+#include "tests/ui/gui_test.h"
+#include "tests/ui/resonator_runs.h"
+#include "ui/message_bar.h"
+#include "ui/quantity_table.h"
+#include "ui/recording_drag.h"
+#include "ui/resonator_panel.h"
+#include "ui/resonator_text.h"
+#include "ui/set_panel.h"
+#include "ui/xy_plot_view.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTest>
+
+#include <cmath>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestResonatorTab : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    QStringList files_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+
+    template <class Widget>
+    Widget& the(const QString& name = {}) {
+        auto* widget = window_->findChild<Widget*>(name);
+        if (!widget) {
+            qFatal("no such widget in the window: %s", Widget::staticMetaObject.className());
+        }
+        return *widget;
+    }
+
+    void openRuns(const QStringList& files) {
+        document().open(files);
+        QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
+    }
+
+    bool allOpen() {
+        return std::ranges::all_of(document().recordings(),
+                                   [](const auto& entry) { return entry.recording.has_value(); });
+    }
+
+    std::vector<int> ids() {
+        std::vector<int> found;
+        for (const RecordingEntry& entry : document().recordings()) {
+            found.push_back(entry.id);
+        }
+        return found;
+    }
+
+    void drop(QMimeData& data) {
+        QWidget* target = the<SetMembers>().viewport();
+        QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QCoreApplication::sendEvent(target, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent dropped(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(target, &dropped);
+    }
+
+    std::shared_ptr<const ResonatorOutcome> outcome() {
+        const RunSet* set = document().currentSet();
+        return set ? document().outcome(*set) : nullptr;
+    }
+
+    void identify() {
+        window_->action(Command::identify)->trigger();
+        QVERIFY(document().busy());
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
+        QVERIFY2(outcome(), qPrintable(the<MessageBar>().texts().join('\n')));
+    }
+
+    void openSet() {
+        openRuns(files_);
+        document().addToSet(ids());
+    }
+
+    // The text of a table's row by the beginning of its name.
+    QString cell(const QString& table, const QString& name, int column = 1) {
+        const auto& rows = the<QuantityTable>(table);
+        for (int row = 0; row < rows.rowCount(); ++row) {
+            if (rows.item(row, 0)->text().startsWith(name)) {
+                return rows.item(row, column)->text();
+            }
+        }
+        return QStringLiteral("no row %1").arg(name);
+    }
+
+private slots:
+    void initTestCase() { files_ = resonatorRuns(home_, "run"); }
+    void init() { window_ = shownWindow(); }
+    void cleanup() { window_.reset(); }
+
+    void a_set_is_built_by_dropping_recordings_and_files() {
+        openRuns({files_[0], files_[1]});
+        std::unique_ptr<QMimeData> recordings(recordingMimeData(ids()));
+        drop(*recordings);
+        QCOMPARE(document().currentSet()->recordings, ids());
+        drop(*recordings);  // once more changes nothing
+        QCOMPARE(the<SetMembers>().count(), 2);
+        QMimeData urls;
+        urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
+        drop(urls);
+        QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
+        QCOMPARE(document().currentSet()->recordings, ids());
+        QCOMPARE(the<SetMembers>().count(), 3);
+        QVERIFY(document().canIdentify());
+    }
+
+    void a_set_is_edited_by_keyboard_and_menu() {
+        openRuns(files_);
+        auto& list = the<RecordingDragList>();
+        list.setFocus();
+        list.selectAll();
+        QTest::keyClick(&list, Qt::Key_Insert);
+        QCOMPARE(document().currentSet()->recordings, ids());
+        auto& members = the<SetMembers>();
+        members.setFocus();
+        members.setCurrentRow(1);
+        QTest::keyClick(&members, Qt::Key_Delete);
+        QCOMPARE(document().currentSet()->recordings.size(), std::size_t(3));
+        auto* menu = the<SetPanel>().findChild<QMenu*>();
+        emit menu->aboutToShow();
+        QCOMPARE(menu->actions().size(), 4);
+        QVERIFY(!menu->actions().at(1)->isChecked());
+        menu->actions().at(1)->trigger();
+        QCOMPARE(document().currentSet()->recordings.size(), std::size_t(4));
+        document().closeRecording(ids().front());
+        QCOMPARE(document().currentSet()->recordings.size(), std::size_t(3));
+    }
+
+    void sets_are_named_and_removed() {
+        document().addSet();
+        auto& sets = the<QComboBox>("sets");
+        QCOMPARE(sets.currentText(), QStringLiteral("Set 1"));
+        sets.lineEdit()->setFocus();
+        sets.lineEdit()->selectAll();
+        QTest::keyClicks(sets.lineEdit(), "gyro 17");
+        QTest::keyClick(sets.lineEdit(), Qt::Key_Return);
+        QCOMPARE(document().currentSet()->name, QStringLiteral("gyro 17"));
+        window_->action(Command::new_set)->trigger();
+        QCOMPARE(sets.count(), 2);
+        QCOMPARE(sets.currentText(), QStringLiteral("Set 2"));
+        document().removeSet(document().currentSet()->id);
+        QCOMPARE(sets.currentText(), QStringLiteral("gyro 17"));
+    }
+
+    void four_runs_give_split_axis_and_decay() {
+        openSet();
+        identify();
+        const ResonatorEstimate& found = outcome()->identification.fit.resonator;
+        const TestResonator truth;
+        QVERIFY(std::abs(found.split_hz.value - truth.split_hz) < 4 * found.split_hz.sd);
+        QVERIFY(std::abs(found.theta_w_rad.value - truth.theta_w) < 4 * found.theta_w_rad.sd);
+        QVERIFY(std::abs(found.tau_s.value - truth.tau_s) < 4 * found.tau_s.sd);
+        QCOMPARE(cell("resonator", "Frequency split"),
+                 valueText(found.split_hz.value, found.split_hz.sd));
+        QVERIFY(cell("resonator", "Decay time").startsWith("40"));
+        QCOMPARE(the<QuantityTable>("runs").columnCount(), 5);
+        QVERIFY(!the<XYPlotView>("drift").content().series.empty());
+        QCOMPARE(the<XYPlotView>("balance").content().series.size(), std::size_t(4));
+    }
+
+    void the_table_is_copied_for_a_spreadsheet() {
+        openSet();
+        identify();
+        auto& table = the<QuantityTable>("resonator");
+        table.setFocus();
+        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
+        const QStringList lines = QApplication::clipboard()->text().split('\n');
+        QCOMPARE(lines.front(), QStringLiteral("\tvalue\tsd"));
+        const QStringList split = lines.at(2).split('\t');
+        QCOMPARE(split.size(), 3);
+        QVERIFY(split.front().startsWith("Frequency split") && split.front().endsWith("Hz"));
+        const Estimate& found = outcome()->identification.fit.resonator.split_hz;
+        QCOMPARE(split.at(1).toDouble(), found.value);
+        QCOMPARE(split.at(2).toDouble(), found.sd);
+    }
+
+    void one_still_run_says_what_it_cannot_tell_and_what_would_help() {
+        openRuns({resonatorRuns(home_, "still", {.split_hz = 1e-4})[1]});
+        window_->action(Command::identify)->trigger();  // no set: one of the current recording
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && outcome(); }, 60000));
+        QCOMPARE(document().currentSet()->recordings, ids());
+        const QString reason = cell("resonator", "Frequency split");
+        QVERIFY2(reason.contains("Add a recording that starts at"), qPrintable(reason));
+        QVERIFY2(cell("resonator", "Stiffness axis").contains("Δf"),
+                 qPrintable(cell("resonator", "Stiffness axis")));
+        QVERIFY(cell("runs", "Δf sin").contains("±"));
+    }
+
+    void a_running_identification_is_cancelled() {
+        openSet();
+        window_->action(Command::identify)->trigger();
+        QVERIFY(document().busy());
+        window_->action(Command::cancel)->trigger();
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 20000));
+        QVERIFY(!outcome());
+        QVERIFY(the<MessageBar>().texts().isEmpty());
+    }
+
+    void an_edit_stops_the_identification_and_nothing_stale_arrives() {
+        openSet();
+        window_->action(Command::identify)->trigger();
+        document().removeFromSet(document().currentSet()->id, {ids().front()});
+        QVERIFY(!document().busy());
+        QTest::qWait(300);
+        QVERIFY(!outcome());
+    }
+
+    void an_edit_marks_the_result_as_out_of_date() {
+        openSet();
+        identify();
+        QVERIFY(!the<QLabel>("state").text().contains("Out of date"));
+        QVERIFY(window_->action(Command::save_passport)->isEnabled());
+        document().removeFromSet(document().currentSet()->id, {ids().back()});
+        QVERIFY(the<QLabel>("state").text().contains("Out of date"));
+        QVERIFY(!window_->action(Command::save_passport)->isEnabled());
+        QCOMPARE(the<QuantityTable>("runs").columnCount(), 5);  // what was found stays
+        document().addToSet({ids().back()});
+        QVERIFY(!the<QLabel>("state").text().contains("Out of date"));
+        Settings settings = document().settings();
+        settings.calibration.angle_zero_deg = 3;
+        document().setSettings(settings);
+        QVERIFY(the<QLabel>("state").text().contains("Out of date"));
+        document().undoStack().undo();
+        QVERIFY(!the<QLabel>("state").text().contains("Out of date"));
+    }
+
+    void results_of_both_models_are_kept_while_the_set_stays() {
+        openSet();
+        identify();
+        const auto structured = outcome();
+        const int id = document().currentSet()->id;
+        document().setModel(id, FitOptions::Model::free);
+        QVERIFY(document().outOfDate(*document().currentSet(), *outcome()));
+        identify();
+        QCOMPARE(outcome()->identification.fit.model, ResonatorModel::free);
+        document().setModel(id, FitOptions::Model::automatic);
+        QCOMPARE(outcome(), structured);
+    }
+
+    void a_passport_finds_what_has_changed() {
+        openSet();
+        identify();
+        window_->savePassportTo(home_.path("gyro.json"));
+        QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("gyro.json")); }));
+        window_->comparePassport(home_.path("gyro.json"));
+        QVERIFY(QTest::qWaitFor([&] { return document().passport() != nullptr; }));
+        QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("= unchanged"));
+        QCOMPARE(cell("differences", "Frequency split", 2), QStringLiteral("0.0"));
+
+        const QStringList later = resonatorRuns(home_, "later", {.split_hz = 0.02});
+        document().addSet();
+        document().openIntoSet(later);
+        QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
+        identify();
+        QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("≠ changed"));
+        QCOMPARE(cell("differences", "Decay time"), QStringLiteral("= unchanged"));
+        QCOMPARE(the<XYPlotView>("tracks").content().series.size(), std::size_t(8));
+        document().closePassport();
+        QVERIFY(!the<QuantityTable>("differences").isVisible());
+    }
+
+    void a_damaged_passport_is_told_of() {
+        window_->comparePassport(home_.file("bad.json", "{"));
+        QVERIFY(QTest::qWaitFor([&] { return !the<MessageBar>().texts().isEmpty(); }));
+        QVERIFY(the<MessageBar>().texts().first().contains("bad.json"));
+        QVERIFY(!document().passport());
+    }
+
+    void plots_go_into_files_and_to_the_clipboard() {
+        openSet();
+        identify();
+        const XYPlot plot = the<XYPlotView>("drift").content();
+        for (const char* name : {"drift.png", "drift.svg", "drift.pdf"}) {
+            QVERIFY(exportXYPlot(plot, {400, 300}, home_.path(name)));
+            QVERIFY(QFileInfo(home_.path(name)).size() > 1000);
+        }
+        auto& view = the<XYPlotView>("balance");
+        view.setFocus();
+        QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
+        QVERIFY(!QApplication::clipboard()->image().isNull());
+    }
+
+    void angles_follow_the_units_of_display() {
+        openSet();
+        identify();
+        DisplayUnits units;
+        units.angle = AngleUnit::degrees;
+        const auto rows = resonatorRows(outcome()->identification, units);
+        const auto& axis = rows.at(2);
+        QVERIFY(axis.name.endsWith("°"));
+        QVERIFY(std::abs(axis.cells.front().exact.front().toDouble() - 11.46) < 2);
+        the<ResonatorPanel>().setUnits(units);
+        QCOMPARE(cell("resonator", "Stiffness axis"), axis.cells.front().text);
+    }
+};
+
+QTEST_MAIN(TestResonatorTab)
+#include "test_resonator_tab.moc"

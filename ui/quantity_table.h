@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <QStringList>
+#include <QTableWidget>
+
+#include <vector>
+
+class QAction;
+
+namespace vybeg::ui {
+
+// A cell: what is shown, and what it is as text for a spreadsheet, with all its digits.
+struct QuantityCell {
+    QString text;
+    QStringList exact;  // value and standard deviation, or one text; alike in all rows of a column
+    QColor color;       // of the text; invalid: the usual one
+};
+
+struct QuantityRow {
+    QString name;  // with its unit; an underscore introduces an index
+    QString tip;
+    std::vector<QuantityCell> cells;
+};
+
+// Quantities with their names and units, a row each; long texts are broken. As high as its rows:
+// it stands in something that scrolls. Ctrl+C copies it as tab-separated text.
+class QuantityTable : public QTableWidget {
+    Q_OBJECT
+
+public:
+    explicit QuantityTable(QWidget* parent = nullptr);
+
+    // One header for each cell of a row; {} : no header line.
+    void setContent(const QStringList& headers, const std::vector<QuantityRow>& rows);
+    // A line of headers, then the rows; in the decimal sign of the interface's language.
+    QString tableText() const;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void layOut();
+    void retranslate();
+
+    QStringList headers_;
+    std::vector<QuantityRow> rows_;
+    QAction* copy_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,252 @@
+#include "ui/resonator_panel.h"
+
+#include "ui/error_text.h"
+#include "ui/quantity_table.h"
+#include "ui/resonator_text.h"
+#include "ui/rich_text.h"
+#include "ui/section.h"
+#include "ui/set_panel.h"
+#include "ui/xy_plot_view.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace vybeg::ui {
+
+namespace {
+
+QLabel* sentence(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::RichText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setContentsMargins(6, 2, 6, 2);
+    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    return label;
+}
+
+QStringList runNames(const ResonatorOutcome& outcome) {
+    QStringList names;
+    for (const IdentifiedInput& input : outcome.inputs) {
+        names << QString::fromStdString(input.name);
+    }
+    return names;
+}
+
+}  // namespace
+
+ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      theme_(lightTheme()),
+      set_(new SetPanel(document, this)),
+      state_(sentence(this)) {
+    state_->setObjectName(QStringLiteral("state"));
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    warnings_ = sentence(content);
+    warnings_->setObjectName(QStringLiteral("warnings"));
+    column->addWidget(warnings_);
+    const auto table = [content](const char* name) {
+        auto* made = new QuantityTable(content);
+        made->setObjectName(QLatin1String(name));
+        return made;
+    };
+    const auto plot = [this, content](const char* name) {
+        auto* made = new XYPlotView(content);
+        made->setObjectName(QLatin1String(name));
+        connect(made, &XYPlotView::exportWanted, this,
+                [this, made] { emit exportWanted(made->content(), made->size()); });
+        return made;
+    };
+    resonator_section_ = addSection(*column, {resonator_ = table("resonator")});
+    modes_section_ = addSection(*column, {modes_ = table("modes")});
+    runs_section_ = addSection(*column, {runs_ = table("runs")});
+    drift_section_ =
+        addSection(*column, {drift_plot_ = plot("drift"), drift_ = table("harmonics")});
+    balance_section_ = addSection(*column, {balance_plot_ = plot("balance")});
+    passport_ = sentence(content);
+    close_passport_ = new QPushButton(content);
+    track_choice_ = new QComboBox(content);
+    track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
+    comparison_section_ =
+        addSection(*column, {passport_, differences_ = table("differences"), track_choice_,
+                             tracks_ = plot("tracks"), close_passport_});
+    column->addStretch(1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(set_);
+    layout->addWidget(state_);
+    layout->addWidget(scroll, 1);
+
+    connect(close_passport_, &QPushButton::clicked, &document_, &Document::closePassport);
+    connect(track_choice_, &QComboBox::activated, this, &ResonatorPanel::refresh);
+    connect(&document_, &Document::setsChanged, this, &ResonatorPanel::refresh);
+    connect(&document_, &Document::passportChanged, this, &ResonatorPanel::refresh);
+    connect(&document_, &Document::busyChanged, this, &ResonatorPanel::refresh);
+    retranslate();
+}
+
+Section* ResonatorPanel::addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts) {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 4);
+    column->setSpacing(2);
+    for (QWidget* part : parts) {
+        column->addWidget(part);
+    }
+    auto* section = new Section(content);
+    layout.addWidget(section);
+    return section;
+}
+
+void ResonatorPanel::setUnits(const DisplayUnits& units) {
+    units_ = units;
+    refresh();
+}
+
+void ResonatorPanel::setTheme(const Theme& theme) {
+    theme_ = theme;
+    for (XYPlotView* plot : {drift_plot_, balance_plot_, tracks_}) {
+        plot->setTheme(theme);
+    }
+    refresh();
+}
+
+void ResonatorPanel::showComparison() {
+    comparison_section_->setOpen(true);
+}
+
+void ResonatorPanel::refresh() {
+    const RunSet* set = document_.currentSet();
+    const auto outcome = set ? document_.outcome(*set) : nullptr;
+    showState(set, outcome.get());
+    for (Section* section :
+         {resonator_section_, modes_section_, runs_section_, drift_section_, balance_section_}) {
+        section->setVisible(outcome != nullptr);
+    }
+    warnings_->hide();
+    if (outcome) {
+        showResult(*outcome);
+    }
+    showDifferences(outcome.get());
+}
+
+void ResonatorPanel::showState(const RunSet* set, const ResonatorOutcome* outcome) {
+    if (!outcome) {
+        state_->setText(document_.canIdentify()
+                            ? tr("Nothing identified yet.")
+                            : tr("Open recordings of a free decay to identify the resonator."));
+        return;
+    }
+    const ResonatorFit& fit = outcome->identification.fit;
+    const QString model =
+        fit.model == ResonatorModel::structured ? tr("Structured model") : tr("Free model");
+    QString text = tr("%1, %n recording(s); χ² per degree of freedom %2", nullptr,
+                      static_cast<int>(outcome->inputs.size()))
+                       .arg(model, QLocale().toString(fit.chi2_per_dof, 'g', 3));
+    if (document_.outOfDate(*set, *outcome)) {
+        text = QStringLiteral("<b style=\"color:%1\">⚠ %2</b> %3")
+                   .arg(readable(theme_.warning, theme_).name(), tr("Out of date."),
+                        tr("The set or its settings have changed since: identify again.")) +
+               QStringLiteral("<br>") + text;
+    }
+    state_->setText(text);
+}
+
+void ResonatorPanel::showResult(const ResonatorOutcome& outcome) {
+    const Identification& found = outcome.identification;
+    QString list;
+    for (const QString& warning : warningTexts(outcome)) {
+        list += QStringLiteral("<p style=\"margin:2px 0\">⚠ %1</p>").arg(richText(warning));
+    }
+    warnings_->setText(list);
+    warnings_->setVisible(!list.isEmpty());
+    const auto rows = resonatorRows(found, units_);
+    resonator_->setContent({}, rows);
+    resonator_section_->setVisible(!rows.empty());
+    modes_->setContent(
+        found.fit.modes.empty() ? QStringList() : QStringList{tr("Mode 1"), tr("Mode 2")},
+        modeRows(found.fit));
+    runs_->setContent(runNames(outcome), runRows(found, units_));
+    drift_plot_->setContent(driftPlot(outcome, units_));
+    drift_->setContent({}, driftRows(found.drift, units_));
+    drift_->setVisible(found.drift.order > 0);
+    balance_plot_->setContent(balancePlot(outcome));
+    balance_section_->setVisible(!found.balance.empty());
+}
+
+void ResonatorPanel::showDifferences(const ResonatorOutcome* outcome) {
+    const OpenPassport* passport = document_.passport();
+    comparison_section_->setVisible(passport != nullptr);
+    if (!passport) {
+        return;
+    }
+    const QString name = passport->name.toHtmlEscaped();
+    passport_->setText(outcome ? tr("Compared with %1. Changed: by three standard deviations of "
+                                    "the difference or more.")
+                                     .arg(name)
+                               : tr("%1 is open: identify the set to compare.").arg(name));
+    for (QWidget* part : std::initializer_list<QWidget*>{differences_, track_choice_, tracks_}) {
+        part->setVisible(outcome != nullptr);
+    }
+    if (outcome) {
+        differences_->setContent(differenceHeaders(),
+                                 differenceRows(document_.differences(), units_, theme_));
+        tracks_->setContent(trackPlot(*outcome, passport->passport,
+                                      static_cast<TrackVariable>(track_choice_->currentIndex()),
+                                      units_));
+    }
+}
+
+void ResonatorPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void ResonatorPanel::retranslate() {
+    const auto name = [](Section* section, QWidget* widget, const QString& title) {
+        section->setTitle(title);
+        widget->setAccessibleName(title);
+    };
+    name(resonator_section_, resonator_, tr("Resonator"));
+    name(modes_section_, modes_, tr("Modes"));
+    name(runs_section_, runs_, tr("Runs of the set"));
+    name(drift_section_, drift_plot_, tr("Drift function"));
+    name(balance_section_, balance_plot_, tr("Channel balance, condition (30)"));
+    name(comparison_section_, differences_, tr("Comparison with the passport"));
+    drift_->setAccessibleName(tr("Harmonics of the drift function"));
+    drift_plot_->setToolTip(
+        richTip(tr("Drift of the wave angle against the angle: measured points with their standard "
+                   "deviations, and the harmonics fitted to them")));
+    balance_plot_->setToolTip(
+        richTip(tr("Zero within its band while the channels are balanced as the fit has them")));
+    tracks_->setAccessibleName(tr("Tracks of the runs and of the passport"));
+    tracks_->setToolTip(richTip(tr("Lines: these recordings; dashed: the passport")));
+    track_choice_->setAccessibleName(tr("What to overlay"));
+    const QString variables[] = {tr("Amplitude of the working wave"),
+                                 tr("Amplitude of the quadrature wave"), tr("Wave angle")};
+    for (int index = 0; index < track_choice_->count(); ++index) {
+        track_choice_->setItemText(index, variables[index]);
+    }
+    close_passport_->setText(tr("Close the passport"));
+    refresh();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ui/display_units.h"
+#include "ui/quantity_table.h"
+#include "ui/run_set.h"
+#include "ui/theme.h"
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// An identification as tables: names and units in the interface's language, values rounded by their
+// standard deviations, sentences where there is no value. Angles in the units of display, their
+// rates in rad/s or degrees per hour.
+
+// One column: the value. Of the free model, none.
+std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units);
+// One column for each mode; one row with the reason where there are none.
+std::vector<QuantityRow> modeRows(const ResonatorFit& fit);
+// One column for each recording.
+std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units);
+// One column: mean and harmonics of the drift function; none where it is not known.
+std::vector<QuantityRow> driftRows(const DriftFunction& drift, const DisplayUnits& units);
+
+// Of a comparison: verdict, difference in standard deviations, then, now.
+QStringList differenceHeaders();
+std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
+                                        const DisplayUnits& units, const Theme& theme);
+
+// Sentences, with the recording's name where one is meant.
+QStringList warningTexts(const ResonatorOutcome& outcome);
+
+// Displayed unit and factor of angles (rad) and of their rates (rad/s).
+QString angleUnit(const DisplayUnits& units);
+double angleFactor(const DisplayUnits& units);
+QString angleRateUnit(const DisplayUnits& units);
+double angleRateFactor(const DisplayUnits& units);
+
+}  // namespace vybeg::ui
