@@ -57,6 +57,13 @@
                 <numerusform>%n windows in %1 s</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>Resonator of %n recording(s) in %1 s</source>
+            <translation>
+                <numerusform>Resonator of %n recording in %1 s</numerusform>
+                <numerusform>Resonator of %n recordings in %1 s</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>vybeg::ui::RecordingPanel</name>
@@ -65,6 +72,16 @@
             <translation>
                 <numerusform>%1 s, %n sample</numerusform>
                 <numerusform>%1 s, %n samples</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::ResonatorPanel</name>
+        <message numerus="yes">
+            <source>%1, %n recording(s); χ² per degree of freedom %2</source>
+            <translation>
+                <numerusform>%1, %n recording; χ² per degree of freedom %2</numerusform>
+                <numerusform>%1, %n recordings; χ² per degree of freedom %2</numerusform>
             </translation>
         </message>
     </context>

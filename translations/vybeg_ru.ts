@@ -222,6 +222,38 @@
             <source>&amp;About Vybeg</source>
             <translation>&amp;О программе</translation>
         </message>
+        <message>
+            <source>Save &amp;passport…</source>
+            <translation>Сохранить &amp;паспорт…</translation>
+        </message>
+        <message>
+            <source>Save what was identified from the set as the gyro&apos;s passport</source>
+            <translation>Сохранить найденное по набору как паспорт гироскопа</translation>
+        </message>
+        <message>
+            <source>Compare &amp;with passport…</source>
+            <translation>Сравнить с &amp;паспортом…</translation>
+        </message>
+        <message>
+            <source>Which parameters of the resonator have changed since its passport</source>
+            <translation>Какие параметры резонатора изменились по сравнению с паспортом</translation>
+        </message>
+        <message>
+            <source>Identify &amp;resonator</source>
+            <translation>Идентифицировать &amp;резонатор</translation>
+        </message>
+        <message>
+            <source>Fit one resonator to all recordings of the set</source>
+            <translation>Подогнать один резонатор ко всем записям набора</translation>
+        </message>
+        <message>
+            <source>&amp;New set of runs</source>
+            <translation>&amp;Новый набор пусков</translation>
+        </message>
+        <message>
+            <source>Recordings of another resonator, to be identified together</source>
+            <translation>Записи другого резонатора, которые идентифицируются вместе</translation>
+        </message>
     </context>
     <context>
         <name>DisplayUnits</name>
@@ -737,6 +769,259 @@
         </message>
     </context>
     <context>
+        <name>Resonator</name>
+        <message>
+            <source>Mean frequency f</source>
+            <translation>Средняя частота f</translation>
+        </message>
+        <message>
+            <source>Of both modes, mean of the runs</source>
+            <translation>Двух мод, среднее по пускам</translation>
+        </message>
+        <message>
+            <source>Frequency split Δf</source>
+            <translation>Разночастотность Δf</translation>
+        </message>
+        <message>
+            <source>f_p − f_q of the two modes, never negative</source>
+            <translation>f_p − f_q двух мод, неотрицательная</translation>
+        </message>
+        <message>
+            <source>Stiffness axis θ_w</source>
+            <translation>Ось жёсткости θ_w</translation>
+        </message>
+        <message>
+            <source>Axis of the mode with the higher frequency</source>
+            <translation>Ось моды с более высокой частотой</translation>
+        </message>
+        <message>
+            <source>Decay time τ</source>
+            <translation>Время затухания τ</translation>
+        </message>
+        <message>
+            <source>In which the amplitude falls to 1/e</source>
+            <translation>За которое амплитуда уменьшается в e раз</translation>
+        </message>
+        <message>
+            <source>Quality factor Q</source>
+            <translation>Добротность Q</translation>
+        </message>
+        <message>
+            <source>Q = π f τ, from the coherent fit</source>
+            <translation>Q = π f τ, по когерентной подгонке</translation>
+        </message>
+        <message>
+            <source>Damping anisotropy g</source>
+            <translation>Разнодобротность g</translation>
+        </message>
+        <message>
+            <source>Difference of 1/τ of both axes of damping, never negative</source>
+            <translation>Разность 1/τ двух осей затухания, неотрицательная</translation>
+        </message>
+        <message>
+            <source>Damping axis θ_τ</source>
+            <translation>Ось затухания θ_τ</translation>
+        </message>
+        <message>
+            <source>Axis of larger damping</source>
+            <translation>Ось большего затухания</translation>
+        </message>
+        <message>
+            <source>Rotation −kΩ</source>
+            <translation>Вращение −kΩ</translation>
+        </message>
+        <message>
+            <source>Drift of θ_A that is the same at every angle</source>
+            <translation>Дрейф θ_A, одинаковый при любом угле</translation>
+        </message>
+        <message>
+            <source>Gain ratio κ</source>
+            <translation>Отношение усилений κ</translation>
+        </message>
+        <message>
+            <source>D = κ S_D</source>
+            <translation>D = κ S_D</translation>
+        </message>
+        <message>
+            <source>Frequency against power</source>
+            <translation>Частота от мощности</translation>
+        </message>
+        <message>
+            <source>Change of f per squared unit of amplitude</source>
+            <translation>Изменение f на единицу квадрата амплитуды</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>с</translation>
+        </message>
+        <message>
+            <source>1/s</source>
+            <translation>1/с</translation>
+        </message>
+        <message>
+            <source>Hz per squared unit</source>
+            <translation>Гц на кв. единицу</translation>
+        </message>
+        <message>
+            <source>As above: %1</source>
+            <translation>То же, что для %1</translation>
+        </message>
+        <message>
+            <source>Mode %1: %2</source>
+            <translation>Мода %1: %2</translation>
+        </message>
+        <message>
+            <source>unchanged</source>
+            <translation>не изменился</translation>
+        </message>
+        <message>
+            <source>changed</source>
+            <translation>изменился</translation>
+        </message>
+        <message>
+            <source>not comparable</source>
+            <translation>несравним</translation>
+        </message>
+        <message>
+            <source>rad</source>
+            <translation>рад</translation>
+        </message>
+        <message>
+            <source>°/h</source>
+            <translation>°/ч</translation>
+        </message>
+        <message>
+            <source>rad/s</source>
+            <translation>рад/с</translation>
+        </message>
+        <message>
+            <source>Modes</source>
+            <translation>Моды</translation>
+        </message>
+        <message>
+            <source>rec. units</source>
+            <translation>ед. записи</translation>
+        </message>
+        <message>
+            <source>Frequency offset</source>
+            <translation>Отклонение частоты</translation>
+        </message>
+        <message>
+            <source>From the mean frequency of the runs</source>
+            <translation>От средней частоты пусков</translation>
+        </message>
+        <message>
+            <source>Start angle θ_A</source>
+            <translation>Начальный угол θ_A</translation>
+        </message>
+        <message>
+            <source>Angle of the working wave at the start</source>
+            <translation>Угол рабочей волны в начале</translation>
+        </message>
+        <message>
+            <source>Amplitude of the working wave at the start</source>
+            <translation>Амплитуда рабочей волны в начале</translation>
+        </message>
+        <message>
+            <source>Amplitude of the quadrature wave at the start</source>
+            <translation>Амплитуда квадратурной волны в начале</translation>
+        </message>
+        <message>
+            <source>What of the frequency split makes the quadrature of this run grow</source>
+            <translation>Та часть разночастотности, от которой растёт квадратура этого пуска</translation>
+        </message>
+        <message>
+            <source>Q from the envelope</source>
+            <translation>Q по огибающей</translation>
+        </message>
+        <message>
+            <source>Quality factor from the power of the waves alone</source>
+            <translation>Добротность только по мощности волн</translation>
+        </message>
+        <message>
+            <source>Q coherent</source>
+            <translation>Q когерентная</translation>
+        </message>
+        <message>
+            <source>Quality factor from the coherent fit of all runs</source>
+            <translation>Добротность по когерентной подгонке всех пусков</translation>
+        </message>
+        <message>
+            <source>Frequency drift</source>
+            <translation>Уход частоты</translation>
+        </message>
+        <message>
+            <source>Of this run, over time</source>
+            <translation>В этом пуске, со временем</translation>
+        </message>
+        <message>
+            <source>Noise σ</source>
+            <translation>Шум σ</translation>
+        </message>
+        <message>
+            <source>Standard deviation per sample and channel</source>
+            <translation>СКО на отсчёт и канал</translation>
+        </message>
+        <message>
+            <source>Windows used</source>
+            <translation>Взято окон</translation>
+        </message>
+        <message>
+            <source>Without gaps and faults, of all; samples in each</source>
+            <translation>Без пропусков и дефектов, из всех; отсчётов в окне</translation>
+        </message>
+        <message>
+            <source>%1 of %2, n = %3</source>
+            <translation>%1 из %2, n = %3</translation>
+        </message>
+        <message>
+            <source>Mean drift</source>
+            <translation>Средний дрейф</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Вывод</translation>
+        </message>
+        <message>
+            <source>Difference, sd</source>
+            <translation>Разность, СКО</translation>
+        </message>
+        <message>
+            <source>Passport</source>
+            <translation>Паспорт</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>Теперь</translation>
+        </message>
+    </context>
+    <context>
+        <name>ResonatorPlots</name>
+        <message>
+            <source>fitted</source>
+            <translation>подгонка</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>с</translation>
+        </message>
+        <message>
+            <source>passport</source>
+            <translation>паспорт</translation>
+        </message>
+    </context>
+    <context>
+        <name>SetPanel</name>
+        <message>
+            <source>Set %1</source>
+            <translation>Набор %1</translation>
+        </message>
+    </context>
+    <context>
         <name>SiPrefix</name>
         <message>
             <source>f</source>
@@ -1087,252 +1372,6 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::MainWindow</name>
-        <message>
-            <source>Recordings</source>
-            <translation>Записи</translation>
-        </message>
-        <message>
-            <source>Analysis</source>
-            <translation>Обработка</translation>
-        </message>
-        <message>
-            <source>Values and events</source>
-            <translation>Значения и события</translation>
-        </message>
-        <message>
-            <source>Runs</source>
-            <translation>Расчёты</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n window(s) in %1 s</source>
-            <translation>
-                <numerusform>%n окно за %1 с</numerusform>
-                <numerusform>%n окна за %1 с</numerusform>
-                <numerusform>%n окон за %1 с</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>%1 s left</source>
-            <translation>осталось %1 с</translation>
-        </message>
-        <message>
-            <source>Analysing…</source>
-            <translation>Идёт расчёт…</translation>
-        </message>
-        <message>
-            <source>Export plots</source>
-            <translation>Экспорт графиков</translation>
-        </message>
-        <message>
-            <source>PNG image (*.png)</source>
-            <translation>Изображение PNG (*.png)</translation>
-        </message>
-        <message>
-            <source>SVG drawing (*.svg)</source>
-            <translation>Чертёж SVG (*.svg)</translation>
-        </message>
-        <message>
-            <source>PDF document (*.pdf)</source>
-            <translation>Документ PDF (*.pdf)</translation>
-        </message>
-        <message>
-            <source>Export track</source>
-            <translation>Экспорт ряда</translation>
-        </message>
-        <message>
-            <source>Track (*.csv)</source>
-            <translation>Ряд (*.csv)</translation>
-        </message>
-        <message>
-            <source>&amp;File</source>
-            <translation>&amp;Файл</translation>
-        </message>
-        <message>
-            <source>Open &amp;recent</source>
-            <translation>&amp;Недавние</translation>
-        </message>
-        <message>
-            <source>&amp;Edit</source>
-            <translation>&amp;Правка</translation>
-        </message>
-        <message>
-            <source>&amp;View</source>
-            <translation>&amp;Вид</translation>
-        </message>
-        <message>
-            <source>&amp;Plots</source>
-            <translation>&amp;Графики</translation>
-        </message>
-        <message>
-            <source>Hz</source>
-            <translation>Гц</translation>
-        </message>
-        <message>
-            <source>rad/s</source>
-            <translation>рад/с</translation>
-        </message>
-        <message>
-            <source>Deviation from f₀, Hz</source>
-            <translation>Отклонение от f₀, Гц</translation>
-        </message>
-        <message>
-            <source>Deviation from f₀, ppm</source>
-            <translation>Отклонение от f₀, млн⁻¹</translation>
-        </message>
-        <message>
-            <source>&amp;Frequency in</source>
-            <translation>&amp;Частота в</translation>
-        </message>
-        <message>
-            <source>Radians</source>
-            <translation>Радианы</translation>
-        </message>
-        <message>
-            <source>Degrees</source>
-            <translation>Градусы</translation>
-        </message>
-        <message>
-            <source>&amp;Angles in</source>
-            <translation>&amp;Углы в</translation>
-        </message>
-        <message>
-            <source>Recording units</source>
-            <translation>Единицы записи</translation>
-        </message>
-        <message>
-            <source>Decibels</source>
-            <translation>Децибелы</translation>
-        </message>
-        <message>
-            <source>A&amp;mplitudes in</source>
-            <translation>&amp;Амплитуды в</translation>
-        </message>
-        <message>
-            <source>Pa&amp;nels</source>
-            <translation>&amp;Панели</translation>
-        </message>
-        <message>
-            <source>As the system</source>
-            <translation>Как в системе</translation>
-        </message>
-        <message>
-            <source>Light</source>
-            <translation>Светлая</translation>
-        </message>
-        <message>
-            <source>Dark</source>
-            <translation>Тёмная</translation>
-        </message>
-        <message>
-            <source>&amp;Theme</source>
-            <translation>&amp;Тема</translation>
-        </message>
-        <message>
-            <source>Lan&amp;guage</source>
-            <translation>&amp;Язык</translation>
-        </message>
-        <message>
-            <source>&amp;Analysis</source>
-            <translation>О&amp;бработка</translation>
-        </message>
-        <message>
-            <source>&amp;Help</source>
-            <translation>&amp;Справка</translation>
-        </message>
-        <message>
-            <source>At the cursor</source>
-            <translation>Под курсором</translation>
-        </message>
-        <message>
-            <source>Events</source>
-            <translation>События</translation>
-        </message>
-        <message>
-            <source>Tools</source>
-            <translation>Инструменты</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Прервать</translation>
-        </message>
-        <message>
-            <source>Progress of the analysis</source>
-            <translation>Ход расчёта</translation>
-        </message>
-        <message>
-            <source>Overview of the recording</source>
-            <translation>Обзор записи</translation>
-        </message>
-        <message>
-            <source>Open recordings</source>
-            <translation>Открыть записи</translation>
-        </message>
-        <message>
-            <source>All files (*)</source>
-            <translation>Все файлы (*)</translation>
-        </message>
-        <message>
-            <source>Written: %1</source>
-            <translation>Записано: %1</translation>
-        </message>
-        <message>
-            <source>Export figure</source>
-            <translation>Экспорт рисунка</translation>
-        </message>
-        <message>
-            <source>About Vybeg</source>
-            <translation>О программе Vybeg</translation>
-        </message>
-        <message>
-            <source>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Standing waves in the free decay of hemispherical resonator gyros.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Free software: GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-            <translation>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Стоячие волны в свободном выбеге твердотельных волновых гироскопов.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Свободная программа: GNU General Public License версии 3 или новее.&lt;/p&gt;</translation>
-        </message>
-        <message>
-            <source>Copy diagnostics</source>
-            <translation>Копировать сведения</translation>
-        </message>
-        <message>
-            <source>Float</source>
-            <translation>Открепить</translation>
-        </message>
-        <message>
-            <source>Close this panel</source>
-            <translation>Закрыть панель</translation>
-        </message>
-        <message>
-            <source>Recordings (%1)</source>
-            <translation>Записи (%1)</translation>
-        </message>
-        <message>
-            <source>Audio (%1)</source>
-            <translation>Звук (%1)</translation>
-        </message>
-        <message>
-            <source>Tables of numbers (%1)</source>
-            <translation>Таблицы чисел (%1)</translation>
-        </message>
-        <message>
-            <source>Arrays (%1)</source>
-            <translation>Массивы (%1)</translation>
-        </message>
-        <message>
-            <source>Import a recording</source>
-            <translation>Импорт записи</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::MessageBar</name>
-        <message>
-            <source>Close this message</source>
-            <translation>Закрыть это сообщение</translation>
-        </message>
-        <message>
-            <source>Import…</source>
-            <translation>Импорт…</translation>
-        </message>
-    </context>
-    <context>
         <name>vybeg::ui::ImportDialog</name>
         <message>
             <source>Import</source>
@@ -1602,6 +1641,295 @@
         </message>
     </context>
     <context>
+        <name>vybeg::ui::MainWindow</name>
+        <message>
+            <source>Recordings</source>
+            <translation>Записи</translation>
+        </message>
+        <message>
+            <source>Analysis</source>
+            <translation>Обработка</translation>
+        </message>
+        <message>
+            <source>Values and events</source>
+            <translation>Значения и события</translation>
+        </message>
+        <message>
+            <source>Runs</source>
+            <translation>Расчёты</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n window(s) in %1 s</source>
+            <translation>
+                <numerusform>%n окно за %1 с</numerusform>
+                <numerusform>%n окна за %1 с</numerusform>
+                <numerusform>%n окон за %1 с</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 s left</source>
+            <translation>осталось %1 с</translation>
+        </message>
+        <message>
+            <source>Analysing…</source>
+            <translation>Идёт расчёт…</translation>
+        </message>
+        <message>
+            <source>Export plots</source>
+            <translation>Экспорт графиков</translation>
+        </message>
+        <message>
+            <source>PNG image (*.png)</source>
+            <translation>Изображение PNG (*.png)</translation>
+        </message>
+        <message>
+            <source>SVG drawing (*.svg)</source>
+            <translation>Чертёж SVG (*.svg)</translation>
+        </message>
+        <message>
+            <source>PDF document (*.pdf)</source>
+            <translation>Документ PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>Export track</source>
+            <translation>Экспорт ряда</translation>
+        </message>
+        <message>
+            <source>Track (*.csv)</source>
+            <translation>Ряд (*.csv)</translation>
+        </message>
+        <message>
+            <source>&amp;File</source>
+            <translation>&amp;Файл</translation>
+        </message>
+        <message>
+            <source>Open &amp;recent</source>
+            <translation>&amp;Недавние</translation>
+        </message>
+        <message>
+            <source>&amp;Edit</source>
+            <translation>&amp;Правка</translation>
+        </message>
+        <message>
+            <source>&amp;View</source>
+            <translation>&amp;Вид</translation>
+        </message>
+        <message>
+            <source>&amp;Plots</source>
+            <translation>&amp;Графики</translation>
+        </message>
+        <message>
+            <source>Hz</source>
+            <translation>Гц</translation>
+        </message>
+        <message>
+            <source>rad/s</source>
+            <translation>рад/с</translation>
+        </message>
+        <message>
+            <source>Deviation from f₀, Hz</source>
+            <translation>Отклонение от f₀, Гц</translation>
+        </message>
+        <message>
+            <source>Deviation from f₀, ppm</source>
+            <translation>Отклонение от f₀, млн⁻¹</translation>
+        </message>
+        <message>
+            <source>&amp;Frequency in</source>
+            <translation>&amp;Частота в</translation>
+        </message>
+        <message>
+            <source>Radians</source>
+            <translation>Радианы</translation>
+        </message>
+        <message>
+            <source>Degrees</source>
+            <translation>Градусы</translation>
+        </message>
+        <message>
+            <source>&amp;Angles in</source>
+            <translation>&amp;Углы в</translation>
+        </message>
+        <message>
+            <source>Recording units</source>
+            <translation>Единицы записи</translation>
+        </message>
+        <message>
+            <source>Decibels</source>
+            <translation>Децибелы</translation>
+        </message>
+        <message>
+            <source>A&amp;mplitudes in</source>
+            <translation>&amp;Амплитуды в</translation>
+        </message>
+        <message>
+            <source>Pa&amp;nels</source>
+            <translation>&amp;Панели</translation>
+        </message>
+        <message>
+            <source>As the system</source>
+            <translation>Как в системе</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Светлая</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>Тёмная</translation>
+        </message>
+        <message>
+            <source>&amp;Theme</source>
+            <translation>&amp;Тема</translation>
+        </message>
+        <message>
+            <source>Lan&amp;guage</source>
+            <translation>&amp;Язык</translation>
+        </message>
+        <message>
+            <source>&amp;Analysis</source>
+            <translation>О&amp;бработка</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>&amp;Справка</translation>
+        </message>
+        <message>
+            <source>At the cursor</source>
+            <translation>Под курсором</translation>
+        </message>
+        <message>
+            <source>Events</source>
+            <translation>События</translation>
+        </message>
+        <message>
+            <source>Tools</source>
+            <translation>Инструменты</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Прервать</translation>
+        </message>
+        <message>
+            <source>Progress of the analysis</source>
+            <translation>Ход расчёта</translation>
+        </message>
+        <message>
+            <source>Overview of the recording</source>
+            <translation>Обзор записи</translation>
+        </message>
+        <message>
+            <source>Open recordings</source>
+            <translation>Открыть записи</translation>
+        </message>
+        <message>
+            <source>All files (*)</source>
+            <translation>Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>Written: %1</source>
+            <translation>Записано: %1</translation>
+        </message>
+        <message>
+            <source>Export figure</source>
+            <translation>Экспорт рисунка</translation>
+        </message>
+        <message>
+            <source>About Vybeg</source>
+            <translation>О программе Vybeg</translation>
+        </message>
+        <message>
+            <source>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Standing waves in the free decay of hemispherical resonator gyros.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Free software: GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+            <translation>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Стоячие волны в свободном выбеге твердотельных волновых гироскопов.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Свободная программа: GNU General Public License версии 3 или новее.&lt;/p&gt;</translation>
+        </message>
+        <message>
+            <source>Copy diagnostics</source>
+            <translation>Копировать сведения</translation>
+        </message>
+        <message>
+            <source>Float</source>
+            <translation>Открепить</translation>
+        </message>
+        <message>
+            <source>Close this panel</source>
+            <translation>Закрыть панель</translation>
+        </message>
+        <message>
+            <source>Recordings (%1)</source>
+            <translation>Записи (%1)</translation>
+        </message>
+        <message>
+            <source>Audio (%1)</source>
+            <translation>Звук (%1)</translation>
+        </message>
+        <message>
+            <source>Tables of numbers (%1)</source>
+            <translation>Таблицы чисел (%1)</translation>
+        </message>
+        <message>
+            <source>Arrays (%1)</source>
+            <translation>Массивы (%1)</translation>
+        </message>
+        <message>
+            <source>Import a recording</source>
+            <translation>Импорт записи</translation>
+        </message>
+        <message numerus="yes">
+            <source>Resonator of %n recording(s) in %1 s</source>
+            <translation>
+                <numerusform>Резонатор по %n записи за %1 с</numerusform>
+                <numerusform>Резонатор по %n записям за %1 с</numerusform>
+                <numerusform>Резонатор по %n записям за %1 с</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Save passport</source>
+            <translation>Сохранение паспорта</translation>
+        </message>
+        <message>
+            <source>Passport (*.json)</source>
+            <translation>Паспорт (*.json)</translation>
+        </message>
+        <message>
+            <source>Resonator</source>
+            <translation>Резонатор</translation>
+        </message>
+        <message>
+            <source>Compare with passport</source>
+            <translation>Сравнение с паспортом</translation>
+        </message>
+        <message>
+            <source>Export plot</source>
+            <translation>Экспорт графика</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::MessageBar</name>
+        <message>
+            <source>Close this message</source>
+            <translation>Закрыть это сообщение</translation>
+        </message>
+        <message>
+            <source>Import…</source>
+            <translation>Импорт…</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::QuantityTable</name>
+        <message>
+            <source>sd</source>
+            <translation>СКО</translation>
+        </message>
+        <message>
+            <source>value</source>
+            <translation>значение</translation>
+        </message>
+        <message>
+            <source>Copy table</source>
+            <translation>Копировать таблицу</translation>
+        </message>
+    </context>
+    <context>
         <name>vybeg::ui::RangeFields</name>
         <message>
             <source>From, to</source>
@@ -1725,6 +2053,117 @@
             <source>SHA-256</source>
             <translation>SHA-256</translation>
         </message>
+        <message>
+            <source>Add to the set of the resonator</source>
+            <translation>Добавить в набор резонатора</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::ResonatorPanel</name>
+        <message>
+            <source>Nothing identified yet.</source>
+            <translation>Пока ничего не идентифицировано.</translation>
+        </message>
+        <message>
+            <source>Open recordings of a free decay to identify the resonator.</source>
+            <translation>Откройте записи выбега, чтобы идентифицировать резонатор.</translation>
+        </message>
+        <message>
+            <source>Structured model</source>
+            <translation>Структурная модель</translation>
+        </message>
+        <message>
+            <source>Free model</source>
+            <translation>Свободная модель</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1, %n recording(s); χ² per degree of freedom %2</source>
+            <translation>
+                <numerusform>%1, %n запись; χ² на степень свободы %2</numerusform>
+                <numerusform>%1, %n записи; χ² на степень свободы %2</numerusform>
+                <numerusform>%1, %n записей; χ² на степень свободы %2</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Out of date.</source>
+            <translation>Устарело.</translation>
+        </message>
+        <message>
+            <source>The set or its settings have changed since: identify again.</source>
+            <translation>Набор или его параметры с тех пор изменились: идентифицируйте снова.</translation>
+        </message>
+        <message>
+            <source>Compared with %1. Changed: by three standard deviations of the difference or more.</source>
+            <translation>Сравнение с %1. «Изменился» — на три СКО разности или больше.</translation>
+        </message>
+        <message>
+            <source>%1 is open: identify the set to compare.</source>
+            <translation>Открыт %1: идентифицируйте набор, чтобы сравнить.</translation>
+        </message>
+        <message>
+            <source>Resonator</source>
+            <translation>Резонатор</translation>
+        </message>
+        <message>
+            <source>Modes</source>
+            <translation>Моды</translation>
+        </message>
+        <message>
+            <source>Runs of the set</source>
+            <translation>Пуски набора</translation>
+        </message>
+        <message>
+            <source>Drift function</source>
+            <translation>Функция дрейфа</translation>
+        </message>
+        <message>
+            <source>Channel balance, condition (30)</source>
+            <translation>Баланс каналов, условие (30)</translation>
+        </message>
+        <message>
+            <source>Comparison with the passport</source>
+            <translation>Сравнение с паспортом</translation>
+        </message>
+        <message>
+            <source>Harmonics of the drift function</source>
+            <translation>Гармоники функции дрейфа</translation>
+        </message>
+        <message>
+            <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them</source>
+            <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники</translation>
+        </message>
+        <message>
+            <source>Zero within its band while the channels are balanced as the fit has them</source>
+            <translation>Нуль в пределах полосы, пока каналы сбалансированы так, как в подгонке</translation>
+        </message>
+        <message>
+            <source>Tracks of the runs and of the passport</source>
+            <translation>Графики пусков и паспорта</translation>
+        </message>
+        <message>
+            <source>Lines: these recordings; dashed: the passport</source>
+            <translation>Линии — эти записи, штриховые — паспорт</translation>
+        </message>
+        <message>
+            <source>What to overlay</source>
+            <translation>Что наложить</translation>
+        </message>
+        <message>
+            <source>Amplitude of the working wave</source>
+            <translation>Амплитуда рабочей волны</translation>
+        </message>
+        <message>
+            <source>Amplitude of the quadrature wave</source>
+            <translation>Амплитуда квадратурной волны</translation>
+        </message>
+        <message>
+            <source>Wave angle</source>
+            <translation>Угол волны</translation>
+        </message>
+        <message>
+            <source>Close the passport</source>
+            <translation>Закрыть паспорт</translation>
+        </message>
     </context>
     <context>
         <name>vybeg::ui::RunList</name>
@@ -1803,6 +2242,89 @@
         <message>
             <source>Follows the settings while Live is on; Run keeps a run as it is</source>
             <translation>Следует за настройками, пока включено «На лету»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::SetPanel</name>
+        <message>
+            <source>Set of runs</source>
+            <translation>Набор пусков</translation>
+        </message>
+        <message>
+            <source>Recordings of one resonator that are identified together; type here to name them</source>
+            <translation>Записи одного резонатора, которые идентифицируются вместе; чтобы назвать набор, введите имя</translation>
+        </message>
+        <message>
+            <source>New set</source>
+            <translation>Новый набор</translation>
+        </message>
+        <message>
+            <source>Remove the set</source>
+            <translation>Убрать набор</translation>
+        </message>
+        <message>
+            <source>Remove the set; its recordings stay open</source>
+            <translation>Убрать набор; его записи остаются открытыми</translation>
+        </message>
+        <message>
+            <source>Recordings of the set</source>
+            <translation>Записи набора</translation>
+        </message>
+        <message>
+            <source>Drag recordings of one resonator here, best started at four angles</source>
+            <translation>Перетащите сюда записи одного резонатора, лучше всего с четырьмя начальными углами</translation>
+        </message>
+        <message>
+            <source>Remove from the set</source>
+            <translation>Убрать из набора</translation>
+        </message>
+        <message>
+            <source>Recordings</source>
+            <translation>Записи</translation>
+        </message>
+        <message>
+            <source>Which of the open recordings belong to the set</source>
+            <translation>Какие из открытых записей входят в набор</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>Модель</translation>
+        </message>
+        <message>
+            <source>Model of the resonator</source>
+            <translation>Модель резонатора</translation>
+        </message>
+        <message>
+            <source>Automatic</source>
+            <translation>Автоматически</translation>
+        </message>
+        <message>
+            <source>Structured: calibrated pick-offs</source>
+            <translation>Структурная: датчики калиброваны</translation>
+        </message>
+        <message>
+            <source>Free: modes alone</source>
+            <translation>Свободная: только моды</translation>
+        </message>
+        <message>
+            <source>Structured, unless the free model fits significantly better</source>
+            <translation>Структурная, если свободная не подходит значимо лучше</translation>
+        </message>
+        <message>
+            <source>The channels are the cosine and sine of the standing wave: split, axes, damping</source>
+            <translation>Каналы — косинус и синус стоячей волны: разночастотность, оси, затухание</translation>
+        </message>
+        <message>
+            <source>The channels are any two views of the modes, as with a bell: their frequencies and decay times</source>
+            <translation>Каналы — два любых вида на моды, как у колокола: их частоты и времена затухания</translation>
+        </message>
+        <message>
+            <source>Identify</source>
+            <translation>Идентифицировать</translation>
+        </message>
+        <message>
+            <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording (F7)</source>
+            <translation>Подогнать один резонатор ко всем записям набора, а если он пуст — к текущей записи (F7)</translation>
         </message>
     </context>
     <context>
@@ -2043,6 +2565,17 @@ Open a recording and press Run.</source>
         <message>
             <source>Window of n consecutive samples, the averaging interval T of (7). The slow variables are constant inside it. At least 5 samples and three quarters of a period.</source>
             <translation>Окно из n последовательных отсчётов, интервал усреднения T из (7). Внутри него медленные переменные постоянны. Не менее 5 отсчётов и трёх четвертей периода.</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::XYPlotView</name>
+        <message>
+            <source>Copy plot</source>
+            <translation>Копировать график</translation>
+        </message>
+        <message>
+            <source>Export plot…</source>
+            <translation>Экспорт графика…</translation>
         </message>
     </context>
 </TS>

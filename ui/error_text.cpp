@@ -43,9 +43,11 @@ QString diagnosticText(const Diagnostic& diagnostic) {
 }
 
 QString reasonText(const Reason& reason) {
+    // Core writes for terminals, too.
     return reason.code == ReasonCode::none
                ? QString()
-               : filled("Reason", message_template(reason.code), reason.args);
+               : filled("Reason", message_template(reason.code), reason.args)
+                     .replace(QLatin1String("theta_A"), QStringLiteral("θ_A"));
 }
 
 QString flagsText(Flags flags) {

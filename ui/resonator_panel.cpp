@@ -179,11 +179,10 @@ void ResonatorPanel::showResult(const ResonatorOutcome& outcome) {
     const auto rows = resonatorRows(found, units_);
     resonator_->setContent({}, rows);
     resonator_section_->setVisible(!rows.empty());
-    modes_->setContent(
-        found.fit.modes.empty() ? QStringList() : QStringList{tr("Mode 1"), tr("Mode 2")},
-        modeRows(found.fit));
+    modes_->setContent({}, modeRows(found.fit));
     runs_->setContent(runNames(outcome), runRows(found, units_));
     drift_plot_->setContent(driftPlot(outcome, units_));
+    drift_section_->setVisible(found.fit.model == ResonatorModel::structured);
     drift_->setContent({}, driftRows(found.drift, units_));
     drift_->setVisible(found.drift.order > 0);
     balance_plot_->setContent(balancePlot(outcome));

@@ -76,7 +76,7 @@ XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units) {
     plot.y_name = QStringLiteral("dθ_A/dt");
     plot.y_unit = angleRateUnit(units);
     plot.y_takes_prefix = units.angle == AngleUnit::radians;
-    plot.empty = reasonText({ReasonCode::few_angles, {}});
+    plot.empty = reasonText(no_drift_function(outcome.identification));
     if (drift.order > 0) {
         plot.series.push_back(driftCurve(drift, angle, rate));
     }
@@ -134,8 +134,9 @@ XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, Trac
     const double angle = angleFactor(units);
     for (std::size_t run = 0; run < passport.tracks.size(); ++run) {
         XYSeries then = trackOf(passport.tracks[run], variable, angle);
-        then.name = translated(QT_TRANSLATE_NOOP("ResonatorPlots", "passport: %1"))
-                        .arg(shortName(passport.inputs[run].name));
+        if (run == 0) {  // the dash stands for all of them
+            then.name = translated(QT_TRANSLATE_NOOP("ResonatorPlots", "passport"));
+        }
         then.style = static_cast<int>(run);
         then.dashed = true;
         plot.series.push_back(std::move(then));

@@ -139,14 +139,27 @@ bool isAxis(const std::string& name) {
     return false;
 }
 
-// "modes[0].f_hz" as "Mode 1: f".
+// "Mode 1: f".
+QString modeTitle(int index, const std::string& parameter) {
+    const QString symbol = parameter == "f_hz"    ? QStringLiteral("f")
+                           : parameter == "tau_s" ? QStringLiteral("τ")
+                                                  : QStringLiteral("Q");
+    return translated(QT_TRANSLATE_NOOP("Resonator", "Mode %1: %2")).arg(index + 1).arg(symbol);
+}
+
+// Of a difference, "modes[0].f_hz".
 QString modeTitle(const std::string& name) {
-    const int number = name.at(6) - '0' + 1;
-    const std::string of_mode = name.substr(9);
-    const QString symbol = of_mode == "f_hz"    ? QStringLiteral("f")
-                           : of_mode == "tau_s" ? QStringLiteral("τ")
-                                                : QStringLiteral("Q");
-    return translated(QT_TRANSLATE_NOOP("Resonator", "Mode %1: %2")).arg(number).arg(symbol);
+    const auto digit = std::string("modes[").size();
+    return modeTitle(name.at(digit) - '0', name.substr(digit + 3));
+}
+
+// Signed, with one decimal; nought has no sign.
+QString deviationsText(double deviations) {
+    const QString size = QLocale().toString(std::abs(deviations), 'f', 1);
+    if (std::abs(deviations) < 0.05) {
+        return size;
+    }
+    return (deviations < 0 ? QChar(0x2212) : QLatin1Char('+')) + size;
 }
 
 QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
@@ -210,15 +223,13 @@ std::vector<QuantityRow> modeRows(const ResonatorFit& fit) {
                         {{reason, {reason, QString()}, {}}}});
         return rows;
     }
-    const QString titles[] = {translated(QT_TRANSLATE_NOOP("Resonator", "Frequency f")),
-                              translated(QT_TRANSLATE_NOOP("Resonator", "Decay time τ")),
-                              translated(QT_TRANSLATE_NOOP("Resonator", "Quality factor Q"))};
-    for (std::size_t k = 0; k < mode_parameters.size(); ++k) {
-        QuantityRow row{withUnit(titles[k], unitText(mode_parameters[k].unit)), {}, {}};
-        for (const ModeEstimate& mode : fit.modes) {
-            row.cells.push_back(cellOf(mode.*mode_parameters[k].member));
+    for (std::size_t k = 0; k < fit.modes.size(); ++k) {
+        for (const ModeParameter& parameter : mode_parameters) {
+            rows.push_back(
+                {withUnit(modeTitle(static_cast<int>(k), parameter.name), unitText(parameter.unit)),
+                 {},
+                 {cellOf(fit.modes[k].*parameter.member)}});
         }
-        rows.push_back(std::move(row));
     }
     return rows;
 }
@@ -319,12 +330,9 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
         const double sds =
             difference.change < 0 ? -difference.deviations() : difference.deviations();
         const bool known = difference.verdict != Verdict::not_comparable;
-        const QString sign = sds > 0 ? QStringLiteral("+") : QString();
-        const QuantityCell deviations{
-            known ? sign + QLocale().toString(sds, 'f', 1).replace('-', QChar(0x2212))
-                  : QStringLiteral("—"),
-            {known ? exactText(sds) : QString()},
-            {}};
+        const QuantityCell deviations{known ? deviationsText(sds) : QStringLiteral("—"),
+                                      {known ? exactText(sds) : QString()},
+                                      {}};
         rows.push_back(
             {withUnit(of_mode ? modeTitle(difference.name) : shown.title, shown.unit),
              shown.tip,

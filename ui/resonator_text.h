@@ -15,7 +15,7 @@ namespace vybeg::ui {
 
 // One column: the value. Of the free model, none.
 std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units);
-// One column for each mode; one row with the reason where there are none.
+// One column; one row with the reason where the modes cannot be told apart.
 std::vector<QuantityRow> modeRows(const ResonatorFit& fit);
 // One column for each recording.
 std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units);

@@ -31,10 +31,11 @@ namespace {
 
 // What stands in Latin letters in every language: names, endings of files, keys, notation.
 const std::set<QString> anyLanguage{
-    "Vybeg", "English", "Qt",  "QCustomPlot", "GNU",  "General", "Public", "License", "WAV",
-    "FLAC",  "CSV",     "PNG", "SVG",         "PDF",  "NPZ",     "MAT",    "HDF",     "SHA",
-    "NaN",   "nan",     "rms", "demo",        "wav",  "Home",    "Ctrl",   "Shift",   "Alt",
-    "Del",   "Space",   "png", "csv",         "bits", "cos",     "sin",    "opt",     "Return"};
+    "Vybeg", "English", "Qt",  "QCustomPlot", "GNU",   "General", "Public", "License",
+    "WAV",   "FLAC",    "CSV", "PNG",         "SVG",   "PDF",     "NPZ",    "MAT",
+    "HDF",   "SHA",     "NaN", "nan",         "rms",   "demo",    "wav",    "Home",
+    "Ctrl",  "Shift",   "Alt", "Del",         "Space", "png",     "csv",    "bits",
+    "cos",   "sin",     "opt", "Return",      "json"};
 
 // All texts that a widget shows or tells a screen reader.
 QStringList textsOf(const QWidget& widget) {
@@ -126,6 +127,17 @@ private slots:
         QVERIFY(QTest::qWaitFor(
             [&] { return !window.document().busy() && window.document().runs().size() == 1; },
             20000));
+        window.action(Command::identify)->trigger();
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                const RunSet* set = window.document().currentSet();
+                return set && window.document().outcome(*set);
+            },
+            20000));
+        window.savePassportTo(home_.path("demo.json"));
+        QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("demo.json")); }));
+        window.comparePassport(home_.path("demo.json"));
+        QVERIFY(QTest::qWaitFor([&] { return window.document().passport() != nullptr; }));
         window.action(Command::compare)->trigger();
         // Both with every choice on the screen: text here, raw samples in the other.
         const QString table = home_.file("demo-2.csv", "t;C;D\n0,1;1;2\n0,2;3;4\n0,3;5;6\n");

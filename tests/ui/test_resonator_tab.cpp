@@ -17,6 +17,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTest>
 
 #include <cmath>
@@ -121,6 +122,7 @@ private slots:
 
     void a_set_is_edited_by_keyboard_and_menu() {
         openRuns(files_);
+        the<QTabWidget>().setCurrentWidget(&the<ResonatorPanel>());
         auto& list = the<RecordingDragList>();
         list.setFocus();
         list.selectAll();
