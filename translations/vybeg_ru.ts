@@ -998,20 +998,21 @@
             <source>Now</source>
             <translation>Теперь</translation>
         </message>
-    </context>
-    <context>
-        <name>ResonatorPlots</name>
+        <message>
+            <source>in the passport: %1</source>
+            <translation>в паспорте: %1</translation>
+        </message>
         <message>
             <source>fitted</source>
             <translation>подгонка</translation>
         </message>
         <message>
-            <source>s</source>
-            <translation>с</translation>
-        </message>
-        <message>
             <source>passport</source>
             <translation>паспорт</translation>
+        </message>
+        <message>
+            <source>Harmonics</source>
+            <translation>Гармоники</translation>
         </message>
     </context>
     <context>
@@ -2163,6 +2164,10 @@
         <message>
             <source>Close the passport</source>
             <translation>Закрыть паспорт</translation>
+        </message>
+        <message>
+            <source>Not comparable: %1</source>
+            <translation>Несравнимо: %1</translation>
         </message>
     </context>
     <context>

@@ -99,8 +99,10 @@ void QuantityTable::layOut() {
             width = fontMetrics().horizontalAdvance(headers_[column - 1]) + 16;
         }
         for (int row = 0; row < rowCount(); ++row) {
-            const int wish = WrappingDelegate::widthFor(item(row, column)->text(), font());
-            width = std::max(width, std::min(wish, 26 * characters));
+            const QString text = item(row, column)->text();
+            const int wish = WrappingDelegate::widthFor(text, font());
+            const bool sentence = text.size() > 36;
+            width = std::max(width, sentence ? std::min(wish, 26 * characters) : wish);
         }
     }
     if (!widths.empty()) {

@@ -1,6 +1,6 @@
 #include "ui/resonator_panel.h"
 
-#include "ui/error_text.h"
+#include "ui/difference_text.h"
 #include "ui/quantity_table.h"
 #include "ui/resonator_text.h"
 #include "ui/rich_text.h"
@@ -28,6 +28,14 @@ QLabel* sentence(QWidget* parent) {
     label->setContentsMargins(6, 2, 6, 2);
     label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     return label;
+}
+
+QString paragraphs(const QStringList& texts, const QString& form) {
+    QString html;
+    for (const QString& text : texts) {
+        html += QStringLiteral("<p style=\"margin:2px 0\">%1</p>").arg(form.arg(richText(text)));
+    }
+    return html;
 }
 
 QStringList runNames(const ResonatorOutcome& outcome) {
@@ -73,12 +81,13 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
         addSection(*column, {drift_plot_ = plot("drift"), drift_ = table("harmonics")});
     balance_section_ = addSection(*column, {balance_plot_ = plot("balance")});
     passport_ = sentence(content);
+    incomparable_ = sentence(content);
     close_passport_ = new QPushButton(content);
     track_choice_ = new QComboBox(content);
     track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
     comparison_section_ =
-        addSection(*column, {passport_, differences_ = table("differences"), track_choice_,
-                             tracks_ = plot("tracks"), close_passport_});
+        addSection(*column, {passport_, differences_ = table("differences"), incomparable_,
+                             track_choice_, tracks_ = plot("tracks"), close_passport_});
     column->addStretch(1);
 
     auto* scroll = new QScrollArea(this);
@@ -94,10 +103,10 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
     layout->addWidget(scroll, 1);
 
     connect(close_passport_, &QPushButton::clicked, &document_, &Document::closePassport);
-    connect(track_choice_, &QComboBox::activated, this, &ResonatorPanel::refresh);
+    connect(track_choice_, &QComboBox::activated, this, &ResonatorPanel::rebuild);
     connect(&document_, &Document::setsChanged, this, &ResonatorPanel::refresh);
-    connect(&document_, &Document::passportChanged, this, &ResonatorPanel::refresh);
-    connect(&document_, &Document::busyChanged, this, &ResonatorPanel::refresh);
+    connect(&document_, &Document::recordingChanged, this, &ResonatorPanel::refresh);
+    connect(&document_, &Document::passportChanged, this, &ResonatorPanel::rebuild);
     retranslate();
 }
 
@@ -116,7 +125,7 @@ Section* ResonatorPanel::addSection(QVBoxLayout& layout, std::initializer_list<Q
 
 void ResonatorPanel::setUnits(const DisplayUnits& units) {
     units_ = units;
-    refresh();
+    rebuild();
 }
 
 void ResonatorPanel::setTheme(const Theme& theme) {
@@ -124,26 +133,38 @@ void ResonatorPanel::setTheme(const Theme& theme) {
     for (XYPlotView* plot : {drift_plot_, balance_plot_, tracks_}) {
         plot->setTheme(theme);
     }
-    refresh();
+    rebuild();
 }
 
 void ResonatorPanel::showComparison() {
     comparison_section_->setOpen(true);
 }
 
+// A change of the settings, many a second while one is dragged, changes no more than what is said
+// of the result.
 void ResonatorPanel::refresh() {
     const RunSet* set = document_.currentSet();
     const auto outcome = set ? document_.outcome(*set) : nullptr;
-    showState(set, outcome.get());
+    if (outcome != shown_) {
+        rebuild();
+    } else {
+        showState(set, outcome.get());
+    }
+}
+
+void ResonatorPanel::rebuild() {
+    const RunSet* set = document_.currentSet();
+    shown_ = set ? document_.outcome(*set) : nullptr;
+    showState(set, shown_.get());
     for (Section* section :
          {resonator_section_, modes_section_, runs_section_, drift_section_, balance_section_}) {
-        section->setVisible(outcome != nullptr);
+        section->setVisible(shown_ != nullptr);
     }
     warnings_->hide();
-    if (outcome) {
-        showResult(*outcome);
+    if (shown_) {
+        showResult(*shown_);
     }
-    showDifferences(outcome.get());
+    showDifferences(shown_.get());
 }
 
 void ResonatorPanel::showState(const RunSet* set, const ResonatorOutcome* outcome) {
@@ -170,12 +191,9 @@ void ResonatorPanel::showState(const RunSet* set, const ResonatorOutcome* outcom
 
 void ResonatorPanel::showResult(const ResonatorOutcome& outcome) {
     const Identification& found = outcome.identification;
-    QString list;
-    for (const QString& warning : warningTexts(outcome)) {
-        list += QStringLiteral("<p style=\"margin:2px 0\">⚠ %1</p>").arg(richText(warning));
-    }
-    warnings_->setText(list);
-    warnings_->setVisible(!list.isEmpty());
+    const QStringList warnings = warningTexts(outcome);
+    warnings_->setText(paragraphs(warnings, QStringLiteral("⚠ %1")));
+    warnings_->setVisible(!warnings.isEmpty());
     const auto rows = resonatorRows(found, units_);
     resonator_->setContent({}, rows);
     resonator_section_->setVisible(!rows.empty());
@@ -183,8 +201,7 @@ void ResonatorPanel::showResult(const ResonatorOutcome& outcome) {
     runs_->setContent(runNames(outcome), runRows(found, units_));
     drift_plot_->setContent(driftPlot(outcome, units_));
     drift_section_->setVisible(found.fit.model == ResonatorModel::structured);
-    drift_->setContent({}, driftRows(found.drift, units_));
-    drift_->setVisible(found.drift.order > 0);
+    drift_->setContent({}, driftRows(found, units_));
     balance_plot_->setContent(balancePlot(outcome));
     balance_section_->setVisible(!found.balance.empty());
 }
@@ -200,12 +217,15 @@ void ResonatorPanel::showDifferences(const ResonatorOutcome* outcome) {
                                     "the difference or more.")
                                      .arg(name)
                                : tr("%1 is open: identify the set to compare.").arg(name));
+    const std::vector<Difference> differences = document_.differences();
+    const QStringList reasons = incomparableTexts(differences);
     for (QWidget* part : std::initializer_list<QWidget*>{differences_, track_choice_, tracks_}) {
         part->setVisible(outcome != nullptr);
     }
+    incomparable_->setVisible(!reasons.isEmpty());
     if (outcome) {
-        differences_->setContent(differenceHeaders(),
-                                 differenceRows(document_.differences(), units_, theme_));
+        differences_->setContent(differenceHeaders(), differenceRows(differences, units_, theme_));
+        incomparable_->setText(paragraphs(reasons, tr("Not comparable: %1")));
         tracks_->setContent(trackPlot(*outcome, passport->passport,
                                       static_cast<TrackVariable>(track_choice_->currentIndex()),
                                       units_));
@@ -245,7 +265,7 @@ void ResonatorPanel::retranslate() {
         track_choice_->setItemText(index, variables[index]);
     }
     close_passport_->setText(tr("Close the passport"));
-    refresh();
+    rebuild();
 }
 
 }  // namespace vybeg::ui

@@ -44,6 +44,7 @@ protected:
 private:
     Section* addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts);
     void refresh();
+    void rebuild();
     void showResult(const ResonatorOutcome& outcome);
     void showState(const RunSet* set, const ResonatorOutcome* outcome);
     void showDifferences(const ResonatorOutcome* outcome);
@@ -52,6 +53,7 @@ private:
     Document& document_;
     DisplayUnits units_;
     Theme theme_;
+    std::shared_ptr<const ResonatorOutcome> shown_;
     SetPanel* set_;
     QLabel* state_;
     QLabel* warnings_;
@@ -62,6 +64,7 @@ private:
     QuantityTable* drift_;
     XYPlotView* balance_plot_;
     QLabel* passport_;
+    QLabel* incomparable_;
     QPushButton* close_passport_;
     QuantityTable* differences_;
     QComboBox* track_choice_;

@@ -1,9 +1,8 @@
 #include "ui/resonator_plots.h"
 
 #include "ui/error_text.h"
-#include "ui/resonator_text.h"
+#include "ui/parameter_text.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -12,10 +11,6 @@
 namespace vybeg::ui {
 
 namespace {
-
-QString translated(const char* text) {
-    return QCoreApplication::translate("ResonatorPlots", text);
-}
 
 QString shortName(const std::string& file) {
     return QFileInfo(QString::fromStdString(file)).completeBaseName();
@@ -30,7 +25,7 @@ std::vector<double> times(double factor, const std::vector<double>& values) {
 XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
     constexpr int steps = 180;
     XYSeries curve;
-    curve.name = translated(QT_TRANSLATE_NOOP("ResonatorPlots", "fitted"));
+    curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "fitted"));
     curve.plain = true;
     for (int k = 0; k <= steps; ++k) {
         const double theta = (static_cast<double>(k) / steps - 0.5) * std::numbers::pi / 2;
@@ -103,8 +98,8 @@ XYPlot balancePlot(const ResonatorOutcome& outcome) {
     const std::vector<ChannelBalance>& balance = outcome.identification.balance;
     XYPlot plot;
     plot.x_name = QStringLiteral("t");
-    plot.x_unit = translated(QT_TRANSLATE_NOOP("ResonatorPlots", "s"));
-    plot.y_name = QStringLiteral("⟨S_A S_B⟩/⟨S_A² + S_B²⟩");
+    plot.x_unit = resonatorText(QT_TRANSLATE_NOOP("Resonator", "s"));
+    plot.y_name = displaySymbol(SlowVariable::orthogonality, {});
     plot.empty = reasonText({ReasonCode::free_model, {}});
     for (std::size_t run = 0; run < balance.size(); ++run) {
         if (!balance[run].time_s.empty()) {
@@ -124,7 +119,7 @@ XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, Trac
                  const DisplayUnits& units) {
     XYPlot plot;
     plot.x_name = QStringLiteral("t");
-    plot.x_unit = translated(QT_TRANSLATE_NOOP("ResonatorPlots", "s"));
+    plot.x_unit = resonatorText(QT_TRANSLATE_NOOP("Resonator", "s"));
     const bool is_angle = variable == TrackVariable::two_theta_A;
     plot.y_name = is_angle                         ? QStringLiteral("2θ_A")
                   : variable == TrackVariable::a_A ? QStringLiteral("a_A")
@@ -135,7 +130,7 @@ XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, Trac
     for (std::size_t run = 0; run < passport.tracks.size(); ++run) {
         XYSeries then = trackOf(passport.tracks[run], variable, angle);
         if (run == 0) {  // the dash stands for all of them
-            then.name = translated(QT_TRANSLATE_NOOP("ResonatorPlots", "passport"));
+            then.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "passport"));
         }
         then.style = static_cast<int>(run);
         then.dashed = true;

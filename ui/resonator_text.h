@@ -19,21 +19,10 @@ std::vector<QuantityRow> resonatorRows(const Identification& found, const Displa
 std::vector<QuantityRow> modeRows(const ResonatorFit& fit);
 // One column for each recording.
 std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units);
-// One column: mean and harmonics of the drift function; none where it is not known.
-std::vector<QuantityRow> driftRows(const DriftFunction& drift, const DisplayUnits& units);
-
-// Of a comparison: verdict, difference in standard deviations, then, now.
-QStringList differenceHeaders();
-std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
-                                        const DisplayUnits& units, const Theme& theme);
+// One column: mean and harmonics of the drift function, or why it is not known.
+std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units);
 
 // Sentences, with the recording's name where one is meant.
 QStringList warningTexts(const ResonatorOutcome& outcome);
-
-// Displayed unit and factor of angles (rad) and of their rates (rad/s).
-QString angleUnit(const DisplayUnits& units);
-double angleFactor(const DisplayUnits& units);
-QString angleRateUnit(const DisplayUnits& units);
-double angleRateFactor(const DisplayUnits& units);
 
 }  // namespace vybeg::ui

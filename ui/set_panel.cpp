@@ -136,8 +136,8 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
             [this](int row) { document_.setCurrentSet(sets_->itemData(row).toInt()); });
     connect(sets_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
         const RunSet* set = document_.currentSet();
-        if (set && sets_->lineEdit()->isModified() &&
-            sets_->currentText() != setName(document_, *set)) {
+        if (set && sets_->lineEdit()->isModified()) {
+            sets_->lineEdit()->setModified(false);
             document_.renameSet(set->id, sets_->currentText());
         }
     });
@@ -186,7 +186,8 @@ void SetPanel::fillMenu() {
 
 void SetPanel::refresh() {
     const RunSet* set = document_.currentSet();
-    {
+    const bool typing = sets_->lineEdit()->hasFocus() && sets_->lineEdit()->isModified();
+    if (!typing) {
         const QSignalBlocker blocker(sets_);
         sets_->clear();
         for (const RunSet& each : document_.sets()) {

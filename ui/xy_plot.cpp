@@ -22,6 +22,7 @@ constexpr int foot_height = 40;
 constexpr int left_margin = 60;
 constexpr int right_margin = 16;
 constexpr int legend_height = 22;
+constexpr std::size_t legend_columns = 3;  // more have no room beside each other in a panel
 
 // The axes, with their names drawn as those of the track's plots.
 class XYPanel : public QCPAxisRect {
@@ -203,17 +204,19 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
             legend.push_back({series.name, true, true, pen.color(), pen.style()});
         }
     }
+    // With one curve there is nothing to tell apart.
     int row = 0;
-    const bool told_apart = legend.size() > 1;
-    if (told_apart) {
+    for (std::size_t k = 0; k < legend.size() && legend.size() > 1; k += legend_columns) {
         auto* strip = new PlotStrip(&plot, legend_height);
         strip->setInset(8, right_margin, 0);
         strip->setLook(plotFont(plot), theme.text);
-        strip->setEntries(std::move(legend), Qt::AlignLeft);
+        const auto from = legend.begin() + static_cast<std::ptrdiff_t>(k);
+        const auto count = std::min(legend_columns, legend.size() - k);
+        strip->setEntries({from, from + static_cast<std::ptrdiff_t>(count)}, Qt::AlignLeft);
         plot.plotLayout()->addElement(row++, 0, strip);
     }
     const QSize room(size.width() - left_margin - right_margin,
-                     size.height() - head_height - foot_height - (told_apart ? legend_height : 0));
+                     size.height() - head_height - foot_height - row * legend_height);
     auto* panel = new XYPanel(&plot, content, theme, room);
     plot.plotLayout()->addElement(row, 0, panel);
     for (const XYSeries& series : content.series) {

@@ -19,7 +19,7 @@ public:
     void setContent(const XYPlot& content);
     void setTheme(const Theme& theme);
     const XYPlot& content() const { return content_; }
-    QSize sizeHint() const override { return {260, 220}; }
+    QSize sizeHint() const override { return {260, 250}; }
 
 signals:
     void exportWanted();

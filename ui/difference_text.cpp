@@ -1,0 +1,118 @@
+#include "ui/difference_text.h"
+
+#include "ui/error_text.h"
+#include "ui/parameter_text.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Of a difference, "modes[0].f_hz".
+QString titleOfMode(const std::string& name) {
+    const auto digit = std::string("modes[").size();
+    return modeTitle(name.at(digit) - '0', name.substr(digit + 3));
+}
+
+// Signed, with one decimal; nought has no sign.
+QString deviationsText(double deviations) {
+    const QString size = QLocale().toString(std::abs(deviations), 'f', 1);
+    if (std::abs(deviations) < 0.05) {
+        return size;
+    }
+    return (deviations < 0 ? QChar(0x2212) : QLatin1Char('+')) + size;
+}
+
+QString titleOf(const Difference& difference) {
+    return difference.name.starts_with("modes[")
+               ? titleOfMode(difference.name)
+               : shownAs(difference.name, difference.unit, {}).title;
+}
+
+// Reasons stand below the table: in its narrow columns they would tear it apart.
+QuantityCell sideCell(const Estimate& estimate, double factor) {
+    QuantityCell cell = cellOf(estimate, factor);
+    if (!estimate.given()) {
+        cell.text = QStringLiteral("—");
+    }
+    return cell;
+}
+
+QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
+    // Sign, word and an Okabe-Ito colour: any one of them is enough.
+    switch (difference.verdict) {
+        case Verdict::unchanged: {
+            const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "unchanged"));
+            return {QStringLiteral("= ") + word, {word}, readable(QColor("#009e73"), theme)};
+        }
+        case Verdict::changed: {
+            const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "changed"));
+            return {QStringLiteral("≠ ") + word, {word}, readable(QColor("#d55e00"), theme)};
+        }
+        case Verdict::not_comparable: break;
+    }
+    const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "not comparable"));
+    return {QStringLiteral("? ") + word, {word}, theme.mutedText};
+}
+
+}  // namespace
+
+QStringList incomparableTexts(const std::vector<Difference>& differences) {
+    std::vector<std::pair<QString, QStringList>> reasons;  // and whose they are
+    for (const Difference& difference : differences) {
+        if (difference.verdict != Verdict::not_comparable) {
+            continue;
+        }
+        const bool then = difference.then.given();
+        const QString reason =
+            then ? reasonText(difference.now.reason)
+                 : resonatorText(QT_TRANSLATE_NOOP("Resonator", "in the passport: %1"))
+                       .arg(reasonText(difference.then.reason));
+        const QString symbol = titleOf(difference).section(QLatin1Char(' '), -1);
+        const auto same =
+            std::ranges::find(reasons, reason, &std::pair<QString, QStringList>::first);
+        if (same == reasons.end()) {
+            reasons.push_back({reason, {symbol}});
+        } else if (!same->second.contains(symbol)) {
+            same->second << symbol;
+        }
+    }
+    QStringList texts;
+    for (const auto& [reason, symbols] : reasons) {
+        texts << QStringLiteral("%1: %2").arg(symbols.join(QStringLiteral(", ")), reason);
+    }
+    return texts;
+}
+
+QStringList differenceHeaders() {
+    return {resonatorText(QT_TRANSLATE_NOOP("Resonator", "Verdict")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Difference, sd")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Passport")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Now"))};
+}
+
+std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
+                                        const DisplayUnits& units, const Theme& theme) {
+    std::vector<QuantityRow> rows;
+    for (const Difference& difference : differences) {
+        const Shown shown = shownAs(difference.name, difference.unit, units);
+        const double sds =
+            difference.change < 0 ? -difference.deviations() : difference.deviations();
+        const bool known = difference.verdict != Verdict::not_comparable;
+        const QuantityCell deviations{known ? deviationsText(sds) : QStringLiteral("—"),
+                                      {known ? exactText(sds) : QString()},
+                                      {}};
+        rows.push_back(
+            {withUnit(titleOf(difference), shown.unit),
+             shown.tip,
+             {verdictCell(difference, theme), deviations, sideCell(difference.then, shown.factor),
+              sideCell(difference.now, shown.factor)}});
+    }
+    return rows;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/resonator/passport.h"
+#include "ui/display_units.h"
+#include "ui/quantity_table.h"
+#include "ui/theme.h"
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// Of a comparison: verdict, difference in standard deviations, then, now.
+QStringList differenceHeaders();
+std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
+                                        const DisplayUnits& units, const Theme& theme);
+
+// Why parameters are not comparable: a sentence for all that share a reason.
+QStringList incomparableTexts(const std::vector<Difference>& differences);
+
+}  // namespace vybeg::ui

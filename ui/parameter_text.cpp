@@ -1,0 +1,146 @@
+#include "ui/parameter_text.h"
+
+#include "core/resonator/resonator_parameters.h"
+#include "ui/error_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+constexpr double hour_s = 3600;
+
+struct Texts {
+    const char* name;  // as in resonator_parameters.h
+    const char* title;
+    const char* tip;
+};
+
+constexpr std::array<Texts, 10> parameter_texts{{
+    {"f_mean_hz", QT_TRANSLATE_NOOP("Resonator", "Mean frequency f"),
+     QT_TRANSLATE_NOOP("Resonator", "Of both modes, mean of the runs")},
+    {"split_hz", QT_TRANSLATE_NOOP("Resonator", "Frequency split Δf"),
+     QT_TRANSLATE_NOOP("Resonator", "f_p − f_q of the two modes, never negative")},
+    {"theta_w_rad", QT_TRANSLATE_NOOP("Resonator", "Stiffness axis θ_w"),
+     QT_TRANSLATE_NOOP("Resonator", "Axis of the mode with the higher frequency")},
+    {"tau_s", QT_TRANSLATE_NOOP("Resonator", "Decay time τ"),
+     QT_TRANSLATE_NOOP("Resonator", "In which the amplitude falls to 1/e")},
+    {"q", QT_TRANSLATE_NOOP("Resonator", "Quality factor Q"),
+     QT_TRANSLATE_NOOP("Resonator", "Q = π f τ, from the coherent fit")},
+    {"damping_anisotropy_per_s", QT_TRANSLATE_NOOP("Resonator", "Damping anisotropy g"),
+     QT_TRANSLATE_NOOP("Resonator", "Difference of 1/τ of both axes of damping, never negative")},
+    {"theta_tau_rad", QT_TRANSLATE_NOOP("Resonator", "Damping axis θ_τ"),
+     QT_TRANSLATE_NOOP("Resonator", "Axis of larger damping")},
+    {"angle_rate_rad_s", QT_TRANSLATE_NOOP("Resonator", "Rotation −kΩ"),
+     QT_TRANSLATE_NOOP("Resonator", "Drift of θ_A that is the same at every angle")},
+    {"kappa", QT_TRANSLATE_NOOP("Resonator", "Gain ratio κ"),
+     QT_TRANSLATE_NOOP("Resonator", "D = κ S_D")},
+    {"frequency_per_power", QT_TRANSLATE_NOOP("Resonator", "Frequency against power"),
+     QT_TRANSLATE_NOOP("Resonator", "Change of f per squared unit of amplitude")},
+}};
+
+bool isAxis(const std::string& name) {
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        if (name == parameter.name) {
+            return parameter.period > 0;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+QString resonatorText(const char* text) {
+    return QCoreApplication::translate("Resonator", text);
+}
+
+QString unitText(const char* unit) {
+    // Those that core/ gives with its parameters.
+    static constexpr std::array<const char*, 4> known{
+        QT_TRANSLATE_NOOP("Resonator", "Hz"), QT_TRANSLATE_NOOP("Resonator", "s"),
+        QT_TRANSLATE_NOOP("Resonator", "1/s"),
+        QT_TRANSLATE_NOOP("Resonator", "Hz per squared unit")};
+    for (const char* each : known) {
+        if (QLatin1String(each) == QLatin1String(unit)) {
+            return resonatorText(each);
+        }
+    }
+    return QString::fromLatin1(unit);
+}
+
+QString withUnit(const QString& name, const QString& unit) {
+    return unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit);
+}
+
+QString exactText(double value) {
+    return std::isnan(value) ? QString()
+                             : QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QuantityCell valueCell(double value, double sd) {
+    return {valueText(value, sd), {exactText(value), exactText(sd)}, {}};
+}
+
+QuantityCell cellOf(const Estimate& estimate, double factor) {
+    if (!estimate.given()) {
+        const QString reason = reasonText(estimate.reason);
+        return {reason, {reason, QString()}, {}};
+    }
+    return valueCell(factor * estimate.value, std::abs(factor) * estimate.sd);
+}
+
+Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& units) {
+    Shown shown;
+    for (const Texts& texts : parameter_texts) {
+        if (name == texts.name) {
+            shown.title = resonatorText(texts.title);
+            shown.tip = resonatorText(texts.tip);
+        }
+    }
+    if (isAxis(name)) {
+        shown.unit = angleUnit(units);
+        shown.factor = angleFactor(units);
+    } else if (QLatin1String(unit) == QLatin1String("rad/s")) {
+        shown.unit = angleRateUnit(units);
+        shown.factor = angleRateFactor(units);
+    } else {
+        shown.unit = unitText(unit);
+    }
+    return shown;
+}
+
+// "Mode 1: f".
+QString modeTitle(int index, const std::string& parameter) {
+    const QString symbol = parameter == "f_hz"    ? QStringLiteral("f")
+                           : parameter == "tau_s" ? QStringLiteral("τ")
+                                                  : QStringLiteral("Q");
+    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "Mode %1: %2")).arg(index + 1).arg(symbol);
+}
+
+QString angleUnit(const DisplayUnits& units) {
+    return units.angle == AngleUnit::degrees ? QStringLiteral("°")
+                                             : resonatorText(QT_TRANSLATE_NOOP("Resonator", "rad"));
+}
+
+double angleFactor(const DisplayUnits& units) {
+    return units.angle == AngleUnit::degrees ? degrees : 1;
+}
+
+QString angleRateUnit(const DisplayUnits& units) {
+    return units.angle == AngleUnit::degrees
+               ? resonatorText(QT_TRANSLATE_NOOP("Resonator", "°/h"))
+               : resonatorText(QT_TRANSLATE_NOOP("Resonator", "rad/s"));
+}
+
+double angleRateFactor(const DisplayUnits& units) {
+    return units.angle == AngleUnit::degrees ? degrees * hour_s : 1;
+}
+
+}  // namespace vybeg::ui

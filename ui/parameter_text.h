@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/resonator/reason.h"
+#include "ui/display_units.h"
+#include "ui/quantity_table.h"
+
+#include <string>
+
+namespace vybeg::ui {
+
+// What the tables of a resonator are made of.
+
+// How a parameter of resonator_parameters.h is displayed: its stored values times `factor`.
+struct Shown {
+    QString title;
+    QString tip;
+    QString unit;
+    double factor = 1;
+};
+
+Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& units);
+
+// "Mode 1: f" of a name of mode_parameters.
+QString modeTitle(int index, const std::string& parameter);
+
+// A text of context "Resonator", and a unit as core/ names it, in the interface's language.
+QString resonatorText(const char* text);
+QString unitText(const char* unit);
+QString withUnit(const QString& name, const QString& unit);
+
+// With all its digits, for a spreadsheet; empty for NaN.
+QString exactText(double value);
+QuantityCell valueCell(double value, double sd);
+// The value, or the sentence why there is none.
+QuantityCell cellOf(const Estimate& estimate, double factor = 1);
+
+// Displayed unit and factor of angles (rad) and of their rates (rad/s).
+QString angleUnit(const DisplayUnits& units);
+double angleFactor(const DisplayUnits& units);
+QString angleRateUnit(const DisplayUnits& units);
+double angleRateFactor(const DisplayUnits& units);
+
+}  // namespace vybeg::ui
