@@ -1014,6 +1014,10 @@
             <source>Harmonics</source>
             <translation>Гармоники</translation>
         </message>
+        <message>
+            <source>resonator</source>
+            <translation>резонатор</translation>
+        </message>
     </context>
     <context>
         <name>SetPanel</name>
@@ -2130,10 +2134,6 @@
             <translation>Гармоники функции дрейфа</translation>
         </message>
         <message>
-            <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them</source>
-            <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники</translation>
-        </message>
-        <message>
             <source>Zero within its band while the channels are balanced as the fit has them</source>
             <translation>Нуль в пределах полосы, пока каналы сбалансированы так, как в подгонке</translation>
         </message>
@@ -2168,6 +2168,10 @@
         <message>
             <source>Not comparable: %1</source>
             <translation>Несравнимо: %1</translation>
+        </message>
+        <message>
+            <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator</source>
+            <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору</translation>
         </message>
     </context>
     <context>

@@ -72,7 +72,9 @@ QStringList incomparableTexts(const std::vector<Difference>& differences) {
             then ? reasonText(difference.now.reason)
                  : resonatorText(QT_TRANSLATE_NOOP("Resonator", "in the passport: %1"))
                        .arg(reasonText(difference.then.reason));
-        const QString symbol = titleOf(difference).section(QLatin1Char(' '), -1);
+        const QString symbol = difference.name.starts_with("modes[")
+                                   ? resonatorText("Modes")
+                                   : titleOf(difference).section(QLatin1Char(' '), -1);
         const auto same =
             std::ranges::find(reasons, reason, &std::pair<QString, QStringList>::first);
         if (same == reasons.end()) {

@@ -10,6 +10,15 @@
 
 namespace vybeg::ui {
 
+namespace {
+
+// In any order: the resonator is the same.
+bool sameRecordings(const std::vector<int>& a, const std::vector<int>& b) {
+    return std::ranges::is_permutation(a, b);
+}
+
+}  // namespace
+
 RunSet* Document::findSet(int id) {
     const auto found = std::ranges::find(sets_, id, &RunSet::id);
     return found == sets_.end() ? nullptr : &*found;
@@ -64,7 +73,7 @@ void Document::setModel(int id, FitOptions::Model model) {
 
 void Document::edited(RunSet& set) {
     forgetIdentification(set.id);
-    if (!set.outcomes.empty() && set.outcomes.back()->recordings != set.recordings) {
+    if (!set.outcomes.empty() && !sameRecordings(set.outcomes.back()->recordings, set.recordings)) {
         set.outcomes.erase(set.outcomes.begin(), set.outcomes.end() - 1);
     }
     emit setsChanged();
@@ -179,7 +188,7 @@ void Document::whenIdentified(int key, Result<ResonatorOutcome> result) {
         RunSet& set = *findSet(id);
         // Older ones of other recordings, or of the same settings, are of no more use.
         std::erase_if(set.outcomes, [&](const auto& older) {
-            return older->recordings != result->recordings ||
+            return !sameRecordings(older->recordings, result->recordings) ||
                    settings_list(older->identification.settings) ==
                        settings_list(result->identification.settings);
         });
@@ -203,7 +212,7 @@ void Document::forgetIdentification(int set_id) {
 }
 
 bool Document::outOfDate(const RunSet& set, const ResonatorOutcome& outcome) const {
-    return outcome.recordings != set.recordings ||
+    return !sameRecordings(outcome.recordings, set.recordings) ||
            settings_list(outcome.identification.settings) != settings_list(settingsOf(set));
 }
 

@@ -22,16 +22,37 @@ std::vector<double> times(double factor, const std::vector<double>& values) {
     return scaled;
 }
 
+constexpr int curve_steps = 180;
+
+// Over the period of 90 degrees.
+double curveAngle(int step) {
+    return (static_cast<double>(step) / curve_steps - 0.5) * std::numbers::pi / 2;
+}
+
 XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
-    constexpr int steps = 180;
     XYSeries curve;
     curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "fitted"));
     curve.plain = true;
-    for (int k = 0; k <= steps; ++k) {
-        const double theta = (static_cast<double>(k) / steps - 0.5) * std::numbers::pi / 2;
+    for (int k = 0; k <= curve_steps; ++k) {
+        const double theta = curveAngle(k);
         curve.x.push_back(angle * theta);
         curve.y.push_back(rate * drift.rate(theta));
         curve.sd.push_back(rate * drift.sd_rate(theta));
+    }
+    return curve;
+}
+
+// The same by the fitted resonator: both agree where the motion is that of a resonator.
+XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
+    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates).matrix();
+    XYSeries curve;
+    curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "resonator"));
+    curve.plain = true;
+    curve.dashed = true;
+    for (int k = 0; k <= curve_steps; ++k) {
+        const double theta = curveAngle(k);
+        curve.x.push_back(angle * theta);
+        curve.y.push_back(rate * drift_of_dynamics(m, theta));
     }
     return curve;
 }
@@ -74,6 +95,7 @@ XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units) {
     plot.empty = reasonText(no_drift_function(outcome.identification));
     if (drift.order > 0) {
         plot.series.push_back(driftCurve(drift, angle, rate));
+        plot.series.push_back(resonatorCurve(outcome.identification.fit, angle, rate));
     }
     for (std::size_t run = 0; run < outcome.inputs.size(); ++run) {
         XYSeries points;
