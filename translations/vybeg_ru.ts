@@ -843,10 +843,6 @@
             <translation>D = κ S_D</translation>
         </message>
         <message>
-            <source>Frequency against power</source>
-            <translation>Частота от мощности</translation>
-        </message>
-        <message>
             <source>Change of f per squared unit of amplitude</source>
             <translation>Изменение f на единицу квадрата амплитуды</translation>
         </message>
@@ -1017,6 +1013,26 @@
         <message>
             <source>resonator</source>
             <translation>резонатор</translation>
+        </message>
+        <message>
+            <source>Non-orthogonality ε</source>
+            <translation>Неортогональность ε</translation>
+        </message>
+        <message>
+            <source>Angle between the pick-offs less 90 degrees</source>
+            <translation>Угол между датчиками без 90 градусов</translation>
+        </message>
+        <message>
+            <source>Delay δ</source>
+            <translation>Запаздывание δ</translation>
+        </message>
+        <message>
+            <source>By how much channel D comes late</source>
+            <translation>На сколько запаздывает канал D</translation>
+        </message>
+        <message>
+            <source>Amplitude dependence β</source>
+            <translation>Зависимость от амплитуды β</translation>
         </message>
     </context>
     <context>
@@ -2170,8 +2186,8 @@
             <translation>Несравнимо: %1</translation>
         </message>
         <message>
-            <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator</source>
-            <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору</translation>
+            <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator. The points hold the drift by the quadrature, too, which the curves leave out</source>
+            <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору. В точки входит и дрейф от квадратуры, в кривые — нет</translation>
         </message>
     </context>
     <context>

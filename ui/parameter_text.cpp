@@ -23,7 +23,8 @@ struct Texts {
     const char* tip;
 };
 
-constexpr std::array<Texts, 10> parameter_texts{{
+// The last word of a title is the symbol.
+constexpr std::array<Texts, 12> parameter_texts{{
     {"f_mean_hz", QT_TRANSLATE_NOOP("Resonator", "Mean frequency f"),
      QT_TRANSLATE_NOOP("Resonator", "Of both modes, mean of the runs")},
     {"split_hz", QT_TRANSLATE_NOOP("Resonator", "Frequency split Δf"),
@@ -42,18 +43,15 @@ constexpr std::array<Texts, 10> parameter_texts{{
      QT_TRANSLATE_NOOP("Resonator", "Drift of θ_A that is the same at every angle")},
     {"kappa", QT_TRANSLATE_NOOP("Resonator", "Gain ratio κ"),
      QT_TRANSLATE_NOOP("Resonator", "D = κ S_D")},
-    {"frequency_per_power", QT_TRANSLATE_NOOP("Resonator", "Frequency against power"),
+    {"non_orthogonality_rad", QT_TRANSLATE_NOOP("Resonator", "Non-orthogonality ε"),
+     QT_TRANSLATE_NOOP("Resonator", "Angle between the pick-offs less 90 degrees")},
+    {"delay_s", QT_TRANSLATE_NOOP("Resonator", "Delay δ"),
+     QT_TRANSLATE_NOOP("Resonator", "By how much channel D comes late")},
+    {"frequency_per_power", QT_TRANSLATE_NOOP("Resonator", "Amplitude dependence β"),
      QT_TRANSLATE_NOOP("Resonator", "Change of f per squared unit of amplitude")},
 }};
 
-bool isAxis(const std::string& name) {
-    for (const ResonatorParameter& parameter : resonator_parameters) {
-        if (name == parameter.name) {
-            return parameter.period > 0;
-        }
-    }
-    return false;
-}
+static_assert(parameter_texts.size() == resonator_parameters.size());
 
 }  // namespace
 
@@ -104,7 +102,7 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
             shown.tip = resonatorText(texts.tip);
         }
     }
-    if (isAxis(name)) {
+    if (QLatin1String(unit) == QLatin1String("rad")) {
         shown.unit = angleUnit(units);
         shown.factor = angleFactor(units);
     } else if (QLatin1String(unit) == QLatin1String("rad/s")) {

@@ -143,7 +143,7 @@ void RecordingPanel::rebuildList() {
         const bool current =
             document_.currentRecording() && document_.currentRecording()->id == entry.id;
         if (current && list_->currentItem() != item) {
-            list_->setCurrentItem(item);
+            list_->setCurrentItem(item, QItemSelectionModel::ClearAndSelect);
         }
     }
     const bool any = document_.currentRecording() != nullptr;

@@ -251,9 +251,11 @@ void ResonatorPanel::retranslate() {
     name(balance_section_, balance_plot_, tr("Channel balance, condition (30)"));
     name(comparison_section_, differences_, tr("Comparison with the passport"));
     drift_->setAccessibleName(tr("Harmonics of the drift function"));
-    drift_plot_->setToolTip(richTip(
-        tr("Drift of the wave angle against the angle: measured points with their standard "
-           "deviations, and the harmonics fitted to them; dashed: by the fitted resonator")));
+    drift_plot_->setToolTip(
+        richTip(tr("Drift of the wave angle against the angle: measured points with their standard "
+                   "deviations, and the harmonics fitted to them; dashed: by the fitted resonator. "
+                   "The points hold the drift by "
+                   "the quadrature, too, which the curves leave out")));
     balance_plot_->setToolTip(
         richTip(tr("Zero within its band while the channels are balanced as the fit has them")));
     tracks_->setAccessibleName(tr("Tracks of the runs and of the passport"));

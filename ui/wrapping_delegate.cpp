@@ -19,7 +19,8 @@ constexpr int padding = 4;
 void prepare(QTextDocument& document, const QString& text, const QFont& font) {
     document.setDocumentMargin(0);
     document.setDefaultFont(font);
-    document.setHtml(richText(text));
+    // No line ends within a unit.
+    document.setHtml(richText(QString(text).replace(QLatin1Char('/'), QStringLiteral("/\u2060"))));
 }
 
 }  // namespace

@@ -118,6 +118,9 @@ private slots:
         QCOMPARE(document().currentSet()->recordings, ids());
         QCOMPARE(the<SetMembers>().count(), 3);
         QVERIFY(document().canIdentify());
+        // The list follows the current recording with one row, however many were dragged.
+        QCOMPARE(the<RecordingDragList>().selectedRecordings(),
+                 std::vector<int>{document().currentRecording()->id});
     }
 
     void a_set_is_edited_by_keyboard_and_menu() {
@@ -303,6 +306,7 @@ private slots:
         DisplayUnits units;
         units.angle = AngleUnit::degrees;
         const auto rows = resonatorRows(outcome()->identification, units);
+        QVERIFY(std::ranges::none_of(rows, [](const auto& row) { return row.tip.isEmpty(); }));
         const auto& axis = rows.at(2);
         QVERIFY(axis.name.endsWith("°"));
         QVERIFY(std::abs(axis.cells.front().exact.front().toDouble() - 11.46) < 2);
