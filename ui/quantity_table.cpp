@@ -87,8 +87,8 @@ QString QuantityTable::tableText() const {
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
-// The names take what they need, at most a good third of the width; of two columns the second takes
-// the rest, several take what they need.
+// The names take what they need, at most two fifths of the width, but no word is broken; of two
+// columns the second takes the rest, several take what they need.
 void QuantityTable::layOut() {
     const int characters = fontMetrics().averageCharWidth();
     const int room = viewport()->width();
@@ -106,7 +106,13 @@ void QuantityTable::layOut() {
         }
     }
     if (!widths.empty()) {
-        widths[0] = std::min(widths[0], std::max(room * 2 / 5, 14 * characters));
+        int longest_word = 0;
+        for (const QuantityRow& row : rows_) {
+            for (const QString& word : row.name.split(QLatin1Char(' '))) {
+                longest_word = std::max(longest_word, WrappingDelegate::widthFor(word, font()));
+            }
+        }
+        widths[0] = std::min(widths[0], std::max(room * 2 / 5, longest_word + 2));
     }
     if (widths.size() == 2) {
         widths[1] = std::max(room - widths[0], 14 * characters);
