@@ -3,7 +3,6 @@
 #include "ui/display_units.h"
 #include "ui/quantity_table.h"
 #include "ui/run_set.h"
-#include "ui/theme.h"
 
 #include <vector>
 
