@@ -2186,8 +2186,8 @@
             <translation>Несравнимо: %1</translation>
         </message>
         <message>
-            <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator. The points hold the drift by the quadrature, too, which the curves leave out</source>
-            <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору. В точки входит и дрейф от квадратуры, в кривые — нет</translation>
+            <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator. Without what the quadrature adds</source>
+            <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору. Без того, что добавляет квадратура</translation>
         </message>
     </context>
     <context>

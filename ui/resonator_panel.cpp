@@ -254,8 +254,7 @@ void ResonatorPanel::retranslate() {
     drift_plot_->setToolTip(
         richTip(tr("Drift of the wave angle against the angle: measured points with their standard "
                    "deviations, and the harmonics fitted to them; dashed: by the fitted resonator. "
-                   "The points hold the drift by "
-                   "the quadrature, too, which the curves leave out")));
+                   "Without what the quadrature adds")));
     balance_plot_->setToolTip(
         richTip(tr("Zero within its band while the channels are balanced as the fit has them")));
     tracks_->setAccessibleName(tr("Tracks of the runs and of the passport"));
