@@ -73,7 +73,10 @@ void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<W
                 // A missing sample makes its whole sum one.
                 out[first + lane] = no_estimate(Flag::gap);
             } else if (series.arrived[lane] > 0) {
-                out[first + lane] = estimate_of_series(series, lane, window, power);
+                out[first + lane] =
+                    estimate_of_lane(series.waves, lane, window,
+                                     {power, series.residual[lane], parameter_count(), own_flags()},
+                                     options_.rate_hz);
             } else {
                 const auto n = static_cast<double>(block.length);
                 const WindowPowers powers{batch.cc[lane] / n, batch.dd[lane] / n,
@@ -82,20 +85,6 @@ void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<W
             }
         }
     }
-}
-
-WaveEstimate ClosedFormEstimator::estimate_of_series(const ClosedSeries& series, std::size_t lane,
-                                                     const Window& window, double power) const {
-    const SeriesEstimates& waves = series.waves;
-    const Projections phasors{{waves.c_re[lane], waves.c_im[lane]},
-                              {waves.d_re[lane], waves.d_im[lane]}};
-    const double residual =
-        residual_of(series.residual[lane], power, window, phasors, waves.w[lane]);
-    WaveEstimate estimate = estimate_of_lane(waves, lane, residual, parameter_count(),
-                                             options_.length, options_.rate_hz);
-    estimate.flags = own_flags();
-    drop_what_is_not(estimate, residual, parameter_count(), options_.length);
-    return estimate;
 }
 
 Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double w) const {

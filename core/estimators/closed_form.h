@@ -64,8 +64,6 @@ private:
         std::size_t lane = 0;
     };
 
-    WaveEstimate estimate_of_series(const ClosedSeries& series, std::size_t lane,
-                                    const Window& window, double power) const;
     // Where Newton's steps on the series do not arrive: J by a search over the main lobe.
     WaveEstimate estimate_window(const SummedWindow& summed) const;
     // demodulate() and window_kernel(), by the series where it reaches.

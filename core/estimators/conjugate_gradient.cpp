@@ -130,7 +130,8 @@ public:
                 if (!std::isfinite(power)) {
                     out[k] = no_estimate(Flag::gap);
                 } else if (descent.arrived[lane] > 0) {
-                    out[k] = estimate_of_series(descent, lane, window, power);
+                    out[k] = estimate_of_lane(descent.waves, lane, window,
+                                              {power, descent.residual[lane]}, options_.rate_hz);
                 } else {
                     out[k] =
                         estimate_window(window, start_values(window, centre_of(block, k, centre_s)))
@@ -176,19 +177,6 @@ private:
         start.two_theta_A[lane] = values.state.two_theta_A;
         start.alpha[lane] = values.state.alpha;
         start.x[lane] = 0.5 * static_cast<double>(options_.length) * (values.w - basis_.w0());
-    }
-
-    WaveEstimate estimate_of_series(const SeriesDescent& descent, std::size_t lane,
-                                    const Window& window, double power) const {
-        const SeriesEstimates& waves = descent.waves;
-        const double residual = residual_of(
-            descent.residual[lane], power, window,
-            {{waves.c_re[lane], waves.c_im[lane]}, {waves.d_re[lane], waves.d_im[lane]}},
-            waves.w[lane]);
-        WaveEstimate estimate =
-            estimate_of_lane(waves, lane, residual, 5, options_.length, options_.rate_hz);
-        drop_what_is_not(estimate, residual, 5, options_.length);
-        return estimate;
     }
 
     struct Estimated {

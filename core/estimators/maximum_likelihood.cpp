@@ -47,14 +47,8 @@ private:
         if (maximum.arrived[lane] == 0) {
             return estimate_window(window);
         }
-        const Projections phasors{{waves.c_re[lane], waves.c_im[lane]},
-                                  {waves.d_re[lane], waves.d_im[lane]}};
-        const double residual =
-            residual_of(power - maximum.power[lane], power, window, phasors, waves.w[lane]);
-        const std::int64_t n = basis_.length();
-        WaveEstimate estimate = estimate_of_lane(waves, lane, residual, 5, n, rate_hz_);
-        drop_what_is_not(estimate, residual, 5, n);
-        return estimate;
+        return estimate_of_lane(waves, lane, window, {power, power - maximum.power[lane]},
+                                rate_hz_);
     }
 
     // Far from the carrier the series does not reach: the window by itself, at its own frequency.

@@ -24,21 +24,27 @@ void series_estimates(const SeriesBatch& __restrict batch, const SeriesMaximum& 
     complete_lanes(batch, basis, x, g_cos, phasors, state_of(phasors), estimates);
 }
 
-WaveEstimate estimate_of_lane(const SeriesEstimates& waves, std::size_t lane, double residual,
-                              int parameters, std::int64_t n, double rate_hz) {
-    const auto count = static_cast<double>(n);
-    const double noise = std::sqrt(residual / (2 * count - parameters));
+WaveEstimate estimate_of_lane(const SeriesEstimates& waves, std::size_t lane, const Window& window,
+                              const LaneResidual& residual, double rate_hz) {
+    const double sum =
+        residual_of(residual.difference, residual.power, window,
+                    {{waves.c_re[lane], waves.c_im[lane]}, {waves.d_re[lane], waves.d_im[lane]}},
+                    waves.w[lane]);
+    const auto n = static_cast<double>(window.length());
+    const double noise = std::sqrt(sum / (2 * n - residual.parameters));
     const double hertz = rate_hz / (2 * std::numbers::pi);
     WaveEstimate estimate;
     estimate.state = {waves.a_A[lane], waves.a_B[lane], waves.two_theta_A[lane], waves.alpha[lane]};
     estimate.f_hz = waves.w[lane] * hertz;
     estimate.delta_phi_CD = waves.delta_phi_CD[lane];
-    estimate.rms = std::sqrt(residual / count);
+    estimate.rms = std::sqrt(sum / n);
     estimate.orthogonality = waves.orthogonality[lane];
     estimate.sd = {noise * waves.sd_a_A[lane], noise * waves.sd_a_B[lane],
                    noise * waves.sd_two_theta_A[lane], noise * waves.sd_alpha[lane]};
     estimate.sd_f_hz = noise * waves.sd_w[lane] * hertz;
     estimate.sd_delta_phi_CD = noise * waves.sd_delta_phi_CD[lane];
+    estimate.flags = residual.flags;
+    drop_what_is_not(estimate, sum, residual.parameters, window.length());
     return estimate;
 }
 

@@ -34,8 +34,17 @@ struct SeriesEstimates {
 void series_estimates(const SeriesBatch& batch, const SeriesMaximum& maximum,
                       const SeriesBasis& basis, SeriesEstimates& estimates);
 
-// One lane as an estimate, without flags. `residual` is n F.
-WaveEstimate estimate_of_lane(const SeriesEstimates& waves, std::size_t lane, double residual,
-                              int parameters, std::int64_t n, double rate_hz);
+// What else an estimate is made of.
+struct LaneResidual {
+    double power = 0;       // of the window, sum C^2 + D^2
+    double difference = 0;  // the power less what the wave takes of it
+    int parameters = 5;     // that were fitted
+    Flags flags = 0;
+};
+
+// One lane as an estimate: noise and standard deviations from the residual, and without what does
+// not exist (window_estimate.h).
+WaveEstimate estimate_of_lane(const SeriesEstimates& waves, std::size_t lane, const Window& window,
+                              const LaneResidual& residual, double rate_hz);
 
 }  // namespace vybeg
