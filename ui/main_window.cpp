@@ -70,6 +70,10 @@ MainWindow::~MainWindow() {
     // left to show.
     document_.undoStack().disconnect(this);
     document_.disconnect(this);
+    // A field that lost the focus with the window would tell a document that is gone.
+    if (QWidget* focused = focusWidget()) {
+        focused->clearFocus();
+    }
 }
 
 void MainWindow::buildViews() {
