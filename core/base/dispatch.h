@@ -4,10 +4,11 @@
 // when the program starts: any x86-64, AVX2 with FMA, and AVX-512. What they call is compiled with
 // them only where it is VYBEG_INLINED. Not under AddressSanitizer: the choice would come before it
 // is ready.
-#if defined(__x86_64__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define VYBEG_DISPATCHED \
-    __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define VYBEG_TARGETS(...) __attribute__((target_clones(__VA_ARGS__)))
 #else
-#define VYBEG_DISPATCHED
+#define VYBEG_TARGETS(...)
 #endif
+#define VYBEG_DISPATCHED VYBEG_TARGETS("arch=x86-64-v4", "arch=x86-64-v3", "default")
 #define VYBEG_INLINED __attribute__((always_inline))

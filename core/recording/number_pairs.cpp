@@ -1,18 +1,14 @@
 #include "core/recording/number_pairs.h"
 
+#include "core/base/dispatch.h"
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 
-// One function for each kind of processor, chosen when the program starts. Not under
-// AddressSanitizer: the choice would come before it is ready.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define VYBEG_EACH_PROCESSOR __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define VYBEG_EACH_PROCESSOR
-#endif
+// Not VYBEG_DISPATCHED, which lets multiplication and addition be fused.
+#define VYBEG_EACH_PROCESSOR VYBEG_TARGETS("default", "avx2", "avx512f")
 
 namespace vybeg {
 namespace {

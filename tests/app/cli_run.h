@@ -1,10 +1,12 @@
 #pragma once
 
+#include <QDir>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
 #include <QStringList>
+#include <QTemporaryDir>
 
 namespace vybeg::test {
 
@@ -53,5 +55,19 @@ inline bool put(const QString& path, const QByteArray& bytes) {
 inline QJsonObject object(const QByteArray& json) {
     return QJsonDocument::fromJson(json).object();
 }
+
+// What the tests of the program share: a folder that it is run in.
+class CliFolder {
+protected:
+    Outcome run(const QStringList& arguments) const { return run_cli(arguments, folder_.path()); }
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    QByteArray file(const QString& name) const { return content(path(name)); }
+    // What an output that was not finished would leave.
+    QStringList temporaries() const {
+        return QDir(folder_.path()).entryList({".vybeg*"}, QDir::AllEntries | QDir::Hidden);
+    }
+
+    QTemporaryDir folder_;
+};
 
 }  // namespace vybeg::test

@@ -21,18 +21,8 @@ QJsonObject named(const QJsonArray& list, const QString& name) {
 
 }  // namespace
 
-class TestCliCompare : public QObject {
+class TestCliCompare : public QObject, private CliFolder {
     Q_OBJECT
-
-private:
-    QTemporaryDir folder_;
-
-    Outcome run(const QStringList& arguments) { return run_cli(arguments, folder_.path()); }
-    QString path(const QString& name) const { return folder_.filePath(name); }
-    QByteArray file(const QString& name) { return content(path(name)); }
-    QStringList temporaries() const {
-        return QDir(folder_.path()).entryList({".vybeg*"}, QDir::AllEntries | QDir::Hidden);
-    }
 
 private slots:
     void initTestCase() {

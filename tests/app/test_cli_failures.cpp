@@ -33,15 +33,11 @@ QByteArray timed(int k) {
 
 }  // namespace
 
-class TestCliFailures : public QObject {
+class TestCliFailures : public QObject, private CliFolder {
     Q_OBJECT
 
 private:
-    QTemporaryDir folder_;
     QMap<QString, QByteArray> sentences_;  // of the rows so far
-
-    Outcome run(const QStringList& arguments) { return run_cli(arguments, folder_.path()); }
-    QString path(const QString& name) { return folder_.filePath(name); }
 
     // The one sentence of a failure, different from all others so far.
     void check_sentence(const Outcome& outcome) {

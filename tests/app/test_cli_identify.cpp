@@ -20,18 +20,8 @@ const QStringList set = set_of("r");
 
 }  // namespace
 
-class TestCliIdentify : public QObject {
+class TestCliIdentify : public QObject, private CliFolder {
     Q_OBJECT
-
-private:
-    QTemporaryDir folder_;
-
-    Outcome run(const QStringList& arguments) { return run_cli(arguments, folder_.path()); }
-    QString path(const QString& name) const { return folder_.filePath(name); }
-    QByteArray file(const QString& name) { return content(path(name)); }
-    QStringList temporaries() const {
-        return QDir(folder_.path()).entryList({".vybeg*"}, QDir::AllEntries | QDir::Hidden);
-    }
 
 private slots:
     void initTestCase() {

@@ -9,15 +9,8 @@
 
 using namespace vybeg::test;
 
-class TestCliInterrupt : public QObject {
+class TestCliInterrupt : public QObject, private CliFolder {
     Q_OBJECT
-
-private:
-    QTemporaryDir folder_;
-
-    QStringList temporaries() const {
-        return QDir(folder_.path()).entryList({".vybeg*"}, QDir::AllEntries | QDir::Hidden);
-    }
 
 private slots:
     void initTestCase() {

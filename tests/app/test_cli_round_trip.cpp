@@ -12,14 +12,8 @@
 
 using namespace vybeg::test;
 
-class TestCliRoundTrip : public QObject {
+class TestCliRoundTrip : public QObject, private CliFolder {
     Q_OBJECT
-
-private:
-    QTemporaryDir folder_;
-
-    Outcome run(const QStringList& arguments) { return run_cli(arguments, folder_.path()); }
-    QByteArray file(const QString& name) { return content(folder_.filePath(name)); }
 
 private slots:
     void an_analysis_finds_the_truth_within_its_own_deviations_data() {

@@ -28,6 +28,17 @@ private:
     QTemporaryDir folder_;
 };
 
+// The widget of a kind, and of a name if there are several, in a window: it must be there.
+template <class Widget>
+Widget& childOf(const QObject& window, const QString& name = {}) {
+    auto* widget = window.findChild<Widget*>(name);
+    if (!widget) {
+        qFatal("no such widget in the window: %s %s", Widget::staticMetaObject.className(),
+               qUtf8Printable(name));
+    }
+    return *widget;
+}
+
 // The main window in English, 1400 x 900, on the screen, with no settings of an earlier one but
 // that it is not live: a run is what a test asks for.
 std::unique_ptr<MainWindow> shownWindow();

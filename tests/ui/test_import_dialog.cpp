@@ -37,11 +37,7 @@ class TestImportDialog : public QObject {
 
     template <class Widget>
     Widget& the(const char* name = "") {
-        auto* widget = dialog_->findChild<Widget*>(QLatin1String(name));
-        if (!widget) {
-            qFatal("no such widget: %s", name);
-        }
-        return *widget;
+        return childOf<Widget>(*dialog_, QLatin1String(name));
     }
 
     QPushButton& openButton() { return *the<QDialogButtonBox>().button(QDialogButtonBox::Open); }

@@ -35,11 +35,7 @@ class TestMainWindow : public QObject {
 
     template <class Widget>
     Widget& the(const QString& name = {}) {
-        auto* widget = window_->findChild<Widget*>(name);
-        if (!widget) {
-            qFatal("no such widget in the window: %s", Widget::staticMetaObject.className());
-        }
-        return *widget;
+        return childOf<Widget>(*window_, name);
     }
 
     NumberField& field(const QString& accessible_name) {
