@@ -1,22 +1,24 @@
 #include "core/simulation/free_decay.h"
 
 #include "core/base/number_text.h"
+#include "core/simulation/carrier_noise.h"
 #include "core/simulation/gaussian_noise.h"
-#include "core/simulation/slow_motion.h"
+#include "core/simulation/pick_offs.h"
+#include "core/simulation/recorder.h"
+#include "core/simulation/wave_motion.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <utility>
 
 namespace vybeg {
 namespace {
 
-constexpr std::int64_t most_frames = std::int64_t{1} << 36;     // three weeks at 33333 Hz
 constexpr std::int64_t most_in_memory = std::int64_t{1} << 28;  // 4 GiB of samples
-constexpr std::int64_t block = 256;           // frames between two exact anchors: 256 roundings
-constexpr std::int64_t at_once = 64 * block;  // frames for the sink
+constexpr std::int64_t at_once = 16384;                         // frames for the sink
 
 Error impossible(std::string reason) {
     return {ErrorCode::simulation_impossible, "simulate", {std::move(reason)}};
@@ -39,10 +41,16 @@ double largest(std::span<const double> samples) {
 Status run(const FreeDecay& decay,
            const std::function<Status(std::vector<double>&, std::vector<double>&)>& take,
            const JobControl& job) {
-    const std::int64_t frames = frame_count(decay);
-    const SlowMotion motion(decay);
-    const Eigen::Matrix2cd step = motion.propagator(1 / decay.rate_hz) * motion.carrier(1);
+    const std::int64_t frames = motion_frame_count(decay);
+    WaveMotion motion(decay);
+    std::optional<WaveMotion> late;  // the motion as channel D has it
+    if (decay.delay_d_s != 0) {
+        late.emplace(decay, decay.delay_d_s);
+    }
+    CarrierNoise about_carrier(decay);
+    const PickOffs pick_offs(decay);
     GaussianNoise noise(decay.seed);
+    std::array recorders{Recorder(decay.lost), Recorder(decay.lost)};
     std::vector<double> c;
     std::vector<double> d;
     for (std::int64_t begin = 0; begin < frames; begin += at_once) {
@@ -52,20 +60,23 @@ Status run(const FreeDecay& decay,
         c.clear();
         d.clear();
         const std::int64_t end = std::min(begin + at_once, frames);
-        Eigen::Vector2cd z;
         for (std::int64_t k = begin; k < end; ++k) {
-            if (k % block == 0) {
-                z = motion.at_frame(static_cast<double>(k));
+            Eigen::Vector2cd z = motion.next();
+            if (late) {
+                z(1) = late->next()(1);
             }
-            c.push_back(z(0).real() + decay.offset_c);
-            d.push_back(z(1).real() / decay.kappa + decay.offset_d);
+            about_carrier.disturb(z, k);
+            const auto [of_c, of_d] = pick_offs.signals(z, k);
+            c.push_back(of_c);
+            d.push_back(of_d);
             if (decay.noise > 0) {
                 const auto [noise_c, noise_d] = noise.next();
                 c.back() += decay.noise * noise_c;
                 d.back() += decay.noise * noise_d;
             }
-            z = step * z;
         }
+        recorders[0].record(c);
+        recorders[1].record(d);
         if (const Status taken = take(c, d); !taken) {
             return taken;
         }
@@ -88,58 +99,16 @@ FreeDecay demo_decay() {
     return decay;
 }
 
-Status check(const FreeDecay& decay) {
-    const std::array numbers{
-        decay.seconds,  decay.rate_hz,     decay.f0_hz,     decay.a_A,
-        decay.a_B,      decay.two_theta_A, decay.alpha,     decay.split_hz,
-        decay.theta_w,  decay.tau_s,       decay.theta_tau, decay.damping_anisotropy_per_s,
-        decay.bryan,    decay.omega_rad_s, decay.noise,     decay.kappa,
-        decay.offset_c, decay.offset_d,    decay.full_scale};
-    if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); })) {
-        return impossible("every parameter must be a finite number");
-    }
-    if (decay.seconds <= 0 || decay.rate_hz <= 0) {
-        return impossible("the length and the sample rate must be above 0");
-    }
-    if (decay.f0_hz <= 0 || decay.f0_hz >= decay.rate_hz / 2) {
-        return impossible("the carrier of " + short_text(decay.f0_hz) +
-                          " Hz is not between 0 and half the sample rate, " +
-                          short_text(decay.rate_hz / 2) + " Hz");
-    }
-    if (decay.seconds * decay.rate_hz > static_cast<double>(most_frames)) {
-        return impossible(short_text(decay.seconds * decay.rate_hz) +
-                          " samples are too many; the most is " + integer_text(most_frames));
-    }
-    if (frame_count(decay) < 1) {
-        return impossible("the record is shorter than one sample");
-    }
-    if (decay.tau_s <= 0) {
-        return impossible("the decay time must be above 0");
-    }
-    if (decay.split_hz < 0 || decay.damping_anisotropy_per_s < 0) {
-        return impossible("frequency split and damping anisotropy cannot be negative");
-    }
-    if (decay.damping_anisotropy_per_s > 2 / decay.tau_s) {
-        return impossible("a damping anisotropy above 2/tau = " + short_text(2 / decay.tau_s) +
-                          " 1/s would let one mode grow");
-    }
-    if (decay.noise < 0) {
-        return impossible("the noise cannot be negative");
-    }
-    if (decay.kappa <= 0) {
-        return impossible("the gain ratio kappa must be above 0");
-    }
-    if (decay.bits != 0 && (decay.bits < 2 || decay.bits > 32)) {
-        return impossible("the quantiser has 2 to 32 bits");
-    }
-    if (decay.full_scale < 0) {
-        return impossible("the full scale cannot be negative");
-    }
-    return {};
+std::int64_t motion_frame_count(const FreeDecay& decay) {
+    return static_cast<std::int64_t>(std::floor(decay.seconds * decay.rate_hz + 1e-6));
 }
 
 std::int64_t frame_count(const FreeDecay& decay) {
-    return static_cast<std::int64_t>(std::floor(decay.seconds * decay.rate_hz + 1e-6));
+    std::int64_t frames = motion_frame_count(decay);
+    for (const LostSamples& fault : decay.lost) {
+        frames -= fault.count;
+    }
+    return frames;
 }
 
 Result<double> find_full_scale(const FreeDecay& decay, const JobControl& job) {

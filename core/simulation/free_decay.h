@@ -11,10 +11,42 @@
 
 namespace vybeg {
 
+// Another mode in the same recording, as the pick-offs see it: adds
+// a e^{-t/tau} cos(2 pi f t - phase) to each channel, before the pick-off's cubic.
+struct ModeBeside {
+    double f_hz = 0;
+    double a_C = 0;
+    double a_D = 0;
+    double phase_C = 0;
+    double phase_D = 0;
+    double tau_s = 1e300;
+
+    friend bool operator==(const ModeBeside&, const ModeBeside&) = default;
+};
+
+// A fault of the recorder: the `count` samples from `frame` on are missing. A negative count: they
+// are recorded twice, one after the other. Frames are counted as if nothing were lost.
+struct LostSamples {
+    std::int64_t frame = 0;
+    std::int64_t count = 0;
+
+    friend bool operator==(const LostSamples&, const LostSamples&) = default;
+};
+
 // A simulated free decay (METHOD section 8): two degenerate modes of a resonator, let go at t = 0.
-// Units in the names; angles in rad. The defaults are those of `simulate`; demo_decay() is the
-// article's case, with a split, a decay and a noise under which a_B visibly swings and 2theta_A
-// turns through an axis.
+// Units in the names; angles in rad where the name says nothing else; amplitudes in recording
+// units. The defaults are those of `simulate`: no error, no noise, no departure from the linear
+// motion. demo_decay() is the article's case, with a split, a decay and a noise under which a_B
+// visibly swings and 2theta_A turns through an axis.
+//
+// Slow motion of z = (c, d), relative to the carrier's phase 2 pi int f dt:
+//     dz/dt = M z + i (2 pi b/3) (2|z|^2 z + (z.z) conj z) - k |z|^2 z
+//     f(t) = f0 + drift t + settling e^{-t/settling_time}
+// Channels, T = seconds:
+//     C = c
+//     D = [d(t - delay) (1 + gain_drift t/T) e^{i phase_drift t/T}
+//          + (sin skew + i crosstalk) c] / kappa
+//     S = s + cubic s^3 + offset + hum + noise, s the channel with the modes beside.
 struct FreeDecay {
     double seconds = 28;
     double rate_hz = 33333;
@@ -38,6 +70,39 @@ struct FreeDecay {
     double full_scale = 0;  // of the quantiser; 0: 1.25 times the largest sample
     std::uint64_t seed = 1;
 
+    // Frequency and motion.
+    double frequency_drift_hz_s = 0;
+    double settling_hz = 0;              // f(0) - f0
+    double settling_time_s = 1;          // > 0
+    double frequency_per_power_hz = 0;   // b: isotropic cubic spring, Hz per squared unit
+    double damping_per_power_per_s = 0;  // k: 1/tau = 1/tau_s + k |z|^2, |z|^2 = a_A^2 + a_B^2
+
+    // Errors of the channels.
+    double delay_d_s = 0;        // D comes late; |delay| <= 0.1 s
+    double skew_deg = 0;         // the pick-off of D shows d + sin(skew) c
+    double crosstalk = 0;        // in quadrature: i c, C a quarter of a period early
+    double phase_drift_rad = 0;  // of D, over the recording
+    double gain_drift = 0;       // of D, over the recording, relative
+    double pick_off_cubic = 0;   // of both channels, per squared unit
+    double hum = 0;              // amplitude; hum cos(2 pi hum_hz t - hum_phase) in both channels
+    double hum_hz = 50;
+    double hum_phase = 0;
+
+    // Noise about the carrier, of streams of its own: each leaves the white noise as it is.
+    // Ornstein-Uhlenbeck processes about f0, independent for both channels: complex, each component
+    // with the sd given and the correlation e^{-2 pi width |lag|}; `width` is half that of their
+    // line at half its height.
+    double carrier_noise = 0;     // added to c and d; relative to a_A at the start
+    double modulation_noise = 0;  // multiplies c and d by 1 + noise
+    double carrier_noise_width_hz = 0.1;
+    // 1/f noise of the phase common to both channels: one-sided density phase_noise^2/f, rad^2/Hz,
+    // between 0.1/T and a tenth of the carrier; its variance between f1 and f2 is
+    // phase_noise^2 ln(f2/f1).
+    double phase_noise_rad = 0;
+
+    std::vector<ModeBeside> modes_beside = {};
+    std::vector<LostSamples> lost = {};  // apart from each other, in the order of their frames
+
     friend bool operator==(const FreeDecay&, const FreeDecay&) = default;
 };
 
@@ -55,19 +120,23 @@ FreeDecay demo_decay();
 // Whether the decay can be simulated at all: simulation_impossible with the reason.
 Status check(const FreeDecay& decay);
 
-// Frames of the record: floor(seconds * rate), a product within 1e-6 below a whole number counting
+// Frames of the motion: floor(seconds * rate), a product within 1e-6 below a whole number counting
 // as whole. Precondition: check() passes.
+std::int64_t motion_frame_count(const FreeDecay& decay);
+
+// Frames of the record: those of the motion less the lost, plus the doubled ones.
 std::int64_t frame_count(const FreeDecay& decay);
 
 // Full scale of the quantiser, as used; 0 without one. Where it is not given the decay is simulated
 // once to find its largest sample. Errors: simulation_impossible, interrupted.
 Result<double> find_full_scale(const FreeDecay& decay, const JobControl& job);
 
-// The two signals by the exact matrix exponential of the slow dynamics: signal, D divided by
-// kappa, plus offset, plus noise, then the quantiser, which clips; `full_scale` is that of
-// find_full_scale(). The sink gets some thousand frames at a time: memory does not grow with the
-// length. The same seed gives the same samples on every machine, to the rounding of its sin, cos,
-// exp and log. Errors: those of the sink, simulation_impossible, interrupted.
+// The two signals: slow motion by the exact matrix exponential, or, where frequency or damping
+// depend on the amplitude, by Taylor steps good to rounding; channels, noise, then the quantiser,
+// which clips; `full_scale` is that of find_full_scale(); lost samples last. The sink gets some
+// thousand frames at a time: memory does not grow with the length. The same seed gives the same
+// samples on every machine, to the rounding of its sin, cos, exp and log. Errors: those of the
+// sink, simulation_impossible, interrupted.
 Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink,
                 const JobControl& job);
 
@@ -75,8 +144,9 @@ Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink
 Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job);
 
 // The exact slow variables at the centres of windows of `window` samples, one after the other, from
-// the axes of the ellipse that (C, D) runs through; sd columns are zero, rms is the noise's sqrt(2)
-// sigma. f is f0 plus the mean rate of phase of both signals, weighted with their power:
+// the axes of the ellipse that (c, d) runs through: the wave itself, without errors of channels,
+// noise about the carrier and lost samples. sd columns are zero, rms is the white noise's sqrt(2)
+// sigma. f is f(t) plus the mean rate of phase of both signals, weighted with their power:
 // Im(z^H dz/dt) / (2 pi |z|^2). Angles are NaN where the wave is circular within 1e-12 (flag
 // circular), delta_phi_CD also where one of the signals vanishes. Errors: simulation_impossible.
 Result<Track> true_track(const FreeDecay& decay, std::int64_t window);

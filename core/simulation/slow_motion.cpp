@@ -1,5 +1,7 @@
 #include "core/simulation/slow_motion.h"
 
+#include "core/simulation/turns.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -62,11 +64,7 @@ Eigen::Matrix2cd SlowMotion::propagator(double t) const {
 }
 
 Complex SlowMotion::carrier(double frame) const {
-    // The product is reduced by whole turns, which is exact, with its own rounding error carried.
-    const double product = frame * f0_hz_;
-    const double lost = std::fma(frame, f0_hz_, -product);
-    const double turns = (std::remainder(product, rate_hz_) + lost) / rate_hz_;
-    return std::polar(1.0, 2 * pi * turns);
+    return std::polar(1.0, 2 * pi * turns_at(frame, f0_hz_, rate_hz_));
 }
 
 double SlowMotion::frequency_offset_hz(const Eigen::Vector2cd& z) const {

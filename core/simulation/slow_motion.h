@@ -32,6 +32,10 @@ public:
     // Im(z^H M z) / (2 pi |z|^2), Hz. NaN where z = 0.
     double frequency_offset_hz(const Eigen::Vector2cd& z) const;
 
+    // M, 1/s, and z at t = 0.
+    Eigen::Matrix2cd matrix() const { return mean_ * Eigen::Matrix2cd::Identity() + traceless_; }
+    const Eigen::Vector2cd& start() const { return start_; }
+
 private:
     double f0_hz_;
     double rate_hz_;

@@ -1,7 +1,7 @@
 #include "core/base/number_text.h"
 #include "core/numerics/phase.h"
 #include "core/simulation/free_decay.h"
-#include "core/simulation/slow_motion.h"
+#include "core/simulation/wave_motion.h"
 #include "core/windows/window_plan.h"
 
 #include <Eigen/LU>
@@ -64,7 +64,7 @@ Result<Track> true_track(const FreeDecay& decay, std::int64_t window) {
     if (const Status status = check(decay); !status) {
         return status.error();
     }
-    const std::int64_t frames = frame_count(decay);
+    const std::int64_t frames = motion_frame_count(decay);
     if (window < 1 || window > frames) {
         return Error{ErrorCode::simulation_impossible,
                      "simulate",
@@ -77,13 +77,13 @@ Result<Track> true_track(const FreeDecay& decay, std::int64_t window) {
                      {"its truth would have " + integer_text(plan.count) +
                       " windows; the most is " + integer_text(most_rows)}};
     }
-    const SlowMotion motion(decay);
+    WaveMotion motion(decay);
     Track track(static_cast<std::size_t>(plan.count));
     std::optional<double> previous;
     for (std::size_t row = 0; row < track.rows(); ++row) {
         const auto start = static_cast<double>(plan.start(static_cast<std::int64_t>(row)));
-        const Eigen::Vector2cd phasors =
-            motion.at_frame(start + 0.5 * static_cast<double>(window - 1));
+        const double centre = start + 0.5 * static_cast<double>(window - 1);
+        const Eigen::Vector2cd phasors = motion.at_frame(centre);
         Eigen::Matrix2d ellipse;
         ellipse << phasors.real(), -phasors.imag();
         const Axes axes = axes_of(ellipse);
@@ -96,7 +96,7 @@ Result<Track> true_track(const FreeDecay& decay, std::int64_t window) {
         track.time_s()[row] = plan.centre_s(static_cast<std::int64_t>(row), decay.rate_hz);
         put(SlowVariable::a_A, axes.long_axis);
         put(SlowVariable::a_B, axes.short_axis);
-        put(SlowVariable::f, decay.f0_hz + motion.frequency_offset_hz(phasors));
+        put(SlowVariable::f, motion.frequency_hz(centre, phasors));
         put(SlowVariable::delta_phi_CD, phase_lead(phasors));
         put(SlowVariable::rms, std::numbers::sqrt2 * decay.noise);
         put(SlowVariable::orthogonality, 0);

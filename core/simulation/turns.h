@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cmath>
+
+namespace vybeg {
+
+// The turns of a frequency up to a frame (whole or half), less whole ones, exact to rounding
+// however long the record: the product is reduced by whole turns, which is exact, with its own
+// rounding error carried.
+inline double turns_at(double frame, double f_hz, double rate_hz) {
+    const double product = frame * f_hz;
+    const double lost = std::fma(frame, f_hz, -product);
+    return (std::remainder(product, rate_hz) + lost) / rate_hz;
+}
+
+}  // namespace vybeg
