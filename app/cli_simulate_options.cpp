@@ -36,6 +36,35 @@ constexpr std::array decay_options{
     DecayOption{"noise", &FreeDecay::noise, "SIGMA",
                 "Standard deviation of the noise per sample and channel"},
     DecayOption{"kappa", &FreeDecay::kappa, "K", "Gain ratio of the channels: S_D = D / K"},
+    DecayOption{"frequency-drift", &FreeDecay::frequency_drift_hz_s, "HZ/S",
+                "Linear drift of the frequency, Hz/s"},
+    DecayOption{"settling", &FreeDecay::settling_hz, "HZ",
+                "The frequency begins HZ above f0 and settles exponentially"},
+    DecayOption{"settling-time", &FreeDecay::settling_time_s, "S",
+                "Time constant of --settling, s"},
+    DecayOption{"frequency-per-power", &FreeDecay::frequency_per_power_hz, "HZ",
+                "Isotropic cubic spring: frequency per a_A^2 + a_B^2, Hz"},
+    DecayOption{"damping-per-power", &FreeDecay::damping_per_power_per_s, "1/S",
+                "Amplitude's decay rate per a_A^2 + a_B^2, 1/s"},
+    DecayOption{"delay", &FreeDecay::delay_d_s, "S", "Channel D comes late by S seconds"},
+    DecayOption{"skew", &FreeDecay::skew_deg, "DEG", "Channel D shows D + sin(skew) C, degrees"},
+    DecayOption{"crosstalk", &FreeDecay::crosstalk, "X",
+                "Crosstalk in quadrature: channel D adds X times C a quarter of a period early"},
+    DecayOption{"phase-drift", &FreeDecay::phase_drift_rad, "RAD",
+                "Phase of D against C, drift over the recording, rad"},
+    DecayOption{"gain-drift", &FreeDecay::gain_drift, "X",
+                "Gain of D, relative drift over the recording"},
+    DecayOption{"pick-off-cubic", &FreeDecay::pick_off_cubic, "X",
+                "Both channels: S + X S^3 in place of S"},
+    DecayOption{"carrier-noise", &FreeDecay::carrier_noise, "X",
+                "Noise about the carrier, standard deviation of each component of a channel's "
+                "phasor, relative to a_A at t = 0"},
+    DecayOption{"modulation-noise", &FreeDecay::modulation_noise, "X",
+                "The same, relative to the channel's own phasor"},
+    DecayOption{"carrier-noise-width", &FreeDecay::carrier_noise_width_hz, "HZ",
+                "Half width of both, Hz"},
+    DecayOption{"phase-noise", &FreeDecay::phase_noise_rad, "RAD",
+                "1/f phase noise common to both channels, density RAD^2/f, rad^2/Hz"},
 };
 
 std::string with_default(const std::string& help, const std::string& value) {
@@ -44,6 +73,64 @@ std::string with_default(const std::string& help, const std::string& value) {
 
 std::string offset_text(const FreeDecay& decay) {
     return round_trip_text(decay.offset_c) + "," + round_trip_text(decay.offset_d);
+}
+
+std::string joined(const std::vector<double>& numbers) {
+    std::string text;
+    for (const double number : numbers) {
+        text += (text.empty() ? "" : ",") + round_trip_text(number);
+    }
+    return text;
+}
+
+// FRAME:COUNT,...
+std::vector<LostSamples> lost_value(const std::string& option, const std::string& text) {
+    std::vector<LostSamples> lost;
+    for (const std::string& fault : CLI::detail::split(text, ',')) {
+        const std::size_t colon = fault.find(':');
+        if (colon == std::string::npos) {
+            reject(option, text, "it is FRAME:COUNT, several with commas");
+        }
+        lost.push_back({whole_value(option, fault.substr(0, colon)),
+                        whole_value(option, fault.substr(colon + 1))});
+    }
+    return lost;
+}
+
+std::string lost_text(const std::vector<LostSamples>& lost) {
+    std::string text;
+    for (const LostSamples& fault : lost) {
+        text +=
+            (text.empty() ? "" : ",") + integer_text(fault.frame) + ":" + integer_text(fault.count);
+    }
+    return text;
+}
+
+void add_hum_and_faults(CLI::App& app, FreeDecay& decay) {
+    add_value(app, "--hum", "X,HZ,RAD", "Mains in both channels: amplitude, frequency, phase",
+              [&decay](const auto& option, const auto& text) {
+                  const auto hum = list_value(option, text, 3, "it is three numbers X,HZ,RAD");
+                  decay.hum = hum[0];
+                  decay.hum_hz = hum[1];
+                  decay.hum_phase = hum[2];
+              });
+    app.add_option_function<std::vector<std::string>>(
+           "--mode-beside",
+           [&decay](const std::vector<std::string>& modes) {
+               for (const std::string& mode : modes) {
+                   const auto x = list_value("--mode-beside", mode, 6,
+                                             "it is six numbers HZ,A_C,A_D,PHASE_C,PHASE_D,TAU");
+                   decay.modes_beside.push_back({x[0], x[1], x[2], x[3], x[4], x[5]});
+               }
+           },
+           "Another mode in both channels: A cos(2 pi HZ t - PHASE) e^(-t/TAU); once for each")
+        ->type_name("HZ,A_C,A_D,PHASE_C,PHASE_D,TAU")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_value(
+        app, "--lose", "FRAME:COUNT,...",
+        "Cut COUNT samples out from FRAME on; a negative COUNT: record them twice",
+        [&decay](const auto& option, const auto& text) { decay.lost = lost_value(option, text); });
 }
 
 }  // namespace
@@ -76,6 +163,7 @@ void add_simulate_options(CLI::App& app, SimulateRequest& request) {
                   decay.offset_c = offsets[0];
                   decay.offset_d = offsets[1];
               });
+    add_hum_and_faults(app, decay);
     add_value(app, "--bits", "B", "Quantise to B bits, 2 to 32 (default: do not)",
               [&decay](const auto& option, const auto& text) {
                   const std::int64_t bits = whole_value(option, text);
@@ -102,6 +190,16 @@ std::vector<std::pair<std::string, std::string>> decay_list(const FreeDecay& dec
         list.emplace_back(option.name, round_trip_text(decay.*option.member));
     }
     list.emplace_back("offset", offset_text(decay));
+    if (decay.hum != 0) {
+        list.emplace_back("hum", joined({decay.hum, decay.hum_hz, decay.hum_phase}));
+    }
+    for (const ModeBeside& x : decay.modes_beside) {
+        list.emplace_back("mode-beside",
+                          joined({x.f_hz, x.a_C, x.a_D, x.phase_C, x.phase_D, x.tau_s}));
+    }
+    if (!decay.lost.empty()) {
+        list.emplace_back("lose", lost_text(decay.lost));
+    }
     list.emplace_back("bits", std::to_string(decay.bits));
     list.emplace_back("full-scale", round_trip_text(decay.full_scale));
     list.emplace_back("seed", std::to_string(decay.seed));

@@ -58,7 +58,7 @@ Status check_channels(const FreeDecay& decay) {
     if (decay.gain_drift <= -1) {
         return impossible("the gain drift must be above -1");
     }
-    if (decay.hum_hz < 0 || decay.hum_hz >= decay.rate_hz / 2) {
+    if (decay.hum != 0 && (decay.hum_hz < 0 || decay.hum_hz >= decay.rate_hz / 2)) {
         return impossible("the hum's frequency must be between 0 and half the sample rate");
     }
     if (decay.carrier_noise < 0 || decay.modulation_noise < 0 || decay.phase_noise_rad < 0) {

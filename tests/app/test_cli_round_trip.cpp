@@ -76,6 +76,69 @@ private slots:
         }
     }
 
+    // One value for each departure, all unlike their defaults, in the truth's header as typed; each
+    // alone changes the samples.
+    void every_departure_of_a_simulation_is_an_option() {
+        const QList<QPair<QString, QString>> options{{"frequency-drift", "0.25"},
+                                                     {"settling", "-0.5"},
+                                                     {"settling-time", "0.125"},
+                                                     {"frequency-per-power", "3"},
+                                                     {"damping-per-power", "0.75"},
+                                                     {"delay", "1e-06"},
+                                                     {"skew", "0.5"},
+                                                     {"crosstalk", "0.0625"},
+                                                     {"phase-drift", "0.375"},
+                                                     {"gain-drift", "-0.25"},
+                                                     {"pick-off-cubic", "0.03125"},
+                                                     {"carrier-noise", "0.0078125"},
+                                                     {"modulation-noise", "0.015625"},
+                                                     {"carrier-noise-width", "2"},
+                                                     {"phase-noise", "0.001953125"},
+                                                     {"hum", "0.1,60,1.5"},
+                                                     {"mode-beside", "990,0.5,0.25,1,2,3"},
+                                                     {"lose", "100:3,200:-4"}};
+        const QStringList start{"simulate", "--seconds", "0.05", "-o", "x.csv"};
+        QCOMPARE(run(start).status, 0);
+        const QByteArray plain = file("x.csv");
+        QStringList all = start + QStringList{"--truth", "xt.csv", "--mode-beside", "1,2,3,4,5,6"};
+        for (const auto& [name, value] : options) {
+            const QStringList option{"--" + name, value};
+            all += option;
+            // What shapes another departure acts with it alone.
+            QStringList with;
+            if (name == "settling-time") {
+                with = {"--settling", "1"};
+            } else if (name == "carrier-noise-width") {
+                with = {"--carrier-noise", "1e-3"};
+            }
+            QCOMPARE(run(start + with).status, 0);
+            const QByteArray without = file("x.csv");
+            QVERIFY(with.isEmpty() == (without == plain));
+            const Outcome changed = run(start + with + option);
+            QCOMPARE(changed.err, QByteArray());
+            QCOMPARE(changed.status, 0);
+            QVERIFY2(file("x.csv") != without, qPrintable(name));
+        }
+        const Outcome together = run(all);
+        QCOMPARE(together.err, QByteArray());
+        QCOMPARE(together.status, 0);
+        // 1666 frames, a line of names, 3 lost, 4 doubled.
+        QCOMPARE(file("x.csv").count('\n'), qsizetype{1668});
+        const QList<QByteArray> header = TrackTable(file("xt.csv")).header();
+        for (const auto& [name, value] : options) {
+            const QByteArray line = (name + ": " + value).toLatin1();
+            QVERIFY2(header.contains(line), line + " is not in " + header.join("; "));
+        }
+        QVERIFY(header.contains("mode-beside: 1,2,3,4,5,6"));
+        for (const QStringList& wrong :
+             {QStringList{"--lose", "100"}, QStringList{"--lose", "a:3"},
+              QStringList{"--hum", "1,2"}, QStringList{"--mode-beside", "1,2,3"},
+              QStringList{"--skew", "x"}}) {
+            QCOMPARE(run(start + wrong).status, 2);
+        }
+        QCOMPARE(run(start + QStringList{"--lose", "5000:3"}).status, 4);
+    }
+
     void info_as_json_has_the_members_of_the_interface() {
         QCOMPARE(run({"simulate", "--seconds", "0.5", "-o", "i.wav"}).status, 0);
         const Outcome info = run({"info", "i.wav", "--json"});
@@ -234,6 +297,24 @@ private slots:
                                    "--bits",
                                    "--full-scale",
                                    "--seed",
+                                   "--frequency-drift",
+                                   "--settling",
+                                   "--settling-time",
+                                   "--frequency-per-power",
+                                   "--damping-per-power",
+                                   "--delay",
+                                   "--skew",
+                                   "--crosstalk",
+                                   "--phase-drift",
+                                   "--gain-drift",
+                                   "--pick-off-cubic",
+                                   "--carrier-noise",
+                                   "--modulation-noise",
+                                   "--carrier-noise-width",
+                                   "--phase-noise",
+                                   "--hum",
+                                   "--mode-beside",
+                                   "--lose",
                                    "--truth",
                                    "--demo"}) {
             QVERIFY2(simulate.out.contains(option), option);
