@@ -342,7 +342,7 @@ void TestSimulatedMotion::the_truth_gives_the_samples_and_the_frequency_of_them(
     const auto samples = simulate(decay, {});
     QVERIFY(truth && samples);
     double worst = 0;
-    double turns_of_c = 0;
+    double worst_turn = 0;
     for (std::size_t row = 0; row < truth->rows(); ++row) {
         const double a_A = truth->values(SlowVariable::a_A)[row];
         const double a_B = truth->values(SlowVariable::a_B)[row];
@@ -356,8 +356,7 @@ void TestSimulatedMotion::the_truth_gives_the_samples_and_the_frequency_of_them(
             a_A * std::cos(alpha) * std::sin(angle) - a_B * std::sin(alpha) * std::cos(angle);
         worst =
             std::max({worst, std::abs(c - samples->c[centre]), std::abs(d - samples->d[centre])});
-        // Phase between neighbours by the mean of their frequencies: the power-weighted rate of
-        // an ellipse is d(-alpha)/dt + (2 a_A a_B/|z|^2) d(2theta_A)/dt.
+        // The power-weighted rate is d(-alpha)/dt + (2 a_A a_B/|z|^2) d(2theta_A)/dt.
         if (row > 0) {
             const double f =
                 (truth->values(SlowVariable::f)[row] + truth->values(SlowVariable::f)[row - 1]) / 2;
@@ -366,12 +365,12 @@ void TestSimulatedMotion::the_truth_gives_the_samples_and_the_frequency_of_them(
             const double expected = 2 * pi * f * 61 / decay.rate_hz;
             const double gone =
                 -(alpha - truth->values(SlowVariable::alpha)[row - 1]) + share * turn;
-            turns_of_c = std::max(turns_of_c, std::abs(std::remainder(gone - expected, pi)));
+            worst_turn = std::max(worst_turn, std::abs(std::remainder(gone - expected, pi)));
         }
     }
     QVERIFY2(worst < 1e-11, qPrintable(QString::number(worst)));
     // The trapezoid's rest is f'' h^3/12 and the share's change in a window times the turn.
-    QVERIFY2(turns_of_c < 1e-5, qPrintable(QString::number(turns_of_c)));
+    QVERIFY2(worst_turn < 1e-5, qPrintable(QString::number(worst_turn)));
 }
 
 void TestSimulatedMotion::it_streams() {
