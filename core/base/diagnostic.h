@@ -30,10 +30,12 @@ enum class DiagnosticKind {
     frequency_drifts,      // args: run, Hz per s, its sd. Fitted.
     frequency_follows_amplitude,  // args: Hz per squared unit of amplitude, its sd. Fitted.
     q_disagrees,                  // args: run, Q from the envelope, Q from the coherent fit
-    decay_of_one_direction,       // tau and Q hold for the direction of the wave
-    structured_refused,           // args: fall of chi^2. The free model fits better.
-    kappa_assumes_equal_damping,  // the gain ratio rests on it
+    decay_of_one_direction,       // tau is refused: the decay of the direction is given
+    structured_refused,           // args: what speaks against it. The free model is taken.
     residual_above_noise,         // args: chi^2 per degree of freedom. Deviations enlarged.
+    residual_below_noise,         // args: chi^2 per degree of freedom. Deviations too large.
+    residual_coloured,            // args: chi^2 per degree of freedom. Deviations hold its colour.
+    noise_too_narrow,             // args: width (Hz) below which no residual shows a noise
     fit_not_converged,            // the fit stopped early
 };
 

@@ -235,22 +235,33 @@ const char* message_template(DiagnosticKind kind) {
                                  "motion is not that of a resonator with constant parameters.");
         case DiagnosticKind::decay_of_one_direction:
             return VYBEG_MESSAGE("Message",
-                                 "The damping was seen in one direction only: the decay time and Q "
-                                 "are those of the wave as it stood, not the mean of both modes.");
+                                 "The damping was seen in one direction only: the recording's own "
+                                 "decay time is given, not the resonator's.");
         case DiagnosticKind::structured_refused:
             return VYBEG_MESSAGE("Message",
-                                 "The channels are no calibrated pair of pick-offs: the free model "
-                                 "fits significantly better (likelihood ratio %1), and the axes of "
-                                 "the resonator cannot be told.");
-        case DiagnosticKind::kappa_assumes_equal_damping:
-            return VYBEG_MESSAGE("Message",
-                                 "The gain ratio of the channels was found from a turning wave on "
-                                 "the assumption that the damping is the same in all directions.");
+                                 "The channels are no calibrated pair of pick-offs (%1): the free "
+                                 "model gives the modes, and the resonator has no axes.");
         case DiagnosticKind::residual_above_noise:
             return VYBEG_MESSAGE(
                 "Message",
                 "The residual is above the noise of the windows (chi square per degree of freedom "
                 "%1); the standard deviations are enlarged to match.");
+        case DiagnosticKind::residual_below_noise:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is below the noise of the windows (chi square per degree of freedom "
+                "%1): the standard deviations are too large.");
+        case DiagnosticKind::residual_coloured:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is not white (chi square per degree of freedom %1); the standard "
+                "deviations follow its spectrum.");
+        case DiagnosticKind::noise_too_narrow:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The noise about the carrier is as narrow as the residual can show. Noise narrower "
+                "than %1 Hz looks like the wave itself: the standard deviations may be too small. "
+                "Record longer, or repeat the recording.");
         case DiagnosticKind::fit_not_converged:
             return VYBEG_MESSAGE(
                 "Message",
@@ -285,8 +296,10 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::q_disagrees: return "q-disagrees";
         case DiagnosticKind::decay_of_one_direction: return "decay-of-one-direction";
         case DiagnosticKind::structured_refused: return "structured-refused";
-        case DiagnosticKind::kappa_assumes_equal_damping: return "kappa-assumes-equal-damping";
         case DiagnosticKind::residual_above_noise: return "residual-above-noise";
+        case DiagnosticKind::residual_below_noise: return "residual-below-noise";
+        case DiagnosticKind::residual_coloured: return "residual-coloured";
+        case DiagnosticKind::noise_too_narrow: return "noise-too-narrow";
         case DiagnosticKind::fit_not_converged: return "fit-not-converged";
     }
     return "";

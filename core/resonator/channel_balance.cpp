@@ -12,13 +12,14 @@ ChannelBalance channel_balance(const PhasorRun& run, const FittedMotion& motion,
     ChannelBalance balance;
     const std::size_t windows = run.time_s.size();
     const std::size_t points = std::min(most_points, windows);
+    const std::vector<Phasors> fitted = predicted_phasors(motion, index, run.time_s);
     for (std::size_t point = 0; point < points; ++point) {
         double count = 0;
         double time = 0;
         double sum = 0;
         double variance = 0;
         for (std::size_t k = point * windows / points; k < (point + 1) * windows / points; ++k) {
-            const WaveState wave = to_wave_state(predicted_phasors(motion, index, run.time_s[k]));
+            const WaveState wave = to_wave_state(fitted[k]);
             if (wave.a_A - std::abs(wave.a_B) < 6 * run.sd[k]) {
                 continue;
             }

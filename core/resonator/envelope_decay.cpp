@@ -5,10 +5,7 @@
 
 namespace vybeg {
 
-EnvelopeDecay envelope_decay(const ScaledRun& run, const Shared& shared, const Own& own) {
-    const SlowDynamics motion(rates_of(shared));
-    const Eigen::Vector2cd start = start_of(own);
-    const double kappa = shared[kappa_index];
+EnvelopeDecay envelope_decay(const ScaledRun& run, std::span<const Eigen::Vector2cd> expected) {
     double weights = 0;
     double mean_t = 0;
     int used = 0;
@@ -21,13 +18,13 @@ EnvelopeDecay envelope_decay(const ScaledRun& run, const Shared& shared, const O
             if (power > 100 * variance) {
                 // The noise adds four variances to the power; the logarithm's variance is 4
                 // variances over the power.
-                use(run.time_s[k], power - 4 * variance, power / (4 * variance));
+                use(k, power - 4 * variance, power / (4 * variance));
             }
         }
     };
-    for_windows([&](double t, double, double weight) {
+    for_windows([&](std::size_t k, double, double weight) {
         weights += weight;
-        mean_t += weight * t;
+        mean_t += weight * run.time_s[k];
         ++used;
     });
     if (used < 3) {
@@ -37,12 +34,11 @@ EnvelopeDecay envelope_decay(const ScaledRun& run, const Shared& shared, const O
     double spread = 0;
     double seen = 0;
     double fitted = 0;
-    for_windows([&](double t, double power, double weight) {
-        Eigen::Vector2cd z = motion.propagator(t) * start;
-        z[1] /= kappa;
-        spread += weight * (t - mean_t) * (t - mean_t);
-        seen += weight * (t - mean_t) * std::log(power);
-        fitted += weight * (t - mean_t) * std::log(z.squaredNorm());
+    for_windows([&](std::size_t k, double power, double weight) {
+        const double t = run.time_s[k] - mean_t;
+        spread += weight * t * t;
+        seen += weight * t * std::log(power);
+        fitted += weight * t * std::log(expected[k].squaredNorm());
     });
     return {-seen / spread / 2, 0.5 / std::sqrt(spread), -fitted / spread / 2};
 }

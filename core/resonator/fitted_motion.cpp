@@ -1,34 +1,41 @@
 #include "core/resonator/fitted_motion.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include "core/resonator/phasor_model.h"
 
 namespace vybeg {
 namespace {
 
-// Straight between the windows, as the integral itself is of straight lines; constant outside.
-double power_integral(const FittedMotion::Run& run, double time_s) {
-    const auto after = std::ranges::lower_bound(run.time_s, time_s) - run.time_s.begin();
-    if (after == 0 || after == std::ssize(run.time_s)) {
-        return after == 0 ? 0 : run.power_integral.back();
+std::vector<Phasors> expected(const FittedMotion& motion, std::size_t index,
+                              const Eigen::VectorXd& shared, const std::vector<double>& time_s) {
+    const FittedMotion::Run& run = motion.runs[index];
+    ScaledRun frame = run.frame;
+    frame.time_s = time_s;
+    std::vector<Phasors> phasors;
+    for (const Eigen::Vector2cd& z : expected_phasors(frame, shared, run.own, time_s.size())) {
+        phasors.push_back({motion.scale * z[0], motion.scale * z[1]});
     }
-    const auto k = static_cast<std::size_t>(after);
-    const double part = (time_s - run.time_s[k - 1]) / (run.time_s[k] - run.time_s[k - 1]);
-    return std::lerp(run.power_integral[k - 1], run.power_integral[k], part);
+    return phasors;
 }
 
 }  // namespace
 
-Phasors predicted_phasors(const FittedMotion& motion, std::size_t run, double time_s) {
-    const FittedMotion::Run& own = motion.runs[run];
-    double turns = own.f_hz * time_s + own.drift_hz_per_s * time_s * (time_s / 2 - own.middle_s);
-    if (motion.frequency_per_power != 0) {
-        turns += motion.frequency_per_power * power_integral(own, time_s);
+SlowRates FittedMotion::rates() const {
+    return rates_of(shared);
+}
+
+std::vector<Phasors> predicted_phasors(const FittedMotion& motion, std::size_t run,
+                                       const std::vector<double>& time_s) {
+    return expected(motion, run, motion.shared, time_s);
+}
+
+std::vector<Phasors> predicted_waves(const FittedMotion& motion, std::size_t run,
+                                     const std::vector<double>& time_s) {
+    Eigen::VectorXd ideal = motion.shared;
+    for (const int error : {skew_at, phase_at, crosstalk_at, phase_drift_at, gain_drift_at}) {
+        ideal[error] = 0;
     }
-    const Eigen::Vector2cd z = std::polar(1.0, 2 * std::numbers::pi * turns) *
-                               (SlowDynamics(motion.rates).propagator(time_s) * own.start);
-    return {z[0], z[1] / motion.kappa};
+    ideal[kappa_at] = 1;
+    return expected(motion, run, ideal, time_s);
 }
 
 }  // namespace vybeg

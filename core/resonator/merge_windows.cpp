@@ -3,14 +3,50 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <vector>
 
 namespace vybeg {
 namespace {
 
 constexpr double most_turn = 0.3;  // rad
 
+// Whether window k + 1 follows window k with nothing between them.
 bool touch(const PhasorRun& run, std::size_t k) {
-    return std::abs((run.time_s[k + 1] - run.time_s[k]) / run.window_s - 1) < 0.01;
+    const auto between = [&](double at) { return at > run.time_s[k] && at < run.time_s[k + 1]; };
+    return std::abs((run.time_s[k + 1] - run.time_s[k]) / run.window_s - 1) < 0.01 &&
+           std::ranges::none_of(run.phase_breaks_s, between);
+}
+
+double correlation_at(const PhasorRun& run, std::ptrdiff_t lag) {
+    const auto at = static_cast<std::size_t>(std::abs(lag));
+    if (run.noise_correlation.empty()) {
+        return at == 0 ? 1 : 0;
+    }
+    return at < run.noise_correlation.size() ? run.noise_correlation[at] : 0;
+}
+
+// Covariance of the means of `count` windows each, `lag` of those means apart, in units of a
+// window's variance.
+double merged_covariance(const PhasorRun& run, std::size_t count, std::ptrdiff_t lag) {
+    const auto n = static_cast<std::ptrdiff_t>(count);
+    double sum = 0;
+    for (std::ptrdiff_t difference = 1 - n; difference < n; ++difference) {
+        sum += static_cast<double>(n - std::abs(difference)) *
+               correlation_at(run, lag * n + difference);
+    }
+    return sum / static_cast<double>(n * n);
+}
+
+std::vector<double> merged_correlation(const PhasorRun& run, std::size_t count) {
+    std::vector<double> correlation;
+    const std::size_t lags = (run.noise_correlation.size() + count - 1) / count;
+    const double own = merged_covariance(run, count, 0);
+    for (std::size_t lag = 0; !run.noise_correlation.empty() && lag <= lags; ++lag) {
+        correlation.push_back(merged_covariance(run, count, static_cast<std::ptrdiff_t>(lag)) /
+                              own);
+    }
+    return correlation;
 }
 
 // Root mean square change of z from one window to the next, over its size, without the noise.
@@ -29,7 +65,13 @@ double turn_per_window(const PhasorRun& run) {
 
 // `count` windows at a time; those that do not touch begin anew.
 PhasorRun merged_by(const PhasorRun& run, std::size_t count) {
-    PhasorRun merged{run.f_ref_hz, run.window_s * static_cast<double>(count), {}, {}, {}, {}};
+    PhasorRun merged;
+    merged.f_ref_hz = run.f_ref_hz;
+    merged.window_s = run.window_s * static_cast<double>(count);
+    merged.noise_correlation = merged_correlation(run, count);
+    merged.phase_breaks_s = run.phase_breaks_s;
+    // Of correlated noise less averages out.
+    const double noise_left = merged_covariance(run, count, 0) * static_cast<double>(count);
     const double share = 1 / static_cast<double>(count);
     std::size_t first = 0;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
@@ -47,7 +89,7 @@ PhasorRun merged_by(const PhasorRun& run, std::size_t count) {
             merged.time_s.push_back(time);
             merged.c.push_back(c);
             merged.d.push_back(d);
-            merged.sd.push_back(std::sqrt(variance));
+            merged.sd.push_back(std::sqrt(variance * noise_left));
             first = k + 1;
         } else if (k + 1 < run.time_s.size() && !touch(run, k)) {
             first = k + 1;

@@ -1,8 +1,9 @@
 #include "core/resonator/phasor_model.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace vybeg {
 namespace {
@@ -13,39 +14,146 @@ using std::numbers::pi;
 
 constexpr Complex i{0, 1};
 
-// Where a straight line through the phase, weighted with the power, is parallel to a bent one: at
-// this instant the frequency does not depend on the drift.
-double best_known_instant(const ScaledRun& run) {
-    double power = 0;
-    double mean = 0;
-    for (std::size_t k = 0; k < run.size(); ++k) {
-        power += run.z[k].squaredNorm();
-        mean += run.z[k].squaredNorm() * run.time_s[k];
+// Column of a run's own parameter among the derivatives.
+constexpr int own_column(int own) {
+    return int{shared_count} + own;
+}
+
+// Derivatives that the motion itself has: by the rates, by the start, by the cubic term.
+constexpr int start_column = rate_count;
+constexpr int cubic_column = rate_count + 4;
+constexpr int motion_columns = rate_count + 5;
+using MotionDerivatives = Eigen::Matrix<Complex, 2, motion_columns>;
+
+struct Motion {
+    Vector2cd z;
+    MotionDerivatives by;
+};
+
+// z and its derivatives through exp(M t).
+Motion propagated(const SlowDynamics::Propagation& step, const Motion& from) {
+    Motion to{step.value * from.z, step.value * from.by};
+    for (int rate = 0; rate < rate_count; ++rate) {
+        to.by.col(rate) += step.by_rate[static_cast<std::size_t>(rate)] * from.z;
     }
-    mean /= power;
-    double spread = 0;
-    double skew = 0;
-    for (std::size_t k = 0; k < run.size(); ++k) {
-        const double t = run.time_s[k] - mean;
-        spread += run.z[k].squaredNorm() * t * t;
-        skew += run.z[k].squaredNorm() * t * t * t;
+    return to;
+}
+
+// The phases that the cubic term gives u+ and u- in the time t.
+Motion kicked(const Motion& from, double cubic, double t, double power) {
+    const double g = 2 * pi / 3 * t;
+    const Complex plus = from.z[0] + i * from.z[1];
+    const Complex minus = from.z[0] - i * from.z[1];
+    const double p = std::norm(plus) + 2 * std::norm(minus) - 3 * power;
+    const double m = std::norm(minus) + 2 * std::norm(plus) - 3 * power;
+    const Complex turn_plus = std::polar(1.0, cubic * g * p);
+    const Complex turn_minus = std::polar(1.0, cubic * g * m);
+    const auto back = [](Complex u_plus, Complex u_minus) {
+        return Vector2cd((u_plus + u_minus) / 2.0, (u_plus - u_minus) / (2.0 * i));
+    };
+    Motion to;
+    to.z = back(turn_plus * plus, turn_minus * minus);
+    for (int k = 0; k < motion_columns; ++k) {
+        const Complex d_plus = from.by(0, k) + i * from.by(1, k);
+        const Complex d_minus = from.by(0, k) - i * from.by(1, k);
+        const double more_plus = 2 * (std::conj(plus) * d_plus).real();
+        const double more_minus = 2 * (std::conj(minus) * d_minus).real();
+        double by_p = cubic * g * (more_plus + 2 * more_minus);
+        double by_m = cubic * g * (more_minus + 2 * more_plus);
+        if (k == cubic_column) {
+            by_p += g * p;
+            by_m += g * m;
+        }
+        to.by.col(k) =
+            back(turn_plus * (d_plus + i * by_p * plus), turn_minus * (d_minus + i * by_m * minus));
     }
-    return spread > 0 ? mean + skew / (2 * spread) : run.time_s.front();
+    return to;
+}
+
+// The motion z at the windows, without the run's own phase.
+class MotionSteps {
+public:
+    MotionSteps(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
+                bool with_cubic)
+        : run_(run), dynamics_(rates_of(shared)), cubic_(shared[cubic_at]), steps_(with_cubic) {
+        now_.z = start_of(own);
+        now_.by.setZero();
+        for (int k = 0; k < 2; ++k) {
+            now_.by(k, start_column + 2 * k) = 1;
+            now_.by(k, start_column + 2 * k + 1) = i;
+        }
+        begin_ = now_;
+    }
+
+    // For windows in their order.
+    Motion at(std::size_t window) {
+        const double t = run_.time_s[window];
+        if (!steps_) {
+            return propagated(dynamics_.propagation(t), begin_);
+        }
+        // A gap is crossed in steps of a window.
+        const double length = t - time_s_;
+        const auto count = std::max(1.0, std::round(length / run_.step_s));
+        const double h = length / count;
+        if (!step_ || std::abs(h - h_) > 1e-9 * h_) {
+            step_ = dynamics_.propagation(h);
+            h_ = h;
+        }
+        for (double k = 0; k < count; ++k) {
+            now_ = kicked(now_, cubic_, h / 2, run_.power);
+            now_ = kicked(propagated(*step_, now_), cubic_, h / 2, run_.power);
+        }
+        time_s_ = t;
+        return now_;
+    }
+
+private:
+    const ScaledRun& run_;
+    SlowDynamics dynamics_;
+    double cubic_;
+    bool steps_;
+    Motion begin_;
+    Motion now_;
+    double time_s_ = 0;
+    double h_ = 0;
+    std::optional<SlowDynamics::Propagation> step_;
+};
+
+// What a window's time, the channels and the run's frequency make of the motion.
+struct Channels {
+    Complex phase;  // e^{i phi}
+    Complex gain;   // g/kappa of D
+    Complex cross;  // (sin skew + i crosstalk)/kappa
+    double u = 0;
+    double x = 0;
+};
+
+Channels channels_at(const ScaledRun& run, const Eigen::VectorXd& shared,
+                     const Eigen::VectorXd& own, double t) {
+    Channels channels;
+    channels.u = t - run.reference_s;
+    channels.x = t / run.duration_s;
+    double phi = 2 * pi * channels.u * (own[frequency_at] + own[drift_at] * channels.u / 2);
+    for (std::size_t k = 0; k < run.breaks_s.size(); ++k) {
+        if (t > run.breaks_s[k]) {
+            phi += own[own_count + static_cast<Eigen::Index>(k)];
+        }
+    }
+    channels.phase = std::polar(1.0, phi);
+    const double kappa = shared[kappa_at];
+    channels.gain = std::polar((1 + shared[gain_drift_at] * channels.x) / kappa,
+                               shared[phase_at] + shared[phase_drift_at] * channels.x);
+    channels.cross = Complex(std::sin(shared[skew_at]), shared[crosstalk_at]) / kappa;
+    return channels;
+}
+
+Vector2cd seen(const Channels& channels, const Vector2cd& z) {
+    return channels.phase * Vector2cd(z[0], channels.gain * z[1] + channels.cross * z[0]);
 }
 
 }  // namespace
 
-Shared to_shared(const SlowRates& rates) {
-    Shared shared;
-    for (int k = 0; k < rate_count; ++k) {
-        shared[k] = rates.*all_rates[static_cast<std::size_t>(k)];
-    }
-    shared[kappa_index] = 1;
-    shared[power_index] = 0;
-    return shared;
-}
-
-SlowRates rates_of(const Shared& shared) {
+SlowRates rates_of(const Eigen::VectorXd& shared) {
     SlowRates rates;
     for (int k = 0; k < rate_count; ++k) {
         rates.*all_rates[static_cast<std::size_t>(k)] = shared[k];
@@ -53,120 +161,87 @@ SlowRates rates_of(const Shared& shared) {
     return rates;
 }
 
-Vector2cd start_of(const Own& own) {
-    return {Complex{own[start_index], own[start_index + 1]},
-            Complex{own[start_index + 2], own[start_index + 3]}};
+Vector2cd start_of(const Eigen::VectorXd& own) {
+    return {Complex{own[start_at], own[start_at + 1]},
+            Complex{own[start_at + 2], own[start_at + 3]}};
 }
 
-ScaledRun scaled_run(const PhasorRun& run, double scale) {
-    ScaledRun scaled;
-    const std::size_t n = run.time_s.size();
-    scaled.time_s = run.time_s;
-    std::vector<double> steps;
-    double integral = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-        scaled.z.emplace_back(run.c[k] / scale, run.d[k] / scale);
-        scaled.weight.push_back(scale / run.sd[k]);
-        if (k > 0) {
-            const double step = run.time_s[k] - run.time_s[k - 1];
-            steps.push_back(step);
-            integral += step / 2 * (scaled.z[k].squaredNorm() + scaled.z[k - 1].squaredNorm());
+std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
+                                        const Eigen::VectorXd& own, std::size_t windows) {
+    std::vector<Vector2cd> expected;
+    expected.reserve(windows);
+    if (shared[cubic_at] == 0) {
+        const SlowDynamics dynamics(rates_of(shared));
+        const Vector2cd start = start_of(own);
+        for (std::size_t k = 0; k < windows; ++k) {
+            const double t = run.time_s[k];
+            expected.push_back(
+                seen(channels_at(run, shared, own, t), dynamics.propagator(t) * start));
         }
-        scaled.power_integral.push_back(integral);
+        return expected;
     }
-    scaled.middle_s = best_known_instant(scaled);
-    std::ranges::nth_element(steps, steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
-    scaled.step_s = steps[steps.size() / 2];
-    return scaled;
+    MotionSteps motion(run, shared, own, true);
+    for (std::size_t k = 0; k < windows; ++k) {
+        expected.push_back(seen(channels_at(run, shared, own, run.time_s[k]), motion.at(k).z));
+    }
+    return expected;
 }
 
-void residuals(const ScaledRun& run, const Shared& shared, const Own& own, double* residual,
-               double* by_shared, double* by_own) {
-    const SlowDynamics motion(rates_of(shared));
-    const Vector2cd start = start_of(own);
-    const double kappa = shared[kappa_index];
-    for (std::size_t k = 0; k < run.size(); ++k) {
-        const double t = run.time_s[k];
-        const double bent = t * (t / 2 - run.middle_s);
-        const double turns = own[frequency_index] * t + own[drift_index] * bent +
-                             shared[power_index] * run.power_integral[k];
+Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& shared,
+                      const Eigen::VectorXd& own, std::size_t windows, bool with_cubic) {
+    const auto rows = static_cast<Eigen::Index>(4 * windows);
+    Linearised out{Eigen::VectorXd(rows), RowMajor::Zero(rows, shared_count + own.size())};
+    MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0);
+    const double kappa = shared[kappa_at];
+    for (std::size_t k = 0; k < windows; ++k) {
+        const Channels channels = channels_at(run, shared, own, run.time_s[k]);
+        const Motion at = motion.at(k);
         const double weight = run.weight[k];
-        // Weight, phase and kappa act on every column alike.
-        const Complex to_c = std::polar(weight, 2 * pi * turns);
-        const Complex to_d = to_c / kappa;
-        double* r = residual + 4 * k;
-        const auto finish = [&](const Vector2cd& z) {
-            const Complex c = weight * run.z[k][0] - to_c * z[0];
-            const Complex d = weight * run.z[k][1] - to_d * z[1];
-            r[0] = c.real();
-            r[1] = c.imag();
-            r[2] = d.real();
-            r[3] = d.imag();
+        const Vector2cd expected = seen(channels, at.z);
+        const auto row = static_cast<Eigen::Index>(4 * k);
+        const Vector2cd left = weight * (run.z[k] - expected);
+        out.residual.segment<4>(row) << left[0].real(), left[0].imag(), left[1].real(),
+            left[1].imag();
+        const auto put = [&](int column, const Vector2cd& by) {
+            out.by_parameter(row, column) = weight * by[0].real();
+            out.by_parameter(row + 1, column) = weight * by[0].imag();
+            out.by_parameter(row + 2, column) = weight * by[1].real();
+            out.by_parameter(row + 3, column) = weight * by[1].imag();
         };
-        if (by_shared == nullptr && by_own == nullptr) {
-            finish(motion.propagator(t) * start);
-            continue;
+        for (int rate = 0; rate < rate_count; ++rate) {
+            put(rate, seen(channels, at.by.col(rate)));
         }
-        const SlowDynamics::Propagation at = motion.propagation(t);
-        const Vector2cd z = at.value * start;
-        finish(z);
-        const auto column = [&](double* rows, int width, int index, const Vector2cd& by) {
-            const Complex c = -to_c * by[0];
-            const Complex d = -to_d * by[1];
-            double* first = rows + 4 * k * static_cast<std::size_t>(width) + index;
-            first[0] = c.real();
-            first[width] = c.imag();
-            first[2 * width] = d.real();
-            first[3 * width] = d.imag();
-        };
-        if (by_shared != nullptr) {
-            for (int p = 0; p < rate_count; ++p) {
-                column(by_shared, shared_count, p, at.by_rate[static_cast<std::size_t>(p)] * start);
-            }
-            column(by_shared, shared_count, kappa_index, Vector2cd(0, -z[1] / kappa));
-            column(by_shared, shared_count, power_index, 2 * pi * run.power_integral[k] * i * z);
+        for (int part = 0; part < 4; ++part) {
+            put(own_column(start_at + part), seen(channels, at.by.col(start_column + part)));
         }
-        if (by_own != nullptr) {
-            column(by_own, own_count, frequency_index, 2 * pi * t * i * z);
-            column(by_own, own_count, drift_index, 2 * pi * bent * i * z);
-            for (int p = 0; p < 2; ++p) {
-                column(by_own, own_count, start_index + 2 * p, at.value.col(p));
-                column(by_own, own_count, start_index + 2 * p + 1, i * at.value.col(p));
+        if (with_cubic) {
+            put(cubic_at, seen(channels, at.by.col(cubic_column)));
+        }
+        const Complex d_gain = channels.phase * channels.gain * at.z[1];
+        const Complex d_cross = channels.phase * at.z[0] / kappa;
+        put(kappa_at, {0, -expected[1] / kappa});
+        put(skew_at, {0, std::cos(shared[skew_at]) * d_cross});
+        put(crosstalk_at, {0, i * d_cross});
+        put(phase_at, {0, i * d_gain});
+        put(phase_drift_at, {0, i * channels.x * d_gain});
+        put(gain_drift_at, {0, channels.x / (1 + shared[gain_drift_at] * channels.x) * d_gain});
+        put(own_column(frequency_at), 2 * pi * channels.u * i * expected);
+        put(own_column(drift_at), pi * channels.u * channels.u * i * expected);
+        for (std::size_t at_break = 0; at_break < run.breaks_s.size(); ++at_break) {
+            if (run.time_s[k] > run.breaks_s[at_break]) {
+                put(own_column(own_count + static_cast<int>(at_break)), i * expected);
             }
         }
     }
+    return out;
 }
 
-NormalEquations normal_equations(std::span<const ScaledRun> runs, const FitState& state) {
-    const Eigen::Index size = shared_count + own_count * static_cast<Eigen::Index>(runs.size());
-    NormalEquations sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size), 0};
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        const auto rows = static_cast<Eigen::Index>(4 * runs[k].size());
-        Eigen::VectorXd r(rows);
-        RowMajor by_shared(rows, shared_count);
-        RowMajor by_own(rows, own_count);
-        residuals(runs[k], state.shared, state.runs[k], r.data(), by_shared.data(), by_own.data());
-        const Eigen::Index at = shared_count + own_count * static_cast<Eigen::Index>(k);
-        auto& h = sum.information;
-        h.topLeftCorner<shared_count, shared_count>() += by_shared.transpose() * by_shared;
-        h.block<shared_count, own_count>(0, at) = by_shared.transpose() * by_own;
-        h.block<own_count, shared_count>(at, 0) =
-            h.block<shared_count, own_count>(0, at).transpose();
-        h.block<own_count, own_count>(at, at) = by_own.transpose() * by_own;
-        sum.gradient.head<shared_count>() += by_shared.transpose() * r;
-        sum.gradient.segment<own_count>(at) = by_own.transpose() * r;
-        sum.chi2 += r.squaredNorm();
-    }
-    return sum;
-}
-
-double chi_square(std::span<const ScaledRun> runs, const FitState& state) {
+double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
+                  std::size_t windows) {
+    const std::vector<Vector2cd> expected = expected_phasors(run, shared, own, windows);
     double sum = 0;
-    Eigen::VectorXd r;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        r.resize(static_cast<Eigen::Index>(4 * runs[k].size()));
-        residuals(runs[k], state.shared, state.runs[k], r.data(), nullptr, nullptr);
-        sum += r.squaredNorm();
+    for (std::size_t k = 0; k < windows; ++k) {
+        sum += run.weight[k] * run.weight[k] * (run.z[k] - expected[k]).squaredNorm();
     }
     return sum;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/resonator/phasor_run.h"
-#include "core/resonator/slow_dynamics.h"
+#include "core/resonator/parameters.h"
+#include "core/resonator/scaled_run.h"
 
 #include <Eigen/Core>
 
@@ -10,65 +10,46 @@
 
 namespace vybeg {
 
-// The model of the window phasors of one run, in recording units divided by a common scale:
-//     c_k = z_1(t_k), d_k = z_2(t_k) / kappa,  z(t) = e^{i phi(t)} exp(M t) y
-//     phi = 2 pi (f t + drift (t^2/2 - t t_mid) + b P(t)),  P = integral of |z|^2 as measured
-// so that f is the frequency at t_mid, where it is known best: in the middle of a run that hardly
-// decays, one decay time from the start of one that decays away. exp(M t) and the mean over a
-// window commute: y is the start as a window sees it, and no window is too long for the model.
-
-// What all runs share, in this order: the rates, kappa, b.
-inline constexpr int kappa_index = rate_count;
-inline constexpr int power_index = rate_count + 1;
-inline constexpr int shared_count = rate_count + 2;
-using Shared = Eigen::Matrix<double, shared_count, 1>;
-
-// What each run has of its own: f (Hz from f_ref), drift (Hz/s), Re and Im of y_1, y_2.
-inline constexpr int frequency_index = 0;
-inline constexpr int drift_index = 1;
-inline constexpr int start_index = 2;
-inline constexpr int own_count = 6;
-using Own = Eigen::Matrix<double, own_count, 1>;
-
-Shared to_shared(const SlowRates& rates);  // kappa = 1, b = 0
-SlowRates rates_of(const Shared& shared);
-Eigen::Vector2cd start_of(const Own& own);
-
-struct FitState {
-    Shared shared = to_shared({});
-    std::vector<Own> runs;
-};
-
-// A run as the fit uses it.
-struct ScaledRun {
-    std::vector<double> time_s;
-    std::vector<Eigen::Vector2cd> z;
-    std::vector<double> weight;  // 1/sd
-    std::vector<double> power_integral;
-    double middle_s = 0;  // t_mid
-    double step_s = 0;    // median distance of neighbours
-
-    std::size_t size() const { return time_s.size(); }
-};
-
-// Precondition: at least two windows, all sd > 0.
-ScaledRun scaled_run(const PhasorRun& run, double scale);
+// The model of a run's window phasors, in scaled units:
+//
+//     dz/dt = M z + i (2 pi b/3) (2 |z|^2 z + (z.z) conj z),  z(0) = z0
+//     phi = 2 pi (f u + drift u^2/2) + breaks before t,       u = t - reference_s
+//     C = e^{i phi} z_1
+//     D = e^{i phi} (g z_2 + (sin skew + i crosstalk) z_1)/kappa,
+//     g = (1 + gain_drift x) e^{i (phase + phase_drift x)},    x = t/duration
+//
+// M without imaginary trace (slow_dynamics.h). In u+- = z_1 +- i z_2 the cubic term is a phase
+// rate, (2 pi b/3)(|u+|^2 + 2 |u-|^2 - 3 P) for u+ and likewise for u-; P, the run's power, makes f
+// hardly depend on b. With b = 0 the motion is exp(M t) z0; else it takes Strang steps from window
+// to window, half of the cubic phase on each side of exp(M h). The mean over a window commutes with
+// exp(M t): z0 is the start as a window sees it, and no window is too long for the linear model.
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Weighted residuals of a run, four for each window: Re, Im of c and of d, data less model. Where
-// the pointers are not null, their derivatives, row by row: 4n x shared_count and 4n x own_count.
-void residuals(const ScaledRun& run, const Shared& shared, const Own& own, double* residual,
-               double* by_shared, double* by_own);
+// The phasors that the model expects in the first `windows` windows of a run. `own`: the run's own
+// parameters, own_count and one for each break.
+std::vector<Eigen::Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
+                                               const Eigen::VectorXd& own, std::size_t windows);
 
-// J^T J and J^T r of all runs in the order shared, run 1, run 2, ..., and r^T r.
-struct NormalEquations {
-    Eigen::MatrixXd information;
-    Eigen::VectorXd gradient;
-    double chi2 = 0;
+// Weighted residuals (measured less expected) of the first `windows` windows, Re c, Im c, Re d, Im
+// d of each; and the derivatives of the expected ones, weighted alike: a row for each residual, the
+// shared parameters before the own ones. The derivative by the cubic term is there only where
+// `with_cubic`.
+struct Linearised {
+    Eigen::VectorXd residual;
+    RowMajor by_parameter;
 };
-NormalEquations normal_equations(std::span<const ScaledRun> runs, const FitState& state);
+Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& shared,
+                      const Eigen::VectorXd& own, std::size_t windows, bool with_cubic);
 
-double chi_square(std::span<const ScaledRun> runs, const FitState& state);
+// The sum of the squared weighted residuals.
+double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
+                  std::size_t windows);
+
+// The rates among the shared parameters.
+SlowRates rates_of(const Eigen::VectorXd& shared);
+
+// z0 among a run's own parameters.
+Eigen::Vector2cd start_of(const Eigen::VectorXd& own);
 
 }  // namespace vybeg

@@ -17,7 +17,12 @@ struct PhasorRun {
     std::vector<double> time_s;           // centres of the windows
     std::vector<std::complex<double>> c;  // recording units
     std::vector<std::complex<double>> d;
-    std::vector<double> sd;  // of the real and of the imaginary part of c and of d; independent
+    std::vector<double> sd;  // of the real and of the imaginary part of c and of d
+    // Correlation of the noise of windows 0, 1, 2, ... windows apart; empty where it is white.
+    std::vector<double> noise_correlation;
+    // Instants at which an unknown number of samples is missing: the phase of the windows after one
+    // is not known against that of the windows before it.
+    std::vector<double> phase_breaks_s;
 };
 
 }  // namespace vybeg

@@ -15,10 +15,10 @@ const char* message_template(ReasonCode code) {
                                  "The wave hardly moves, so that one direction of the resonator is "
                                  "seen and no other. Add a recording that starts at theta_A = %1 "
                                  "degrees and lasts %2 s or longer.");
-        case ReasonCode::below_noise:
+        case ReasonCode::within_noise:
             return VYBEG_MESSAGE("Reason",
-                                 "The difference between the modes, %1, is less than five of its "
-                                 "standard deviations, %2: it has no axis that could be told.");
+                                 "The difference between the modes is within its noise: it is at "
+                                 "most %1 %2, and has no axis.");
         case ReasonCode::confounded_rotation:
             return VYBEG_MESSAGE("Reason",
                                  "At one angle a rotation and a damping anisotropy turn the wave "
@@ -32,8 +32,8 @@ const char* message_template(ReasonCode code) {
             return VYBEG_MESSAGE("Reason", "The two modes cannot be told apart.");
         case ReasonCode::no_decay:
             return VYBEG_MESSAGE("Reason",
-                                 "No decay is seen: 1/tau is %1 with a standard deviation of %2 "
-                                 "1/s. Record longer.");
+                                 "The decay is within its noise: tau is at least %1 s. Record "
+                                 "longer.");
         case ReasonCode::circular_wave:
             return VYBEG_MESSAGE("Reason", "A circular wave has no angle.");
         case ReasonCode::few_angles:
@@ -41,33 +41,38 @@ const char* message_template(ReasonCode code) {
                                  "The waves stand at too few angles for the drift as a function of "
                                  "the angle: it needs three starts 22.5 degrees apart or more, or "
                                  "a wave that turns.");
-        case ReasonCode::kappa_still_wave:
-            return VYBEG_MESSAGE("Reason",
-                                 "The wave turns through %1 degrees; %2 are needed to see the gain "
-                                 "ratio of the channels.");
         case ReasonCode::kappa_like_damping:
             return VYBEG_MESSAGE("Reason",
                                  "In a turning wave a gain ratio of the channels and a damping "
-                                 "anisotropy look the same, and only one of them is found here.");
-        case ReasonCode::kappa_not_seen:
+                                 "anisotropy look the same. Calibrate the channels and state their "
+                                 "tolerance, or add recordings that start at other angles.");
+        case ReasonCode::as_given:
             return VYBEG_MESSAGE("Reason",
-                                 "This motion does not show the gain ratio of the channels.");
-        case ReasonCode::channels_one_number:
-            return VYBEG_MESSAGE(
-                "Reason",
-                "The motion tells one number of the channels, which is taken as "
-                "their gain ratio. A wrong angle between the pick-offs, or a delay "
-                "between the channels, looks like it or like an anisotropy.");
-        case ReasonCode::not_asked:
-            return VYBEG_MESSAGE("Reason", "Its estimate was switched off.");
-        case ReasonCode::amplitude_like_drift:
+                                 "The recordings hardly narrow the stated tolerance: the value is "
+                                 "as given.");
+        case ReasonCode::held:
             return VYBEG_MESSAGE("Reason",
-                                 "Within this decay a dependence on the amplitude cannot be told "
-                                 "from a drift with time.");
-        case ReasonCode::residual_from_elsewhere:
+                                 "Taken as zero, because no tolerance is given for it; the "
+                                 "sensitivities say what it would change.");
+        case ReasonCode::not_nonlinear:
             return VYBEG_MESSAGE("Reason",
-                                 "The residual comes from elsewhere: this term would follow it "
-                                 "without explaining it.");
+                                 "The phasors need no dependence on the amplitude: it is at most "
+                                 "%1 %2.");
+        case ReasonCode::drift_not_seen:
+            return VYBEG_MESSAGE("Reason",
+                                 "A drift of the frequency looks like the motion itself in this "
+                                 "recording.");
+        case ReasonCode::decay_limits:
+            return VYBEG_MESSAGE("Reason",
+                                 "The decay is hardly above its noise: tau lies between %1 s and "
+                                 "%2 s.");
+        case ReasonCode::grows:
+            return VYBEG_MESSAGE("Reason",
+                                 "The wave grows, at a rate of %1 1/s (standard deviation %2).");
+        case ReasonCode::rests_on_unseen:
+            return VYBEG_MESSAGE("Reason",
+                                 "It depends on parameters of the resonator that these recordings "
+                                 "do not show.");
         case ReasonCode::too_few_windows:
             return VYBEG_MESSAGE("Reason", "This recording has too few windows for it.");
     }
@@ -78,20 +83,21 @@ std::string reason_name(ReasonCode code) {
     switch (code) {
         case ReasonCode::none: return "none";
         case ReasonCode::one_direction: return "one-direction";
-        case ReasonCode::below_noise: return "below-noise";
+        case ReasonCode::within_noise: return "within-noise";
         case ReasonCode::confounded_rotation: return "confounded-rotation";
         case ReasonCode::free_model: return "free-model";
         case ReasonCode::modes_not_apart: return "modes-not-apart";
         case ReasonCode::no_decay: return "no-decay";
         case ReasonCode::circular_wave: return "circular-wave";
         case ReasonCode::few_angles: return "few-angles";
-        case ReasonCode::kappa_still_wave: return "kappa-still-wave";
         case ReasonCode::kappa_like_damping: return "kappa-like-damping";
-        case ReasonCode::kappa_not_seen: return "kappa-not-seen";
-        case ReasonCode::channels_one_number: return "channels-one-number";
-        case ReasonCode::not_asked: return "not-asked";
-        case ReasonCode::amplitude_like_drift: return "amplitude-like-drift";
-        case ReasonCode::residual_from_elsewhere: return "residual-from-elsewhere";
+        case ReasonCode::as_given: return "as-given";
+        case ReasonCode::held: return "held";
+        case ReasonCode::not_nonlinear: return "not-nonlinear";
+        case ReasonCode::drift_not_seen: return "drift-not-seen";
+        case ReasonCode::decay_limits: return "decay-limits";
+        case ReasonCode::grows: return "grows";
+        case ReasonCode::rests_on_unseen: return "rests-on-unseen";
         case ReasonCode::too_few_windows: return "too-few-windows";
     }
     return "";

@@ -1,233 +1,354 @@
 #include "core/resonator/resonator_estimates.h"
 
 #include "core/base/number_text.h"
-#include "core/resonator/axis_estimates.h"
-#include "core/resonator/mode_estimates.h"
-#include "core/resonator/run_estimates.h"
+#include "core/resonator/decay_time.h"
+#include "core/resonator/resonator_parameters.h"
 
-#include <array>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace vybeg {
 namespace {
 
+using Eigen::Index;
 using std::numbers::pi;
 
-// 1/tau as tau, where it is seen.
-Estimate tau_of(double decay, double sd) {
-    if (decay < 3 * sd) {
-        return {.reason = {ReasonCode::no_decay, {short_text(decay, 3), short_text(sd, 3)}}};
-    }
-    return {1 / decay, sd / (decay * decay), {}};
-}
+// Shares of a variance that priors which state nothing may have: of a parameter of its own (its
+// deviation is a tenth of the prior's), and of a derived quantity.
+constexpr double own_share = 0.01;
+constexpr double derived_share = 0.5;
+constexpr double axis_needs = 5;  // standard deviations of the vector
+constexpr double modes_need = 5;  // of the modes' difference
+constexpr double narrowed = 0.1;  // of a channel's tolerance
+constexpr double limit_sd = 2;
+constexpr double much_turned_deg = 22.5;
 
-Estimate mean_frequency(const DeltaMethod& delta, const FitState& state,
-                        std::span<const PhasorRun> runs, Eigen::VectorXd& by) {
-    const double share = 1 / static_cast<double>(runs.size());
-    double mean = 0;
-    by = delta.gradient();
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        mean += share * (runs[k].f_ref_hz + state.runs[k][frequency_index]);
-        by[DeltaMethod::place(k, frequency_index)] = share;
-    }
-    return delta.estimate(mean, by);
-}
+class Estimates {
+public:
+    Estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit)
+        : set_(set), runs_(runs), at_(set.variances), fit_(fit) {}
 
-// What would show the rest: the start angle halfway between those that show the same.
-Reason other_direction(ReasonCode code, const RunEstimate& first, const PhasorRun& run) {
-    const double theta = first.two_theta_A_rad.given() ? first.two_theta_A_rad.value / 2 : 0;
-    const double other = std::remainder(theta * 180 / pi + 22.5, 90.0);
-    return {code,
-            {short_text(std::round(10 * other) / 10, 4),
-             short_text(std::ceil(run.time_s.back() + run.window_s / 2), 4)}};
-}
-
-RawParameters raw_parameters(const ModelChoice& choice, const DeltaMethod& delta,
-                             std::span<const PhasorRun> runs, double scale) {
-    static constexpr std::array<const char*, shared_count> shared_names{
-        "split_cos4_hz",      "split_sin4_hz",  "damping_cos4_per_s",
-        "damping_sin4_per_s", "rotation_per_s", "skew_per_s",
-        "decay_per_s",        "kappa",          "frequency_per_power"};
-    static constexpr std::array<const char*, own_count> own_names{"f_hz", "drift_hz_per_s", "c_re",
-                                                                  "c_im", "d_re",           "d_im"};
-    RawParameters raw;
-    std::vector<Eigen::Index> places;
-    std::vector<double> units;
-    const auto add = [&](Eigen::Index place, std::string name, double value, double unit) {
-        if (delta.covariance()(place, place) > 0) {
-            places.push_back(place);
-            units.push_back(unit);
-            raw.names.push_back(std::move(name));
-            raw.values.push_back(value * unit);
+    void add() {
+        const double share = 1 / static_cast<double>(runs_.size());
+        for (const PhasorRun& run : runs_) {
+            f_ref_hz_ += share * run.f_ref_hz;
         }
-    };
-    for (int k = 0; k < shared_count; ++k) {
-        add(k, shared_names[static_cast<std::size_t>(k)], choice.fit.state.shared[k],
-            k == power_index ? 1 / (scale * scale) : 1);
+        add_runs();
+        if (set_.model == ResonatorModel::structured) {
+            add_resonator();
+        } else {
+            add_free();
+        }
+        add_modes();
     }
-    for (std::size_t run = 0; run < runs.size(); ++run) {
-        for (int k = 0; k < own_count; ++k) {
-            const double origin = k == frequency_index ? runs[run].f_ref_hz : 0;
-            add(DeltaMethod::place(run, k),
-                "run" + std::to_string(run + 1) + "." + own_names[static_cast<std::size_t>(k)],
-                origin + choice.fit.state.runs[run][k], k >= start_index ? scale : 1);
+
+private:
+    bool unseen(Index quantity, double share) const {
+        return at_.nothing[quantity] > share * at_.total(quantity);
+    }
+
+    Estimate number(Index quantity, double factor = 1, double origin = 0) const {
+        const double u = at_.known[quantity] > 0 ? at_.u(quantity) * std::abs(factor)
+                                                 : std::numeric_limits<double>::quiet_NaN();
+        return {origin + factor * at_.value[quantity], at_.sd(quantity) * std::abs(factor), {}, u};
+    }
+
+    Estimate derived(Index quantity, const Reason& reason, double factor = 1,
+                     double origin = 0) const {
+        return unseen(quantity, derived_share) ? Estimate{.reason = reason}
+                                               : number(quantity, factor, origin);
+    }
+
+    Index of_run(std::size_t run, RunQuantity quantity) const {
+        return quantity_of_run(run, quantity);
+    }
+
+    // Covariance of two parameters side by side, with all its parts.
+    Eigen::Matrix2d pair_covariance(int first) const {
+        const auto found = std::ranges::find(set_.posterior.active, Index{first});
+        const Index k = found - set_.posterior.active.begin();
+        const Posterior& p = set_.posterior;
+        return (p.data + p.known + p.nothing).block<2, 2>(k, k);
+    }
+
+    // How far the wave of any run turns, degrees of theta_A.
+    double turned_deg() const {
+        double most = 0;
+        for (std::size_t run = 0; run < runs_.size(); ++run) {
+            double low = 0;
+            double high = 0;
+            double angle = 0;
+            double last = 0;
+            bool first = true;
+            for (const Phasors& wave :
+                 predicted_waves(fit_.motion, run, set_.problem->runs[run].time_s)) {
+                const double two_theta = to_wave_state(wave).two_theta_A;
+                angle = first ? two_theta : angle + std::remainder(two_theta - last, pi);
+                last = two_theta;
+                low = first ? angle : std::min(low, angle);
+                high = first ? angle : std::max(high, angle);
+                first = false;
+            }
+            most = std::max(most, (high - low) / 2 * 180 / pi);
+        }
+        return most;
+    }
+
+    // What would show the rest: the start angle halfway between those that show the same.
+    Reason other_direction(ReasonCode code) const {
+        const double theta = at_.value[of_run(0, two_theta_of)] / 2;
+        const double other = std::remainder(theta * 180 / pi + 22.5, 90.0);
+        return {code,
+                {short_text(std::round(10 * other) / 10, 4),
+                 short_text(std::ceil(runs_[0].time_s.back() + runs_[0].window_s / 2), 4)}};
+    }
+
+    // Size and axis of the vector that begins at `first` among the parameters.
+    void add_vector(int first, SharedQuantity size, SharedQuantity axis, const char* unit,
+                    const Reason& reason, Estimate& size_out, Estimate& axis_out) const {
+        if (unseen(size, own_share) || unseen(axis, own_share)) {
+            size_out = axis_out = Estimate{.reason = reason};
+            return;
+        }
+        const double length = at_.value[size];
+        const double most =
+            std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(pair_covariance(first))
+                          .eigenvalues()[1]);
+        const Reason within{ReasonCode::within_noise,
+                            {short_text(length + limit_sd * most, 3), unit}};
+        size_out = length < set_.split_needs * most ? Estimate{.reason = within} : number(size);
+        axis_out = length < std::max(axis_needs, set_.split_needs) * most
+                       ? Estimate{.reason = within}
+                       : number(axis);
+    }
+
+    Estimate channel(SharedQuantity quantity, int parameter, double factor) const {
+        const double told = set_.problem->priors.sd[parameter];
+        if (told == 0) {
+            const bool ratio = parameter == kappa_at;
+            return {.reason = {ratio ? ReasonCode::as_given : ReasonCode::held, {}}};
+        }
+        if (at_.u(quantity) > narrowed * told) {
+            return {.reason = {ReasonCode::as_given, {}}};
+        }
+        return number(quantity, factor);
+    }
+
+    // pi f / decay for a frequency and a decay rate among the quantities.
+    Estimate quality(Index decay, double f_hz, const Estimate& tau) const {
+        if (!tau.given()) {
+            return tau;
+        }
+        // The frequency's part is below 1e-9 of Q wherever the decay is seen at all.
+        const double q = pi * f_hz / at_.value[decay];
+        return {q, q * tau.sd / tau.value, {}, q * tau.u / tau.value};
+    }
+
+    Estimate decay_time_of(Index decay, const Reason& reason) const {
+        if (unseen(decay, derived_share)) {
+            return {.reason = reason};
+        }
+        const Estimate rate = number(decay);
+        return decay_time(rate.value, rate.sd, rate.u);
+    }
+
+    void add_resonator() {
+        ResonatorEstimate& out = fit_.resonator;
+        const Reason one_direction = other_direction(ReasonCode::one_direction);
+        const bool turned = turned_deg() > much_turned_deg;
+        const Reason damping = turned ? Reason{ReasonCode::kappa_like_damping, {}} : one_direction;
+        out.f_mean_hz = derived(f_mean_of, one_direction, 1, f_ref_hz_);
+        add_vector(split_cos_at, split_of, theta_w_of, "Hz", one_direction, out.split_hz,
+                   out.theta_w_rad);
+        add_vector(damping_cos_at, damping_of, theta_tau_of, "1/s", damping,
+                   out.damping_anisotropy_per_s, out.theta_tau_rad);
+        out.tau_s = decay_time_of(decay_of, one_direction);
+        out.q = quality(decay_of, f_ref_hz_ + at_.value[f_mean_of], out.tau_s);
+        out.angle_rate_rad_s =
+            unseen(angle_rate_of, own_share)
+                ? Estimate{.reason = other_direction(ReasonCode::confounded_rotation)}
+                : number(angle_rate_of);
+        out.kappa = channel(kappa_of, kappa_at, 1);
+        out.non_orthogonality_rad = channel(skew_of, skew_at, 1);
+        out.delay_s = channel(phase_of, phase_at, -1 / (2 * pi * f_ref_hz_));
+        const double power_unit = 1 / (set_.scale * set_.scale);
+        if (set_.problem->priors.sd[cubic_at] > 0) {
+            out.frequency_per_power = unseen(cubic_of, own_share)
+                                          ? Estimate{.reason = {ReasonCode::drift_not_seen, {}}}
+                                          : number(cubic_of, power_unit);
+        } else {
+            const Estimate& limit = set_.cubic_limit;
+            const double most = std::abs(limit.value) + limit_sd * limit.sd;
+            out.frequency_per_power.reason = {
+                ReasonCode::not_nonlinear,
+                {short_text(most * power_unit, 3), "Hz per squared unit"}};
+        }
+        if (!out.tau_s.given() && out.tau_s.reason.code == ReasonCode::one_direction) {
+            fit_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
+        }
+        add_sensitivities();
+        add_drift_terms();
+    }
+
+    void add_free() {
+        const Estimate none{.reason = {ReasonCode::free_model, {}}};
+        for (const ResonatorParameter& parameter : resonator_parameters) {
+            fit_.resonator.*parameter.member = none;
+        }
+        for (RunEstimate& run : fit_.runs) {
+            run.split_sin_hz = run.direction_f_hz = run.direction_tau_s = none;
+        }
+        fit_.sensitivities.assign(resonator_parameters.size(), {});
+    }
+
+    void add_modes() {
+        fit_.mode_order = set_.context.order;
+        const Posterior& p = set_.posterior;
+        // |s^2| against the largest deviation of its two parts.
+        const Eigen::VectorXcd gradient = square_gradient(p);
+        Eigen::MatrixXd by(2, gradient.size());
+        by << gradient.real().transpose(), gradient.imag().transpose();
+        const Eigen::Matrix2d spread = by * (p.data + p.known + p.nothing) * by.transpose();
+        const double most =
+            std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[1]);
+        const bool apart = std::abs(square_half_difference(p.p)) > modes_need * most;
+        const bool seen =
+            !unseen(mode_f_of, derived_share) && !unseen(mode_f_of + 1, derived_share);
+        if (!apart || !seen) {
+            fit_.no_modes = {apart ? ReasonCode::rests_on_unseen : ReasonCode::modes_not_apart, {}};
+            return;
+        }
+        for (const int k : {0, 1}) {
+            ModeEstimate mode;
+            mode.f_hz = number(mode_f_of + k, 1, f_ref_hz_);
+            mode.tau_s = decay_time_of(mode_decay_of + k, {ReasonCode::rests_on_unseen, {}});
+            mode.q = quality(mode_decay_of + k, mode.f_hz.value, mode.tau_s);
+            fit_.modes.push_back(mode);
         }
     }
-    for (std::size_t row = 0; row < places.size(); ++row) {
-        for (std::size_t column = 0; column < places.size(); ++column) {
-            raw.covariance.push_back(units[row] * units[column] *
-                                     delta.covariance()(places[row], places[column]));
+
+    void add_runs() {
+        const Reason rests{ReasonCode::rests_on_unseen, {}};
+        for (std::size_t k = 0; k < runs_.size(); ++k) {
+            const auto at = [&](RunQuantity quantity) { return of_run(k, quantity); };
+            RunEstimate run;
+            run.f_offset_hz = derived(at(f_offset_of), rests);
+            run.a_A = derived(at(a_A_of), rests, set_.scale);
+            run.a_B = derived(at(a_B_of), rests, set_.scale);
+            run.drift_hz_per_s = derived(at(run_drift_of), {ReasonCode::drift_not_seen, {}});
+            const double a_sd = std::sqrt(std::max(at_.data[at(a_A_of)], 0.0));
+            if (at_.value[at(a_A_of)] - std::abs(at_.value[at(a_B_of)]) < 3 * a_sd) {
+                const Estimate circular{.reason = {ReasonCode::circular_wave, {}}};
+                run.two_theta_A_rad = run.split_sin_hz = circular;
+                run.direction_f_hz = run.direction_tau_s = circular;
+            } else {
+                run.two_theta_A_rad = derived(at(two_theta_of), rests);
+                run.split_sin_hz = derived(at(split_sin_of), rests);
+                run.direction_f_hz = derived(at(direction_f_of), rests, 1, runs_[k].f_ref_hz);
+                run.direction_tau_s = decay_time_of(at(direction_decay_of), rests);
+            }
+            fit_.runs.push_back(run);
         }
     }
-    return raw;
-}
 
-FittedMotion fitted_motion(const FitState& state, std::span<const PhasorRun> runs,
-                           std::span<const ScaledRun> scaled, double scale) {
-    FittedMotion motion{.rates = rates_of(state.shared),
-                        .kappa = state.shared[kappa_index],
-                        .frequency_per_power = state.shared[power_index] / (scale * scale),
-                        .runs = {}};
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        const Own& own = state.runs[k];
-        FittedMotion::Run run{.f_ref_hz = runs[k].f_ref_hz,
-                              .f_hz = own[frequency_index],
-                              .drift_hz_per_s = own[drift_index],
-                              .middle_s = scaled[k].middle_s,
-                              .window_s = runs[k].window_s,
-                              .start = scale * start_of(own),
-                              .time_s = scaled[k].time_s,
-                              .power_integral = scaled[k].power_integral};
-        for (double& integral : run.power_integral) {
-            integral *= scale * scale;
+    // How the parameters follow a unit of a channel error that is held at its value, others as they
+    // are: -S F_re, or, where the error is fitted along, the regression on it.
+    Eigen::VectorXd follow(int error) const {
+        const Posterior& p = set_.posterior;
+        const auto found = std::ranges::find(p.active, Index{error});
+        if (found != p.active.end()) {
+            const Index k = found - p.active.begin();
+            return p.covariance.col(k) / p.covariance(k, k);
         }
-        motion.runs.push_back(std::move(run));
+        const Eigen::VectorXd cross = p.information.col(error)(p.active);
+        return -(p.covariance * cross);
     }
-    return motion;
-}
 
-// Root of the mean square of the real and imaginary parts of what is left.
-double residual_rms(std::span<const ScaledRun> runs, const FitState& state) {
-    double sum = 0;
-    double count = 0;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        std::vector<double> r(4 * runs[k].size());
-        residuals(runs[k], state.shared, state.runs[k], r.data(), nullptr, nullptr);
-        for (std::size_t j = 0; j < r.size(); ++j) {
-            sum += std::pow(r[j] / runs[k].weight[j / 4], 2);
+    void add_sensitivities() {
+        // Where each parameter stands among the quantities, in the order of resonator_parameters.
+        struct Place {
+            Estimate ResonatorEstimate::*member;
+            SharedQuantity quantity;
+            double factor;
+        };
+        const ResonatorEstimate& out = fit_.resonator;
+        const double by_decay = -1 / (at_.value[decay_of] * at_.value[decay_of]);
+        const double by_q = pi * (f_ref_hz_ + at_.value[f_mean_of]) * by_decay;
+        const std::array<Place, 12> places{
+            {{&ResonatorEstimate::f_mean_hz, f_mean_of, 1},
+             {&ResonatorEstimate::split_hz, split_of, 1},
+             {&ResonatorEstimate::theta_w_rad, theta_w_of, 1},
+             {&ResonatorEstimate::tau_s, decay_of, by_decay},
+             {&ResonatorEstimate::q, decay_of, by_q},
+             {&ResonatorEstimate::damping_anisotropy_per_s, damping_of, 1},
+             {&ResonatorEstimate::theta_tau_rad, theta_tau_of, 1},
+             {&ResonatorEstimate::angle_rate_rad_s, angle_rate_of, 1},
+             {&ResonatorEstimate::kappa, kappa_of, 1},
+             {&ResonatorEstimate::non_orthogonality_rad, skew_of, 1},
+             {&ResonatorEstimate::delay_s, phase_of, -1 / (2 * pi * f_ref_hz_)},
+             {&ResonatorEstimate::frequency_per_power, cubic_of, 1 / (set_.scale * set_.scale)}}};
+        struct Error {
+            int parameter;
+            double ChannelSensitivity::*member;
+            double unit;
+        };
+        const std::array<Error, 6> errors{
+            {{kappa_at, &ChannelSensitivity::kappa, 1},
+             {skew_at, &ChannelSensitivity::skew_deg, pi / 180},
+             {phase_at, &ChannelSensitivity::delay_s, -2 * pi * f_ref_hz_},
+             {crosstalk_at, &ChannelSensitivity::crosstalk, 1},
+             {phase_drift_at, &ChannelSensitivity::phase_drift_rad, 1},
+             {gain_drift_at, &ChannelSensitivity::gain_drift, 1}}};
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        for (const ResonatorParameter& parameter : resonator_parameters) {
+            const Place& place = *std::ranges::find(places, parameter.member, &Place::member);
+            ChannelSensitivity sensitivity{nan, nan, nan, nan, nan, nan};
+            if ((out.*parameter.member).given()) {
+                for (const Error& error : errors) {
+                    sensitivity.*error.member =
+                        place.factor * error.unit *
+                        at_.gradient.row(place.quantity).dot(follow(error.parameter));
+                }
+            }
+            fit_.sensitivities.push_back(sensitivity);
         }
-        count += static_cast<double>(r.size());
     }
-    return std::sqrt(sum / count);
-}
 
-Estimate scaled_by(Estimate estimate, double factor) {
-    estimate.value *= factor;
-    estimate.sd *= factor;
-    return estimate;
-}
+    void add_drift_terms() {
+        const ResonatorEstimate& out = fit_.resonator;
+        DriftTerms& terms = fit_.drift_terms;
+        // An anisotropy within its noise is a drift known to be small.
+        const auto seen = [](const Estimate& estimate) {
+            return estimate.given() || estimate.reason.code == ReasonCode::within_noise;
+        };
+        terms.given = seen(out.damping_anisotropy_per_s) && out.angle_rate_rad_s.given();
+        const std::array<Index, 3> parameters{rotation_at, damping_cos_at, damping_sin_at};
+        const Posterior& p = set_.posterior;
+        const Eigen::MatrixXd covariance = p.data + p.known + p.nothing;
+        for (std::size_t k = 0; k < 3; ++k) {
+            terms.value[k] = p.p[parameters[k]];
+            const Index row = std::ranges::find(p.active, parameters[k]) - p.active.begin();
+            for (std::size_t l = 0; l < 3; ++l) {
+                const Index column = std::ranges::find(p.active, parameters[l]) - p.active.begin();
+                terms.covariance[3 * k + l] = covariance(row, column);
+            }
+        }
+    }
 
-void structured_estimates(ResonatorFit& fit, const ModelChoice& choice, const DeltaMethod& delta,
-                          std::span<const PhasorRun> runs) {
-    ResonatorEstimate& out = fit.resonator;
-    const Shared& shared = choice.fit.state.shared;
-    Eigen::VectorXd by;
-    out.f_mean_hz = mean_frequency(delta, choice.fit.state, runs, by);
-    const Reason one_direction = other_direction(ReasonCode::one_direction, fit.runs[0], runs[0]);
-    const AxisEstimate split = axis_estimate(delta, shared, 0);
-    const AxisEstimate damping = axis_estimate(delta, shared, 2);
-    out.split_hz = choice.split_seen ? split.size : Estimate{.reason = one_direction};
-    out.theta_w_rad = choice.split_seen ? split.axis : Estimate{.reason = one_direction};
-    Reason unseen = one_direction;
-    if (choice.equal_damping) {
-        unseen = {ReasonCode::kappa_like_damping, {}};
-    }
-    out.damping_anisotropy_per_s = choice.damping_seen ? damping.size : Estimate{.reason = unseen};
-    out.theta_tau_rad = choice.damping_seen ? damping.axis : Estimate{.reason = unseen};
-
-    const double decay = shared[rate_count - 1];
-    const double decay_sd = std::sqrt(delta.covariance()(rate_count - 1, rate_count - 1));
-    out.tau_s = tau_of(decay, decay_sd);
-    out.q = out.tau_s;
-    if (out.q.given()) {
-        // Q = pi f/(1/tau), f and tau being as good as independent beside tau's own deviation.
-        by *= 1 / decay;
-        by[rate_count - 1] = -out.f_mean_hz.value / (decay * decay);
-        out.q = delta.estimate(pi * out.f_mean_hz.value / decay, pi * by);
-    }
-    out.angle_rate_rad_s = {-shared[4] / 2, std::sqrt(delta.covariance()(4, 4)) / 2, {}};
-    if (!choice.rotation_seen) {
-        out.angle_rate_rad_s = {
-            .reason = other_direction(ReasonCode::confounded_rotation, fit.runs[0], runs[0])};
-    }
-}
-
-void free_estimates(ResonatorFit& fit) {
-    const Estimate none{.reason = {ReasonCode::free_model, {}}};
-    ResonatorEstimate& out = fit.resonator;
-    for (Estimate* estimate :
-         {&out.f_mean_hz, &out.split_hz, &out.theta_w_rad, &out.tau_s, &out.q,
-          &out.damping_anisotropy_per_s, &out.theta_tau_rad, &out.angle_rate_rad_s}) {
-        *estimate = none;
-    }
-    for (RunEstimate& run : fit.runs) {
-        run.split_sin_hz = none;
-    }
-}
+    const FittedSet& set_;
+    std::span<const PhasorRun> runs_;
+    const ReportedVariances& at_;
+    ResonatorFit& fit_;
+    double f_ref_hz_ = 0;
+};
 
 }  // namespace
 
-ResonatorFit estimates(const ModelChoice& choice, std::span<const PhasorRun> runs,
-                       std::span<const ScaledRun> scaled, double scale) {
-    const DeltaMethod delta(choice.covariance * choice.enlargement);
-    const FitState& state = choice.fit.state;
-    ResonatorFit fit;
-    fit.model = choice.model;
-    fit.warnings = choice.warnings;
-    fit.residual_rms = scale * residual_rms(scaled, state);
-    fit.chi2_per_dof = choice.fit.chi2 / choice.dof;
-    fit.free_over_structured = choice.free_over_structured;
-    if (choice.enlargement > 1) {
-        fit.warnings.push_back(
-            {DiagnosticKind::residual_above_noise, {short_text(fit.chi2_per_dof, 3)}});
-    }
-
-    Eigen::VectorXd mean_by;
-    const Estimate mean = mean_frequency(delta, state, runs, mean_by);
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        RunEstimate run = run_estimate(delta, state, k, runs[k].window_s, scale);
-        Eigen::VectorXd by = -mean_by;
-        by[DeltaMethod::place(k, frequency_index)] += 1;
-        run.f_offset_hz =
-            delta.estimate(runs[k].f_ref_hz + state.runs[k][frequency_index] - mean.value, by);
-        run.drift_hz_per_s = choice.drift_hz_per_s[k];
-        envelope_estimate(run, scaled[k], state, k, mean.value + run.f_offset_hz.value,
-                          choice.enlargement, fit.warnings);
-        fit.runs.push_back(run);
-    }
-    if (choice.model == ResonatorModel::structured) {
-        structured_estimates(fit, choice, delta, runs);
-    } else {
-        free_estimates(fit);
-    }
-    fit.resonator.kappa = choice.kappa;
-    // M is eight numbers and a resonator seven: one is left for all errors of the channels.
-    const Reason channels{choice.model == ResonatorModel::free ? ReasonCode::free_model
-                                                               : ReasonCode::channels_one_number,
-                          {}};
-    fit.resonator.non_orthogonality_rad = fit.resonator.delay_s = Estimate{.reason = channels};
-    fit.resonator.frequency_per_power = scaled_by(choice.frequency_per_power, 1 / (scale * scale));
-
-    const bool told_apart =
-        choice.model == ResonatorModel::free || choice.split_seen || choice.damping_seen;
-    if (told_apart) {
-        fit.modes = mode_estimates(delta, state.shared, mean.value, mean_by);
-    }
-    if (fit.modes.empty()) {
-        fit.no_modes = {ReasonCode::modes_not_apart, {}};
-    }
+void add_estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit) {
+    Estimates(set, runs, fit).add();
     const ResonatorEstimate& given = fit.resonator;
     fit.identifiable = {.split = given.split_hz.given(),
                         .theta_w = given.theta_w_rad.given(),
@@ -236,9 +357,6 @@ ResonatorFit estimates(const ModelChoice& choice, std::span<const PhasorRun> run
                         .theta_tau = given.theta_tau_rad.given(),
                         .rotation = given.angle_rate_rad_s.given(),
                         .kappa = given.kappa.given()};
-    fit.raw = raw_parameters(choice, delta, runs, scale);
-    fit.motion = fitted_motion(state, runs, scaled, scale);
-    return fit;
 }
 
 }  // namespace vybeg

@@ -1,15 +1,29 @@
 #pragma once
 
-#include "core/resonator/model_choice.h"
+#include "core/resonator/map_fit.h"
+#include "core/resonator/posterior.h"
+#include "core/resonator/reported_variances.h"
+#include "core/resonator/resonator_result.h"
 
 #include <span>
 
 namespace vybeg {
 
-// The numbers of a fit with their deviations, by the delta method from the covariance of its
-// parameters, or the reasons why they are not given. `runs` as they came, `scaled` as fitted,
-// `scale` the recording units of one scaled unit.
-ResonatorFit estimates(const ModelChoice& choice, std::span<const PhasorRun> runs,
-                       std::span<const ScaledRun> scaled, double scale);
+// A fit and what is known of it.
+struct FittedSet {
+    ResonatorModel model{};
+    const FitProblem* problem = nullptr;
+    MapFit fit;
+    Posterior posterior;
+    QuantityContext context;
+    ReportedVariances variances;
+    double scale = 1;        // recording units of a scaled unit
+    double split_needs = 3;  // standard deviations, from which on a split or anisotropy is given
+    Estimate cubic_limit;    // b and its sd where a fit with it was no better; scaled units
+};
+
+// Fills in the modes, the resonator and the runs: each number with its deviation, or the reason why
+// it is not given (FIT section 5). `runs`: as fitted.
+void add_estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit);
 
 }  // namespace vybeg

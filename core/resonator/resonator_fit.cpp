@@ -1,25 +1,40 @@
 #include "core/resonator/resonator_fit.h"
 
 #include "core/base/number_text.h"
+#include "core/resonator/decay_time.h"
+#include "core/resonator/envelope_decay.h"
+#include "core/resonator/fit_start.h"
 #include "core/resonator/merge_windows.h"
-#include "core/resonator/model_choice.h"
+#include "core/resonator/raw_parameters.h"
+#include "core/resonator/residual_noise.h"
 #include "core/resonator/resonator_estimates.h"
+#include "core/resonator/structured_test.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace vybeg {
 namespace {
 
 // Each run has four to six parameters of its own; eight windows are 32 numbers.
 constexpr std::size_t least_windows = 8;
-
-// Of one run: 28 s by 1000 are 28 ms, in which a bell's beat of 5 Hz turns by less than a radian.
-constexpr std::size_t enough_windows = 1000;
+// Of one run, where its motion within a window allows: the fit's time grows with their number.
+constexpr std::size_t enough_windows = 150;
+// Fall of chi^2 from which on a dependence of the frequency on the amplitude is fitted.
+constexpr double cubic_fall = 25;
+// Size of split and anisotropy from which on they are given, standard deviations.
+constexpr double vector_needs = 3;
+constexpr double vector_needs_coloured = 5;
 
 // The windows that are numbers with a deviation.
 PhasorRun usable(const PhasorRun& run) {
-    PhasorRun good{run.f_ref_hz, run.window_s, {}, {}, {}, {}};
+    PhasorRun good = run;
+    good.time_s.clear();
+    good.c.clear();
+    good.d.clear();
+    good.sd.clear();
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
         const double sum = run.time_s[k] + std::abs(run.c[k]) + std::abs(run.d[k]) + run.sd[k];
         if (std::isfinite(sum) && run.sd[k] > 0) {
@@ -42,21 +57,244 @@ double largest_amplitude(std::span<const PhasorRun> runs) {
     return most;
 }
 
-void tell_of_drifts(const ModelChoice& choice, ResonatorFit& fit) {
-    for (std::size_t k = 0; k < fit.runs.size(); ++k) {
-        const Estimate& drift = fit.runs[k].drift_hz_per_s;
-        if (choice.space.drift && std::abs(drift.value) > 4 * drift.sd) {
-            fit.warnings.push_back({DiagnosticKind::frequency_drifts,
-                                    {integer_text(static_cast<std::int64_t>(k) + 1),
-                                     short_text(drift.value, 3), short_text(drift.sd, 2)}});
+std::string recording_number(std::size_t run) {
+    return integer_text(static_cast<std::int64_t>(run) + 1);
+}
+
+// The whole fit of one set, step by step.
+class SetFit {
+public:
+    SetFit(std::vector<PhasorRun> runs, std::vector<ScaledRun> scaled, double scale,
+           const FitOptions& options, const JobControl& job)
+        : runs_(std::move(runs)),
+          scaled_(std::move(scaled)),
+          scale_(scale),
+          options_(options),
+          job_(job),
+          problem_{scaled_, layout_of(scaled_), {}} {
+        problem_.priors = structured_priors(scaled_, problem_.layout, options.tolerance);
+    }
+
+    ResonatorFit fit() {
+        MapFit main = fit_from_nothing(problem_, job_);
+        try_cubic(main);
+        choose_model(main);
+        describe(main);
+        return std::move(fit_);
+    }
+
+private:
+    static ParameterLayout layout_of(const std::vector<ScaledRun>& runs) {
+        std::vector<std::size_t> breaks;
+        for (const ScaledRun& run : runs) {
+            breaks.push_back(run.breaks_s.size());
+        }
+        return ParameterLayout(breaks);
+    }
+
+    // A dependence of the frequency on the amplitude is opened where the data ask for it: always
+    // open it would cost elliptic waves their rotation.
+    void try_cubic(MapFit& main) {
+        FitProblem with = problem_;
+        open_cubic(with.priors, scaled_);
+        MapFit fit = minimise(with, main.p, 60, job_);
+        const double scale = std::max(1.0, fit.chi2 / degrees_of_freedom(with));
+        const double sd = std::sqrt(cubic_variance(with, fit) * scale);
+        cubic_limit_ = {fit.p[cubic_at], sd, {}};
+        if (main.chi2 - fit.chi2 > cubic_fall * scale) {
+            main = std::move(fit);
+            problem_.priors = with.priors;
         }
     }
-    const Estimate& power = fit.resonator.frequency_per_power;
-    if (power.given() && std::abs(power.value) > 4 * power.sd) {
-        fit.warnings.push_back({DiagnosticKind::frequency_follows_amplitude,
-                                {short_text(power.value, 3), short_text(power.sd, 2)}});
+
+    static double cubic_variance(const FitProblem& problem, const MapFit& fit) {
+        const Posterior at = posterior(problem, fit);
+        const auto place = std::ranges::find(at.active, Eigen::Index{cubic_at}) - at.active.begin();
+        return at.covariance(place, place);
     }
-}
+
+    void choose_model(MapFit& main) {
+        using Model = FitOptions::Model;
+        if (options_.model == Model::structured) {
+            return;
+        }
+        FitProblem free = problem_;
+        free.priors = free_priors(scaled_, problem_.layout);
+        Eigen::VectorXd start = main.p;
+        start[kappa_at] = 1;
+        for (const int held :
+             {skew_at, phase_at, crosstalk_at, phase_drift_at, gain_drift_at, cubic_at}) {
+            start[held] = 0;
+        }
+        MapFit free_fit = fit_near_or_from_nothing(free, start);
+        const double free_dof = degrees_of_freedom(free);
+        const StructuredVerdict verdict =
+            test_structured(problem_, main, free_fit, free_dof, options_.tolerance, job_);
+        fit_.free_over_structured = verdict.free_over_structured;
+        if (options_.model == Model::automatic && verdict.structured) {
+            return;
+        }
+        if (options_.model == Model::automatic) {
+            fit_.warnings.push_back({DiagnosticKind::structured_refused, {verdict.reason}});
+        }
+        fit_.model = ResonatorModel::free;
+        problem_.priors = std::move(free.priors);
+        main = std::move(free_fit);
+    }
+
+    // |z|^2 of channels of unknown scale beats, so that the free model has no cubic term.
+    MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
+        MapFit near = minimise(problem, start, 60, job_);
+        if (near.chi2 < 2 * degrees_of_freedom(problem)) {
+            return near;
+        }
+        FitProblem anew = problem;
+        anew.damping_share = std::numeric_limits<double>::infinity();
+        MapFit fit = fit_from_nothing(anew, job_);
+        return fit.cost < near.cost ? fit : near;
+    }
+
+    void describe(const MapFit& main) {
+        const double dof = degrees_of_freedom(problem_);
+        const double ratio = main.chi2 / dof;
+        fit_.chi2_per_dof = ratio;
+        FittedSet set;
+        set.model = fit_.model;
+        set.problem = &problem_;
+        set.fit = main;
+        set.posterior = posterior(problem_, main);
+        set.scale = scale_;
+        set.cubic_limit = cubic_limit_;
+        set.split_needs = vector_needs;
+        set_covariance(ratio, dof, set);
+        std::vector<ProfilePoint> beside;
+        if (fit_.model == ResonatorModel::structured) {
+            beside = unseen_directions(problem_, main, set.posterior, std::max(1.0, ratio), job_);
+        }
+        set.context.layout = &problem_.layout;
+        for (const PhasorRun& run : runs_) {
+            set.context.f_ref_hz.push_back(run.f_ref_hz);
+            set.context.window_s.push_back(run.window_s);
+        }
+        set.context.order = mode_order(set);
+        set.variances = reported_variances(set.posterior, set.context, beside);
+        fit_.motion = motion(main);
+        add_estimates(set, runs_, fit_);
+        fit_.raw = raw_parameters(set, runs_);
+        add_envelopes(ratio);
+        warn(main);
+    }
+
+    void set_covariance(double ratio, double dof, FittedSet& set) {
+        const NoiseEstimate noise(problem_, set.posterior);
+        fit_.noise = noise.noise();
+        if (!noise.noise().white()) {
+            set.posterior.data = noise.covariance(set.posterior, set.posterior.data);
+            set.split_needs = vector_needs_coloured;
+            fit_.warnings.push_back({DiagnosticKind::residual_coloured, {short_text(ratio, 3)}});
+            if (noise.noise().narrowest) {
+                double longest_s = 0;
+                for (const ScaledRun& run : scaled_) {
+                    longest_s = std::max(longest_s, run.duration_s);
+                }
+                fit_.warnings.push_back(
+                    {DiagnosticKind::noise_too_narrow, {short_text(0.2 / longest_s, 2)}});
+            }
+            return;
+        }
+        const double scatter = 4 * std::sqrt(2 / dof);
+        if (ratio > 1 + scatter) {
+            set.posterior.data *= ratio;
+            fit_.warnings.push_back({DiagnosticKind::residual_above_noise, {short_text(ratio, 3)}});
+        } else if (ratio < 1 - 2 * scatter) {
+            fit_.warnings.push_back({DiagnosticKind::residual_below_noise, {short_text(ratio, 3)}});
+        }
+    }
+
+    // Modes are named by frequency where the frequencies differ, else by their decay.
+    ModeOrder mode_order(const FittedSet& set) const {
+        const Posterior& at = set.posterior;
+        const std::complex<double> s = std::sqrt(square_half_difference(at.p));
+        const Eigen::VectorXd by = (square_gradient(at) / (2.0 * s)).imag();
+        const double sd = std::sqrt(by.dot((at.data + at.known + at.nothing) * by));
+        return std::abs(s.imag()) < 5 * sd ? ModeOrder::decay : ModeOrder::frequency;
+    }
+
+    FittedMotion motion(const MapFit& main) const {
+        FittedMotion motion{.scale = scale_, .shared = main.p.head(shared_count), .runs = {}};
+        for (std::size_t k = 0; k < runs_.size(); ++k) {
+            ScaledRun frame = scaled_[k];
+            frame.time_s.clear();
+            frame.z.clear();
+            frame.weight.clear();
+            motion.runs.push_back(
+                {runs_[k].f_ref_hz, std::move(frame), own_of(problem_.layout, main.p, k)});
+        }
+        return motion;
+    }
+
+    void add_envelopes(double ratio) {
+        double squares = 0;
+        double count = 0;
+        for (std::size_t k = 0; k < runs_.size(); ++k) {
+            const ScaledRun& run = scaled_[k];
+            const std::vector<Eigen::Vector2cd> expected =
+                expected_phasors(run, fit_.motion.shared, fit_.motion.runs[k].own, run.size());
+            for (std::size_t window = 0; window < run.size(); ++window) {
+                squares += (run.z[window] - expected[window]).squaredNorm();
+                count += 4;
+            }
+            const double f_hz = runs_[k].f_ref_hz + fit_.motion.runs[k].own[frequency_at];
+            add_envelope(k, envelope_decay(run, expected), f_hz, std::max(1.0, ratio));
+        }
+        fit_.residual_rms = scale_ * std::sqrt(squares / count);
+    }
+
+    void add_envelope(std::size_t run, const EnvelopeDecay& envelope, double f_hz, double ratio) {
+        Estimate& q = fit_.runs[run].q_envelope;
+        const double sd = envelope.sd * std::sqrt(ratio);
+        if (!std::isfinite(sd)) {
+            q.reason = {ReasonCode::too_few_windows, {}};
+            return;
+        }
+        const double factor = std::numbers::pi * f_hz;
+        const Estimate tau = decay_time(envelope.per_s, sd, sd);
+        q = tau.given() ? Estimate{factor * tau.value, factor * tau.sd, {}} : tau;
+        if (std::abs(envelope.per_s - envelope.model_per_s) > 3 * sd) {
+            fit_.warnings.push_back({DiagnosticKind::q_disagrees,
+                                     {recording_number(run), short_text(factor / envelope.per_s, 4),
+                                      short_text(factor / envelope.model_per_s, 4)}});
+        }
+    }
+
+    void warn(const MapFit& main) {
+        if (!main.converged) {
+            fit_.warnings.push_back({DiagnosticKind::fit_not_converged, {}});
+        }
+        for (std::size_t k = 0; k < fit_.runs.size(); ++k) {
+            const Estimate& drift = fit_.runs[k].drift_hz_per_s;
+            if (drift.given() && std::abs(drift.value) > 4 * drift.uncertainty()) {
+                fit_.warnings.push_back(
+                    {DiagnosticKind::frequency_drifts,
+                     {recording_number(k), short_text(drift.value, 3), short_text(drift.sd, 2)}});
+            }
+        }
+        const Estimate& power = fit_.resonator.frequency_per_power;
+        if (power.given()) {
+            fit_.warnings.push_back({DiagnosticKind::frequency_follows_amplitude,
+                                     {short_text(power.value, 3), short_text(power.sd, 2)}});
+        }
+    }
+
+    std::vector<PhasorRun> runs_;
+    std::vector<ScaledRun> scaled_;
+    double scale_;
+    const FitOptions& options_;
+    const JobControl& job_;
+    FitProblem problem_;
+    Estimate cubic_limit_;
+    ResonatorFit fit_;
+};
 
 }  // namespace
 
@@ -83,14 +321,10 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     for (const PhasorRun& run : good) {
         scaled.push_back(scaled_run(run, scale));
     }
-    Result<ModelChoice> choice = choose_model(scaled, options, job);
-    if (!choice) {
-        Error error = choice.error();
-        error.where = "the recordings";
-        return error;
+    ResonatorFit fit = SetFit(std::move(good), std::move(scaled), scale, options, job).fit();
+    if (job.cancelled()) {
+        return Error{ErrorCode::interrupted, {}, {}};
     }
-    ResonatorFit fit = estimates(*choice, good, scaled, scale);
-    tell_of_drifts(*choice, fit);
     return fit;
 }
 

@@ -1,10 +1,7 @@
-#include "core/resonator/start_values.h"
+#include "core/resonator/pencil_start.h"
 
-#include "core/numerics/line_fit.h"
 #include "core/numerics/phase.h"
 #include "core/resonator/delayed_pencil.h"
-#include "core/resonator/envelope_decay.h"
-#include "core/resonator/wave_angle.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -98,14 +95,21 @@ std::optional<SlowRates> rates_of(const Pencil& pencil, double seconds) {
     return vybeg::rates_of(Matrix(v * logs.asDiagonal() * v.inverse()));
 }
 
-}  // namespace
-
-FitState runs_under(std::span<const ScaledRun> runs, const SlowRates& rates) {
-    FitState state{to_shared(rates), {}};
+// Every run's frequency and start under given rates: the phasors are carried back by exp(-N t), the
+// frequency is the mean turn of what remains over lags that grow, the start is linear.
+Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rates) {
+    Eigen::VectorXd p = problem.priors.mean;
+    for (int k = 0; k < rate_count; ++k) {
+        if (problem.priors.sd[k] > 0) {
+            p[k] = rates.*all_rates[static_cast<std::size_t>(k)];
+        }
+    }
     SlowRates no_decay = rates;
     no_decay.decay_per_s = 0;
     const SlowDynamics turning(no_decay);
-    for (const ScaledRun& run : runs) {
+    const SlowDynamics motion(rates);
+    for (std::size_t index = 0; index < problem.runs.size(); ++index) {
+        const ScaledRun& run = problem.runs[index];
         std::vector<Vector2cd> back(run.size());
         for (std::size_t k = 0; k < run.size(); ++k) {
             back[k] = turning.propagator(-run.time_s[k]) * run.z[k];
@@ -113,53 +117,45 @@ FitState runs_under(std::span<const ScaledRun> runs, const SlowRates& rates) {
         const double f = mean_frequency(run, back);
         Matrix normal = Matrix::Zero();
         Vector2cd right = Vector2cd::Zero();
-        const SlowDynamics motion(rates);
         for (std::size_t k = 0; k < run.size(); ++k) {
             const double t = run.time_s[k];
-            const Matrix basis =
-                run.weight[k] * std::polar(1.0, 2 * pi * f * t) * motion.propagator(t);
+            const Matrix basis = run.weight[k] *
+                                 std::polar(1.0, 2 * pi * f * (t - run.reference_s)) *
+                                 motion.propagator(t);
             normal += basis.adjoint() * basis;
             right += basis.adjoint() * (run.weight[k] * run.z[k]);
         }
         const Vector2cd start = normal.inverse() * right;
-        Own own = Own::Zero();
-        own[frequency_index] = f;
-        own.segment<4>(start_index) << start[0].real(), start[0].imag(), start[1].real(),
-            start[1].imag();
-        state.runs.push_back(own);
+        p.segment<5>(problem.layout.at(index, 0)) << start[0].real(), start[0].imag(),
+            start[1].real(), start[1].imag(), f;
     }
-    return state;
+    return p;
 }
 
-FitState still_start(std::span<const ScaledRun> runs) {
-    double decay = 0;
-    double turn = 0;
-    double weights = 0;
-    for (const ScaledRun& run : runs) {
-        const WaveAngle angle = wave_angle(run);
-        const auto weight = static_cast<double>(angle.time_s.size());
-        // Beside a motion that does not decay.
-        decay += weight * envelope_decay(run, to_shared({}), Own::Ones()).per_s;
-        turn -= weight * fit_line(angle.time_s, angle.two_theta).slope;
-        weights += weight;
+double chi_square_at(const FitProblem& problem, const Eigen::VectorXd& p) {
+    double sum = 0;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        sum += chi_square(problem.runs[k], p.head(shared_count), own_of(problem.layout, p, k),
+                          problem.runs[k].size());
     }
-    // A beat may begin by growing; a motion that grows all the time would leave the numbers' range.
-    return runs_under(
-        runs, {.rotation_per_s = turn / weights, .decay_per_s = std::max(decay / weights, 0.0)});
+    return sum;
 }
 
-std::optional<FitState> pencil_start(std::span<const ScaledRun> runs) {
-    std::optional<FitState> best;
+}  // namespace
+
+std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem) {
+    const std::span<const ScaledRun> runs = problem.runs;
+    std::optional<Eigen::VectorXd> best;
     double least = std::numeric_limits<double>::infinity();
     const auto consider = [&](const std::optional<SlowRates>& rates) {
         if (!rates) {
             return;
         }
-        FitState state = runs_under(runs, *rates);
-        const double chi2 = chi_square(runs, state);
+        Eigen::VectorXd p = parameters_under(problem, *rates);
+        const double chi2 = chi_square_at(problem, p);
         if (chi2 < least) {
             least = chi2;
-            best = std::move(state);
+            best = std::move(p);
         }
     };
     std::vector<std::vector<Vector2cd>> z;

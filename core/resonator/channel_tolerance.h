@@ -1,0 +1,18 @@
+#pragma once
+
+namespace vybeg {
+
+// How well the channels are known: standard deviations about the ideal pair, over a whole run where
+// they drift. Zero: known exactly.
+struct ChannelTolerance {
+    double kappa = 0.01;     // relative
+    double skew_rad = 0;     // non-orthogonality of the pick-offs
+    double phase_rad = 0;    // of D against C: 2 pi f times the delay
+    double crosstalk = 0;    // of C into D in quadrature, relative
+    double phase_drift = 0;  // rad over a run
+    double gain_drift = 0;   // relative, over a run
+
+    friend bool operator==(const ChannelTolerance&, const ChannelTolerance&) = default;
+};
+
+}  // namespace vybeg

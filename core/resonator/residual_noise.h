@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/resonator/noise_shape.h"
+#include "core/resonator/residual_series.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace vybeg {
+
+// The noise of the residual by restricted maximum likelihood: what the fit has absorbed is taken
+// out of the likelihood (FIT section 4). A line of one of eight widths common to all series, and a
+// line or 1/f in the phase alone, each taken in where it raises the logarithm of the likelihood by
+// four.
+class NoiseEstimate {
+public:
+    NoiseEstimate(const FitProblem& problem, const Posterior& posterior);
+
+    const ResidualNoise& noise() const { return noise_; }
+
+    // S (sum X' V X) S: the data's part of the covariance under this noise. `white` is that of
+    // white noise.
+    Eigen::MatrixXd covariance(const Posterior& posterior, const Eigen::MatrixXd& white) const;
+
+private:
+    std::vector<ResidualSeries> series_;
+    ResidualNoise noise_;
+};
+
+}  // namespace vybeg
