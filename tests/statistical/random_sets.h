@@ -43,7 +43,8 @@ inline RandomSet random_set(std::uint64_t seed) {
     const double rotation = one_of({0, 4e-5, uniform(-0.2, 0.2)});
     gyro.omega_rad_s = rotation / (2 * gyro.bryan);
     gyro.kappa = uniform(0.99, 1.01);
-    const double windows = std::clamp(gyro.seconds * gyro.split_hz * 10, 100.0, 200.0);
+    // Short enough for Simpson's rule: a tenth of a radian of beat, rotation and offset.
+    const double windows = std::max(200.0, gyro.seconds * 60 * (gyro.split_hz + 0.4));
     const auto window = static_cast<std::int64_t>(gyro.seconds * gyro.rate_hz / windows);
     gyro.noise = std::pow(10, -uniform(40, 80) / 20);
     const double quadrature = one_of({0, 0.01, 0.3});
