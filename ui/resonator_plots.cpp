@@ -44,7 +44,7 @@ XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
 
 // The same by the fitted resonator: both agree where the motion is that of a resonator.
 XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
-    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates).matrix();
+    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
     XYSeries curve;
     curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "resonator"));
     curve.plain = true;

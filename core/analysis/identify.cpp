@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -110,6 +111,27 @@ std::vector<Result<Windows>> all_windows(std::span<const Recording> recordings,
     return found;
 }
 
+// A delay of D is a phase at the carrier.
+ChannelTolerance tolerance_of(const IdentifySettings& settings,
+                              const std::vector<PhasorRun>& phasors) {
+    const Tolerance& tolerance = settings.tolerance;
+    constexpr double degree = std::numbers::pi / 180;
+    const bool told = settings.signal.calibration.kappa != 1;
+    return {.kappa = tolerance.kappa.value_or(told ? 0 : ChannelTolerance{}.kappa),
+            .skew_rad = tolerance.skew_deg * degree,
+            .phase_rad = 2 * std::numbers::pi * phasors.front().f_ref_hz * tolerance.delay_s,
+            .crosstalk = tolerance.crosstalk,
+            .phase_drift = tolerance.phase_drift_rad,
+            .gain_drift = tolerance.gain_drift};
+}
+
+// The fit sees D times the calibration's gain ratio.
+void refer_to_recorded(double calibrated, Estimate& kappa) {
+    kappa.value *= calibrated;
+    kappa.sd *= calibrated;
+    kappa.u *= calibrated;
+}
+
 }  // namespace
 
 Result<Identification> identify(std::span<const Recording> recordings,
@@ -151,14 +173,15 @@ Result<Identification> identify(std::span<const Recording> recordings,
     found.timing.windows_s = fitted_from - begun;
     FitOptions options;
     options.model = settings.model;
-    options.estimate_kappa = settings.signal.calibration.kappa == 1;
+    options.tolerance = tolerance_of(settings, phasors);
     Result<ResonatorFit> fit = fit_resonator(phasors, options, job.silent());
     if (!fit) {
         return fit.error();
     }
     found.fit = std::move(*fit);
+    refer_to_recorded(settings.signal.calibration.kappa, found.fit.resonator.kappa);
     if (found.fit.model == ResonatorModel::structured) {
-        found.drift = drift_function(phasors);
+        found.drift = drift_function(phasors, found.fit);
         for (std::size_t k = 0; k < phasors.size(); ++k) {
             found.balance.push_back(channel_balance(phasors[k], found.fit.motion, k, track_points));
         }

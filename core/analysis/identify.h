@@ -15,12 +15,27 @@
 
 namespace vybeg {
 
+// How well the channels are known, in the units of the command line: standard deviations about the
+// calibrated pair. Zero: known exactly.
+struct Tolerance {
+    // Relative; none: 0.01, or 0 where the calibration tells a gain ratio other than 1.
+    std::optional<double> kappa;
+    double skew_deg = 0;
+    double delay_s = 0;
+    double crosstalk = 0;
+    double phase_drift_rad = 0;  // over a run
+    double gain_drift = 0;       // over a run
+
+    friend bool operator==(const Tolerance&, const Tolerance&) = default;
+};
+
 struct IdentifySettings {
     // Carrier, range, filter, calibration, periods, snap and threads; its algorithm, window, hop
     // and start values have no part: the fit demodulates at a fixed frequency.
     Settings signal;
     std::optional<std::int64_t> window;  // samples; neither it nor periods: default_phasor_window()
     FitOptions::Model model = FitOptions::Model::automatic;
+    Tolerance tolerance;
 
     friend bool operator==(const IdentifySettings&, const IdentifySettings&) = default;
 };
@@ -56,9 +71,9 @@ struct Identification {
 };
 
 // The whole road from the recordings of one resonator to the resonator (METHOD section 8): a set of
-// runs that differ in their start. The gain ratio of the channels is estimated where the settings
-// leave it at 1. Memory does not grow with the recordings, and the result is the same to the last
-// bit for any number of threads. Errors: setting_invalid, those of prepare(), fit_window_too_short,
+// runs that differ in their start. The gain ratio that is found is the one of the recorded signals.
+// Memory does not grow with the recordings, and the result is the same to the last bit for any
+// number of threads. Errors: setting_invalid, those of prepare(), fit_window_too_short,
 // window_too_long, no_valid_samples, those of fit_resonator(), interrupted. Precondition: at least
 // one recording.
 Result<Identification> identify(std::span<const Recording> recordings,

@@ -84,8 +84,10 @@ const std::map<DiagnosticKind, std::size_t> documented_kinds{
     {DiagnosticKind::q_disagrees, 3},
     {DiagnosticKind::decay_of_one_direction, 0},
     {DiagnosticKind::structured_refused, 1},
-    {DiagnosticKind::kappa_assumes_equal_damping, 0},
     {DiagnosticKind::residual_above_noise, 1},
+    {DiagnosticKind::residual_below_noise, 1},
+    {DiagnosticKind::residual_coloured, 1},
+    {DiagnosticKind::noise_too_narrow, 1},
     {DiagnosticKind::fit_not_converged, 0},
 };
 
