@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 constexpr std::size_t first_windows = 4;
 constexpr int short_steps = 12;  // of a fit to the first windows
-constexpr int all_steps = 60;
+constexpr int all_steps = 200;
 
 // 1/tau from the envelope: a straight line through log |z|, weighted with |z|.
 double envelope_decay(const ScaledRun& run) {
@@ -137,8 +137,11 @@ MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
     }
     problem.priors = all;
     MapFit best = fit_from(problem, p, job);
-    if (above_noise(problem, best)) {
-        if (const std::optional<Eigen::VectorXd> start = pencil_start(problem)) {
+    for (const Pencil kind : {Pencil::two_channels, Pencil::delayed}) {
+        if (!above_noise(problem, best)) {
+            break;
+        }
+        if (const std::optional<Eigen::VectorXd> start = pencil_start(problem, kind)) {
             MapFit fit = minimise(problem, *start, all_steps, job);
             if (fit.cost < best.cost) {
                 best = std::move(fit);

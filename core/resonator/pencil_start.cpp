@@ -65,13 +65,14 @@ std::vector<Vector2cd> aligned(const ScaledRun& run, double f) {
 }
 
 // Sums of z(t + lag) z(t)^H and z(t) z(t)^H.
-struct Pencil {
+struct PencilSums {
     Matrix late = Matrix::Zero();
     Matrix early = Matrix::Zero();
     double noise = 0;  // what noise alone adds to each diagonal entry of `early`
 };
 
-void add(Pencil& pencil, const ScaledRun& run, const std::vector<Vector2cd>& z, std::size_t lag) {
+void add(PencilSums& pencil, const ScaledRun& run, const std::vector<Vector2cd>& z,
+         std::size_t lag) {
     for_pairs(run, lag, [&](std::size_t k, std::size_t l) {
         pencil.late += z[l] * z[k].adjoint();
         pencil.early += z[k] * z[k].adjoint();
@@ -80,7 +81,7 @@ void add(Pencil& pencil, const ScaledRun& run, const std::vector<Vector2cd>& z, 
 }
 
 // log(E)/lag; nothing where the phasors show one direction only, or a mode grows or turns too far.
-std::optional<SlowRates> rates_of(const Pencil& pencil, double seconds) {
+std::optional<SlowRates> rates_of(const PencilSums& pencil, double seconds) {
     const Eigen::SelfAdjointEigenSolver<Matrix> seen(pencil.early, Eigen::EigenvaluesOnly);
     if (!(seen.eigenvalues()[0] > 4 * pencil.noise)) {
         return std::nullopt;
@@ -143,7 +144,7 @@ double chi_square_at(const FitProblem& problem, const Eigen::VectorXd& p) {
 
 }  // namespace
 
-std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem) {
+std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind) {
     const std::span<const ScaledRun> runs = problem.runs;
     std::optional<Eigen::VectorXd> best;
     double least = std::numeric_limits<double>::infinity();
@@ -165,19 +166,22 @@ std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem) {
         longest = std::max(longest, steps(run));
     }
     for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, longest / 3); lag *= 4) {
-        Pencil all;
+        PencilSums all;
         for (std::size_t k = 0; k < runs.size(); ++k) {
-            Pencil one;
+            if (kind == Pencil::delayed) {
+                consider(delayed_pencil(runs[k], z[k], lag));
+                continue;
+            }
+            PencilSums one;
             add(one, runs[k], z[k], lag);
             consider(rates_of(one, static_cast<double>(lag) * runs[k].step_s));
-            consider(delayed_pencil(runs[k], z[k], lag));
             if (std::abs(runs[k].step_s / runs[0].step_s - 1) < 1e-3) {
                 all.late += one.late;
                 all.early += one.early;
                 all.noise += one.noise;
             }
         }
-        if (runs.size() > 1) {
+        if (runs.size() > 1 && kind == Pencil::two_channels) {
             consider(rates_of(all, static_cast<double>(lag) * runs[0].step_s));
         }
     }

@@ -127,9 +127,8 @@ private:
             start[held] = 0;
         }
         MapFit free_fit = fit_near_or_from_nothing(free, start);
-        const double free_dof = degrees_of_freedom(free);
         const StructuredVerdict verdict =
-            test_structured(problem_, main, free_fit, free_dof, options_.tolerance, job_);
+            test_structured(problem_, main, free, free_fit, options_.tolerance, job_);
         fit_.free_over_structured = verdict.free_over_structured;
         if (options_.model == Model::automatic && verdict.structured) {
             return;

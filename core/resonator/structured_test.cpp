@@ -2,11 +2,15 @@
 
 #include "core/base/number_text.h"
 #include "core/resonator/fit_start.h"
+#include "core/resonator/residual_noise.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <span>
+#include <vector>
 
 namespace vybeg {
 namespace {
@@ -34,16 +38,39 @@ constexpr std::array<Term, 5> terms{{{kappa_at, "kappa", 1, ""},
                                      {damping_sin_at, "g sin 4theta_tau", 1, " 1/s"},
                                      {rotation_at, "r", 1, " rad/s"}}};
 
-}  // namespace
+// By how much the colour of the free fit's residual widens the variances of its rates, at most.
+double widening(const FitProblem& free_problem, const MapFit& free) {
+    const Posterior white = posterior(free_problem, free);
+    const Eigen::MatrixXd coloured =
+        NoiseEstimate(free_problem, white).covariance(white, white.data);
+    double most = 1;
+    for (std::size_t k = 0; k < white.active.size() && white.active[k] < rate_count; ++k) {
+        const auto at = static_cast<Eigen::Index>(k);
+        most = std::max(most, coloured(at, at) / white.data(at, at));
+    }
+    return most;
+}
 
-StructuredVerdict test_structured(const FitProblem& problem, const MapFit& main, const MapFit& free,
-                                  double free_dof, const ChannelTolerance& tolerance,
-                                  const JobControl& job) {
+// The runs with their noise `scale` times as large in variance.
+std::vector<ScaledRun> with_noise(std::span<const ScaledRun> runs, double scale) {
+    std::vector<ScaledRun> noisier(runs.begin(), runs.end());
+    for (ScaledRun& run : noisier) {
+        for (double& weight : run.weight) {
+            weight /= std::sqrt(scale);
+        }
+    }
+    return noisier;
+}
+
+// `scale`: variance of the noise in units of that of the windows.
+StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const MapFit& free,
+                        double scale, const ChannelTolerance& tolerance, const JobControl& job) {
     const double dof = degrees_of_freedom(problem);
-    const bool fits = main.chi2 / dof < 1 + fits_noise * std::sqrt(2 / dof);
+    const bool fits = main.chi2 / dof < scale * (1 + fits_noise * std::sqrt(2 / dof));
     const double decay = std::abs((fits ? main.p : still_waves(problem))[decay_at]);
-    const double scale = std::max(1.0, free.chi2 / free_dof);
+    const std::vector<ScaledRun> runs = with_noise(problem.runs, scale);
     FitProblem narrow = problem;
+    narrow.runs = runs;
     narrow.damping_share = damping_width;
     Priors& priors = narrow.priors;
     priors.sd[kappa_at] = std::max(kappa_width, tolerance.kappa);
@@ -58,8 +85,8 @@ StructuredVerdict test_structured(const FitProblem& problem, const MapFit& main,
         const MapFit fit =
             from_nothing ? fit_from_nothing(trial, job) : minimise(trial, main.p, 60, job);
         StructuredVerdict verdict;
-        verdict.penalty = std::max(fit.chi2 - main.chi2, 0.0) / scale;
-        verdict.free_over_structured = (fit.chi2 - free.chi2) / scale;
+        verdict.penalty = std::max(fit.chi2 - main.chi2 / scale, 0.0);
+        verdict.free_over_structured = fit.chi2 - free.chi2 / scale;
         double most = verdict.penalty;
         verdict.reason = "chi^2 + " + short_text(verdict.penalty, 3);
         for (const Term& term : terms) {
@@ -82,6 +109,22 @@ StructuredVerdict test_structured(const FitProblem& problem, const MapFit& main,
         }
     }
     return best;
+}
+
+}  // namespace
+
+StructuredVerdict test_structured(const FitProblem& problem, const MapFit& main,
+                                  const FitProblem& free_problem, const MapFit& free,
+                                  const ChannelTolerance& tolerance, const JobControl& job) {
+    const double ratio = std::max(1.0, free.chi2 / degrees_of_freedom(free_problem));
+    StructuredVerdict verdict = judge(problem, main, free, ratio, tolerance, job);
+    if (!verdict.structured) {
+        const double scale = std::max(ratio, widening(free_problem, free));
+        if (scale > ratio) {
+            verdict = judge(problem, main, free, scale, tolerance, job);
+        }
+    }
+    return verdict;
 }
 
 }  // namespace vybeg

@@ -15,14 +15,15 @@ namespace vybeg {
 struct StructuredVerdict {
     bool structured = true;
     double penalty = 0;  // squared deviations of those from small values, and the rise of chi^2
-    double free_over_structured = 0;  // fall of chi^2 to the free fit, in units of its chi^2/dof
+    double free_over_structured = 0;  // fall of chi^2 to the free fit, in units of its noise
     std::string reason;               // the term that weighs most where it is refused
 };
 
-// `main`: the structured fit of `problem`; `free`: the free fit of the same runs with `free_dof`
-// degrees of freedom. Larger tolerances than the test's own widths take their place.
-StructuredVerdict test_structured(const FitProblem& problem, const MapFit& main, const MapFit& free,
-                                  double free_dof, const ChannelTolerance& tolerance,
-                                  const JobControl& job);
+// `main`: the structured fit of `problem`; `free`: the fit of `free_problem`, the same runs. Larger
+// tolerances than the test's own widths take their place. Where the residual of the free fit is
+// coloured, the data count for less by as much as that widens its rates.
+StructuredVerdict test_structured(const FitProblem& problem, const MapFit& main,
+                                  const FitProblem& free_problem, const MapFit& free,
+                                  const ChannelTolerance& tolerance, const JobControl& job);
 
 }  // namespace vybeg
