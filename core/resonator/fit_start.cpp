@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -17,7 +18,10 @@ using std::numbers::pi;
 
 constexpr std::size_t first_windows = 4;
 constexpr int short_steps = 12;  // of a fit to the first windows
-constexpr int all_steps = 200;
+constexpr int all_steps = 60;
+constexpr int polish_steps = 200;  // of the best fit, where it did not converge
+constexpr double hopeless = 100;   // chi^2 over the number of residuals that is not polished
+constexpr double noise_ratio = 2;  // of chi^2 over the number of residuals
 
 // 1/tau from the envelope: a straight line through log |z|, weighted with |z|.
 double envelope_decay(const ScaledRun& run) {
@@ -70,12 +74,37 @@ std::size_t longest(const FitProblem& problem) {
     return most;
 }
 
-bool above_noise(const FitProblem& problem, const MapFit& fit) {
-    double residuals = 0;
+// Number of residuals of the first `windows` windows of each run.
+double residuals(const FitProblem& problem, std::size_t windows) {
+    double count = 0;
     for (const ScaledRun& run : problem.runs) {
-        residuals += 4 * static_cast<double>(run.size());
+        count += 4 * static_cast<double>(std::min(windows, run.size()));
     }
-    return fit.cost > 2 * residuals;
+    return count;
+}
+
+bool above_noise(const FitProblem& problem, const MapFit& fit) {
+    return fit.cost > noise_ratio * residuals(problem, longest(problem));
+}
+
+// The fit to the first windows, and to more and more of them.
+struct Lengthened {
+    Eigen::VectorXd p;
+    bool at_noise = true;  // the last of those fits left no more than twice the noise
+};
+
+Lengthened fit_lengthening(FitProblem& problem, const JobControl& job) {
+    Lengthened out{still_waves(problem)};
+    const Priors all = problem.priors;
+    const std::size_t windows = longest(problem);
+    for (std::size_t count = first_windows; count < windows; count += count / 2 + 1) {
+        problem.priors = without_refinements(all, problem.layout);
+        set_damping(problem.priors, problem.damping_share * out.p[decay_at]);
+        const MapFit fit = minimise(problem, out.p, short_steps, job, count);
+        out.p = fit.p;
+        out.at_noise = fit.cost < noise_ratio * residuals(problem, count);
+    }
+    return out;
 }
 
 // From the fit of each run alone: its shared parameters for all, everyone's own ones.
@@ -127,29 +156,37 @@ Eigen::VectorXd still_waves(const FitProblem& problem) {
 }
 
 MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
-    Eigen::VectorXd p = still_waves(problem);
     const Priors all = problem.priors;
-    const auto windows = longest(problem);
-    for (std::size_t count = first_windows; count < windows; count += count / 2 + 1) {
-        problem.priors = without_refinements(all, problem.layout);
-        set_damping(problem.priors, problem.damping_share * p[decay_at]);
-        p = minimise(problem, p, short_steps, job, count).p;
-    }
+    const Lengthened lengthened = fit_lengthening(problem, job);
     problem.priors = all;
-    MapFit best = fit_from(problem, p, job);
+    set_damping(problem.priors, problem.damping_share * lengthened.p[decay_at]);
+    MapFit best{lengthened.p, std::numeric_limits<double>::infinity(), 0, false};
+    const auto try_start = [&](const Eigen::VectorXd& start) {
+        MapFit fit = minimise(problem, start, all_steps, job);
+        if (fit.cost < best.cost) {
+            best = std::move(fit);
+        }
+    };
+    if (lengthened.at_noise) {
+        try_start(lengthened.p);
+    }
     for (const Pencil kind : {Pencil::two_channels, Pencil::delayed}) {
         if (!above_noise(problem, best)) {
             break;
         }
         if (const std::optional<Eigen::VectorXd> start = pencil_start(problem, kind)) {
-            MapFit fit = minimise(problem, *start, all_steps, job);
-            if (fit.cost < best.cost) {
-                best = std::move(fit);
-            }
+            try_start(*start);
         }
+    }
+    // Lengthening that never came down to the noise is the last resort: it ends far from a minimum.
+    if (!lengthened.at_noise && above_noise(problem, best)) {
+        try_start(lengthened.p);
     }
     if (problem.runs.size() > 1 && above_noise(problem, best)) {
         try_alone(problem, job, best);
+    }
+    if (!best.converged && best.cost < hopeless * residuals(problem, longest(problem))) {
+        best = minimise(problem, best.p, polish_steps, job);
     }
     return best;
 }
