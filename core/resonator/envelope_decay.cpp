@@ -1,5 +1,6 @@
 #include "core/resonator/envelope_decay.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,13 +35,23 @@ EnvelopeDecay envelope_decay(const ScaledRun& run, std::span<const Eigen::Vector
     double spread = 0;
     double seen = 0;
     double fitted = 0;
+    double difference = 0;  // of measured and expected logarithm
+    double square = 0;
     for_windows([&](std::size_t k, double power, double weight) {
         const double t = run.time_s[k] - mean_t;
         spread += weight * t * t;
         seen += weight * t * std::log(power);
         fitted += weight * t * std::log(expected[k].squaredNorm());
+        const double off = std::log(power / expected[k].squaredNorm());
+        difference += weight * off;
+        square += weight * off * off;
     });
-    return {-seen / spread / 2, 0.5 / std::sqrt(spread), -fitted / spread / 2};
+    // A motion that is no line bends both alike: the scatter is that about the expected one.
+    const double slope = (seen - fitted) / spread;
+    const double scatter =
+        (square - difference * difference / weights - slope * slope * spread) / (used - 2);
+    return {-seen / spread / 2, 0.5 * std::sqrt(std::max(scatter, 1.0) / spread),
+            -fitted / spread / 2};
 }
 
 }  // namespace vybeg

@@ -12,7 +12,8 @@ namespace vybeg {
 // through log |z|^2, down to a power of 100 noise variances.
 struct EnvelopeDecay {
     double per_s = 0;        // 1/tau, half the slope
-    double sd = 0;           // from white noise; infinite for fewer than three usable windows
+    double sd = 0;           // from the scatter about the line, no less than that of the noise;
+                             // infinite for fewer than three usable windows
     double model_per_s = 0;  // the same line through the power of `expected`
 };
 

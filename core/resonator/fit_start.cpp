@@ -21,7 +21,6 @@ constexpr int short_steps = 12;  // of a fit to the first windows
 constexpr int all_steps = 60;
 constexpr int polish_steps = 200;  // of the best fit, where it did not converge
 constexpr double hopeless = 100;   // chi^2 over the number of residuals that is not polished
-constexpr double noise_ratio = 2;  // of chi^2 over the number of residuals
 
 // 1/tau from the envelope: a straight line through log |z|, weighted with |z|.
 double envelope_decay(const ScaledRun& run) {
@@ -84,7 +83,7 @@ double residuals(const FitProblem& problem, std::size_t windows) {
 }
 
 bool above_noise(const FitProblem& problem, const MapFit& fit) {
-    return fit.cost > noise_ratio * residuals(problem, longest(problem));
+    return fit.cost > problem.noise_ratio * residuals(problem, longest(problem));
 }
 
 // The fit to the first windows, and to more and more of them.
@@ -93,16 +92,21 @@ struct Lengthened {
     bool at_noise = true;  // the last of those fits left no more than twice the noise
 };
 
-Lengthened fit_lengthening(FitProblem& problem, const JobControl& job) {
+Lengthened fit_lengthening(FitProblem problem, FirstFit kind, const JobControl& job) {
     Lengthened out{still_waves(problem)};
     const Priors all = problem.priors;
     const std::size_t windows = longest(problem);
     for (std::size_t count = first_windows; count < windows; count += count / 2 + 1) {
-        problem.priors = without_refinements(all, problem.layout);
+        problem.priors = all;
         set_damping(problem.priors, problem.damping_share * out.p[decay_at]);
+        problem.priors = first_priors(problem.priors, problem.layout, kind);
         const MapFit fit = minimise(problem, out.p, short_steps, job, count);
         out.p = fit.p;
-        out.at_noise = fit.cost < noise_ratio * residuals(problem, count);
+        if (kind == FirstFit::drifting_wave && count > 2 * first_windows &&
+            fit.cost > hopeless * residuals(problem, count)) {
+            return {out.p, false};
+        }
+        out.at_noise = fit.cost < problem.noise_ratio * residuals(problem, count);
     }
     return out;
 }
@@ -117,8 +121,11 @@ void try_alone(FitProblem& problem, const JobControl& job, MapFit& best) {
     Eigen::VectorXd own = best.p;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
         const std::array breaks{problem.runs[k].breaks_s.size()};
-        FitProblem one{
-            problem.runs.subspan(k, 1), ParameterLayout(breaks), {}, problem.damping_share};
+        FitProblem one{problem.runs.subspan(k, 1),
+                       ParameterLayout(breaks),
+                       {},
+                       problem.noise_ratio,
+                       problem.damping_share};
         const auto part = [&](const Eigen::VectorXd& of_all) {
             Eigen::VectorXd of_one(one.layout.size());
             of_one << of_all.head(shared_count), own_of(problem.layout, of_all, k);
@@ -156,11 +163,9 @@ Eigen::VectorXd still_waves(const FitProblem& problem) {
 }
 
 MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
-    const Priors all = problem.priors;
-    const Lengthened lengthened = fit_lengthening(problem, job);
-    problem.priors = all;
+    const Lengthened lengthened = fit_lengthening(problem, FirstFit::moving_wave, job);
     set_damping(problem.priors, problem.damping_share * lengthened.p[decay_at]);
-    MapFit best{lengthened.p, std::numeric_limits<double>::infinity(), 0, false};
+    MapFit best{lengthened.p, std::numeric_limits<double>::infinity()};
     const auto try_start = [&](const Eigen::VectorXd& start) {
         MapFit fit = minimise(problem, start, all_steps, job);
         if (fit.cost < best.cost) {
@@ -169,6 +174,12 @@ MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
     };
     if (lengthened.at_noise) {
         try_start(lengthened.p);
+    }
+    // What a drift does to a still wave, rates that it does not see can do as well: from there the
+    // fit would not come back.
+    const Lengthened drifting = fit_lengthening(problem, FirstFit::drifting_wave, job);
+    if (drifting.at_noise) {
+        try_start(drifting.p);
     }
     for (const Pencil kind : {Pencil::two_channels, Pencil::delayed}) {
         if (!above_noise(problem, best)) {

@@ -6,7 +6,8 @@ namespace vybeg {
 
 // The maximum of the posterior from no start values (FIT section 2): a still wave with the phase
 // steps of the first windows and the decay of the envelope, fitted to the first windows of each run
-// and to more and more of them, which keeps every phase within its basin; then to all windows with
+// and to more and more of them, which keeps every phase within its basin, once with the rates and
+// once with a drift instead; then to all windows with
 // all parameters. Where that leaves more than twice the noise, also from the best matrix pencil,
 // and from the best of the runs fitted alone. The posterior has several maxima: the lowest cost
 // counts. Sets the prior of the damping anisotropy in `problem` from the decay found.

@@ -14,7 +14,7 @@ constexpr double no_cost = std::numeric_limits<double>::infinity();
 constexpr double first_damping = 1e-8;
 constexpr double least_damping = 1e-12;
 constexpr double most_damping = 1e6;
-constexpr double least_gain = 1e-6;
+constexpr double least_gain = 1e-5;
 
 struct Cost {
     double data = 0;
@@ -130,7 +130,7 @@ Eigen::MatrixXd information(const FitProblem& problem, std::span<const Linearise
 MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int steps,
                 const JobControl& job, std::size_t windows) {
     const std::vector<Eigen::Index> active = problem.priors.active();
-    MapFit fit{start, 0, 0, false};
+    MapFit fit{start};
     Cost now = cost_of(problem, fit.p, windows);
     double damping = first_damping;
     for (int step = 0; step < steps && !fit.converged && !job.cancelled(); ++step) {
@@ -160,6 +160,7 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
             }
             damping = std::max(10 * damping, 1e-7);
         }
+        fit.last_gain = gain;
         fit.converged = std::abs(gain) < least_gain * (1 + 1e-6 * now.all);
         damping = std::max(damping / 30, least_damping);
     }

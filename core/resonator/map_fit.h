@@ -27,6 +27,8 @@ struct FitProblem {
     std::span<const ScaledRun> runs;
     ParameterLayout layout;
     Priors priors;
+    double noise_ratio =
+        2;  // of chi^2 to the residuals' number, above which other starts are tried
     double damping_share = 1;  // width of the damping anisotropy's prior, in units of 1/tau
     std::optional<HeldDirection> held = {};
 };
@@ -47,15 +49,16 @@ Eigen::MatrixXd information(const FitProblem& problem, std::span<const Linearise
 
 struct MapFit {
     Eigen::VectorXd p;
-    double cost = 0;  // of data, priors and held direction
-    double chi2 = 0;  // of the data
+    double cost = 0;       // of data, priors and held direction
+    double chi2 = 0;       // of the data
+    double last_gain = 0;  // fall of the cost in the last step
     bool converged = false;
 };
 
 // Levenberg and Marquardt from p, the normal matrix scaled to a unit diagonal, at most `steps` of
-// them; ends where a step lowers the cost by less than 1e-6. With `windows`, only so many of the
-// first windows of each run count. One thread, the same bits every time. A cancelled job ends it
-// early. Precondition: the cost at p is finite.
+// them; ends where a step lowers the cost by less than 1e-5, a three-hundredth of a standard
+// deviation. With `windows`, only so many of the first windows of each run count. One thread, the
+// same bits every time. A cancelled job ends it early. Precondition: the cost at p is finite.
 MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& p, int steps,
                 const JobControl& job,
                 std::size_t windows = std::numeric_limits<std::size_t>::max());

@@ -9,9 +9,7 @@
 namespace vybeg {
 namespace {
 
-// Of a merged window, rad. A turn together takes a part of the amplitude, exactly known: 4 % of it.
-constexpr double most_together = 1;
-constexpr double most_apart = 0.3;
+constexpr double most_turn = 0.3;  // rad
 
 // Whether window k + 1 follows window k with nothing between them.
 bool touch(const PhasorRun& run, std::size_t k) {
@@ -51,33 +49,18 @@ std::vector<double> merged_correlation(const PhasorRun& run, std::size_t count) 
     return correlation;
 }
 
-// How far the phasors turn from one window to the next, rad: all together by the run's frequency,
-// and each against that, root mean square over its size and without the noise.
-struct Turn {
-    double together = 0;
-    double apart = 0;
-};
-
-Turn turn_per_window(const PhasorRun& run) {
-    std::complex<double> step = 0;
-    for (std::size_t k = 0; k + 1 < run.time_s.size(); ++k) {
-        if (touch(run, k)) {
-            step += run.c[k + 1] * std::conj(run.c[k]) + run.d[k + 1] * std::conj(run.d[k]);
-        }
-    }
-    const double together = std::arg(step);
-    const std::complex<double> back = std::polar(1.0, -together);
+// Root mean square change of z from one window to the next, over its size, without the noise.
+double turn_per_window(const PhasorRun& run) {
     double change = 0;
     double power = 0;
     for (std::size_t k = 0; k + 1 < run.time_s.size(); ++k) {
         if (touch(run, k)) {
-            change += std::norm(back * run.c[k + 1] - run.c[k]) +
-                      std::norm(back * run.d[k + 1] - run.d[k]) -
+            change += std::norm(run.c[k + 1] - run.c[k]) + std::norm(run.d[k + 1] - run.d[k]) -
                       4 * (run.sd[k] * run.sd[k] + run.sd[k + 1] * run.sd[k + 1]);
             power += std::norm(run.c[k]) + std::norm(run.d[k]);
         }
     }
-    return {std::abs(together), power > 0 ? std::sqrt(std::max(change, 0.0) / power) : most_apart};
+    return power > 0 ? std::sqrt(std::max(change, 0.0) / power) : most_turn;
 }
 
 // `count` windows at a time; those that do not touch begin anew.
@@ -122,9 +105,7 @@ PhasorRun merge_windows(const PhasorRun& run, std::size_t most) {
     if (windows <= most) {
         return run;
     }
-    const Turn turn = turn_per_window(run);
-    const double by_turn = std::min(most_together / std::max(turn.together, 1e-9),
-                                    most_apart / std::max(turn.apart, 1e-9));
+    const double by_turn = most_turn / std::max(turn_per_window(run), 1e-9);
     std::size_t count =
         std::min((windows + most - 1) / most, static_cast<std::size_t>(std::max(by_turn, 1.0)));
     for (; count > 1; count /= 2) {

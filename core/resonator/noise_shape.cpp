@@ -20,6 +20,9 @@ double one_over_f(double x) {
 Eigen::MatrixXd shape_covariance(const NoiseShape& shape, const std::vector<double>& time_s,
                                  double window_s) {
     const auto n = static_cast<Eigen::Index>(time_s.size());
+    if (std::isinf(shape.half_width_hz)) {
+        return Eigen::MatrixXd::Identity(n, n);
+    }
     Eigen::MatrixXd covariance(n, n);
     const double rate = 2 * std::numbers::pi * shape.half_width_hz;
     const double turn = rate * window_s;

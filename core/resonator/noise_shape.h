@@ -2,13 +2,16 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace vybeg {
 
-// The shape of a part of the noise about the carrier: a line of Lorentz with a half width, or 1/f.
+// The shape of a part of the noise about the carrier: a line of Lorentz with a half width, 1/f, or
+// white.
 struct NoiseShape {
-    double half_width_hz = 0;  // 0: 1/f
+    double half_width_hz = 0;  // 0: 1/f; infinite: white
     bool of_phase = false;     // in the phase alone, in proportion to the amplitude
 };
 
@@ -25,7 +28,13 @@ struct ResidualNoise {
     // constant over the run, which no residual shows.
     bool narrowest = false;
 
-    bool white() const { return parts.empty(); }
+    // Nothing beside the noise of the windows.
+    bool as_expected() const { return parts.empty(); }
+    // Beside it, more white noise at most.
+    bool white() const {
+        return std::ranges::all_of(
+            parts, [](const Part& part) { return std::isinf(part.shape.half_width_hz); });
+    }
 };
 
 // Covariances of the means over windows of `window_s` at the given instants. A line: variance 1,

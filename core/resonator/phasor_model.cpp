@@ -40,12 +40,13 @@ Motion propagated(const SlowDynamics::Propagation& step, const Motion& from) {
 }
 
 // The phases that the cubic term gives u+ and u- in the time t.
-Motion kicked(const Motion& from, double cubic, double t, double power) {
-    const double g = 2 * pi / 3 * t;
+Motion kicked(const Motion& from, double cubic, double t, const ScaledRun& run) {
+    // The spring feels the whole amplitude, of which a window's mean has lost a part.
+    const double g = 2 * pi / 3 * t / run.power_kept;
     const Complex plus = from.z[0] + i * from.z[1];
     const Complex minus = from.z[0] - i * from.z[1];
-    const double p = std::norm(plus) + 2 * std::norm(minus) - 3 * power;
-    const double m = std::norm(minus) + 2 * std::norm(plus) - 3 * power;
+    const double p = std::norm(plus) + 2 * std::norm(minus) - 3 * run.power;
+    const double m = std::norm(minus) + 2 * std::norm(plus) - 3 * run.power;
     const Complex turn_plus = std::polar(1.0, cubic * g * p);
     const Complex turn_minus = std::polar(1.0, cubic * g * m);
     const auto back = [](Complex u_plus, Complex u_minus) {
@@ -100,8 +101,8 @@ public:
             h_ = h;
         }
         for (double k = 0; k < count; ++k) {
-            now_ = kicked(now_, cubic_, h / 2, run_.power);
-            now_ = kicked(propagated(*step_, now_), cubic_, h / 2, run_.power);
+            now_ = kicked(now_, cubic_, h / 2, run_);
+            now_ = kicked(propagated(*step_, now_), cubic_, h / 2, run_);
         }
         time_s_ = t;
         return now_;

@@ -19,10 +19,10 @@ struct PhasorRun {
     std::vector<std::complex<double>> d;
     std::vector<double> sd;  // of the real and of the imaginary part of c and of d
     // Correlation of the noise of windows 0, 1, 2, ... windows apart; empty where it is white.
-    std::vector<double> noise_correlation;
+    std::vector<double> noise_correlation{};
     // Instants at which an unknown number of samples is missing: the phase of the windows after one
     // is not known against that of the windows before it.
-    std::vector<double> phase_breaks_s;
+    std::vector<double> phase_breaks_s{};
 };
 
 }  // namespace vybeg

@@ -46,8 +46,12 @@ void open_cubic(Priors& priors, std::span<const ScaledRun> runs);
 // 1/tau states nothing.
 void set_damping(Priors& priors, double width_per_s);
 
-// Holds the channels, the cubic term and the drifts at their means: what the first windows of a run
-// cannot tell.
-Priors without_refinements(Priors priors, const ParameterLayout& layout);
+// What stays free while the first windows of the runs are fitted. Channels and cubic term are held
+// in both, because so few windows cannot tell them.
+enum class FirstFit {
+    moving_wave,    // the rates; no drift
+    drifting_wave,  // the drift; a still wave that decays
+};
+Priors first_priors(Priors priors, const ParameterLayout& layout, FirstFit kind);
 
 }  // namespace vybeg

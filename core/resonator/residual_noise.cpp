@@ -105,6 +105,7 @@ public:
             common_.push_back({width, false});
             phase_.push_back({width, true});
         }
+        common_.push_back({std::numeric_limits<double>::infinity(), false});
         phase_.push_back({0, true});
     }
 
@@ -296,7 +297,7 @@ NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posteri
 }
 
 MatrixXd NoiseEstimate::covariance(const Posterior& posterior, const MatrixXd& white) const {
-    if (noise_.white()) {
+    if (noise_.as_expected()) {
         return white;
     }
     const Index size = posterior.covariance.rows();

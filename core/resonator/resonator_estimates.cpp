@@ -25,6 +25,8 @@ constexpr double modes_need = 5;  // of the modes' difference
 constexpr double narrowed = 0.1;  // of a channel's tolerance
 constexpr double limit_sd = 2;
 constexpr double much_turned_deg = 22.5;
+constexpr double clear_value = 20;    // standard deviations
+constexpr double circular_below = 5;  // standard deviations of the smaller travelling wave
 
 class Estimates {
 public:
@@ -48,6 +50,11 @@ public:
 private:
     bool unseen(Index quantity, double share) const {
         return at_.nothing[quantity] > share * at_.total(quantity);
+    }
+
+    // A rotation that is many times what an anisotropy allowed by passivity could feign is seen.
+    bool known_against_itself(Index quantity) const {
+        return std::abs(at_.value[quantity]) > clear_value * at_.u(quantity);
     }
 
     Estimate number(Index quantity, double factor = 1, double origin = 0) const {
@@ -168,7 +175,7 @@ private:
         out.tau_s = decay_time_of(decay_of, one_direction);
         out.q = quality(decay_of, f_ref_hz_ + at_.value[f_mean_of], out.tau_s);
         out.angle_rate_rad_s =
-            unseen(angle_rate_of, own_share)
+            unseen(angle_rate_of, own_share) && !known_against_itself(angle_rate_of)
                 ? Estimate{.reason = other_direction(ReasonCode::confounded_rotation)}
                 : number(angle_rate_of);
         out.kappa = channel(kappa_of, kappa_at, 1);
@@ -230,6 +237,27 @@ private:
         }
     }
 
+    // Largest statistical deviations of the travelling waves u+- = c +- i d of a run's start.
+    struct TravellingSd {
+        double plus = 0;
+        double minus = 0;
+    };
+
+    TravellingSd travelling_sd(std::size_t run) const {
+        const Posterior& p = set_.posterior;
+        const Index first =
+            std::ranges::find(p.active, set_.problem->layout.at(run, start_at)) - p.active.begin();
+        const Eigen::Matrix4d start = (p.data + p.nothing).block<4, 4>(first, first);
+        const auto largest = [&](double sign) {
+            Eigen::Matrix<double, 2, 4> of_start;
+            of_start << 1, 0, 0, -sign, 0, 1, sign, 0;
+            const Eigen::Matrix2d spread = of_start * start * of_start.transpose();
+            return std::sqrt(
+                Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[1]);
+        };
+        return {largest(1), largest(-1)};
+    }
+
     void add_runs() {
         const Reason rests{ReasonCode::rests_on_unseen, {}};
         for (std::size_t k = 0; k < runs_.size(); ++k) {
@@ -239,9 +267,12 @@ private:
             run.a_A = derived(at(a_A_of), rests, set_.scale);
             run.a_B = derived(at(a_B_of), rests, set_.scale);
             run.drift_hz_per_s = derived(at(run_drift_of), {ReasonCode::drift_not_seen, {}});
-            const double a_sd = std::sqrt(std::max(at_.data[at(a_A_of)], 0.0));
-            if (at_.value[at(a_A_of)] - std::abs(at_.value[at(a_B_of)]) < 3 * a_sd) {
+            const TravellingSd sd = travelling_sd(k);
+            const double smaller = at_.value[at(a_A_of)] - std::abs(at_.value[at(a_B_of)]);
+            if (smaller < circular_below * std::min(sd.plus, sd.minus)) {
                 const Estimate circular{.reason = {ReasonCode::circular_wave, {}}};
+                // Both amplitudes have a cusp where a travelling wave vanishes.
+                run.a_A.sd = run.a_B.sd = set_.scale * std::hypot(sd.plus, sd.minus) / 2;
                 run.two_theta_A_rad = run.split_sin_hz = circular;
                 run.direction_f_hz = run.direction_tau_s = circular;
             } else {

@@ -22,8 +22,12 @@ namespace {
 constexpr std::size_t least_windows = 8;
 // Of one run, where its motion within a window allows: the fit's time grows with their number.
 constexpr std::size_t enough_windows = 150;
+constexpr std::size_t many_windows = 1000;  // where the frequency changes on the way
+constexpr double uneven_turn = 0.003;       // rad
 // Fall of chi^2 from which on a dependence of the frequency on the amplitude is fitted.
 constexpr double cubic_fall = 25;
+// Of the last step: a tenth of a standard deviation. Along what is not seen a fit creeps for ever.
+constexpr double unfinished_gain = 0.01;
 // Size of split and anisotropy from which on they are given, standard deviations.
 constexpr double vector_needs = 3;
 constexpr double vector_needs_coloured = 5;
@@ -144,10 +148,14 @@ private:
     // |z|^2 of channels of unknown scale beats, so that the free model has no cubic term.
     MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
         MapFit near = minimise(problem, start, 60, job_);
-        if (near.chi2 < 2 * degrees_of_freedom(problem)) {
+        const double dof = degrees_of_freedom(problem);
+        const double ratio = 1 + 6 * std::sqrt(2 / dof);
+        if (near.chi2 < ratio * dof) {
             return near;
         }
+        // Channels that see nearly one mixture hide the second mode in a chi^2 of two.
         FitProblem anew = problem;
+        anew.noise_ratio = ratio;
         anew.damping_share = std::numeric_limits<double>::infinity();
         MapFit fit = fit_from_nothing(anew, job_);
         return fit.cost < near.cost ? fit : near;
@@ -180,7 +188,7 @@ private:
         fit_.motion = motion(main);
         add_estimates(set, runs_, fit_);
         fit_.raw = raw_parameters(set, runs_);
-        add_envelopes(ratio);
+        add_envelopes();
         warn(main);
     }
 
@@ -232,7 +240,7 @@ private:
         return motion;
     }
 
-    void add_envelopes(double ratio) {
+    void add_envelopes() {
         double squares = 0;
         double count = 0;
         for (std::size_t k = 0; k < runs_.size(); ++k) {
@@ -244,14 +252,14 @@ private:
                 count += 4;
             }
             const double f_hz = runs_[k].f_ref_hz + fit_.motion.runs[k].own[frequency_at];
-            add_envelope(k, envelope_decay(run, expected), f_hz, std::max(1.0, ratio));
+            add_envelope(k, envelope_decay(run, expected), f_hz);
         }
         fit_.residual_rms = scale_ * std::sqrt(squares / count);
     }
 
-    void add_envelope(std::size_t run, const EnvelopeDecay& envelope, double f_hz, double ratio) {
+    void add_envelope(std::size_t run, const EnvelopeDecay& envelope, double f_hz) {
         Estimate& q = fit_.runs[run].q_envelope;
-        const double sd = envelope.sd * std::sqrt(ratio);
+        const double sd = envelope.sd;
         if (!std::isfinite(sd)) {
             q.reason = {ReasonCode::too_few_windows, {}};
             return;
@@ -267,7 +275,7 @@ private:
     }
 
     void warn(const MapFit& main) {
-        if (!main.converged) {
+        if (!main.converged && main.last_gain > unfinished_gain) {
             fit_.warnings.push_back({DiagnosticKind::fit_not_converged, {}});
         }
         for (std::size_t k = 0; k < fit_.runs.size(); ++k) {
@@ -295,6 +303,41 @@ private:
     ResonatorFit fit_;
 };
 
+// Fits the runs with about `windows` of them each. Precondition: no run has less than
+// least_windows.
+Result<ResonatorFit> fit_with(std::vector<PhasorRun> good, std::size_t windows,
+                              const FitOptions& options, const JobControl& job) {
+    for (PhasorRun& run : good) {
+        run = merge_windows(run, windows);
+    }
+    const double scale = largest_amplitude(good);
+    if (good.empty() || scale <= 0) {
+        return Error{ErrorCode::fit_failed, "the recordings", {"there is no wave"}};
+    }
+    std::vector<ScaledRun> scaled;
+    for (const PhasorRun& run : good) {
+        scaled.push_back(scaled_run(run, scale));
+    }
+    ResonatorFit fit = SetFit(std::move(good), std::move(scaled), scale, options, job).fit();
+    if (job.cancelled()) {
+        return Error{ErrorCode::interrupted, {}, {}};
+    }
+    return fit;
+}
+
+// Whether the frequency changes so far on the way that long windows lose more amplitude at one end
+// than at the other: a mean loses (turn)^2/24 of it.
+bool loses_amplitude(const ResonatorFit& fit) {
+    if (fit.motion.shared[cubic_at] != 0) {
+        return true;
+    }
+    return std::ranges::any_of(fit.motion.runs, [](const FittedMotion::Run& run) {
+        const double turn = 2 * std::numbers::pi * std::abs(run.own[drift_at]) *
+                            run.frame.duration_s * run.frame.window_s;
+        return turn > uneven_turn;
+    });
+}
+
 }  // namespace
 
 Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& options,
@@ -309,20 +352,9 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
                           integer_text(least_windows)}};
         }
     }
-    for (PhasorRun& run : good) {
-        run = merge_windows(run, enough_windows);
-    }
-    const double scale = largest_amplitude(good);
-    if (good.empty() || scale <= 0) {
-        return Error{ErrorCode::fit_failed, "the recordings", {"there is no wave"}};
-    }
-    std::vector<ScaledRun> scaled;
-    for (const PhasorRun& run : good) {
-        scaled.push_back(scaled_run(run, scale));
-    }
-    ResonatorFit fit = SetFit(std::move(good), std::move(scaled), scale, options, job).fit();
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, {}, {}};
+    Result<ResonatorFit> fit = fit_with(good, enough_windows, options, job);
+    if (fit && loses_amplitude(*fit)) {
+        return fit_with(good, many_windows, options, job);
     }
     return fit;
 }

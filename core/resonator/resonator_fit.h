@@ -13,7 +13,7 @@ namespace vybeg {
 struct FitOptions {
     enum class Model { automatic, structured, free };
     Model model = Model::automatic;
-    ChannelTolerance tolerance;
+    ChannelTolerance tolerance{};
 };
 
 // Fits one resonator to all runs together (METHOD section 8): one M; each run its own start,

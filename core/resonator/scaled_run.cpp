@@ -1,6 +1,8 @@
 #include "core/resonator/scaled_run.h"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <cstddef>
 
 namespace vybeg {
@@ -16,6 +18,7 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
     double power = 0;
     double first_moment = 0;
     double square = 0;
+    std::complex<double> turn = 0;
     for (std::size_t k = 0; k < n; ++k) {
         scaled.z.emplace_back(run.c[k] / scale, run.d[k] / scale);
         scaled.weight.push_back(scale / run.sd[k]);
@@ -27,6 +30,10 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
         square += at * at;
         if (k > 0) {
             steps.push_back(run.time_s[k] - run.time_s[k - 1]);
+            // Across a gap the turn is ambiguous.
+            if (steps.back() < 1.5 * run.window_s) {
+                turn += scaled.z[k - 1].dot(scaled.z[k]);
+            }
         }
     }
     if (power > 0) {
@@ -39,6 +46,10 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::ranges::nth_element(steps, middle);
     scaled.step_s = *middle;
+    const double half_turn = std::arg(turn) / 2 * scaled.window_s / scaled.step_s;
+    if (half_turn != 0) {
+        scaled.power_kept = std::pow(std::sin(half_turn) / half_turn, 2);
+    }
     // A break before the first window or after the last one has no effect.
     for (const double at : run.phase_breaks_s) {
         if (at > run.time_s.front() && at < run.time_s.back()) {

@@ -20,6 +20,7 @@ struct ScaledRun {
     double step_s = 0;       // median distance of neighbours
     double duration_s = 0;   // from t = 0 to the end of the last window
     double reference_s = 0;  // instant of the run's frequency: mean of t weighted with |z|^2
+    double power_kept = 1;   // by the windows' means at the run's mean frequency
     double power = 0;        // power of the run's frequency: sum |z|^4 / sum |z|^2
 
     std::size_t size() const { return time_s.size(); }

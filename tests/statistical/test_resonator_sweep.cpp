@@ -30,7 +30,7 @@ struct Scores {
         if (period > 0) {
             error = std::remainder(error, period);
         }
-        const double score = std::abs(error) / estimate.sd;
+        const double score = std::abs(error) / estimate.uncertainty();
         squares += score * score;
         worst = std::max(worst, score);
     }
@@ -111,19 +111,22 @@ void TestResonatorSweep::fourRunsTellTheTruthWithinTheirDeviations() {
     for (const ResonatorFit& fit : fits_of(decay, four_angles, 4000)) {
         structured += fit.model == ResonatorModel::structured ? 1 : 0;
         const ResonatorEstimate& found = fit.resonator;
-        // Where the split drowns in the noise it is an upper bound, and its size no longer normal.
-        if (found.split_hz.given() && found.split_hz.value >= 5 * found.split_hz.sd) {
+        if (found.split_hz.given()) {
             split.add(found.split_hz, decay.split_hz);
+        } else {
+            QVERIFY(found.split_hz.reason.code == ReasonCode::within_noise);
+            // The limit of two deviations beyond the length: the truth lies below it.
+            QVERIFY(decay.split_hz < 1.5 * std::stod(found.split_hz.reason.args[0]));
+        }
+        if (found.theta_w_rad.given()) {
             axis.add(found.theta_w_rad, decay.theta_w, pi / 2);
             ++axes;
-        } else {
-            QVERIFY(found.theta_w_rad.reason.code == ReasonCode::below_noise);
-            QVERIFY(std::abs(found.split_hz.value - decay.split_hz) < 5 * found.split_hz.sd);
         }
         if (found.tau_s.given()) {
             // Of 1/tau, which is normal also where tau is hardly seen.
             const double tau = found.tau_s.value;
-            decay_rate.add({1 / tau, found.tau_s.sd / (tau * tau), {}}, 1 / decay.tau_s);
+            decay_rate.add({1 / tau, found.tau_s.sd / (tau * tau), {}, found.tau_s.u / (tau * tau)},
+                           1 / decay.tau_s);
         }
         if (fit.identifiable.rotation) {
             rotation.add(found.angle_rate_rad_s, -decay.bryan * decay.omega_rad_s);

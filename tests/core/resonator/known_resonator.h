@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/resonator/resonator_fit.h"
+#include "core/resonator/resonator_parameters.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -49,15 +52,16 @@ inline bool warns(const ResonatorFit& fit, DiagnosticKind kind) {
                                [kind](const Diagnostic& known) { return known.kind == kind; });
 }
 
-// What is wrong with an estimate: empty where it is given, lies within `k` of its deviations of the
-// truth, and these are at most `most`.
+// What is wrong with an estimate: empty where it is given, lies within `k` of its combined
+// uncertainties of the truth, and these are at most `most`.
 inline QString fault(const Estimate& estimate, double truth, double k, double most) {
-    const bool fine = estimate.given() && std::abs(estimate.value - truth) <= k * estimate.sd &&
-                      estimate.sd <= most;
+    const bool fine = estimate.given() &&
+                      std::abs(estimate.value - truth) <= k * estimate.uncertainty() &&
+                      estimate.uncertainty() <= most;
     return fine ? QString()
                 : QString("%1 +- %2 for %3")
                       .arg(estimate.value, 0, 'g', 12)
-                      .arg(estimate.sd)
+                      .arg(estimate.uncertainty())
                       .arg(truth, 0, 'g', 12);
 }
 

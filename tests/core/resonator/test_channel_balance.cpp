@@ -30,7 +30,7 @@ double mean_square(const ChannelBalance& balance) {
 ChannelBalance balance_of(const PhasorRun& run) {
     FitOptions options;
     options.model = FitOptions::Model::structured;
-    options.estimate_kappa = false;
+    options.tolerance.kappa = 0;
     const Result<ResonatorFit> fit = fit_resonator({&run, 1}, options, {});
     if (!fit) {
         qFatal("no fit");

@@ -29,8 +29,11 @@ void TestFitDrift::aDriftIsFoundAndQIsFreeOfIt() {
         for (const RunEstimate& run : fit.runs) {
             VYBEG_NEAR(run.drift_hz_per_s, 1e-3 / 28, 4, 1e-7);
             VYBEG_NEAR(run.q_envelope, pi * 5300 * 400, 5, 0.003 * pi * 5300 * 400);
+            VYBEG_NEAR(run.direction_tau_s, 400, 5, 0.003 * 400);
         }
-        VYBEG_NEAR(fit.resonator.q, pi * 5300 * 400, 5, 0.003 * pi * 5300 * 400);
+        if (angles.size() > 1) {
+            VYBEG_NEAR(fit.resonator.q, pi * 5300 * 400, 5, 0.003 * pi * 5300 * 400);
+        }
     }
 }
 
@@ -41,7 +44,7 @@ void TestFitDrift::aSteadyFrequencyHasNoDrift() {
         QVERIFY(!warns(fit, DiagnosticKind::frequency_follows_amplitude));
         QVERIFY(!warns(fit, DiagnosticKind::q_disagrees));
         VYBEG_NEAR(fit.runs[0].drift_hz_per_s, 0, 4, 1e-7);
-        VYBEG_NEAR(fit.resonator.frequency_per_power, 0, 4, 1e-4);
+        QVERIFY(fit.resonator.frequency_per_power.reason.code == ReasonCode::not_nonlinear);
     }
 }
 
@@ -77,7 +80,7 @@ void TestFitDrift::aStrangePhaseLeavesTheEnvelopeAlone() {
         runs[0].d[k] *= turn;
     }
     const ResonatorFit fit = fitted(runs);
-    QVERIFY(warns(fit, DiagnosticKind::residual_above_noise));
+    QVERIFY(warns(fit, DiagnosticKind::residual_coloured));
     const double q = pi * 5300 * 400;
     QVERIFY(std::abs(fit.runs[0].q_envelope.value / q - 1) < 0.01);
     if (fit.resonator.q.given() && std::abs(fit.resonator.q.value / q - 1) > 0.5) {

@@ -16,11 +16,11 @@ private slots:
     void oneRunSufficesForALargeSplit();
     void twoRunsFortyFiveDegreesApartShowOneDirectionOfTheSplit();
     void twoRunsAtHalfThatShowAll();
-    void noSplitIsAnUpperBoundWithoutAxis();
+    void noSplitIsALimitWithoutAxis();
     void aRotatingWaveShowsAllByItself();
     void aCircularWaveHasNoAngle();
     void noDecayIsNoTau();
-    void whatIsNotAskedForIsNotEstimated();
+    void whatIsToldIsNotEstimated();
     void theFreeModelHasNoAngles();
 };
 
@@ -44,23 +44,36 @@ void TestFitReasons::oneStillWaveGivesSplitTimesSineAlone() {
     for (const double angle : {0.0, 10.0, 11.46, 33.96, 60.0}) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             const ResonatorFit fit = fitted(set_of(decay, {angle}, 1000, seed));
-            QVERIFY(!fit.identifiable.split && !fit.identifiable.theta_w &&
-                    !fit.identifiable.damping_anisotropy && !fit.identifiable.rotation &&
-                    !fit.identifiable.kappa);
-            const Reason& reason = fit.resonator.split_hz.reason;
+            QVERIFY(!fit.identifiable.theta_w && !fit.identifiable.damping_anisotropy &&
+                    !fit.identifiable.rotation && !fit.identifiable.kappa);
+            // At 45 degrees to the axes the curvature of the motion shows a little of the split.
+            if (fit.identifiable.split) {
+                VYBEG_NEAR(fit.resonator.split_hz, 1e-4, 4, 4e-5);
+            }
+            const Reason& reason = fit.resonator.damping_anisotropy_per_s.reason;
             QVERIFY(reason.code == ReasonCode::one_direction);
             // The angle it asks for lies between those that show the same.
             const double other = std::stod(reason.args[0]);
             QVERIFY(std::abs(std::remainder(other - angle - 22.5, 90)) < 0.1);
             QCOMPARE(reason.args[1], std::string("28"));
             QVERIFY(fit.resonator.angle_rate_rad_s.reason.code == ReasonCode::confounded_rotation);
-            QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::kappa_still_wave);
+            QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::as_given);
             QVERIFY(fit.modes.empty());
-            QVERIFY(fit.no_modes.code == ReasonCode::modes_not_apart);
             const double truth = 1e-4 * std::sin(4 * (angle * pi / 180 - 0.2));
-            VYBEG_NEAR(fit.runs[0].split_sin_hz, truth, 4, 3e-7);
-            VYBEG_NEAR(fit.resonator.tau_s, 400, 4, 0.05);
-            QVERIFY(warns(fit, DiagnosticKind::decay_of_one_direction));
+            // With what the gain ratio adds: theta_A is known to some mrad.
+            VYBEG_NEAR(fit.runs[0].split_sin_hz, truth, 4, 1e-6);
+            QVERIFY(fit.runs[0].split_sin_hz.sd < 3e-7);
+            // The resonator's decay rests on the anisotropy, which is not seen: it is refused or
+            // has an uncertainty of some per cent. The direction's own does not.
+            if (fit.resonator.tau_s.given()) {
+                VYBEG_NEAR(fit.resonator.tau_s, 400, 4, 80);
+                QVERIFY(fit.resonator.tau_s.sd > 4);
+            }
+            VYBEG_NEAR(fit.runs[0].direction_tau_s, 400, 4, 0.05);
+            if (fit.runs[0].direction_f_hz.given()) {
+                VYBEG_NEAR(fit.runs[0].direction_f_hz,
+                           5300.013 + 0.5e-4 * std::cos(4 * (angle * pi / 180 - 0.2)), 4, 1e-4);
+            }
         }
     }
 }
@@ -88,26 +101,36 @@ void TestFitReasons::twoRunsFortyFiveDegreesApartShowOneDirectionOfTheSplit() {
     // The damping shows itself in decay and turn of both.
     VYBEG_NEAR(fit.resonator.damping_anisotropy_per_s, 1e-4, 4, 1e-6);
     VYBEG_NEAR(fit.resonator.theta_tau_rad, 0.1, 4, 1e-2);
-    QVERIFY(fit.identifiable.rotation);
+    // An unseen split of some hertz would turn a wave whose quadrature is its noise.
+    QVERIFY(fit.resonator.angle_rate_rad_s.reason.code == ReasonCode::confounded_rotation);
 }
 
 void TestFitReasons::twoRunsAtHalfThatShowAll() {
     FreeDecay decay = reference();
     decay.split_hz = 1e-5;
     decay.theta_w = -0.3;
-    const ResonatorFit fit = fitted(set_of(decay, {5, 27.5}, 1000, 1));
+    // With the channels told; a gain ratio that is fitted along costs some of it.
+    const ResonatorFit fit = fitted(set_of(decay, {5, 27.5}, 1000, 1), {.tolerance = {.kappa = 0}});
     VYBEG_NEAR(fit.resonator.split_hz, 1e-5, 4, 1e-7);
     VYBEG_NEAR(fit.resonator.theta_w_rad, -0.3, 4, 1e-2);
-    QVERIFY(fit.identifiable.rotation && fit.identifiable.damping_anisotropy);
+    QVERIFY(fit.identifiable.rotation);
+    QVERIFY(fit.resonator.damping_anisotropy_per_s.reason.code == ReasonCode::within_noise);
 }
 
-void TestFitReasons::noSplitIsAnUpperBoundWithoutAxis() {
+void TestFitReasons::noSplitIsALimitWithoutAxis() {
     const ResonatorFit fit = fitted(set_of(reference(), four_angles, 1000, 1));
-    VYBEG_NEAR(fit.resonator.split_hz, 0, 4, 6e-8);
-    QVERIFY(fit.resonator.theta_w_rad.reason.code == ReasonCode::below_noise);
-    QVERIFY(fit.identifiable.split && !fit.identifiable.theta_w);
-    VYBEG_NEAR(fit.resonator.damping_anisotropy_per_s, 0, 4, 1e-6);
-    QVERIFY(fit.resonator.theta_tau_rad.reason.code == ReasonCode::below_noise);
+    for (const Estimate* none :
+         {&fit.resonator.split_hz, &fit.resonator.theta_w_rad,
+          &fit.resonator.damping_anisotropy_per_s, &fit.resonator.theta_tau_rad}) {
+        QVERIFY(none->reason.code == ReasonCode::within_noise);
+    }
+    // The limit holds the truth, and is no more than five deviations.
+    const double split_limit = std::stod(fit.resonator.split_hz.reason.args[0]);
+    QVERIFY2(split_limit > 0 && split_limit < 5 * 6e-8, qPrintable(QString::number(split_limit)));
+    QCOMPARE(fit.resonator.split_hz.reason.args[1], std::string("Hz"));
+    const double damping_limit = std::stod(fit.resonator.damping_anisotropy_per_s.reason.args[0]);
+    QVERIFY2(damping_limit > 0 && damping_limit < 5e-6, qPrintable(QString::number(damping_limit)));
+    QVERIFY(!fit.identifiable.split && !fit.identifiable.theta_w);
     QVERIFY(fit.modes.empty());
 }
 
@@ -116,7 +139,7 @@ void TestFitReasons::aRotatingWaveShowsAllByItself() {
     decay.omega_rad_s = 0.2;
     decay.split_hz = 1e-5;
     decay.theta_w = 0.5;
-    const ResonatorFit fit = fitted(set_of(decay, {5}, 1000, 1));
+    const ResonatorFit fit = fitted(set_of(decay, {5}, 1000, 1), {.tolerance = {.kappa = 0}});
     VYBEG_NEAR(fit.resonator.split_hz, 1e-5, 4, 5e-7);
     VYBEG_NEAR(fit.resonator.theta_w_rad, 0.5, 4, 0.02);
     VYBEG_NEAR(fit.resonator.angle_rate_rad_s, -0.277 * 0.2, 4, 1e-6);
@@ -128,26 +151,31 @@ void TestFitReasons::aCircularWaveHasNoAngle() {
     const ResonatorFit fit = fitted(set_of(decay, {5, 27.5}, 1000, 1));
     QVERIFY(fit.runs[0].two_theta_A_rad.reason.code == ReasonCode::circular_wave);
     QVERIFY(fit.runs[0].split_sin_hz.reason.code == ReasonCode::circular_wave);
-    VYBEG_NEAR(fit.runs[0].a_A, 1, 4, 1e-5);
+    // Its amplitude rests on the gain ratio, known to a per cent.
+    QVERIFY(std::abs(fit.runs[0].a_A.value - 1) < 6e-3);
 }
 
 void TestFitReasons::noDecayIsNoTau() {
     FreeDecay decay = reference();
     decay.tau_s = 1e12;
     const ResonatorFit fit = fitted(set_of(decay, four_angles, 1000, 3));
-    QVERIFY(fit.resonator.tau_s.reason.code == ReasonCode::no_decay);
-    QVERIFY(fit.resonator.q.reason.code == ReasonCode::no_decay);
-    QVERIFY(fit.runs[0].q_envelope.reason.code == ReasonCode::no_decay);
+    // 1/tau is nothing but its noise: a least tau, both limits, or a growth of two deviations.
+    for (const Estimate* none : {&fit.resonator.tau_s, &fit.resonator.q, &fit.runs[0].q_envelope}) {
+        const ReasonCode code = none->reason.code;
+        QVERIFY2(code == ReasonCode::no_decay || code == ReasonCode::decay_limits ||
+                     code == ReasonCode::grows,
+                 reason_name(code).c_str());
+    }
     QVERIFY(!fit.identifiable.tau);
 }
 
-void TestFitReasons::whatIsNotAskedForIsNotEstimated() {
-    const ResonatorFit fit = fitted(set_of(reference(), four_angles, 1000, 1),
-                                    {.estimate_kappa = false, .fit_drift = false});
-    QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::not_asked);
-    QVERIFY(fit.resonator.frequency_per_power.reason.code == ReasonCode::not_asked);
-    QVERIFY(fit.resonator.delay_s.reason.code == ReasonCode::channels_one_number);
-    QVERIFY(fit.runs[3].drift_hz_per_s.reason.code == ReasonCode::not_asked);
+void TestFitReasons::whatIsToldIsNotEstimated() {
+    const ResonatorFit fit =
+        fitted(set_of(reference(), four_angles, 1000, 1), {.tolerance = {.kappa = 0}});
+    QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::as_given);
+    QVERIFY(fit.resonator.frequency_per_power.reason.code == ReasonCode::not_nonlinear);
+    QVERIFY(fit.resonator.delay_s.reason.code == ReasonCode::held);
+    QVERIFY(fit.resonator.non_orthogonality_rad.reason.code == ReasonCode::held);
 }
 
 void TestFitReasons::theFreeModelHasNoAngles() {

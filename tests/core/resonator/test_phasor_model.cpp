@@ -1,9 +1,11 @@
-#include "core/resonator/model_fit.h"
+#include "core/resonator/map_fit.h"
+#include "core/resonator/posterior.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>
 
-#include <random>
+#include <array>
+#include <cmath>
 
 using namespace vybeg;
 
@@ -18,26 +20,26 @@ ScaledRun some_run() {
     decay.tau_s = 4;
     decay.split_hz = 0.2;
     decay.omega_rad_s = 0.3;
-    return scaled_run(test::simulated_phasors(decay, 100, 1), 2);
+    PhasorRun run = test::simulated_phasors(decay, 100, 1);
+    run.phase_breaks_s = {1.7, 3.3};
+    return scaled_run(run, 2);
 }
 
-Own some_own() {
-    Own own;
-    own << 0.03, 0.004, 0.2, -0.3, 0.4, 0.1;
+Eigen::VectorXd some_own() {
+    Eigen::VectorXd own(own_count + 2);
+    own << 0.2, -0.3, 0.4, 0.1, 0.03, 0.004, 0.2, -0.4;
     return own;
 }
 
-Shared some_shared() {
-    Shared shared = to_shared({0.1, -0.2, 0.03, 0.02, 0.3, 0.01, 0.25});
-    shared[kappa_index] = 1.02;
-    shared[power_index] = 0.05;
+Eigen::VectorXd some_shared(double cubic) {
+    Eigen::VectorXd shared(int{shared_count});
+    shared << 0.1, -0.2, 0.03, 0.02, 0.3, 0.01, 0.25, 1.02, 0.01, 0.02, 0.005, 0.03, 0.04, cubic;
     return shared;
 }
 
-Eigen::VectorXd residuals_of(const ScaledRun& run, const Shared& shared, const Own& own) {
-    Eigen::VectorXd r(static_cast<Eigen::Index>(4 * run.size()));
-    residuals(run, shared, own, r.data(), nullptr, nullptr);
-    return r;
+Eigen::VectorXd residuals_of(const ScaledRun& run, const Eigen::VectorXd& shared,
+                             const Eigen::VectorXd& own) {
+    return linearised(run, shared, own, run.size(), true).residual;
 }
 
 }  // namespace
@@ -46,95 +48,111 @@ class TestPhasorModel : public QObject {
     Q_OBJECT
 
 private slots:
-    void theJacobianIsThatOfCentralDifferences();
-    void theTruthLeavesTheNoise();
-    void whatASpaceHoldsFixedStaysFixed();
-    void theCovarianceOfALineOfParametersIsTheInverse();
+    void the_derivatives_are_those_of_central_differences_data() {
+        QTest::addColumn<double>("cubic");
+        QTest::newRow("linear") << 0.0;
+        QTest::newRow("cubic spring") << 0.3;
+    }
+
+    void the_derivatives_are_those_of_central_differences() {
+        QFETCH(double, cubic);
+        const ScaledRun run = some_run();
+        const Eigen::VectorXd shared = some_shared(cubic);
+        const Eigen::VectorXd own = some_own();
+        const Linearised at = linearised(run, shared, own, run.size(), true);
+        constexpr double step = 1e-5;
+        for (Eigen::Index k = 0; k < shared.size() + own.size(); ++k) {
+            const bool is_shared = k < shared.size();
+            const Eigen::VectorXd by_shared =
+                is_shared ? Eigen::VectorXd(Eigen::VectorXd::Unit(shared.size(), k) * step)
+                          : Eigen::VectorXd(Eigen::VectorXd::Zero(shared.size()));
+            const Eigen::VectorXd by_own =
+                is_shared
+                    ? Eigen::VectorXd(Eigen::VectorXd::Zero(own.size()))
+                    : Eigen::VectorXd(Eigen::VectorXd::Unit(own.size(), k - shared.size()) * step);
+            // Residuals are measured less expected.
+            const Eigen::VectorXd difference =
+                (residuals_of(run, shared - by_shared, own - by_own) -
+                 residuals_of(run, shared + by_shared, own + by_own)) /
+                (2 * step);
+            const double off = (difference - at.by_parameter.col(k)).norm() / difference.norm();
+            QVERIFY2(off < 1e-7, qPrintable(QString("parameter %1: %2").arg(k).arg(off)));
+        }
+    }
+
+    void expected_phasors_and_residuals_are_of_one_model() {
+        const ScaledRun run = some_run();
+        for (const double cubic : {0.0, 0.3}) {
+            const Eigen::VectorXd shared = some_shared(cubic);
+            const double one = residuals_of(run, shared, some_own()).squaredNorm();
+            const double other = chi_square(run, shared, some_own(), run.size());
+            QVERIFY2(std::abs(one / other - 1) < (cubic == 0 ? 1e-4 : 1e-12),
+                     qPrintable(QString("%1 and %2").arg(one).arg(other)));
+        }
+    }
+
+    void the_truth_leaves_the_noise() {
+        FreeDecay decay;
+        decay.seconds = 20;
+        decay.rate_hz = 1000;
+        decay.f0_hz = 200;
+        decay.noise = 1e-3;
+        decay.tau_s = 4;
+        decay.split_hz = 1.2;
+        decay.theta_w = 0.1;
+        decay.omega_rad_s = 0.3;
+        decay.kappa = 1.1;
+        const PhasorRun run = test::simulated_phasors(decay, 10, 1);
+        const ScaledRun scaled = scaled_run(run, 1);
+        Eigen::VectorXd shared = Eigen::VectorXd::Zero(int{shared_count});
+        shared[split_cos_at] = 1.2 * std::cos(0.4);
+        shared[split_sin_at] = 1.2 * std::sin(0.4);
+        shared[rotation_at] = 2 * 0.277 * 0.3;
+        shared[decay_at] = 0.25;
+        shared[kappa_at] = 1.1;
+        const Eigen::Vector2cd y = SlowDynamics(rates_of(shared)).window_mean(run.window_s, 0) *
+                                   SlowMotion(decay).at_frame(0);
+        Eigen::VectorXd own = Eigen::VectorXd::Zero(int{own_count});
+        own.head<4>() << y[0].real(), y[0].imag(), y[1].real(), y[1].imag();
+        const double residuals = 4.0 * static_cast<double>(scaled.size());
+        const double chi2 = chi_square(scaled, shared, own, scaled.size());
+        QVERIFY2(std::abs(chi2 / residuals - 1) < 4 * std::sqrt(2 / residuals),
+                 qPrintable(QString::number(chi2 / residuals)));
+    }
+
+    void a_prior_of_no_width_holds_its_parameter() {
+        const std::vector runs{some_run()};
+        const std::array<std::size_t, 1> breaks{2};
+        FitProblem problem{runs, ParameterLayout(breaks), {}};
+        problem.priors = structured_priors(runs, problem.layout, {.kappa = 0});
+        Eigen::VectorXd start(problem.layout.size());
+        start << some_shared(0), some_own();
+        start[kappa_at] = 1;
+        start.segment<5>(skew_at).setZero();
+        const MapFit fit = minimise(problem, start, 100, {});
+        QVERIFY(fit.converged);
+        for (Eigen::Index k = 0; k < start.size(); ++k) {
+            QCOMPARE(fit.p[k] == start[k], problem.priors.sd[k] == 0);
+        }
+        QVERIFY(fit.chi2 <
+                chi_square(runs[0], start.head(int{shared_count}), some_own(), runs[0].size()));
+    }
+
+    void the_three_parts_of_the_covariance_add_up() {
+        const std::vector runs{some_run()};
+        const std::array<std::size_t, 1> breaks{2};
+        FitProblem problem{runs, ParameterLayout(breaks), {}};
+        problem.priors = structured_priors(runs, problem.layout, {.skew_rad = 0.01});
+        Eigen::VectorXd start(problem.layout.size());
+        start << some_shared(0), some_own();
+        start[kappa_at] = 1;
+        start.segment<5>(skew_at).setZero();
+        const Posterior at = posterior(problem, minimise(problem, start, 100, {}));
+        const Eigen::MatrixXd sum = at.data + at.known + at.nothing;
+        const double off = (sum - at.covariance).norm() / at.covariance.norm();
+        QVERIFY2(off < 1e-8, qPrintable(QString::number(off)));
+    }
 };
-
-void TestPhasorModel::theJacobianIsThatOfCentralDifferences() {
-    const ScaledRun run = some_run();
-    const Shared shared = some_shared();
-    const Own own = some_own();
-    const auto rows = static_cast<Eigen::Index>(4 * run.size());
-    RowMajor by_shared(rows, shared_count);
-    RowMajor by_own(rows, own_count);
-    Eigen::VectorXd r(rows);
-    residuals(run, shared, own, r.data(), by_shared.data(), by_own.data());
-    QVERIFY((r - residuals_of(run, shared, own)).norm() < 1e-12 * r.norm());
-    constexpr double step = 1e-5;
-    for (int k = 0; k < shared_count; ++k) {
-        const Shared by = Shared::Unit(k) * step;
-        const Eigen::VectorXd difference =
-            (residuals_of(run, shared + by, own) - residuals_of(run, shared - by, own)) /
-            (2 * step);
-        QVERIFY2((difference - by_shared.col(k)).norm() < 1e-7 * difference.norm(),
-                 qPrintable(QString::number(k)));
-    }
-    for (int k = 0; k < own_count; ++k) {
-        const Own by = Own::Unit(k) * step;
-        const Eigen::VectorXd difference =
-            (residuals_of(run, shared, own + by) - residuals_of(run, shared, own - by)) /
-            (2 * step);
-        QVERIFY2((difference - by_own.col(k)).norm() < 1e-7 * difference.norm(),
-                 qPrintable(QString::number(k)));
-    }
-}
-
-void TestPhasorModel::theTruthLeavesTheNoise() {
-    FreeDecay decay;
-    decay.seconds = 20;
-    decay.rate_hz = 1000;
-    decay.f0_hz = 200;
-    decay.noise = 1e-3;
-    decay.tau_s = 4;
-    decay.split_hz = 1.2;
-    decay.theta_w = 0.1;
-    decay.omega_rad_s = 0.3;
-    decay.kappa = 1.1;
-    const PhasorRun run = test::simulated_phasors(decay, 10, 1);
-    const std::vector runs{scaled_run(run, 1)};
-    Shared shared = to_shared({.split_cos_hz = 1.2 * std::cos(0.4),
-                               .split_sin_hz = 1.2 * std::sin(0.4),
-                               .rotation_per_s = 2 * 0.277 * 0.3,
-                               .decay_per_s = 0.25});
-    shared[kappa_index] = 1.1;
-    const Eigen::Vector2cd y =
-        SlowDynamics(rates_of(shared)).window_mean(run.window_s, 0) * SlowMotion(decay).at_frame(0);
-    Own own = Own::Zero();
-    own.segment<4>(start_index) << y[0].real(), y[0].imag(), y[1].real(), y[1].imag();
-    const double residuals = 4.0 * static_cast<double>(runs[0].size());
-    const double chi2 = chi_square(runs, {shared, {own}});
-    QVERIFY2(std::abs(chi2 / residuals - 1) < 4 * std::sqrt(2 / residuals),
-             qPrintable(QString::number(chi2 / residuals)));
-}
-
-void TestPhasorModel::whatASpaceHoldsFixedStaysFixed() {
-    const std::vector runs{some_run()};
-    const FitState start{some_shared(), {some_own()}};
-    const Result<ModelFit> fit = fit_model(runs, space_of({4, 6}, false), start, {});
-    QVERIFY(bool(fit));
-    QVERIFY(fit->converged);
-    for (int k = 0; k < shared_count; ++k) {
-        QCOMPARE(fit->state.shared[k] == start.shared[k], k != 4 && k != 6);
-    }
-    QCOMPARE(fit->state.runs[0][drift_index], start.runs[0][drift_index]);
-    QVERIFY(fit->chi2 < chi_square(runs, start));
-    const Eigen::MatrixXd spread = covariance(runs, space_of({4, 6}, false), fit->state);
-    QCOMPARE(spread(0, 0), 0.0);
-    QVERIFY(spread(4, 4) > 0);
-}
-
-void TestPhasorModel::theCovarianceOfALineOfParametersIsTheInverse() {
-    const std::vector runs{some_run()};
-    const FitState state{some_shared(), {some_own()}};
-    const ModelSpace space = space_of({0, 1, 2, 3, 4, 6}, true);
-    const Eigen::MatrixXd spread = covariance(runs, space, state);
-    // C H C = C on the space, in units of what each coordinate knows alone.
-    const Eigen::MatrixXd information = normal_equations(runs, state).information;
-    const Eigen::MatrixXd again = spread * information * spread;
-    QVERIFY((again - spread).norm() < 1e-6 * spread.norm());
-}
 
 QTEST_GUILESS_MAIN(TestPhasorModel)
 #include "test_phasor_model.moc"

@@ -196,8 +196,9 @@ void TestResonatorFit::thePredictionIsWithinTheNoise() {
     const ResonatorFit fit = fitted(runs);
     for (std::size_t run = 0; run < 2; ++run) {
         double sum = 0;
+        const std::vector<Phasors> predicted = predicted_phasors(fit.motion, run, runs[run].time_s);
         for (std::size_t k = 0; k < runs[run].c.size(); ++k) {
-            const Phasors z = predicted_phasors(fit.motion, run, runs[run].time_s[k]);
+            const Phasors& z = predicted[k];
             sum += std::norm(z.c - runs[run].c[k]) + std::norm(z.d - runs[run].d[k]);
         }
         const double rms = std::sqrt(sum / (4 * static_cast<double>(runs[run].c.size())));
