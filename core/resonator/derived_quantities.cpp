@@ -26,7 +26,7 @@ void add_modes(const Eigen::VectorXd& p, ModeOrder order, Eigen::VectorXd& q) {
 }
 
 void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& context,
-             double f_mean_hz, Eigen::VectorXd& q) {
+             double f_ref_hz, Eigen::VectorXd& q) {
     const Eigen::VectorXd own = p.segment(context.layout->at(run, 0), own_count);
     const SlowDynamics dynamics(rates_of(p));
     const Eigen::Vector2cd start =
@@ -39,7 +39,7 @@ void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& c
     at(a_B_of) = wave.a_B;
     at(two_theta_of) = wave.two_theta_A;
     at(f_of) = own[frequency_at];
-    at(f_offset_of) = context.f_ref_hz[run] + own[frequency_at] - f_mean_hz;
+    at(f_offset_of) = (context.f_ref_hz[run] - f_ref_hz) + (own[frequency_at] - q[f_mean_of]);
     at(run_drift_of) = own[drift_at];
     const double c4 = std::cos(2 * wave.two_theta_A);
     const double s4 = std::sin(2 * wave.two_theta_A);
@@ -66,11 +66,11 @@ Eigen::VectorXd quantities(const Eigen::VectorXd& p, const QuantityContext& cont
     const auto share = 1 / static_cast<double>(runs);
     // References are kept apart: differences of frequencies shall not lose digits to them.
     double f_mean = 0;
-    double f_mean_absolute = 0;
+    double f_ref = 0;
     for (std::size_t run = 0; run < runs; ++run) {
         const double f = p[context.layout->at(run, frequency_at)];
         f_mean += share * f;
-        f_mean_absolute += share * (context.f_ref_hz[run] + f);
+        f_ref += share * context.f_ref_hz[run];
     }
     q[f_mean_of] = f_mean;
     q[decay_of] = p[decay_at];
@@ -85,7 +85,7 @@ Eigen::VectorXd quantities(const Eigen::VectorXd& p, const QuantityContext& cont
     q[cubic_of] = p[cubic_at];
     add_modes(p, context.order, q);
     for (std::size_t run = 0; run < runs; ++run) {
-        add_run(p, run, context, f_mean_absolute, q);
+        add_run(p, run, context, f_ref, q);
     }
     return q;
 }

@@ -1,6 +1,6 @@
 #include "core/resonator/posterior.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,15 @@
 namespace vybeg {
 namespace {
 
-// The inverse of a symmetric matrix whose rows have units that differ by many powers of ten.
-Eigen::MatrixXd scaled_inverse(const Eigen::MatrixXd& matrix) {
+// R with R R^T the inverse of a positive matrix whose rows have units that differ by many powers of
+// ten. What rounding leaves below 1e-14 of the matrix is taken as that: huge, not infinite.
+Eigen::MatrixXd inverse_root(const Eigen::MatrixXd& matrix) {
     const Eigen::VectorXd unit =
         matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-    const Eigen::MatrixXd inverse =
-        (unit.asDiagonal() * matrix * unit.asDiagonal())
-            .ldlt()
-            .solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
-    return unit.asDiagonal() * (0.5 * (inverse + inverse.transpose())) * unit.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit.asDiagonal() * matrix *
+                                                               unit.asDiagonal());
+    return unit.asDiagonal() * eigen.eigenvectors() *
+           eigen.eigenvalues().cwiseMax(1e-14).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 // Of one run what the correlation of neighbouring windows' noise adds to J^T J. Windows count as
@@ -68,7 +68,9 @@ Posterior posterior(const FitProblem& problem, const MapFit& fit) {
     const Eigen::MatrixXd seen = out.information(out.active, out.active);
     Eigen::MatrixXd precision = seen;
     precision.diagonal() += wide + told;
-    const Eigen::MatrixXd& s = out.covariance = scaled_inverse(precision);
+    out.alone_sd = precision.diagonal().cwiseSqrt().cwiseInverse();
+    out.root = inverse_root(precision);
+    const Eigen::MatrixXd& s = out.covariance = out.root * out.root.transpose();
     out.data = s * score_covariance(problem, out)(out.active, out.active) * s;
     out.known = s * told.asDiagonal() * s;
     out.nothing = s * wide.asDiagonal() * s;

@@ -17,6 +17,8 @@ struct Posterior {
     std::vector<Linearised> runs;      // residuals and derivatives at p
     Eigen::MatrixXd information;       // F of all parameters, held ones too
     Eigen::MatrixXd covariance;        // S
+    Eigen::MatrixXd root;              // R, S = R R^T
+    Eigen::VectorXd alone_sd;          // of each parameter with all others known
     Eigen::MatrixXd data;              // S F S, or S (sum X' V X) S where the residual is coloured
     Eigen::MatrixXd known;             // S L S of the channels
     Eigen::MatrixXd nothing;           // S L S of the physical priors

@@ -6,8 +6,9 @@
 namespace vybeg {
 namespace {
 
-// Central differences over this share of a standard deviation.
-constexpr double difference_share = 1e-3;
+// Central differences over this share of a parameter's deviation with all others known: alone, a
+// parameter that depends on others would leave what is linear within its whole deviation.
+constexpr double difference_share = 0.03;
 
 double by_shorter_way(double difference, double period) {
     return period > 0 ? std::remainder(difference, period) : difference;
@@ -22,7 +23,7 @@ struct Neighbours {
 
 Neighbours neighbours(const Posterior& posterior, Eigen::Index k) {
     const Eigen::Index at = posterior.active[static_cast<std::size_t>(k)];
-    const double h = difference_share * std::sqrt(posterior.covariance(k, k));
+    const double h = difference_share * posterior.alone_sd[k];
     Neighbours near{posterior.p, posterior.p, 0};
     near.up[at] += h;
     near.down[at] -= h;

@@ -292,8 +292,7 @@ NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posteri
         series_.push_back(residual_series(problem, posterior, k, merge));
         longest_s = std::max(longest_s, problem.runs[k].duration_s);
     }
-    const MatrixXd root = Eigen::LLT<MatrixXd>(posterior.covariance).matrixL();
-    noise_ = Search(series_, root, longest_s).find();
+    noise_ = Search(series_, posterior.root, longest_s).find();
 }
 
 MatrixXd NoiseEstimate::covariance(const Posterior& posterior, const MatrixXd& white) const {

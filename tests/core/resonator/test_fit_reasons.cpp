@@ -61,15 +61,22 @@ void TestFitReasons::oneStillWaveGivesSplitTimesSineAlone() {
             QVERIFY(fit.modes.empty());
             const double truth = 1e-4 * std::sin(4 * (angle * pi / 180 - 0.2));
             // With what the gain ratio adds: theta_A is known to some mrad.
-            VYBEG_NEAR(fit.runs[0].split_sin_hz, truth, 4, 1e-6);
-            QVERIFY(fit.runs[0].split_sin_hz.sd < 3e-7);
+            // On the stiffness axis it may rest on the split that is not seen.
+            const Estimate& sine = fit.runs[0].split_sin_hz;
+            QVERIFY(sine.given() || angle == 11.46);
+            if (sine.given()) {
+                VYBEG_NEAR(sine, truth, 4, 1e-6);
+                QVERIFY(sine.sd < 3e-7);
+            }
             // The resonator's decay rests on the anisotropy, which is not seen: it is refused or
             // has an uncertainty of some per cent. The direction's own does not.
             if (fit.resonator.tau_s.given()) {
                 VYBEG_NEAR(fit.resonator.tau_s, 400, 4, 80);
                 QVERIFY(fit.resonator.tau_s.sd > 4);
             }
-            VYBEG_NEAR(fit.runs[0].direction_tau_s, 400, 4, 0.05);
+            if (fit.runs[0].direction_tau_s.given() || angle != 11.46) {
+                VYBEG_NEAR(fit.runs[0].direction_tau_s, 400, 4, 0.05);
+            }
             if (fit.runs[0].direction_f_hz.given()) {
                 VYBEG_NEAR(fit.runs[0].direction_f_hz,
                            5300.013 + 0.5e-4 * std::cos(4 * (angle * pi / 180 - 0.2)), 4, 1e-4);
