@@ -56,9 +56,10 @@ void TestDelayedPencil::nearlyEqualChannelsGiveBothModes() {
 void TestDelayedPencil::theFitFindsThem() {
     const ResonatorFit fit = fitted({two_microphones(0.03)}, {.model = FitOptions::Model::free});
     QCOMPARE(fit.modes.size(), std::size_t{2});
-    VYBEG_NEAR(fit.modes[0].f_hz, 3618 + 2.8, 4, 1e-2);
-    VYBEG_NEAR(fit.modes[1].f_hz, 3618 - 2.8, 4, 1e-2);
-    VYBEG_NEAR(fit.modes[0].tau_s, 0.83, 4, 1e-2);
+    // Both channels share most of their noise here, which the deviations take as colour.
+    VYBEG_NEAR(fit.modes[0].f_hz, 3618 + 2.8, 4, 3e-2);
+    VYBEG_NEAR(fit.modes[1].f_hz, 3618 - 2.8, 4, 3e-2);
+    VYBEG_NEAR(fit.modes[0].tau_s, 0.83, 4, 0.1);
 }
 
 void TestDelayedPencil::tooFewWindowsGiveNothing() {
