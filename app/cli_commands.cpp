@@ -6,6 +6,7 @@
 #include "core/analysis/inspect.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/report/recording_json.h"
 #include "core/report/sample_files.h"
 #include "core/report/track_csv.h"
@@ -21,9 +22,9 @@ namespace {
 
 std::string described(const Recording& recording, const std::string& sha256,
                       const std::vector<Diagnostic>& findings) {
-    std::string text = "file      " + recording.path.string() + "\nformat    " + recording.format +
-                       "\nlength    " + round_trip_text(recording.seconds()) + " s, " +
-                       integer_text(recording.frames()) + " frames\nrate      " +
+    std::string text = "file      " + plain_text(recording.path.string()) + "\nformat    " +
+                       recording.format + "\nlength    " + round_trip_text(recording.seconds()) +
+                       " s, " + integer_text(recording.frames()) + " frames\nrate      " +
                        round_trip_text(recording.rate_hz) + " Hz (" +
                        rate_origin_name(recording.rate_from) + ")\n";
     for (std::size_t i = 0; i < recording.channels.size(); ++i) {

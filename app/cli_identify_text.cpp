@@ -1,6 +1,7 @@
 #include "app/cli_identify_text.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/report/quantity_text.h"
 #include "core/resonator/resonator_parameters.h"
 
@@ -73,7 +74,7 @@ std::string modes_text(const ResonatorFit& fit) {
 
 std::string run_text(const IdentifiedInput& input, const IdentifiedRun& run,
                      const RunEstimate& estimate) {
-    return "run " + input.name + "\n" +
+    return "run " + plain_text(input.name) + "\n" +
            line("windows", integer_text(run.windows_used) + " of " + integer_text(run.windows) +
                                ", " + integer_text(run.window) + " samples") +
            line("f_offset", text_of(estimate.f_offset_hz, "Hz")) +
@@ -140,7 +141,7 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
     text += "residual rms " + short_text(fit.residual_rms, 4) + ", chi^2 per degree of freedom " +
             short_text(fit.chi2_per_dof, 4) + "\n";
     if (comparison != nullptr) {
-        text += "compared with " + comparison->file + "\n";
+        text += "compared with " + plain_text(comparison->file) + "\n";
         for (const Difference& difference : comparison->differences) {
             text += difference_text(difference);
         }

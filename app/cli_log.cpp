@@ -1,6 +1,7 @@
 #include "app/cli_log.h"
 
 #include "core/base/messages.h"
+#include "core/base/plain_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -44,7 +45,7 @@ void Log::warnings(std::span<const Diagnostic> diagnostics, const std::string& a
     for (const Diagnostic& diagnostic : diagnostics) {
         const std::string text = english(diagnostic);
         if (!json_) {
-            line("vybeg-cli: warning: " + (about.empty() ? "" : about + ": ") + text);
+            line("vybeg-cli: warning: " + (about.empty() ? "" : plain_text(about) + ": ") + text);
             continue;
         }
         Json object{{"level", "warning"},

@@ -562,6 +562,14 @@
             <translation>Файл обрывается: в заголовке указано отсчётов %1, есть %2. Обработаны имеющиеся.</translation>
         </message>
         <message>
+            <source>The file is still being written, was never closed or has been cut off: nothing in it says how many frames there are to be. The %1 that are there are used.</source>
+            <translation>Файл ещё записывается, не был закрыт или обрезан: сколько в нём должно быть отсчётов, неизвестно. Обработаны имеющиеся: %1.</translation>
+        </message>
+        <message>
+            <source>The channels differ in length: %1 has %2 samples, %3 has %4. Both are counted from their first sample, and the end of the longer one is left out.</source>
+            <translation>Каналы разной длины: в канале %1 отсчётов %2, в канале %3 отсчётов %4. Оба отсчитываются от первого отсчёта, конец более длинного отброшен.</translation>
+        </message>
+        <message>
             <source>The band-pass takes %1 s at each end for its transient; those windows are flagged.</source>
             <translation>Переходный процесс полосового фильтра занимает %1 с на каждом конце; эти окна помечены.</translation>
         </message>

@@ -12,6 +12,8 @@ enum class DiagnosticKind {
     time_gap,     // args: missing samples, at time (s)
     missing_samples,    // args: count of NaN and infinite samples. Windows over them are flagged.
     file_ends_early,    // args: frames promised, frames present
+    file_not_closed,    // args: frames present. Nothing says how many there were to be.
+    channels_unequal,   // args: C's name, its samples, D's name, its samples
     filter_transients,  // args: seconds lost at each end
     filter_colours_noise,  // standard deviations assume white noise
     context_missing,       // args: samples that the algorithm needs beyond the window

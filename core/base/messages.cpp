@@ -1,5 +1,7 @@
 #include "core/base/messages.h"
 
+#include "core/base/plain_text.h"
+
 // Marks a text for lupdate (see translations/CMakeLists or ui/CMakeLists: -tr-function-alias); core
 // itself has no translations.
 #define VYBEG_MESSAGE(context, text) text
@@ -163,6 +165,16 @@ const char* message_template(DiagnosticKind kind) {
                 "Message",
                 "The file ends early: its header promises %1 frames, %2 are there. Those "
                 "are used.");
+        case DiagnosticKind::file_not_closed:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The file is still being written, was never closed or has been cut off: nothing "
+                "in it says how many frames there are to be. The %1 that are there are used.");
+        case DiagnosticKind::channels_unequal:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The channels differ in length: %1 has %2 samples, %3 has %4. Both are counted "
+                "from their first sample, and the end of the longer one is left out.");
         case DiagnosticKind::filter_transients:
             return VYBEG_MESSAGE(
                 "Message",
@@ -276,6 +288,8 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::time_gap: return "time-gap";
         case DiagnosticKind::missing_samples: return "missing-samples";
         case DiagnosticKind::file_ends_early: return "file-ends-early";
+        case DiagnosticKind::file_not_closed: return "file-not-closed";
+        case DiagnosticKind::channels_unequal: return "channels-unequal";
         case DiagnosticKind::filter_transients: return "filter-transients";
         case DiagnosticKind::filter_colours_noise: return "filter-colours-noise";
         case DiagnosticKind::context_missing: return "context-missing";
@@ -368,7 +382,7 @@ std::string fill_template(const std::string& text, const std::vector<std::string
                                        ? static_cast<std::size_t>(text[i + 1] - '1')
                                        : args.size();
         if (number < args.size()) {
-            filled += args[number];
+            filled += plain_text(args[number]);
             ++i;
         } else {
             filled += text[i];

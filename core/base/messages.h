@@ -13,7 +13,8 @@ namespace vybeg {
 const char* message_template(ErrorCode code);
 const char* message_template(DiagnosticKind kind);
 
-// Fills %1 .. %9 of a template. A number without an argument stays as it is.
+// Fills %1 .. %9 of a template with the arguments, which may come from a file, as plain_text(). A
+// number without an argument stays as it is.
 std::string fill_template(const std::string& text, const std::vector<std::string>& args);
 
 // The whole English sentence: what, where, why, what to do.

@@ -1,10 +1,13 @@
 #include "core/libraries/hdf5_attributes.h"
+#include "core/libraries/hdf5_fields.h"
 #include "core/libraries/hdf5_handle.h"
+#include "core/libraries/hdf5_open.h"
 #include "core/libraries/library_file.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -14,7 +17,6 @@ namespace {
 
 constexpr int most_depth = 32;
 constexpr std::size_t most_objects = 10000;
-constexpr std::size_t chunk_cache_bytes = std::size_t{16} << 20;  // a block of C, then of D
 // Deflate's utmost is 1032:1; a dataset beyond has no samples, only a fill value.
 constexpr double most_expansion = 1100;
 
@@ -24,6 +26,7 @@ struct Dataset {
     std::string path;
     int rank = 0;
     Extent extent{1, 1};
+    std::optional<Hdf5Field> field{};  // of a table of records
 };
 
 extern "C" herr_t collect_hard_link(hid_t, const char* name, const H5L_info_t* info, void* names) {
@@ -36,8 +39,9 @@ extern "C" herr_t collect_hard_link(hid_t, const char* name, const H5L_info_t* i
 
 class Hdf5File : public LibraryFile {
 public:
-    Hdf5File(Hdf5Handle file, Naming naming) : file_(std::move(file)), naming_(naming) {
+    Hdf5File(OpenedHdf5 opened, Naming naming) : file_(std::move(opened.file)), naming_(naming) {
         catalogue_.format = naming == Naming::matlab ? "MAT 7.3" : "HDF5";
+        catalogue_.not_closed = opened.not_closed;
         H5Fget_filesize(file_.get(), &file_bytes_);
     }
 
@@ -56,6 +60,11 @@ public:
         Hdf5Handle& handle = open_[request.variable];
         if (!handle) {
             handle = Hdf5Handle(H5Dopen(file_.get(), dataset.path.c_str(), H5P_DEFAULT));
+        }
+        if (dataset.field) {
+            return read_field(handle.get(), *dataset.field, request.channel, request.first, out)
+                       ? Status()
+                       : damaged("samples of " + dataset.path + " cannot be decoded");
         }
         const Hdf5Handle space(H5Dget_space(handle.get()));
         const bool upright = dataset.extent[0] >= dataset.extent[1];
@@ -96,8 +105,8 @@ private:
             if (++objects_ > most_objects) {
                 return damaged("it has more than " + std::to_string(most_objects) + " objects");
             }
-            // MATLAB's own: the cells of cell arrays, and objects.
-            if (naming_ == Naming::matlab && name.starts_with('#')) {
+            // MATLAB's own: the cells of cell arrays, and objects; PyTables' indices.
+            if (naming_ == Naming::matlab ? name.starts_with('#') : name.starts_with("_i_")) {
                 continue;
             }
             const std::string full = path + "/" + name;
@@ -135,18 +144,28 @@ private:
         if (!type || !space) {
             return damaged(path + " cannot be read");
         }
-        Dataset dataset{path, H5Sget_simple_extent_ndims(space.get())};
         const H5T_class_t kind = H5Tget_class(type.get());
         const Hdf5Attributes own = read_attributes(object);
         const std::set<std::string> no_numbers{"char", "logical", "cell", "function_handle"};
-        const bool is_number = kind == H5T_INTEGER || kind == H5T_FLOAT;
-        if (dataset.rank < 0 || dataset.rank > 2 || own.matlab_empty ||
-            no_numbers.contains(own.matlab_class) || (!is_number && !is_complex(type.get()))) {
+        if (H5Sget_simple_extent_type(space.get()) == H5S_NULL || own.matlab_empty ||
+            no_numbers.contains(own.matlab_class)) {
             return {};
         }
-        H5Sget_simple_extent_dims(space.get(), dataset.extent.data(), nullptr);
+        Dataset dataset{path, H5Sget_simple_extent_ndims(space.get())};
+        const bool is_number = kind == H5T_INTEGER || kind == H5T_FLOAT;
+        const bool is_record = kind == H5T_COMPOUND && !is_complex(type.get());
+        if (dataset.rank < 0 || (!is_number && kind != H5T_COMPOUND)) {
+            return {};
+        }
         FileVariable entry;
         entry.name = naming_ == Naming::matlab ? dotted(path) : path;
+        entry.unit = own.unit;
+        entry.rate_hz = own.rate_hz ? own.rate_hz : around.rate_hz;
+        if (dataset.rank > 2) {
+            entry.unsupported = dimensions_text(dataset.rank);
+            return add(std::move(entry), std::move(dataset));
+        }
+        H5Sget_simple_extent_dims(space.get(), dataset.extent.data(), nullptr);
         const auto [shorter, longer] = std::minmax(dataset.extent[0], dataset.extent[1]);
         const std::size_t bytes = H5Tget_size(type.get());
         if (static_cast<double>(longer) * static_cast<double>(shorter) *
@@ -154,12 +173,40 @@ private:
             most_expansion * static_cast<double>(file_bytes_)) {
             return damaged(path + " promises more samples than the file can hold");
         }
+        entry.unsupported = unsupported_storage(object);
+        if (is_record) {
+            return dataset.rank == 1 ? list_fields(type.get(), entry, dataset) : Status();
+        }
         entry.frames = static_cast<std::int64_t>(longer);
         entry.channels = static_cast<std::int64_t>(shorter);
         entry.type = number_type_text(static_cast<int>(8 * bytes), kind == H5T_FLOAT);
-        entry.unsupported = is_number ? unsupported_storage(object) : "complex numbers";
-        entry.unit = own.unit;
-        entry.rate_hz = own.rate_hz ? own.rate_hz : around.rate_hz;
+        if (!is_number) {
+            entry.unsupported = "complex numbers";
+        }
+        return add(std::move(entry), std::move(dataset));
+    }
+
+    // Each field of a table's records is a variable; the rest of `table` and `dataset` is common.
+    Status list_fields(hid_t type, const FileVariable& table, const Dataset& dataset) {
+        for (Hdf5Field& field : number_fields(type)) {
+            if (++objects_ > most_objects) {
+                return damaged("it has more than " + std::to_string(most_objects) + " objects");
+            }
+            FileVariable entry = table;
+            entry.name += (naming_ == Naming::matlab ? "." : "/") + field.name;
+            entry.frames = static_cast<std::int64_t>(dataset.extent[0]);
+            entry.channels = field.width;
+            entry.type = number_type_text(field.bits, field.is_float);
+            Dataset records = dataset;
+            records.field = std::move(field);
+            if (const Status status = add(std::move(entry), std::move(records)); !status) {
+                return status;
+            }
+        }
+        return {};
+    }
+
+    Status add(FileVariable entry, Dataset dataset) {
         catalogue_.variables.push_back(std::move(entry));
         datasets_.push_back(std::move(dataset));
         return take_value();
@@ -182,13 +229,6 @@ private:
     static bool is_complex(hid_t type) {
         return H5Tget_class(type) == H5T_COMPOUND && H5Tget_nmembers(type) == 2 &&
                (H5Tget_member_index(type, "real") >= 0 || H5Tget_member_index(type, "r") >= 0);
-    }
-
-    static std::string unsupported_storage(hid_t dataset) {
-        const Hdf5Handle creation(H5Dget_create_plist(dataset));
-        const bool elsewhere = !creation || H5Pget_layout(creation.get()) == H5D_VIRTUAL ||
-                               H5Pget_external_count(creation.get()) > 0;
-        return elsewhere ? "samples in other files" : "";
     }
 
     static std::string dotted(const std::string& path) {
@@ -214,19 +254,16 @@ private:
 }  // namespace
 
 Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Naming naming) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
-    constexpr std::size_t chunk_slots = 10007;  // a prime, far more than chunks fit
-    H5Pset_cache(access.get(), 0, chunk_slots, chunk_cache_bytes, 1.0);
-    H5Pset_file_locking(access.get(), false, true);  // also where another program writes
-    Hdf5Handle handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
-    if (!handle) {
+    OpenedHdf5 opened = open_hdf5(path);
+    if (!opened.file) {
         return Error{
             ErrorCode::format_damaged,
             "",
-            {naming == Naming::matlab ? "MAT 7.3" : "HDF5", "its header does not fit the file"}};
+            {naming == Naming::matlab ? "MAT 7.3" : "HDF5",
+             opened.truncated ? "it is shorter than its header says: cut off, or never closed"
+                              : "its header does not fit the file"}};
     }
-    auto file = std::make_unique<Hdf5File>(std::move(handle), naming);
+    auto file = std::make_unique<Hdf5File>(std::move(opened), naming);
     if (const Status status = file->list(); !status) {
         return status.error();
     }

@@ -32,9 +32,14 @@ Result<std::unique_ptr<LibraryFile>> open_mat_file(const std::string& path);
 
 enum class Naming { hdf5, matlab };  // "/run/C" or "run.C"
 
-// An HDF5 file, through libhdf5: datasets of one or two dimensions in any group. External links,
-// soft links and samples in other files are not followed.
+// An HDF5 file, through libhdf5: datasets of one or two dimensions in any group, and the fields of
+// tables of records. One that is still being written (SWMR), or was never closed, is read as far as
+// it is there. External links, soft links and samples in other files are not followed; no plug-in
+// is loaded.
 Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Naming naming);
+
+// Why an array of more than two dimensions is not read: "an array of 3 dimensions".
+std::string dimensions_text(int dimensions);
 
 // "16 bit integer", "64 bit float"
 std::string number_type_text(int bits, bool is_float);

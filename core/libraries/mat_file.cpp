@@ -109,7 +109,13 @@ public:
                 return damaged("it has more than " + std::to_string(most_variables) + " variables");
             }
         }
-        return last_complaint.empty() ? take_values() : damaged(last_complaint);
+        if (!last_complaint.empty()) {
+            return damaged(last_complaint);
+        }
+        if (const Status status = open_packed(); !status) {
+            return status;
+        }
+        return take_values();
     }
 
     const Catalogue& catalogue() const override { return catalogue_; }
@@ -134,6 +140,14 @@ private:
             return;
         }
         const NumberClass number = number_class(*variable);
+        if (number.bits != 0 && variable->rank > 2) {
+            FileVariable entry;
+            entry.name = name;
+            entry.unsupported = dimensions_text(variable->rank);
+            catalogue_.variables.push_back(std::move(entry));
+            arrays_.push_back({variable, 0, 0});
+            return;
+        }
         if (number.bits == 0 || variable->rank != 2 || !variable->dims ||
             variable->dims[0] > std::numeric_limits<int>::max() ||
             variable->dims[1] > std::numeric_limits<int>::max()) {
@@ -165,6 +179,21 @@ private:
                 add(field, name + "." + names[i], depth + 1);
             }
         }
+    }
+
+    // Now: once the file is open, vybeg-reader may open nothing more.
+    Status open_packed() {
+        const bool any = std::any_of(arrays_.begin(), arrays_.end(), [](const Array& array) {
+            return array.variable->compression != MAT_COMPRESSION_NONE;
+        });
+        if (any) {
+            auto opened = PackedVariables::open(path_);
+            if (!opened) {
+                return opened.error();
+            }
+            packed_ = std::move(*opened);
+        }
+        return {};
     }
 
     Status take_values() {
@@ -211,13 +240,6 @@ private:
         auto& source = packed_sources_[{request.variable, request.channel}];
         if (source) {
             return source;
-        }
-        if (!packed_) {
-            auto opened = PackedVariables::open(path_);
-            if (!opened) {
-                return opened.error();
-            }
-            packed_ = std::move(*opened);
         }
         const auto place = static_cast<std::size_t>(request.variable);
         const Array& array = arrays_[place];

@@ -55,6 +55,25 @@ Result<bool> is_wanted(const FileBytes& file, const Chunk& chunk, bool big_endia
     return std::find(wanted.begin(), wanted.end(), chunk.id) != wanted.end();
 }
 
+// Whether the bytes from `at` to the end of a WAV file are chunks, the last one complete: what
+// stands behind a data chunk that is truly empty.
+Result<bool> are_chunks(const FileBytes& file, std::int64_t at, bool big_endian) {
+    constexpr std::int64_t head_bytes = 8;
+    for (int i = 0; i < most_chunks && file.size() - at >= head_bytes; ++i) {
+        std::array<char, head_bytes> head{};
+        if (const auto got = file.read(at, head); !got) {
+            return got.error();
+        }
+        if (!std::all_of(head.begin(), head.begin() + 4,
+                         [](char c) { return c >= ' ' && c <= '~'; })) {
+            return false;
+        }
+        const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
+        at += head_bytes + size + size % 2;
+    }
+    return at == file.size() || at == file.size() + 1;
+}
+
 // How a container writes the heads of its chunks.
 struct Layout {
     std::int64_t first_chunk;
@@ -99,6 +118,19 @@ public:
             return false;
         }
         return true;
+    }
+
+    // The samples of a file whose recorder died before it could write their length.
+    void take_unfinished(const Chunk& chunk) {
+        constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
+        const std::int64_t frame = std::max<std::int64_t>(frame_bytes_, 1);
+        const std::int64_t present = file_size_ - chunk.payload_at;
+        const auto size = static_cast<std::uint32_t>(std::min(present, most) / frame * frame);
+        extent_.patches.push_back({chunk.payload_at - 4, store(size, big_endian_)});
+        extent_.samples_at = chunk.payload_at;
+        extent_.promised_frames =
+            frame_bytes_ > 0 ? std::optional(present / frame_bytes_) : std::nullopt;
+        extent_.never_closed = true;
     }
 
     void hide(const Chunk& chunk) { extent_.patches.push_back({chunk.payload_at - 8, "JUNK"}); }
@@ -208,6 +240,16 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
             }
             if (!*wanted) {
                 reader.hide(chunk);
+            }
+        }
+        if (*container == Container::wav && chunk.id == "data" && size == 0 && searching) {
+            const auto is_empty = are_chunks(file, chunk.payload_at, layout.big_endian);
+            if (!is_empty) {
+                return is_empty.error();
+            }
+            if (!*is_empty) {
+                reader.take_unfinished(chunk);
+                break;
             }
         }
         searching = searching && reader.take(chunk);

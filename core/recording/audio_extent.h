@@ -29,6 +29,9 @@ struct AudioExtent {
     // Of the first sample in a WAV, RF64 or W64 file, in bytes; 0 where there is none.
     std::int64_t samples_at = 0;
     bool rate_is_zero = false;  // in a WAV, RF64 or W64 file; patched to 1 Hz
+    // The length of the samples of a WAV file is still zero, and they reach to the file's end: its
+    // recorder died. Patched.
+    bool never_closed = false;
     // Also a CAF file's length, where the file ends before; and the names of WAV and RF64 chunks
     // that the decoder need not see, some of which make it go round for ever.
     std::vector<HeaderPatch> patches;

@@ -178,6 +178,9 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
                                                          extent->present, options);
     }
     note_early_end(extent->promised, recording);
+    if (header->never_closed) {
+        note_not_closed(recording);
+    }
     return recording;
 }
 

@@ -148,7 +148,7 @@ std::optional<std::pair<NumberType, bool>> parse_type(std::string_view descr) {
         big_endian = descr.front() == '>';
         descr.remove_prefix(1);
     }
-    constexpr std::array<std::pair<std::string_view, NumberType>, 10> types{{
+    constexpr std::array<std::pair<std::string_view, NumberType>, 11> types{{
         {"i1", NumberType::i8},
         {"u1", NumberType::u8},
         {"i2", NumberType::i16},
@@ -157,6 +157,7 @@ std::optional<std::pair<NumberType, bool>> parse_type(std::string_view descr) {
         {"u4", NumberType::u32},
         {"i8", NumberType::i64},
         {"u8", NumberType::u64},
+        {"f2", NumberType::f16},
         {"f4", NumberType::f32},
         {"f8", NumberType::f64},
     }};

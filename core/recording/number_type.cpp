@@ -4,6 +4,8 @@
 #include "core/recording/number_pairs.h"
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <type_traits>
 
 namespace vybeg {
@@ -33,6 +35,24 @@ struct Int24 {
                             static_cast<std::uint32_t>(low_first[1]) << 16 |
                             static_cast<std::uint32_t>(low_first[2]) << 24;
         return static_cast<std::int32_t>(at_top) / 256.0;
+    }
+};
+
+// 16 bits of IEEE 754: a sign, five bits of exponent, ten of fraction. GCC 12 has no such type in
+// C++.
+struct Half {
+    std::uint16_t bits;
+
+    explicit operator double() const {
+        const std::uint64_t sign = std::uint64_t{bits} >> 15 << 63;
+        const std::uint64_t exponent = bits >> 10 & 0x1F;
+        const std::uint64_t fraction = bits & 0x3FF;
+        if (exponent == 0) {
+            const double small = static_cast<double>(fraction) * 0x1p-24;
+            return sign != 0 ? -small : small;
+        }
+        const std::uint64_t wide = exponent == 0x1F ? 0x7FF : exponent + 1023 - 15;
+        return std::bit_cast<double>(sign | wide << 52 | fraction << 42);
     }
 };
 
@@ -66,6 +86,7 @@ void with_sample(NumberType type, bool big_endian, const Scale& scale, Loop loop
         case NumberType::u32: return with(std::uint32_t());
         case NumberType::i64: return with(std::int64_t());
         case NumberType::u64: return with(std::uint64_t());
+        case NumberType::f16: return with(Half());
         case NumberType::f32: return with(float());
         case NumberType::f64: return with(double());
     }
@@ -78,7 +99,8 @@ int bytes_of(NumberType type) {
         case NumberType::i8:
         case NumberType::u8: return 1;
         case NumberType::i16:
-        case NumberType::u16: return 2;
+        case NumberType::u16:
+        case NumberType::f16: return 2;
         case NumberType::i24: return 3;
         case NumberType::i32:
         case NumberType::u32:
@@ -97,6 +119,7 @@ std::string name_of(NumberType type) {
         case NumberType::u16:
         case NumberType::u32:
         case NumberType::u64: return bits + "unsigned integer";
+        case NumberType::f16:
         case NumberType::f32:
         case NumberType::f64: return bits + "float";
         default: return bits + "integer";

@@ -1,6 +1,7 @@
 #include "core/recording/open_recording.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/recording/audio_reader.h"
 #include "core/recording/file_bytes.h"
 #include "core/recording/file_kind.h"
@@ -92,6 +93,11 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
     }
     auto recording = open_by_content(*file, options, job);
     if (recording) {
+        recording->format = plain_text(recording->format);
+        recording->start = plain_text(recording->start);
+        for (Channel& channel : recording->channels) {
+            channel = {plain_text(channel.name), plain_text(channel.unit)};
+        }
         recording->read_with = options_text(options);
         if (!options.unit.empty()) {
             for (Channel& channel : recording->channels) {

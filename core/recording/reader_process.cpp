@@ -1,13 +1,15 @@
 #include "core/recording/reader_process.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
-#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -17,6 +19,8 @@ namespace {
 
 constexpr std::int64_t most_text_bytes = std::int64_t{16} << 20;
 constexpr int above_the_readers_descriptors = 10;
+constexpr int slice_ms = 50;
+constexpr int idle_slices = 400;  // 20 s
 
 // A descriptor that is closed at the end of its scope.
 class Descriptor {
@@ -36,8 +40,8 @@ private:
     int number_;
 };
 
-// How the helper is started: its descriptors, no other; signals as in a fresh program; in a process
-// group of its own, so that Ctrl-C in a terminal reaches only the program.
+// How the helper is started: its descriptors, no other; an empty environment; signals as in a fresh
+// program; in a process group of its own, so that Ctrl-C in a terminal reaches only the program.
 class SpawnPlan {
 public:
     SpawnPlan(int socket, int file) {
@@ -69,8 +73,14 @@ public:
         std::string name = program;
         std::string argument = kind;
         std::array<char*, 3> arguments{name.data(), argument.data(), nullptr};
+#ifdef __SANITIZE_ADDRESS__  // its options come from there
+        char** const environment = environ;
+#else
+        std::array<char*, 1> none{nullptr};
+        char** const environment = none.data();
+#endif
         return ::posix_spawn(&id, program.c_str(), &actions_, &attributes_, arguments.data(),
-                             environ);
+                             environment);
     }
 
 private:
@@ -91,11 +101,10 @@ struct Started {
 };
 
 // When it returns, our copies of the helper's end are closed: else its death would not be heard.
-Result<Started> spawn(const FileBytes& file, const std::string& kind) {
+Result<Started> spawn(const FileBytes& file, const std::string& kind, const std::string& name) {
     std::error_code ignored;  // without /proc the path is that of no program, and starting fails
     const std::string program =
-        (std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "vybeg-reader")
-            .string();
+        (std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / name).string();
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
         return no_helper(file, program, errno);
@@ -121,8 +130,9 @@ Result<Started> spawn(const FileBytes& file, const std::string& kind) {
 
 Result<std::unique_ptr<ReaderProcess>> ReaderProcess::start(std::shared_ptr<const FileBytes> file,
                                                             const std::string& kind,
-                                                            const std::string& format) {
-    const auto started = spawn(*file, kind);
+                                                            const std::string& format,
+                                                            const std::string& program) {
+    const auto started = spawn(*file, kind, program);
     if (!started) {
         return started.error();
     }
@@ -145,15 +155,15 @@ ReaderProcess::~ReaderProcess() {
 Status ReaderProcess::take_catalogue() {
     allow(seconds_for_catalogue);
     Reply reply;
-    if (!receive_value(socket_, reply)) {
-        return broken_off(seconds_for_catalogue);
+    if (!receive(reply)) {
+        return broken_off();
     }
     if (reply.kind != ReplyKind::catalogue) {
-        return failed_reply(reply, seconds_for_catalogue);
+        return failed_reply(reply);
     }
     const auto bytes = receive_text(reply);
     if (!bytes) {
-        return broken_off(seconds_for_catalogue);
+        return broken_off();
     }
     auto catalogue = decode_catalogue(*bytes);
     if (!catalogue) {
@@ -164,44 +174,88 @@ Status ReaderProcess::take_catalogue() {
 }
 
 Status ReaderProcess::read(const SampleRequest& request, std::span<double> out) {
-    const int seconds = seconds_allowed(request);
-    allow(seconds);
+    allow(seconds_allowed(request));
     Reply reply;
-    if (!send_value(socket_, request) || !receive_value(socket_, reply)) {
-        return broken_off(seconds);
+    if (!send_value(socket_, request) || !receive(reply)) {
+        return broken_off();
     }
     if (reply.kind != ReplyKind::samples ||
         reply.bytes != static_cast<std::int64_t>(out.size_bytes())) {
-        return failed_reply(reply, seconds);
+        return failed_reply(reply);
     }
-    if (!receive_bytes(socket_, {reinterpret_cast<char*>(out.data()), out.size_bytes()})) {
-        return broken_off(seconds);
+    if (!receive({reinterpret_cast<char*>(out.data()), out.size_bytes()})) {
+        return broken_off();
     }
     return {};
 }
 
-// How long the helper may keep us waiting before we give it up.
 void ReaderProcess::allow(int seconds) {
-    timeval time{};
-    time.tv_sec = seconds;
-    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &time, sizeof time);
-    ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &time, sizeof time);
+    seconds_ = seconds;
+    used_up_at_s_ = processor_s() + seconds;
+    last_wait_ = Wait::ready;
+}
+
+// Of the helper, since it was started.
+double ReaderProcess::processor_s() const {
+    clockid_t clock{};
+    timespec time{};
+    if (::clock_getcpuclockid(id_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) {
+        return 0;
+    }
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Until there is something to receive, be it the end.
+ReaderProcess::Wait ReaderProcess::wait() {
+    constexpr double any_progress_s = 1e-4;
+    double used_s = processor_s();
+    for (int idle = 0; idle < idle_slices; ++idle) {
+        pollfd waited{socket_, POLLIN, 0};
+        if (::poll(&waited, 1, slice_ms) > 0) {
+            return Wait::ready;
+        }
+        const double now_s = processor_s();
+        if (now_s > used_up_at_s_) {
+            return Wait::used_up;
+        }
+        if (now_s > used_s + any_progress_s) {
+            used_s = now_s;
+            idle = 0;
+        }
+    }
+    return Wait::idle;
+}
+
+// The whole of `bytes`; false where the helper ended (errno is 0 then), failed or was waited for
+// too long.
+bool ReaderProcess::receive(std::span<char> bytes) {
+    while (!bytes.empty()) {
+        last_wait_ = wait();
+        if (last_wait_ != Wait::ready) {
+            return false;
+        }
+        const ssize_t got = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+        if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) {
+            return false;
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    }
+    return true;
 }
 
 std::optional<std::string> ReaderProcess::receive_text(const Reply& reply) {
     if (reply.bytes < 0 || reply.bytes > most_text_bytes) {
-        errno = 0;
         return {};
     }
     std::string bytes(static_cast<std::size_t>(reply.bytes), '\0');
-    return receive_bytes(socket_, bytes) ? std::optional(std::move(bytes)) : std::nullopt;
+    return receive(bytes) ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-Error ReaderProcess::failed_reply(const Reply& reply, int seconds) {
+Error ReaderProcess::failed_reply(const Reply& reply) {
     if (reply.kind == ReplyKind::error) {
         const auto bytes = receive_text(reply);
         if (!bytes) {
-            return broken_off(seconds);
+            return broken_off();
         }
         if (auto error = decode_error(*bytes)) {
             error->where = file_->path().string();
@@ -212,16 +266,20 @@ Error ReaderProcess::failed_reply(const Reply& reply, int seconds) {
 }
 
 // Why nothing came, as far as the end of the helper tells.
-Error ReaderProcess::broken_off(int seconds) {
-    if (errno == EAGAIN || errno == EWOULDBLOCK) {
-        end();
-        return damaged("its library did not come to an end within " + std::to_string(seconds) +
-                       " s");
-    }
+Error ReaderProcess::broken_off() {
     const int status = end();
-    return damaged(WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU
-                       ? "its library did not come to an end"
-                       : "its library failed on it");
+    if (last_wait_ == Wait::used_up) {
+        return damaged("its library did not come to an end within " + std::to_string(seconds_) +
+                       " s of processor time");
+    }
+    if (last_wait_ == Wait::idle) {
+        return damaged("its library stopped working on it for " +
+                       std::to_string(idle_slices * slice_ms / 1000) + " s");
+    }
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    return damaged(signal == SIGXCPU  ? "its library did not come to an end"
+                   : signal == SIGSYS ? "its library was stopped when it tried to do more than read"
+                                      : "its library failed on it");
 }
 
 // Ends the helper and returns the status that waitpid() gives.

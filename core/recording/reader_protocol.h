@@ -32,6 +32,7 @@ struct FileVariable {
 struct Catalogue {
     std::string format;  // e.g. "MAT 5"
     std::vector<FileVariable> variables;
+    bool not_closed = false;  // still being written, or its writer died
 
     friend bool operator==(const Catalogue&, const Catalogue&) = default;
 };
@@ -48,7 +49,7 @@ struct SampleRequest {
 // Whether the request asks for samples that the catalogue promises.
 bool fits(const SampleRequest& request, const Catalogue& catalogue);
 
-// Seconds that the helper may take to answer: 2, and for a compressed variable, which is decoded
+// Seconds of processor time that the helper may take to answer: 2, and for a compressed variable, which is decoded
 // from its start, a time that grows with what lies before.
 int seconds_allowed(const SampleRequest& request);
 inline constexpr int seconds_for_catalogue = 2;

@@ -74,6 +74,25 @@ void note_early_end(std::int64_t promised_frames, Recording& recording) {
     }
 }
 
+void note_not_closed(Recording& recording) {
+    recording.diagnostics.push_back({DiagnosticKind::file_not_closed,
+                                     {integer_text(recording.frames())},
+                                     recording.frames(),
+                                     0});
+}
+
+void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& recording) {
+    const auto name = [&](int channel) {
+        return recording.channels[static_cast<std::size_t>(channel - 1)].name;
+    };
+    recording.diagnostics.push_back(
+        {DiagnosticKind::channels_unequal,
+         {name(recording.channel_c), integer_text(samples_c), name(recording.channel_d),
+          integer_text(samples_d)},
+         std::min(samples_c, samples_d),
+         std::max(samples_c, samples_d) - std::min(samples_c, samples_d)});
+}
+
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options) {
     if (own && own->hz > 0) {

@@ -28,6 +28,12 @@ std::vector<Channel> numbered_channels(int count);
 // Adds file_ends_early where the recording has fewer frames than its file promises.
 void note_early_end(std::int64_t promised_frames, Recording& recording);
 
+// Adds file_not_closed: nothing in the file says how many frames there were to be.
+void note_not_closed(Recording& recording);
+
+// Adds channels_unequal for C's and D's samples. Precondition: source and channels are there.
+void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& recording);
+
 struct SampleRate {
     double hz = 0;
     RateOrigin from = RateOrigin::file;

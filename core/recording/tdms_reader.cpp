@@ -1,9 +1,9 @@
 #include "core/recording/tdms_reader.h"
 
-#include "core/base/number_text.h"
 #include "core/recording/column_source.h"
 #include "core/recording/selection.h"
 #include "core/recording/tdms_runs.h"
+#include "core/recording/tdms_scale.h"
 #include "core/recording/tdms_segments.h"
 #include "core/recording/tdms_values.h"
 #include "core/recording/text_header.h"
@@ -28,19 +28,50 @@ constexpr std::int64_t held_bytes_of_run = 3 * sizeof(SampleRun);
 
 struct FoundChannel {
     std::size_t object = 0;
-    NumberType type = NumberType::f64;
+    TdmsRawIndex index;  // the first of its object
 };
 
 // What the first walk through the file brings.
 struct Contents {
     std::vector<TdmsObject> objects;
     std::vector<FoundChannel> channels;
-    bool incomplete = false;
+    bool open_ended = false;
 
-    const TdmsObject& object(int channel) const {
-        return objects[channels[static_cast<std::size_t>(channel - 1)].object];
+    const FoundChannel& channel(int number) const {
+        return channels[static_cast<std::size_t>(number - 1)];
     }
+    const TdmsObject& object(int number) const { return objects[channel(number).object]; }
 };
+
+// A channel that is to be read: which of its numbers, and what they become.
+struct ChosenChannel {
+    std::size_t object = 0;
+    NumberType type = NumberType::f64;
+    TdmsScaling scaling;
+
+    std::uint32_t scaler() const { return scaling.scaler.value_or(0); }
+};
+
+struct Columns {
+    SampleColumn c;
+    SampleColumn d;
+    std::int64_t promised_c = 0;
+    std::int64_t promised_d = 0;
+};
+
+bool alike(const TdmsRawIndex& a, const TdmsRawIndex& b) {
+    return a.type == b.type &&
+           std::equal(a.scalers.begin(), a.scalers.end(), b.scalers.begin(), b.scalers.end(),
+                      [](const TdmsScaler& x, const TdmsScaler& y) {
+                          return x.type == y.type && x.id == y.id;
+                      });
+}
+
+bool has_numbers(const TdmsRawIndex& index) {
+    return tdms_number(index.type) ||
+           std::any_of(index.scalers.begin(), index.scalers.end(),
+                       [](const TdmsScaler& scaler) { return scaler.type.has_value(); });
+}
 
 class TdmsReader {
 public:
@@ -49,18 +80,18 @@ public:
 
     Result<Contents> contents() const {
         TdmsFile tdms(file_, job_);
-        std::vector<std::optional<std::uint32_t>> types;  // of each object, once it has values
+        std::vector<std::optional<TdmsRawIndex>> first;  // of each object, once it has values
         std::vector<std::size_t> order;
         const Status status =
             tdms.walk([&](const TdmsSegment&, const std::vector<TdmsRawIndex>& chunk) -> Status {
-                types.resize(tdms.objects().size());
+                first.resize(tdms.objects().size());
                 for (const TdmsRawIndex& index : chunk) {
-                    if (types[index.object].value_or(index.type) != index.type) {
-                        return unsupported("a channel whose type of number changes");
-                    }
-                    if (!types[index.object]) {
-                        types[index.object] = index.type;
+                    auto& known = first[index.object];
+                    if (!known) {
+                        known = index;
                         order.push_back(index.object);
+                    } else if (!alike(*known, index)) {
+                        return unsupported("a channel whose type of number changes");
                     }
                 }
                 return {};
@@ -68,24 +99,50 @@ public:
         if (!status) {
             return status.error();
         }
-        Contents contents{tdms.objects(), {}, tdms.incomplete()};
+        Contents contents{tdms.objects(), {}, tdms.open_ended()};
         for (const std::size_t object : order) {
-            const auto type = tdms_number(*types[object]);
-            if (type && !is_time_name(contents.objects[object].channel)) {
-                contents.channels.push_back({object, *type});
+            if (has_numbers(*first[object]) && !is_time_name(contents.objects[object].channel)) {
+                contents.channels.push_back({object, std::move(*first[object])});
             }
         }
         return contents;
     }
 
+    Result<ChosenChannel> choose(const Contents& contents, int number) const {
+        const FoundChannel& found = contents.channel(number);
+        const TdmsObject& object = contents.objects[found.object];
+        auto scaling = tdms_scaling(*file_, with_owners(contents, object));
+        if (!scaling) {
+            return scaling.error();
+        }
+        ChosenChannel chosen{found.object, NumberType::f64, std::move(*scaling)};
+        const auto& scalers = found.index.scalers;
+        const auto undescribed = [&] {
+            return unsupported("a scale that it does not describe (channel " + object.channel +
+                               ")");
+        };
+        if (!found.index.is_daqmx) {
+            chosen.type = *tdms_number(found.index.type);
+            return chosen.scaling.scaler ? Result<ChosenChannel>(undescribed()) : chosen;
+        }
+        if (!chosen.scaling.scaler && scalers.size() == 1) {
+            chosen.scaling.scaler = scalers.front().id;
+        }
+        const auto scaler =
+            std::find_if(scalers.begin(), scalers.end(), [&](const TdmsScaler& candidate) {
+                return candidate.type && chosen.scaling.scaler == candidate.id;
+            });
+        if (scaler == scalers.end()) {
+            return undescribed();
+        }
+        chosen.type = *scaler->type;
+        return chosen;
+    }
+
     // Both columns, from a second walk: which channels they are is only known after the first.
-    Result<std::pair<SampleColumn, SampleColumn>> columns(const Contents& contents,
-                                                          const OpenOptions& options,
-                                                          std::int64_t& promised) const {
-        const FoundChannel c = contents.channels[static_cast<std::size_t>(options.channel_c - 1)];
-        const FoundChannel d = contents.channels[static_cast<std::size_t>(options.channel_d - 1)];
-        TdmsRuns runs_c(c.object);
-        TdmsRuns runs_d(d.object);
+    Result<Columns> columns(const ChosenChannel& c, const ChosenChannel& d) const {
+        TdmsRuns runs_c(c.object, c.scaler());
+        TdmsRuns runs_d(d.object, d.scaler());
         TdmsFile tdms(file_, job_);
         const auto most_runs =
             static_cast<std::size_t>((file_->size() + held_bytes) / held_bytes_of_run);
@@ -105,31 +162,18 @@ public:
             return status.error();
         }
         const auto bytes = file_part(file_, 0, file_->size());
-        std::pair<SampleColumn, SampleColumn> both{{bytes, c.type, runs_c.take_runs()},
-                                                   {bytes, d.type, runs_d.take_runs()}};
-        for (const auto& [column, object] :
-             {std::pair(&both.first, c.object), std::pair(&both.second, d.object)}) {
-            if (const Status scaled = scale(contents.objects[object], *column); !scaled) {
-                return scaled.error();
-            }
-        }
-        promised = std::max(runs_c.promised(), runs_d.promised());
+        Columns both{{}, {}, runs_c.promised(), runs_d.promised()};
+        both.c = {bytes, c.type, runs_c.take_runs(), c.scaling.linear};
+        both.d = {bytes, d.type, runs_d.take_runs(), d.scaling.linear};
         return both;
     }
 
     // 1 / wf_increment of the channel, its group or the file.
-    std::optional<double> rate(const Contents& contents, const TdmsObject& channel) const {
-        for (const bool group : {true, false}) {
-            const auto found = std::find_if(
-                contents.objects.begin(), contents.objects.end(), [&](const TdmsObject& object) {
-                    return object.channel.empty() && object.group == (group ? channel.group : "");
-                });
-            for (const TdmsObject* object :
-                 {&channel, found == contents.objects.end() ? nullptr : &*found}) {
-                const double step = object ? number(*object, "wf_increment").value_or(0) : 0;
-                if (step > 0 && std::isfinite(1 / step)) {
-                    return 1 / step;
-                }
+    static std::optional<double> rate(const Contents& contents, const TdmsObject& channel) {
+        for (const TdmsObject* object : with_owners(contents, channel)) {
+            const double step = number(*object, "wf_increment").value_or(0);
+            if (step > 0 && std::isfinite(1 / step)) {
+                return 1 / step;
             }
         }
         return std::nullopt;
@@ -150,21 +194,20 @@ private:
         return found == object.properties.end() ? std::nullopt : found->second.number;
     }
 
-    // How the counts of a channel become its unit, unless the file says that they have already.
-    Status scale(const TdmsObject& object, SampleColumn& column) const {
-        const double scales = number(object, "NI_Number_Of_Scales").value_or(0);
-        if (!(scales > 0) || text(object, "NI_Scaling_Status") == "scaled") {
-            return {};
+    // The channel, its group and the file, as far as they are described.
+    static std::vector<const TdmsObject*> with_owners(const Contents& contents,
+                                                      const TdmsObject& channel) {
+        std::vector<const TdmsObject*> found{&channel};
+        for (const std::string& group : {channel.group, std::string()}) {
+            const auto owner = std::find_if(
+                contents.objects.begin(), contents.objects.end(), [&](const TdmsObject& object) {
+                    return object.channel.empty() && object.group == group;
+                });
+            if (owner != contents.objects.end()) {
+                found.push_back(&*owner);
+            }
         }
-        const auto slope = number(object, "NI_Scale[0]_Linear_Slope");
-        const auto intercept = number(object, "NI_Scale[0]_Linear_Y_Intercept");
-        if (scales != 1 || text(object, "NI_Scale[0]_Scale_Type") != "Linear" || !slope ||
-            !intercept) {
-            return unsupported("the scale of the channel " + object.channel);
-        }
-        column.scale.gain = *slope;
-        column.scale.offset = *intercept;
-        return {};
+        return found;
     }
 
     std::shared_ptr<const FileBytes> file_;
@@ -211,8 +254,8 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
         return status.error();
     }
     const TdmsObject& c = contents->object(options.channel_c);
-    const auto rate_c = reader.rate(*contents, c);
-    const auto rate_d = reader.rate(*contents, contents->object(options.channel_d));
+    const auto rate_c = TdmsReader::rate(*contents, c);
+    const auto rate_d = TdmsReader::rate(*contents, contents->object(options.channel_d));
     if (rate_c && rate_d && *rate_c != *rate_d) {
         return reader.unsupported("C and D at different sample rates");
     }
@@ -222,31 +265,39 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     if (!rate) {
         return rate.error();
     }
-    std::int64_t promised = 0;
-    auto columns = reader.columns(*contents, options, promised);
+    const auto chosen_c = reader.choose(*contents, options.channel_c);
+    const auto chosen_d = reader.choose(*contents, options.channel_d);
+    if (!chosen_c || !chosen_d) {
+        return (chosen_c ? chosen_d : chosen_c).error();
+    }
+    auto columns = reader.columns(*chosen_c, *chosen_d);
     if (!columns) {
         return columns.error();
     }
     Recording recording;
     recording.path = file->path();
     recording.format =
-        "TDMS, " + name_of(columns->first.type) + ", " + std::to_string(count) + " channels";
+        "TDMS, " + name_of(columns->c.type) + ", " + std::to_string(count) + " channels";
     recording.rate_hz = rate->hz;
     recording.rate_from = rate->from;
     recording.channels = describe(*contents);
     recording.channel_c = options.channel_c;
     recording.channel_d = options.channel_d;
     recording.start = TdmsReader::text(c, "wf_start_time");
-    recording.source = column_source(std::move(columns->first), std::move(columns->second));
+    const std::int64_t frames_c = columns->c.frames();
+    const std::int64_t frames_d = columns->d.frames();
+    recording.source = scaled_by(column_source(std::move(columns->c), std::move(columns->d)),
+                                 chosen_c->scaling, chosen_d->scaling);
     if (const Status status = check_frames(*file, recording.frames()); !status) {
         return status.error();
     }
-    note_early_end(promised, recording);
-    if (contents->incomplete && recording.diagnostics.empty()) {
-        // Nobody knows how many there were to be.
-        const std::string present = integer_text(recording.frames());
-        recording.diagnostics.push_back(
-            {DiagnosticKind::file_ends_early, {present, present}, recording.frames(), 0});
+    if (contents->open_ended) {
+        note_not_closed(recording);
+    } else {
+        note_early_end(std::min(columns->promised_c, columns->promised_d), recording);
+    }
+    if (columns->promised_c != columns->promised_d) {
+        note_unequal(frames_c, frames_d, recording);
     }
     return recording;
 }

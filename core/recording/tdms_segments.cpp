@@ -15,7 +15,6 @@ namespace {
 constexpr std::int64_t lead_in_bytes = 28;
 constexpr std::string_view tag = "TDSm";
 constexpr std::size_t most_objects = 10000;
-constexpr std::uint64_t most_values = std::uint64_t{1} << 40;  // of an object in a chunk
 
 // The table of contents: bits in a segment's lead-in.
 constexpr std::uint32_t has_metadata = 1u << 1;
@@ -25,21 +24,17 @@ constexpr std::uint32_t is_interleaved = 1u << 5;
 constexpr std::uint32_t is_big_endian = 1u << 6;
 constexpr std::uint32_t has_daqmx_data = 1u << 7;
 
-// Instead of the length of an object's raw index.
-constexpr std::uint32_t no_raw_data = 0xFFFFFFFF;
-constexpr std::uint32_t same_as_before = 0;
-constexpr std::array<std::uint32_t, 3> daqmx_indices{0x1269, 0x126A, 0x1369};
-
 constexpr std::uint64_t never_closed = std::numeric_limits<std::uint64_t>::max();
 
-constexpr std::array<std::string_view, 8> kept_properties{"wf_increment",
-                                                          "wf_start_time",
-                                                          "unit_string",
-                                                          "NI_Scaling_Status",
-                                                          "NI_Number_Of_Scales",
-                                                          "NI_Scale[0]_Scale_Type",
-                                                          "NI_Scale[0]_Linear_Slope",
-                                                          "NI_Scale[0]_Linear_Y_Intercept"};
+constexpr std::size_t most_kept = 50000;
+
+// Those that say something about samples.
+bool is_kept(std::string_view name) {
+    constexpr std::array<std::string_view, 4> names{"wf_increment", "wf_start_time", "unit_string",
+                                                    "NI_Number_Of_Scales"};
+    return name.starts_with("NI_Scal") ||
+           std::find(names.begin(), names.end(), name) != names.end();
+}
 
 struct LeadIn {
     std::uint32_t contents = 0;
@@ -59,75 +54,6 @@ LeadIn parse_lead_in(const char* bytes) {
 }
 
 }  // namespace
-
-// The bytes of a segment's metadata, taken one value after the other. What lies behind their end
-// reads as nothing, and ended() tells.
-class TdmsFile::Metadata {
-public:
-    Metadata(std::string bytes, bool big_endian)
-        : bytes_(std::move(bytes)), rest_(bytes_), big_endian_(big_endian) {}
-    Metadata(const Metadata&) = delete;
-    Metadata& operator=(const Metadata&) = delete;
-
-    template <class Number>
-    Number number() {
-        if (rest_.size() < sizeof(Number)) {
-            rest_ = {};
-            ended_ = true;
-            return {};
-        }
-        const auto value = load<Number>(rest_.data(), big_endian_);
-        rest_.remove_prefix(sizeof(Number));
-        return value;
-    }
-
-    std::string_view bytes(std::size_t size) {
-        if (rest_.size() < size) {
-            rest_ = {};
-            ended_ = true;
-            return {};
-        }
-        const std::string_view taken = rest_.substr(0, size);
-        rest_.remove_prefix(size);
-        return taken;
-    }
-
-    std::string string() { return std::string(bytes(number<std::uint32_t>())); }
-
-    // A property's value; nothing where its type is not known.
-    std::optional<TdmsValue> value(std::uint32_t type) {
-        if (type == tdms_string) {
-            return TdmsValue{std::nullopt, to_utf8(string())};
-        }
-        if (type == tdms_time) {
-            const bool seconds_first = big_endian_;
-            const auto first = number<std::uint64_t>();
-            const auto second = number<std::uint64_t>();
-            const auto seconds = static_cast<std::int64_t>(seconds_first ? first : second);
-            return TdmsValue{std::nullopt, tdms_time_text(seconds, seconds_first ? second : first)};
-        }
-        const auto size = tdms_bytes(type);
-        if (!size) {
-            return std::nullopt;
-        }
-        const std::string_view content = bytes(static_cast<std::size_t>(*size));
-        TdmsValue value;
-        if (const auto number_type = tdms_number(type); number_type && !ended_) {
-            double number = 0;
-            decode(*number_type, big_endian_, content.data(), *size, {}, {&number, 1});
-            value.number = number;
-        }
-        return value;
-    }
-
-    bool ended() const { return ended_; }
-
-private:
-    std::string bytes_;
-    std::string_view rest_;
-    bool big_endian_;
-    bool ended_ = false;
-};
 
 TdmsFile::TdmsFile(std::shared_ptr<const FileBytes> file, const JobControl& job)
     : file_(std::move(file)), job_(job) {}
@@ -152,7 +78,7 @@ Status TdmsFile::walk(const Visitor& visit) {
             return got.error();
         }
         if (*got < lead_in_bytes) {
-            incomplete_ = true;
+            open_ended_ = true;
             break;
         }
         if (!std::string_view(bytes.data(), bytes.size()).starts_with(tag)) {
@@ -162,7 +88,7 @@ Status TdmsFile::walk(const Visitor& visit) {
         const auto room = static_cast<std::uint64_t>(file_size - at - lead_in_bytes);
         const bool closed = lead_in.next != never_closed;
         if (lead_in.raw > room) {
-            incomplete_ = true;  // within its metadata
+            open_ended_ = true;  // within its metadata
             break;
         }
         if (closed && lead_in.next < lead_in.raw) {
@@ -178,8 +104,11 @@ Status TdmsFile::walk(const Visitor& visit) {
                 return status;
             }
         }
-        if (lead_in.has(has_daqmx_data)) {
-            return unsupported("raw data of DAQmx");
+        const auto daqmx = std::count_if(chunk_.begin(), chunk_.end(),
+                                         [](const TdmsRawIndex& index) { return index.is_daqmx; });
+        const bool all = daqmx == static_cast<std::ptrdiff_t>(chunk_.size());
+        if (lead_in.has(has_raw_data) && !(all || (daqmx == 0 && !lead_in.has(has_daqmx_data)))) {
+            return unsupported("raw data of DAQmx that not all channels describe");
         }
         TdmsSegment segment;
         segment.offset = metadata_at + metadata_size;
@@ -193,7 +122,7 @@ Status TdmsFile::walk(const Visitor& visit) {
             segment.promised =
                 static_cast<std::int64_t>(std::min(lead_in.next, most)) - metadata_size;
         }
-        incomplete_ = incomplete_ || !closed || lead_in.next > room;
+        open_ended_ = open_ended_ || !closed;
         if (lead_in.has(has_raw_data)) {
             if (const Status status = visit(segment, chunk_); !status) {
                 return status;
@@ -211,7 +140,7 @@ Status TdmsFile::take_metadata(std::int64_t offset, std::int64_t size, bool big_
     if (!got) {
         return got.error();
     }
-    Metadata metadata(std::move(bytes), big_endian);
+    TdmsMetadata metadata(std::move(bytes), big_endian);
     if (new_list) {
         chunk_.clear();
     }
@@ -224,7 +153,7 @@ Status TdmsFile::take_metadata(std::int64_t offset, std::int64_t size, bool big_
     return metadata.ended() ? damaged("its metadata end too early") : Status{};
 }
 
-Status TdmsFile::take_object(Metadata& metadata) {
+Status TdmsFile::take_object(TdmsMetadata& metadata) {
     const auto object = object_named(metadata.string());
     if (metadata.ended()) {
         return damaged("its metadata end too early");
@@ -232,7 +161,7 @@ Status TdmsFile::take_object(Metadata& metadata) {
     if (!object) {
         return object.error();
     }
-    if (const Status status = take_raw_index(metadata, *object); !status) {
+    if (const Status status = list_raw_index(metadata, *object); !status) {
         return status;
     }
     return take_properties(metadata, objects_[*object]);
@@ -257,41 +186,25 @@ Result<std::size_t> TdmsFile::object_named(const std::string& path) {
     return place;
 }
 
-Status TdmsFile::take_raw_index(Metadata& metadata, std::size_t object) {
+Status TdmsFile::list_raw_index(TdmsMetadata& metadata, std::size_t object) {
     const auto length = metadata.number<std::uint32_t>();
     const auto listed =
         std::find_if(chunk_.begin(), chunk_.end(),
                      [object](const TdmsRawIndex& index) { return index.object == object; });
-    if (length == no_raw_data) {
+    if (length == tdms_no_raw_data) {
         if (listed != chunk_.end()) {
             chunk_.erase(listed);
         }
         return {};
     }
-    if (std::find(daqmx_indices.begin(), daqmx_indices.end(), length) != daqmx_indices.end()) {
-        return unsupported("raw data of DAQmx");
-    }
     std::optional<TdmsRawIndex>& known = known_[object];
-    if (length != same_as_before) {
+    if (length != tdms_same_as_before) {
         TdmsRawIndex index;
         index.object = object;
-        index.type = metadata.number<std::uint32_t>();
-        const auto dimensions = metadata.number<std::uint32_t>();
-        const auto count = metadata.number<std::uint64_t>();
-        const auto size = index.type == tdms_string ? std::optional(1) : tdms_bytes(index.type);
-        const std::uint64_t bytes = index.type == tdms_string
-                                        ? metadata.number<std::uint64_t>()
-                                        : count * static_cast<std::uint64_t>(size.value_or(0));
-        if (metadata.ended() || dimensions != 1 || count > most_values ||
-            bytes > 16 * most_values) {
-            return damaged("the raw data of a channel cannot be as its index says");
+        if (const auto refused = take_raw_index(metadata, length, index)) {
+            return refused->damaged ? damaged(refused->reason) : unsupported(refused->reason);
         }
-        if (!size) {
-            return unsupported("values of the type " + std::to_string(index.type));
-        }
-        index.count = static_cast<std::int64_t>(count);
-        index.bytes = static_cast<std::int64_t>(bytes);
-        known = index;
+        known = std::move(index);
     }
     if (!known) {
         return damaged("a channel's raw data are as before, and there are none before");
@@ -304,7 +217,7 @@ Status TdmsFile::take_raw_index(Metadata& metadata, std::size_t object) {
     return {};
 }
 
-Status TdmsFile::take_properties(Metadata& metadata, TdmsObject& object) {
+Status TdmsFile::take_properties(TdmsMetadata& metadata, TdmsObject& object) {
     const auto properties = metadata.number<std::uint32_t>();
     for (std::uint32_t i = 0; i < properties && !metadata.ended(); ++i) {
         const std::string name = metadata.string();
@@ -316,9 +229,12 @@ Status TdmsFile::take_properties(Metadata& metadata, TdmsObject& object) {
         if (!value) {
             return unsupported("a property of the type " + std::to_string(type));
         }
-        if (std::find(kept_properties.begin(), kept_properties.end(), name) !=
-            kept_properties.end()) {
-            object.properties[name] = std::move(*value);
+        if (is_kept(name)) {
+            kept_ += object.properties.insert_or_assign(name, std::move(*value)).second ? 1 : 0;
+            if (kept_ > most_kept) {
+                return unsupported("more than " + std::to_string(most_kept) +
+                                   " properties of scales");
+            }
         }
     }
     return metadata.ended() ? damaged("its metadata end too early") : Status{};

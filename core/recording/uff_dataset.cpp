@@ -84,11 +84,30 @@ std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& line
     found.unit = told(field(ordinate, 47, 20));
     found.function = *function;
     found.abscissa = *axis;
+    found.data_type = *data_type;
     found.is_complex = *data_type >= 5;
     found.is_even = *spacing == 1;
     found.count = *count;
     found.step_s = step[0] * seconds_per(told(field(abscissa, 47, 20))).value_or(1);
     return found;
+}
+
+std::optional<UffBinary> parse_uff_binary(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_of("bB") + 1, line.size()));
+    std::array<std::int64_t, 4> numbers{};
+    for (std::int64_t& value : numbers) {
+        line = trimmed(line);
+        const std::string_view word = line.substr(0, line.find(' '));
+        const auto parsed = number<std::int64_t>(word);
+        if (!parsed || *parsed < 0) {
+            return std::nullopt;
+        }
+        value = *parsed;
+        line.remove_prefix(word.size());
+    }
+    return UffBinary{static_cast<int>(std::min<std::int64_t>(numbers[0], 9)),
+                     static_cast<int>(std::min<std::int64_t>(numbers[1], 9)), numbers[2],
+                     numbers[3]};
 }
 
 bool parse_uff_values(std::string_view line, std::vector<double>& values) {

@@ -1,14 +1,16 @@
 #include "core/recording/uff_reader.h"
 
 #include "core/base/number_text.h"
-#include "core/recording/memory_source.h"
+#include "core/recording/column_source.h"
 #include "core/recording/selection.h"
 #include "core/recording/text_fields.h"
-#include "core/recording/text_lines.h"
 #include "core/recording/uff_dataset.h"
+#include "core/recording/uff_lines.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,21 +35,61 @@ bool is_binary_dataset(std::string_view line) {
     return end < line.size() && is_dataset_number(line.substr(0, end));
 }
 
-// Takes a file's lines one after the other and keeps the values of the two channels that are asked
+// Numbers that were text, as the bytes of a column.
+class HeldNumbers final : public ByteSource {
+public:
+    explicit HeldNumbers(std::vector<double> values) : values_(std::move(values)) {}
+
+    std::int64_t size() const override {
+        return static_cast<std::int64_t>(values_.size() * sizeof(double));
+    }
+
+    Status read(std::int64_t offset, std::span<char> out) const override {
+        std::memcpy(out.data(), reinterpret_cast<const char*>(values_.data()) + offset, out.size());
+        return {};
+    }
+
+private:
+    std::vector<double> values_;
+};
+
+// The samples of a channel that is read: values of text so far, or a place in the file.
+struct UffSamples {
+    std::vector<double> values;
+    std::optional<SampleColumn> binary;
+
+    SampleColumn take() {
+        if (binary) {
+            return std::move(*binary);
+        }
+        const auto count = static_cast<std::int64_t>(values.size());
+        constexpr bool big_endian = std::endian::native == std::endian::big;
+        return {std::make_shared<HeldNumbers>(std::move(values)),
+                NumberType::f64,
+                {even_run(count, 0, sizeof(double), big_endian)}};
+    }
+};
+
+// Takes a file's lines one after the other and keeps the samples of the two channels that are asked
 // for.
 class UffFile {
 public:
-    UffFile(const FileBytes& file, const OpenOptions& options) : file_(file), options_(options) {}
+    UffFile(std::shared_ptr<const FileBytes> file, const OpenOptions& options)
+        : shared_(std::move(file)), file_(*shared_), options_(options) {}
+
+    // Bytes that follow the line last taken and are no lines.
+    std::int64_t bytes_to_skip() { return std::exchange(to_skip_, 0); }
 
     // `ended`: the line has a line end; without one its last number may be cut off.
-    Status take(std::string_view line, std::int64_t number, bool ended) {
+    // `behind`: where in the file the next line begins.
+    Status take(std::string_view line, std::int64_t number, bool ended, std::int64_t behind) {
         if (trimmed(line) == separator) {
             return take_separator();
         }
         switch (place_) {
             case Place::outside: return {};
             case Place::number: return take_number(trimmed(line));
-            case Place::header: return take_header(line);
+            case Place::header: return take_header(line, behind);
             case Place::data: return ended ? take_data(line, number) : Status{};
         }
         return {};
@@ -71,15 +113,14 @@ public:
         if (!rate) {
             return rate.error();
         }
-        const std::size_t frames = std::min(c_.size(), d_.size());
-        if (const Status status = check_frames(file_, static_cast<std::int64_t>(frames)); !status) {
+        auto source = column_source(c_.take(), d_.take());
+        if (const Status status = check_frames(file_, source->frames()); !status) {
             return status.error();
         }
-        c_.resize(frames);
-        d_.resize(frames);
         Recording recording;
         recording.path = file_.path();
-        recording.format = "UFF, dataset 58, " + std::to_string(channels_.size()) + " channels";
+        recording.format = "UFF, dataset " + std::string(any_binary_ ? "58b" : "58") + ", " +
+                           std::to_string(channels_.size()) + " channels";
         recording.rate_hz = rate->hz;
         recording.rate_from = rate->from;
         recording.channels = numbered_channels(static_cast<int>(channels_.size()));
@@ -92,7 +133,7 @@ public:
         recording.channel_c = options_.channel_c;
         recording.channel_d = options_.channel_d;
         recording.start = first.start;
-        recording.source = std::make_shared<MemorySource>(std::move(c_), std::move(d_));
+        recording.source = std::move(source);
         note_early_end(first.count, recording);
         return recording;
     }
@@ -124,16 +165,24 @@ private:
     }
 
     Status take_number(std::string_view line) {
+        binary_.reset();
         if (is_binary_dataset(line)) {
-            return unsupported("binary data (dataset " + std::string(line.substr(0, 3)) + ")");
+            if (line.substr(0, line.find_first_of("bB")) != time_history) {
+                return unsupported("binary data of another dataset than 58 (" +
+                                   std::string(line.substr(0, 6)) + ")");
+            }
+            binary_ = parse_uff_binary(line);
+            if (!binary_ || binary_->header_lines != uff_header_lines) {
+                return damaged("the first line of a dataset 58b cannot be understood");
+            }
         }
-        place_ = line == time_history ? Place::header : Place::outside;
+        place_ = line == time_history || binary_ ? Place::header : Place::outside;
         skipping_ = place_ == Place::outside;
         header_.clear();
         return {};
     }
 
-    Status take_header(std::string_view line) {
+    Status take_header(std::string_view line, std::int64_t behind) {
         header_.emplace_back(line);
         if (header_.size() < uff_header_lines) {
             return {};
@@ -145,6 +194,7 @@ private:
         place_ = Place::data;
         taken_ = 0;
         is_channel_ = function->is_time_response();
+        to_skip_ = binary_ ? binary_->bytes : 0;
         if (!is_channel_) {
             return {};
         }
@@ -161,12 +211,55 @@ private:
                                             channels_.front().step_s == function->step_s);
         if (is_channel_) {
             channels_.push_back(std::move(*function));
+            return binary_ ? take_binary(behind) : Status{};
+        }
+        return {};
+    }
+
+    // The numbers of the last channel, which begin at `at`.
+    Status take_binary(std::int64_t at) {
+        const UffFunction& function = channels_.back();
+        constexpr int ieee = 2, single_precision = 2, double_precision = 4;
+        constexpr int little_endian = 1, of_big_endian = 2;
+        if (binary_->float_format != ieee) {
+            return unsupported(binary_->float_format == 1 ? "floats of DEC VMS"
+                               : binary_->float_format == 3
+                                   ? "floats of IBM 5/370"
+                                   : "binary numbers of an unknown format");
+        }
+        if (function.data_type != single_precision && function.data_type != double_precision) {
+            return unsupported("binary values of the type " + std::to_string(function.data_type));
+        }
+        if (binary_->byte_order != little_endian && binary_->byte_order != of_big_endian) {
+            return damaged("the byte order of a dataset 58b is neither 1 nor 2");
+        }
+        const NumberType type =
+            function.data_type == single_precision ? NumberType::f32 : NumberType::f64;
+        const std::int64_t width = bytes_of(type);
+        if (function.count > binary_->bytes / width || function.count * width != binary_->bytes) {
+            return damaged("a dataset 58b has " + integer_text(binary_->bytes) +
+                           " bytes, and its header says " + integer_text(function.count) +
+                           " values of " + std::to_string(width));
+        }
+        any_binary_ = true;
+        taken_ = function.count;
+        const std::int64_t present =
+            std::min(function.count, std::max<std::int64_t>(file_.size() - at, 0) / width);
+        const auto channel = static_cast<int>(channels_.size());
+        for (auto& [wanted, samples] :
+             {std::pair(options_.channel_c, &c_), std::pair(options_.channel_d, &d_)}) {
+            if (channel == wanted) {
+                samples->binary = SampleColumn{
+                    bytes_,
+                    type,
+                    {even_run(present, at, width, binary_->byte_order == of_big_endian)}};
+            }
         }
         return {};
     }
 
     Status take_data(std::string_view line, std::int64_t number) {
-        if (!is_channel_) {
+        if (!is_channel_ || (binary_ && trimmed(line).empty())) {
             return {};
         }
         const auto channel = static_cast<int>(channels_.size());
@@ -180,16 +273,21 @@ private:
                            " has more values than the header says");
         }
         if (channel == options_.channel_c) {
-            c_.insert(c_.end(), values_.begin(), values_.end());
+            c_.values.insert(c_.values.end(), values_.begin(), values_.end());
         }
         if (channel == options_.channel_d) {
-            d_.insert(d_.end(), values_.begin(), values_.end());
+            d_.values.insert(d_.values.end(), values_.begin(), values_.end());
         }
         return {};
     }
 
+    std::shared_ptr<const FileBytes> shared_;
     const FileBytes& file_;
     const OpenOptions& options_;
+    std::shared_ptr<const ByteSource> bytes_ = file_part(shared_, 0, file_.size());
+    std::optional<UffBinary> binary_;  // of this dataset, where its values are no text
+    bool any_binary_ = false;
+    std::int64_t to_skip_ = 0;
     Place place_ = Place::outside;
     bool skipping_ = false;    // inside of a dataset of another kind
     bool is_channel_ = false;  // the values of this dataset are the last channel's
@@ -197,8 +295,8 @@ private:
     std::vector<std::string> header_;
     std::vector<double> values_;
     std::vector<UffFunction> channels_;
-    std::vector<double> c_;
-    std::vector<double> d_;
+    UffSamples c_;
+    UffSamples d_;
 };
 
 }  // namespace
@@ -215,9 +313,8 @@ bool is_uff(std::string_view head) {
 
 Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                            const JobControl& job) {
-    TextLines lines(file);
-    UffFile content(*file, options);
-    std::size_t taken = 0;  // bytes
+    UffLines lines(file);
+    UffFile content(file, options);
     for (;;) {
         const auto line = lines.next();
         if (!line) {
@@ -226,16 +323,18 @@ Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOpti
         if (!*line) {
             return content.finish();
         }
-        if (const Status status = content.take(**line, lines.number(), lines.ended()); !status) {
+        if (const Status status =
+                content.take(**line, lines.number(), lines.ended(), lines.position());
+            !status) {
             return status.error();
         }
-        taken += (*line)->size() + 1;
+        lines.skip(content.bytes_to_skip());
         if (lines.number() % lines_per_report == 0) {
             if (job.cancelled()) {
                 return file->error(ErrorCode::interrupted);
             }
-            job.report(
-                std::min(1.0, static_cast<double>(taken) / static_cast<double>(file->size())));
+            job.report(std::min(
+                1.0, static_cast<double>(lines.position()) / static_cast<double>(file->size())));
         }
     }
 }

@@ -110,7 +110,8 @@ private:
 
     bool is_candidate(const FileVariable& of) const {
         return of.unsupported.empty() && of.frames > 1 && of.channels >= 1 &&
-               of.channels <= most_channels && !is_time_name(last_name(of.name));
+               of.channels <= most_channels && !is_time_name(last_name(of.name)) &&
+               last_name(of.name) != "index";  // pandas numbers its rows
     }
 
     // Vectors of this length among the candidates.

@@ -30,7 +30,7 @@ struct VariableChoice {
 // The variables that options.variables name: two vectors (or more general: C's and D's channels
 // must each be one), or one array, whose channels all count. Without names: the longest array of
 // two channels or more, or all vectors of the greatest length that two or more share, whichever is
-// longer; vectors named as times do not count.
+// longer; vectors named as times or, as pandas has them, index do not count.
 //
 // The rate: of the named variable; else of the attributes of C's; else of a single number with the
 // name of a rate or a sample period, from C's own struct or group first; else from the times of a

@@ -119,6 +119,9 @@ Result<Recording> open_variables(const VariableFile& from, const OpenOptions& op
     if (const Status status = take_samples(opening, options, job, recording); !status) {
         return status.error();
     }
+    if (from.catalogue.not_closed) {
+        note_not_closed(recording);
+    }
     return recording;
 }
 

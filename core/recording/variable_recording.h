@@ -26,7 +26,8 @@ struct VariableFile {
 };
 
 // The recording that choose_variables() finds in the file. Where the rate comes from times that are
-// not even, it is read whole and brought onto a uniform grid, as a text is. Errors: those of
+// not even, it is read whole and brought onto a uniform grid, as a text is. A file that is still
+// being written, or was never closed, gets the diagnostic file_not_closed. Errors: those of
 // choose_variables() and the reader; channel_out_of_range, too_few_frames, rate_unknown,
 // interrupted.
 Result<Recording> open_variables(const VariableFile& from, const OpenOptions& options,

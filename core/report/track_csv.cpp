@@ -2,6 +2,7 @@
 
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 
 #include <algorithm>
 #include <array>
@@ -139,7 +140,7 @@ std::vector<std::string> track_header(const std::string& program, const Recordin
                                       const std::string& sha256, const AnalysisSummary& analysis) {
     std::vector<std::string> lines{
         program,
-        "input: " + recording.path.filename().string(),
+        "input: " + plain_text(recording.path.filename().string()),
         "sha256: " + sha256,
         "rate: " + round_trip_text(recording.rate_hz) + " (" +
             rate_origin_name(recording.rate_from) + ")",

@@ -28,6 +28,8 @@ Files audio_files() {
         write_audio(folder.file("run"), wave(frames), format, 33333, 2, "2020");
         files.push_back(bytes_of(folder.file("run")));
     }
+    files.push_back(files.front());  // as its recorder leaves it that dies
+    files.back().replace(files.back().find("data") + 4, 4, 4, '\0');
     return files;
 }
 
@@ -81,6 +83,12 @@ Files uff_files() {
         files.push_back(uff58(samples.c, layout) + uff58(samples.d, layout));
     }
     files.push_back("    -1\n   151\nmodel\n    -1\n" + files[0]);
+    for (const bool doubles : {false, true}) {
+        UffBytes bytes;
+        bytes.big_endian = doubles;
+        bytes.doubles = doubles;
+        files.push_back(uff58b(samples.c, {}, bytes) + uff58b(samples.d, {}, bytes));
+    }
     return files;
 }
 
@@ -111,6 +119,33 @@ Files tdms_files() {
                   t.real("NI_Scale[0]_Linear_Y_Intercept", 1)}),
              t.object("/'Run'/'Note'", t.strings(2, 12)), t.object(path_d, t.values(tds_f32, 10))}),
         std::string(40 + 12 + 40, '\1') + std::string(40 + 12 + 40, '\2')));
+    // DAQmx, a polynomial and a table, channels of unequal length, a short last chunk.
+    const auto scaled = [&t](const std::string& kind) {
+        std::vector<std::string> scale{
+            t.whole("NI_Number_Of_Scales", 2), t.words("NI_Scale[1]_Scale_Type", kind),
+            t.count("NI_Scale[1]_" + kind + "_Input_Source", 0),
+            t.count("NI_Scale[1]_Table_Scaled_Values_Size", 4), t.real("wf_increment", 1e-4)};
+        for (const char* list :
+             {"Polynomial_Coefficients", "Table_Scaled_Values", "Table_Pre_Scaled_Values"}) {
+            for (int i = 0; i < 4; ++i) {
+                scale.push_back(t.real(
+                    "NI_Scale[1]_" + std::string(list) + "[" + std::to_string(i) + "]", 0.5 * i));
+            }
+        }
+        return scale;
+    };
+    for (const char* kind : {"Polynomial", "Table"}) {
+        const std::string metadata =
+            t.metadata({t.object(path_c, t.daqmx(20, {t.scaler(3, 0)}, {4}), scaled(kind)),
+                        t.object(path_d, t.daqmx(20, {t.scaler(3, 2)}, {4}), scaled(kind))});
+        files.push_back(t.segment(first_segment | toc_daqmx, metadata, std::string(2 * 80, '\1')) +
+                        t.segment(toc_raw | toc_daqmx, "", std::string(60, '\2')));
+    }
+    files.push_back(t.segment(
+        first_segment,
+        t.metadata({t.object(path_c, t.values(tds_i16, 12), {t.real("wf_increment", 1e-4)}),
+                    t.object(path_d, t.values(tds_f32, 10))}),
+        std::string(64 + 32, '\1')));
     return files;
 }
 
@@ -148,8 +183,9 @@ np.save('2', np.asfortranarray(both).astype('>f4'))
 np.save('3', (1000 * both.T).astype('i2'))
 with open('4.npy', 'wb') as f:
     np.lib.format.write_array(f, both.astype('>i4'), version=(2, 0))
+np.save('5', both.astype('f2'))
 )",
-                        {"1.npy", "2.npy", "3.npy", "4.npy"});
+                        {"1.npy", "2.npy", "3.npy", "4.npy", "5.npy"});
 }
 
 Files npz_files() {
@@ -198,6 +234,17 @@ with h5py.File('chunked', 'w') as f:
     f['run'].attrs['fs'] = fs
 with h5py.File('latest', 'w', libver='latest') as f:
     f['C'], f['D'], f['fs'] = c, d, fs
+with h5py.File('records', 'w') as f:
+    table = np.zeros(len(c), [('t', 'f8'), ('C', 'f8'), ('D', 'f8'), ('v', 'f4', (2,))])
+    table['C'], table['D'] = c, d
+    f.create_dataset('run', data=table, chunks=(10,), compression='gzip').attrs['fs'] = fs
+    f['cube'], f['none'] = np.zeros((2, 2, 2)), h5py.Empty('f8')
+import shutil
+f = h5py.File('w', 'w', libver='latest')
+f['C'], f['D'], f['fs'] = c, d, fs
+f.flush()
+shutil.copyfile('w', 'open')
+f.close()
 with h5py.File('deep', 'w') as f:
     group = f
     for i in range(20):
@@ -207,7 +254,7 @@ with h5py.File('deep', 'w') as f:
     group['soft'] = h5py.SoftLink('/g')
     group['far'] = h5py.ExternalLink('elsewhere', '/C')
 )",
-                        {"chunked", "latest", "deep"});
+                        {"chunked", "latest", "deep", "records", "open"});
 }
 
 // More groups in each other than any recording has: soundly written, and to be refused.

@@ -64,6 +64,8 @@ const std::map<DiagnosticKind, std::size_t> documented_kinds{
     {DiagnosticKind::time_gap, 2},
     {DiagnosticKind::missing_samples, 1},
     {DiagnosticKind::file_ends_early, 2},
+    {DiagnosticKind::file_not_closed, 1},
+    {DiagnosticKind::channels_unequal, 4},
     {DiagnosticKind::filter_transients, 1},
     {DiagnosticKind::filter_colours_noise, 0},
     {DiagnosticKind::context_missing, 1},

@@ -39,6 +39,9 @@ struct Tdms {
     std::string whole(const std::string& name, std::int32_t value) const {
         return text(name) + number(tds_i32) + number(value);
     }
+    std::string count(const std::string& name, std::uint32_t value) const {
+        return text(name) + number(std::uint32_t{7}) + number(value);
+    }
     std::string words(const std::string& name, const std::string& value) const {
         return text(name) + number(tds_string) + text(value);
     }
@@ -55,6 +58,32 @@ struct Tdms {
     std::string strings(std::uint64_t count, std::uint64_t bytes) const {
         return number(std::uint32_t{28}) + number(tds_string) + number(std::uint32_t{1}) +
                number(count) + number(bytes);
+    }
+    // A scaler of DAQmx: the type's code in its own numbering, where its numbers stand, and the
+    // scale that takes them.
+    std::string scaler(std::uint32_t type, std::uint32_t offset, std::uint32_t id = 0,
+                       std::uint32_t buffer = 0) const {
+        return number(type) + number(buffer) + number(offset) + number(std::uint32_t{0}) +
+               number(id);
+    }
+    // A digital line, which counts its place in bits.
+    std::string line(std::uint32_t type, std::uint32_t bit, std::uint32_t id = 0) const {
+        return number(type) + number(std::uint32_t{0}) + number(bit) + std::string(1, '\0') +
+               number(id);
+    }
+    std::string daqmx(std::uint64_t count, const std::vector<std::string>& scalers,
+                      const std::vector<std::uint32_t>& widths, std::uint32_t kind = 0x1269,
+                      std::uint32_t type = 0xFFFFFFFF) const {
+        std::string bytes = number(kind) + number(type) + number(std::uint32_t{1}) + number(count) +
+                            number(static_cast<std::uint32_t>(scalers.size()));
+        for (const std::string& scaler : scalers) {
+            bytes += scaler;
+        }
+        bytes += number(static_cast<std::uint32_t>(widths.size()));
+        for (const std::uint32_t width : widths) {
+            bytes += number(width);
+        }
+        return bytes;
     }
     std::string as_before() const { return number(std::uint32_t{0}); }
     std::string no_values() const { return number(~std::uint32_t{0}); }

@@ -12,6 +12,9 @@ private slots:
     void a_file_cut_short_opens_with_what_is_there();
     void a_whole_file_with_chunks_behind_its_samples_ends_where_it_should();
     void a_stream_whose_length_was_never_filled_in_is_no_damage();
+    void a_recorder_that_died_leaves_its_samples_data();
+    void a_recorder_that_died_leaves_its_samples();
+    void an_empty_data_chunk_before_others_is_empty();
     void a_damaged_flac_block_is_an_error_and_never_samples_data();
     void a_damaged_flac_block_is_an_error_and_never_samples();
     void a_flac_that_is_cut_anywhere_gives_its_true_first_samples_or_an_error();
@@ -85,6 +88,61 @@ void TestDamagedAudio::a_stream_whose_length_was_never_filled_in_is_no_damage() 
     const Recording recording = opened(folder.write("streamed", bytes));
     QCOMPARE(recording.frames(), 1000);
     QVERIFY(recording.diagnostics.empty());
+}
+
+void TestDamagedAudio::a_recorder_that_died_leaves_its_samples_data() {
+    QTest::addColumn<int>("format");
+    QTest::addColumn<int>("over");  // bytes of a last frame that is not whole
+    QTest::addColumn<QByteArray>("riff_size");
+    const QByteArray zero(4, '\0'), header_alone("\x24\0\0\0", 4);
+    QTest::newRow("16 bits") << (SF_FORMAT_WAV | SF_FORMAT_PCM_16) << 0 << zero;
+    QTest::newRow("16 bits, half a frame") << (SF_FORMAT_WAV | SF_FORMAT_PCM_16) << 2 << zero;
+    QTest::newRow("24 bits") << (SF_FORMAT_WAV | SF_FORMAT_PCM_24) << 5 << header_alone;
+    QTest::newRow("32 bits") << (SF_FORMAT_WAVEX | SF_FORMAT_PCM_32) << 0 << header_alone;
+    QTest::newRow("floats") << (SF_FORMAT_WAV | SF_FORMAT_FLOAT) << 7 << zero;
+    QTest::newRow("doubles") << (SF_FORMAT_WAV | SF_FORMAT_DOUBLE) << 0 << zero;
+    QTest::newRow("big endian") << (SF_FORMAT_WAV | SF_ENDIAN_BIG | SF_FORMAT_PCM_16) << 0 << zero;
+}
+
+void TestDamagedAudio::a_recorder_that_died_leaves_its_samples() {
+    QFETCH(int, format);
+    QFETCH(int, over);
+    QFETCH(QByteArray, riff_size);
+    const Folder folder;
+    write_audio(folder.file("run"), wave(1000), format);
+    const Samples whole = read_all(opened(folder.file("run")));
+    std::string bytes = bytes_of(folder.file("run"));
+    const std::size_t data = bytes.find("data");
+    const auto stride = static_cast<std::size_t>(
+        opened(folder.file("run")).frames() > 0 ? (bytes.size() - data - 8) / 1000 : 0);
+    bytes.resize(data + 8 + 1000 * stride);  // without what was written when it was closed
+    bytes.replace(4, 4, riff_size.toStdString());
+    bytes.replace(data + 4, 4, 4, '\0');
+    bytes.resize(bytes.size() - stride + static_cast<std::size_t>(over));
+    const Recording recording = opened(folder.write("died", bytes));
+    QCOMPARE(recording.frames(), 999);
+    QCOMPARE(recording.diagnostics.size(), 1u);
+    QVERIFY(recording.diagnostics[0].kind == DiagnosticKind::file_not_closed);
+    QCOMPARE(recording.diagnostics[0].args, std::vector<std::string>{"999"});
+    const Samples read = read_all(recording);
+    QVERIFY(same_bits(read.c, std::span(whole.c).first(999)));
+    QVERIFY(same_bits(read.d, std::span(whole.d).first(999)));
+}
+
+void TestDamagedAudio::an_empty_data_chunk_before_others_is_empty() {
+    const Folder folder;
+    write_audio(folder.file("run"), wave(10), SF_FORMAT_WAV | SF_FORMAT_PCM_16);
+    std::string bytes = bytes_of(folder.file("run"));
+    const std::size_t data = bytes.find("data");
+    bytes.resize(data + 8);
+    bytes.replace(data + 4, 4, 4, '\0');
+    const auto refused = open(folder.write("none", bytes));
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::too_few_frames);
+    bytes += std::string("note\6\0\0\0abcdef", 14) + std::string("LIST\4\0\0\0INFO", 12);
+    const auto followed = open(folder.write("followed", bytes));
+    QVERIFY(!followed);
+    QCOMPARE(followed.error().code, ErrorCode::too_few_frames);
 }
 
 void TestDamagedAudio::a_damaged_flac_block_is_an_error_and_never_samples_data() {

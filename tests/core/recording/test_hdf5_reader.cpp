@@ -97,6 +97,63 @@ def hollow(f):
 save('hollow.h5', hollow)
 save('empty.h5', lambda f: f.create_group('nothing'))
 save('complex.h5', lambda f: f.create_dataset('z', data=c + 1j * d))
+def cubes(f):
+    f['cube'], f['hyper'] = np.zeros((100, 2, 3)), np.zeros((5, 5, 5, 5))
+save('cubes.h5', cubes)
+def hollows(f):
+    plain(f)
+    f['none'] = h5py.Empty('f8')
+    f.create_dataset('zero', (0,), 'f8', maxshape=(None,), chunks=(10,))
+    f.create_dataset('rows', (0, 2), 'f8', maxshape=(None, 2), chunks=(10, 2))
+    f['cube'] = np.zeros((100, 2, 3))
+    f['no_records'] = np.zeros(0, [('x', 'f8'), ('y', 'f8')])
+save('hollows.h5', hollows)
+def lzf(f):
+    f.create_dataset('C', data=c, compression='lzf')
+    f.create_dataset('D', data=d, compression='lzf', shuffle=True)
+save('lzf.h5', lzf)
+def records(*fields):
+    table = np.zeros(len(c), [f[:2] if f[2].ndim == 1 else f[:2] + (f[2].shape[1:],)
+                              for f in fields])
+    for name, kind, x in fields:
+        table[name] = x
+    return table
+def pytables(f):
+    f['run/table'] = records(('time', '<f8', np.arange(len(c)) / fs),
+                             ('C', '<f8', c), ('D', '<f8', d))
+    f['run/_i_table/C/sorted'] = np.zeros((40000, 3))
+save('pytables.h5', pytables)
+def pandas(f):
+    f['df/table'] = records(('index', 'i8', np.arange(len(c))), ('values_block_0', 'f8', np.stack([c, d], 1)))
+    f['df/table'].attrs['fs'] = fs
+save('pandas.h5', pandas)
+def pandas_columns(f):
+    f.create_dataset('df/table', chunks=(500,), compression='gzip', data=records(
+        ('index', 'i8', np.arange(len(c))), ('name', 'S5', np.full(len(c), b'x')),
+        ('C', '>f8', c), ('D', '<f8', d)))
+    f['df'].attrs['fs'] = fs
+save('pandas_columns.h5', pandas_columns)
+def counted_records(f):
+    f['run'] = records(('C', '<i2', counts(c)), ('D', '>i2', counts(d)))
+    f['set'] = np.array([(fs, 1.5)], [('fs', 'f8'), ('gain', 'f4')])
+save('counted_records.h5', counted_records)
+import os, shutil
+def abandoned(name, swmr):
+    f = h5py.File('writing.h5', 'w', libver='latest')
+    for key, x in (('C', c), ('D', d)):
+        f.create_dataset(key, data=x, maxshape=(None,), chunks=(1000,))
+    f.attrs['fs'] = fs
+    if swmr:
+        f.swmr_mode = True
+    f.flush()
+    shutil.copyfile('writing.h5', name)
+    f.close()
+abandoned('swmr.h5', True)
+abandoned('never_closed.h5', False)
+with open('latest.h5', 'rb') as f:
+    whole = f.read()
+with open('cut.h5', 'wb') as f:
+    f.write(whole[:-1000])
 def missing(f):
     f['C'], f['D'], f['fs'] = np.where(np.arange(len(c)) == 5, np.inf, c), d, fs
 save('missing.h5', missing)
@@ -111,6 +168,9 @@ private slots:
     void initTestCase();
     void the_demonstration_decay_is_the_same_from_every_layout_data();
     void the_demonstration_decay_is_the_same_from_every_layout();
+    void a_file_that_is_still_written_or_was_never_closed_says_so_data();
+    void a_file_that_is_still_written_or_was_never_closed_says_so();
+    void fields_of_records_are_named_and_chosen();
     void units_are_those_of_the_attributes();
     void times_that_count_in_another_unit_are_converted();
     void a_gap_in_the_times_is_a_gap_in_the_recording();
@@ -139,7 +199,8 @@ void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout_data(
         QTest::newRow(file) << "HDF5, " + type + ", 2 channels" << rounding;
     };
     for (const char* file : {"plain.h5", "latest.h5", "userblock.h5", "groups.h5", "chunked.h5",
-                             "rows.h5", "big_endian.h5", "time.h5", "ring.h5"}) {
+                             "rows.h5", "big_endian.h5", "time.h5", "ring.h5", "hollows.h5",
+                             "pytables.h5", "pandas.h5", "pandas_columns.h5"}) {
         add(file, "64 bit float");
     }
     add("float32.h5", "32 bit float", Rounding::to_float);
@@ -147,6 +208,7 @@ void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout_data(
     add("int16.h5", "16 bit integer", Rounding::to_counts);
     add("int16_be.h5", "16 bit integer", Rounding::to_counts);
     add("int32_be.h5", "32 bit integer", Rounding::to_counts);
+    add("counted_records.h5", "16 bit integer", Rounding::to_counts);
 }
 
 void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout() {
@@ -154,7 +216,8 @@ void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout() {
     QFETCH(Rounding, rounding);
     const Recording recording = opened(folder_.file(QTest::currentDataTag()));
     QCOMPARE(QString::fromStdString(recording.format), format);
-    const bool by_time = QString(QTest::currentDataTag()) == "time.h5";
+    const QString file = QTest::currentDataTag();
+    const bool by_time = file == "time.h5" || file == "pytables.h5";
     QCOMPARE(recording.rate_from, by_time ? RateOrigin::time_column : RateOrigin::file);
     QVERIFY(std::abs(recording.rate_hz / 33333 - 1) < 1e-12);  // 1/dt is rounded
     const Samples read = read_all(recording);
@@ -166,6 +229,40 @@ void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout() {
     QCOMPARE(worst_difference(read.c, kept(demo_.c)), 0.0);
     QCOMPARE(worst_difference(read.d, kept(demo_.d)), 0.0);
     QVERIFY(recording.diagnostics.empty());
+}
+
+void TestHdf5Reader::a_file_that_is_still_written_or_was_never_closed_says_so_data() {
+    QTest::addColumn<QString>("file");
+    QTest::newRow("another program writes it (SWMR)") << "swmr.h5";
+    QTest::newRow("its writer died") << "never_closed.h5";
+}
+
+void TestHdf5Reader::a_file_that_is_still_written_or_was_never_closed_says_so() {
+    QFETCH(QString, file);
+    const std::string before = bytes_of(folder_.file(file.toStdString()));
+    const Recording recording = opened(folder_.file(file.toStdString()));
+    QCOMPARE(worst_difference(read_all(recording).c, demo_.c), 0.0);
+    QCOMPARE(worst_difference(read_all(recording).d, demo_.d), 0.0);
+    QCOMPARE(recording.diagnostics.size(), 1u);
+    QVERIFY(recording.diagnostics[0].kind == DiagnosticKind::file_not_closed);
+    QCOMPARE(recording.diagnostics[0].args, std::vector<std::string>{"33333"});
+    QVERIFY(bytes_of(folder_.file(file.toStdString())) == before);
+}
+
+void TestHdf5Reader::fields_of_records_are_named_and_chosen() {
+    const Recording recording = opened(folder_.file("pandas_columns.h5"));
+    QCOMPARE(recording.channels, (std::vector<Channel>{{"/df/table/C", ""}, {"/df/table/D", ""}}));
+    QVERIFY(same_however_cut(*recording.source, 20000));
+    OpenOptions options;
+    options.variables = {"/df/table/D", "df/table/C"};
+    QCOMPARE(
+        worst_difference(read_all(opened(folder_.file("pandas_columns.h5"), options)).c, demo_.d),
+        0.0);
+    options.variables = {"/df/table/values_block_0"};
+    const Recording vectors = opened(folder_.file("pandas.h5"), options);
+    QCOMPARE(worst_difference(read_all(vectors).d, demo_.d), 0.0);
+    QVERIFY(same_however_cut(*vectors.source, 20000));
+    QCOMPARE(opened(folder_.file("counted_records.h5")).rate_hz, 33333.0);  // of /set/fs
 }
 
 void TestHdf5Reader::units_are_those_of_the_attributes() {
@@ -252,6 +349,12 @@ void TestHdf5Reader::what_cannot_be_read_is_refused_by_name_data() {
                              << "it has more than 10000 objects";
     QTest::newRow("hollow.h5") << "format-damaged"
                                << "/C promises more samples than the file can hold";
+    QTest::newRow("cubes.h5") << "format-unsupported"
+                              << "an array of 3 dimensions (/cube)";
+    QTest::newRow("lzf.h5") << "format-unsupported"
+                            << "samples packed by the filter lzf, number 32000 (/C)";
+    QTest::newRow("cut.h5") << "format-damaged"
+                            << "it is shorter than its header says: cut off, or never closed";
     QTest::newRow("empty.h5") << "too-few-channels"
                               << "2";
 }

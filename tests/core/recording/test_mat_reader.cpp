@@ -32,6 +32,7 @@ others = {'temperature': np.full((3, 1), 21.5), 'who': 'Ivan', 'cells': np.array
           'flags': np.ones(len(c), bool), 'good': vectors}
 sio.savemat('others.mat', {**others, 'C': c, 'D': d, 'fs': fs, 'noise': c[::-1]})
 sio.savemat('complex.mat', {'z': c + 1j * d, 'fs': fs})
+sio.savemat('cube.mat', {'x': np.zeros((100, 2, 3))})
 sio.savemat('alone.mat', {'C': c, 'fs': fs})
 sio.savemat('no_rate.mat', {'C': c, 'D': d})
 types = ['i1', 'u1', 'i2', 'u2', 'i4', 'u4', 'i8', 'u8', 'f4', 'f8']
@@ -223,6 +224,9 @@ void TestMatReader::a_file_without_a_recording_is_refused_by_name() {
     QCOMPARE(code_of("complex.mat"), "format-unsupported");
     QCOMPARE(open(folder_.file("complex.mat")).error().args,
              (std::vector<std::string>{"MAT 5", "complex numbers (z)"}));
+    QCOMPARE(code_of("cube.mat"), "format-unsupported");
+    QCOMPARE(open(folder_.file("cube.mat")).error().args,
+             (std::vector<std::string>{"MAT 5", "an array of 3 dimensions (x)"}));
     QCOMPARE(code_of("alone.mat"), "too-few-channels");
     QCOMPARE(code_of("no_rate.mat"), "rate-unknown");
 }

@@ -37,6 +37,7 @@ private slots:
     void initTestCase();
     void every_type_byte_order_and_layout_gives_back_its_samples_data();
     void every_type_byte_order_and_layout_gives_back_its_samples();
+    void every_number_of_16_bits_is_that_of_numpy();
     void any_part_of_a_file_is_the_same_part_of_its_samples_data();
     void any_part_of_a_file_is_the_same_part_of_its_samples();
     void every_version_of_the_format_is_read_data();
@@ -62,7 +63,7 @@ void TestNpyReader::initTestCase() {
     run_python(folder_.file(""), R"(
 i = np.arange(40000)
 for kind in 'iuf':
-    for size in ((4, 8) if kind == 'f' else (1, 2, 4, 8)):
+    for size in ((2, 4, 8) if kind == 'f' else (1, 2, 4, 8)):
         for order in '<>':
             less = (0, 0) if kind == 'u' else (50, 60)
             pair = np.stack([7 * i % 100 - less[0], i % 120 - less[1]], axis=1)
@@ -84,7 +85,10 @@ np.save('column', np.arange(10.0).reshape(10, 1))
 np.save('scalar', np.float64(3))
 np.save('cube', np.zeros((10, 2, 2)))
 np.save('none', np.zeros((0, 2)))
-np.save('half', np.zeros((10, 2), 'f2'))
+np.save('long', np.zeros((10, 2), 'g'))
+halves = np.arange(65536, dtype='u2').view('f2')
+np.save('halves', np.stack([halves, halves[::-1]], axis=1))
+np.save('widened', np.stack([halves, halves[::-1]], axis=1).astype('f8'))
 np.save('complex', np.zeros((10, 2), 'c16'))
 np.save('flags', np.zeros((10, 2), '?'))
 np.save('words', np.array([['a', 'b']] * 10))
@@ -103,7 +107,8 @@ void TestNpyReader::every_type_byte_order_and_layout_gives_back_its_samples_data
         {"i2", "16 bit integer"}, {"u2", "16 bit unsigned integer"},
         {"i4", "32 bit integer"}, {"u4", "32 bit unsigned integer"},
         {"i8", "64 bit integer"}, {"u8", "64 bit unsigned integer"},
-        {"f4", "32 bit float"},   {"f8", "64 bit float"}};
+        {"f2", "16 bit float"},   {"f4", "32 bit float"},
+        {"f8", "64 bit float"}};
     for (const auto& [type, text] : types) {
         for (const char* endian : {"le", "be"}) {
             for (const char* layout : {"C-columns", "F-columns", "C-rows", "F-rows"}) {
@@ -130,6 +135,14 @@ void TestNpyReader::every_type_byte_order_and_layout_gives_back_its_samples() {
     const Samples read = read_all(recording);
     QCOMPARE(read.c, written(is_signed).c);
     QCOMPARE(read.d, written(is_signed).d);
+}
+
+void TestNpyReader::every_number_of_16_bits_is_that_of_numpy() {
+    const Samples read = read_all(opened(folder_.file("halves.npy"), with_rate));
+    const Samples widened = read_all(opened(folder_.file("widened.npy"), with_rate));
+    QCOMPARE(read.c.size(), 65536u);
+    QVERIFY(same_numbers(read.c, widened.c));  // also the zero of either sign and what is missing
+    QVERIFY(same_numbers(read.d, widened.d));
 }
 
 void TestNpyReader::any_part_of_a_file_is_the_same_part_of_its_samples_data() {
@@ -260,7 +273,7 @@ void TestNpyReader::what_cannot_be_a_recording_is_refused_by_name_data() {
     add("scalar", ErrorCode::too_few_channels, "1 channel");
     add("none", ErrorCode::too_few_frames, "0 sample");
     add("cube", ErrorCode::format_unsupported, "3 dimensions");
-    add("half", ErrorCode::format_unsupported, "<f2");
+    add("long", ErrorCode::format_unsupported, "<f16");
     add("complex", ErrorCode::format_unsupported, "<c16");
     add("flags", ErrorCode::format_unsupported, "|b1");
     add("words", ErrorCode::format_unsupported, "<U1");

@@ -53,7 +53,7 @@ private slots:
     void a_message_cut_anywhere_is_no_message();
     void only_requests_for_what_is_there_fit();
     void a_helper_that_dies_is_damage_and_nothing_more();
-    void a_helper_that_hangs_is_given_up_after_two_seconds();
+    void a_helper_that_stops_working_is_given_up_after_twenty_seconds();
     void a_recording_outlives_its_helper();
     void no_helper_outlives_its_recording();
     void a_recording_is_read_from_several_threads();
@@ -74,7 +74,8 @@ void TestReaderProcess::a_catalogue_and_an_error_survive_the_wire() {
     const Catalogue catalogue{"HDF5",
                               {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0},
                                {"/fs", 1, 1, "16 bit integer", "", "", 5.0, {}},
-                               {"/z", 7, 1, "", "complex numbers", "", {}, {}}}};
+                               {"/z", 7, 1, "", "complex numbers", "", {}, {}}},
+                              true};
     const auto decoded = decode_catalogue(encode(catalogue));
     QVERIFY(decoded);
     QVERIFY(*decoded == catalogue);
@@ -89,7 +90,7 @@ void TestReaderProcess::a_catalogue_and_an_error_survive_the_wire() {
 void TestReaderProcess::a_message_cut_anywhere_is_no_message() {
     const Catalogue catalogue{"HDF5", {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0}}};
     const std::string bytes = encode(catalogue);
-    const std::size_t before_variables = sizeof(std::uint64_t) + catalogue.format.size();
+    const std::size_t before_variables = sizeof(std::uint64_t) + catalogue.format.size() + 1;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
         const auto decoded = decode_catalogue(std::string_view(bytes).substr(0, length));
         QCOMPARE(decoded.has_value(), length == before_variables);
@@ -133,7 +134,7 @@ void TestReaderProcess::a_helper_that_dies_is_damage_and_nothing_more() {
     QCOMPARE(exit_status(status.error().code), 3);
 }
 
-void TestReaderProcess::a_helper_that_hangs_is_given_up_after_two_seconds() {
+void TestReaderProcess::a_helper_that_stops_working_is_given_up_after_twenty_seconds() {
     const auto file = file_at(folder_.file("run.mat"));
     auto process = ReaderProcess::start(file, "mat", "MAT 5");
     QVERIFY(process);
@@ -144,10 +145,10 @@ void TestReaderProcess::a_helper_that_hangs_is_given_up_after_two_seconds() {
     std::vector<double> samples(100);
     const Status status = (*process)->read({0, 0, 0, 100}, samples);
     QVERIFY(!status);
-    QVERIFY2(timer.elapsed() >= 1900 && timer.elapsed() < 4000,
+    QVERIFY2(timer.elapsed() >= 19000 && timer.elapsed() < 60000,
              qPrintable(QString::number(timer.elapsed())));
     QCOMPARE(status.error().args,
-             (std::vector<std::string>{"MAT 5", "its library did not come to an end within 2 s"}));
+             (std::vector<std::string>{"MAT 5", "its library stopped working on it for 20 s"}));
     QCOMPARE(::kill(id, 0), -1);  // a stopped one is ended, too
 }
 

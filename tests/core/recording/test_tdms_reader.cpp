@@ -243,7 +243,7 @@ void TestTdmsReader::a_linear_scale_is_applied() {
     QCOMPARE(scaled.c, (std::vector<double>{-1, 0, 1, 2, 3}));
     QCOMPARE(scaled.d, (std::vector<double>{0, 4, 8, 12, 16}));
     QCOMPARE(read_all(opened(file("scaled", "Linear"))).c, scaled.d);
-    const auto refused = open(file("unscaled", "Polynomial"));
+    const auto refused = open(file("unscaled", "Strain"));
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::format_unsupported);
 }

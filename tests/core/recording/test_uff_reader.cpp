@@ -24,6 +24,12 @@ class TestUffReader : public QObject {
 private slots:
     void single_and_double_precision_come_back_to_their_digits_data();
     void single_and_double_precision_come_back_to_their_digits();
+    void binary_numbers_are_read_in_place_data();
+    void binary_numbers_are_read_in_place();
+    void binary_and_text_may_stand_in_one_file();
+    void a_binary_file_cut_short_opens_with_what_is_there();
+    void a_binary_header_that_lies_is_damage_data();
+    void a_binary_header_that_lies_is_damage();
     void rate_names_units_and_start_come_from_the_header();
     void values_may_touch_and_exponents_may_be_of_fortran();
     void other_datasets_are_passed_over();
@@ -62,6 +68,118 @@ void TestUffReader::single_and_double_precision_come_back_to_their_digits() {
     const double rounding = doubles ? 0.5e-12 : 0.5e-5;
     QVERIFY(worst_difference(read.c, samples.c) <= rounding);
     QVERIFY(worst_difference(read.d, samples.d) <= rounding);
+}
+
+void TestUffReader::binary_numbers_are_read_in_place_data() {
+    QTest::addColumn<bool>("big_endian");
+    QTest::addColumn<bool>("doubles");
+    QTest::addColumn<QString>("line_end");
+    QTest::addColumn<QString>("between");
+    for (const bool big_endian : {false, true}) {
+        for (const bool doubles : {false, true}) {
+            for (const char* line_end : {"\n", "\r\n"}) {
+                for (const bool apart : {false, true}) {
+                    QTest::addRow("%s endian, %d bits, %s, separator %s",
+                                  big_endian ? "big" : "little", doubles ? 64 : 32,
+                                  *line_end == '\n' ? "LF" : "CRLF",
+                                  apart ? "on a line of its own" : "at once")
+                        << big_endian << doubles << QString(line_end)
+                        << QString(apart ? line_end : "");
+                }
+            }
+        }
+    }
+}
+
+void TestUffReader::binary_numbers_are_read_in_place() {
+    QFETCH(bool, big_endian);
+    QFETCH(bool, doubles);
+    QFETCH(QString, line_end);
+    QFETCH(QString, between);
+    // Among them every byte that ends a line or begins a separator.
+    Samples samples = wave(20001);
+    for (std::size_t i = 0; i < 100; ++i) {
+        samples.c[i] = 0x0A0D0A0D / 1e9 + 1e-3 * static_cast<double>(i);
+    }
+    UffText text;
+    text.line_end = line_end.toStdString();
+    UffBytes bytes{big_endian, doubles, 2, -1, between.toStdString()};
+    const Folder folder;
+    std::string content = uff58b(samples.c, text, bytes);
+    text.name = "Other";
+    content += "    -1\n   151\nmodel\n    -1\n" + uff58b(samples.d, text, bytes);
+    const Recording recording = opened(folder.write("run.uff", content));
+    QCOMPARE(recording.format, std::string("UFF, dataset 58b, 2 channels"));
+    QCOMPARE(recording.channels[1].name, std::string("Other"));
+    QVERIFY(recording.diagnostics.empty());
+    const Samples read = read_all(recording);
+    const auto kept = [&](std::vector<double> values) {
+        for (double& value : values) {
+            value = doubles ? value : static_cast<float>(value);
+        }
+        return values;
+    };
+    QCOMPARE(worst_difference(read.c, kept(samples.c)), 0.0);
+    QCOMPARE(worst_difference(read.d, kept(samples.d)), 0.0);
+    QVERIFY(same_however_cut(*recording.source, 5000));
+}
+
+void TestUffReader::binary_and_text_may_stand_in_one_file() {
+    const Samples samples{{1, 2, 3, 4, 5}, {6, 7, 8, 9, 10}};
+    UffText spectrum;
+    spectrum.function = 4;
+    spectrum.axis = 18;
+    const Folder folder;
+    const Recording recording =
+        opened(folder.write("run.uff", uff58b(samples.d, spectrum) + uff58(samples.c) +
+                                           uff58b(samples.d) + uff58(samples.d)));
+    QCOMPARE(recording.channels.size(), 3u);
+    QCOMPARE(read_all(recording).c, samples.c);
+    QCOMPARE(read_all(recording).d, samples.d);
+}
+
+void TestUffReader::a_binary_file_cut_short_opens_with_what_is_there() {
+    const Samples samples = wave(600);
+    std::string bytes = uff58b(samples.c) + uff58b(samples.d);
+    bytes.resize(bytes.size() - 7 - 66 * 8 - 3);
+    const Folder folder;
+    const Recording recording = opened(folder.write("cut.uff", bytes));
+    QCOMPARE(recording.frames(), 600 - 67);
+    const Diagnostic* early = find(recording, DiagnosticKind::file_ends_early);
+    QVERIFY(early);
+    QCOMPARE(early->args, (std::vector<std::string>{"600", "533"}));
+    QCOMPARE(read_all(recording).d[532], samples.d[532]);
+}
+
+void TestUffReader::a_binary_header_that_lies_is_damage_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    const Samples samples = wave(10);
+    const auto add = [&](const char* name, const UffBytes& b, const std::string& count = "") {
+        UffText text;
+        text.count = count;
+        QTest::newRow(name) << QByteArray::fromStdString(uff58b(samples.c, text, b) +
+                                                         uff58b(samples.d, text, b));
+    };
+    add("bytes too few", {false, true, 2, 72, ""});
+    add("bytes too many", {false, true, 2, 88, ""});
+    add("more bytes than any file has", {false, true, 2, 9000000000000000000, ""});
+    add("values too many", {}, "9");
+    add("2^61 values", {}, "2305843009213693952");
+    add("text after the numbers", {false, true, 2, -1, "1.0 2.0\n"});
+    std::string order = uff58b(samples.c) + uff58b(samples.d);
+    order.replace(order.find("58b     1"), 9, "58b     3");
+    QTest::newRow("byte order") << QByteArray::fromStdString(order);
+    order.replace(order.find("58b     3"), 9, "58b     x");
+    QTest::newRow("no number") << QByteArray::fromStdString(order);
+}
+
+void TestUffReader::a_binary_header_that_lies_is_damage() {
+    QFETCH(QByteArray, bytes);
+    const Folder folder;
+    const auto recording = open(folder.write("run.uff", bytes.toStdString()));
+    QVERIFY(!recording);
+    QVERIFY2(recording.error().code == ErrorCode::format_damaged,
+             english(recording.error()).c_str());
 }
 
 void TestUffReader::rate_names_units_and_start_come_from_the_header() {
@@ -171,10 +289,16 @@ void TestUffReader::what_is_not_read_is_refused_by_name_data() {
     add("complex values", [](UffText& t) { t.data_type = 5; });
     add("unevenly spaced values", [](UffText& t) { t.spacing = 0; });
     add("no time response", [](UffText& t) { t.function = 4; });
-    const auto binary =
-        "    -1\n    58b     1     2          11          80     0     0           0\n\0\1\2"sv;
-    QTest::newRow("binary") << QByteArray(binary.data(), static_cast<qsizetype>(binary.size()))
-                            << "58b";
+    for (const auto& [format, word] : {std::pair(1, "DEC"), std::pair(3, "IBM")}) {
+        UffBytes other;
+        other.float_format = format;
+        QTest::newRow(word) << QByteArray::fromStdString(uff58b(samples.c, {}, other) +
+                                                         uff58b(samples.d, {}, other))
+                            << word;
+    }
+    QTest::newRow("another binary dataset")
+        << QByteArray("    -1\n  2414b     1     2          11          80     0     0\n")
+        << "2414b";
     QTest::newRow("nodes only") << QByteArray("    -1\n    15\n 1 0 0 8 0.0 0.0 0.0\n    -1\n")
                                 << "no time response";
 }

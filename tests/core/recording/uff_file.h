@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/recording/byte_order.h"
+
 #include <charconv>
 #include <cstdio>
 #include <span>
@@ -44,6 +46,15 @@ inline std::string fortran(double value, int digits, std::size_t width) {
     return right(number, width);
 }
 
+// What the first line of a dataset 58b says.
+struct UffBytes {
+    bool big_endian = false;
+    bool doubles = true;
+    int float_format = 2;  // IEEE 754
+    long long bytes = -1;  // -1: as many as there are
+    std::string between;   // the numbers and the separator after them
+};
+
 // One dataset from separator to separator.
 inline std::string uff58(std::span<const double> values, const UffText& t = {}) {
     const auto number = [](long long value, std::size_t width) {
@@ -79,6 +90,32 @@ inline std::string uff58(std::span<const double> values, const UffText& t = {}) 
         }
     }
     return text;
+}
+
+// The same with binary numbers.
+inline std::string uff58b(std::span<const double> values, UffText t = {}, const UffBytes& b = {}) {
+    t.doubles = b.doubles;
+    const std::string text = uff58(values, t);
+    const auto at = [&](int lines) {
+        std::size_t found = 0;
+        for (int i = 0; i < lines; ++i) {
+            found = text.find(t.line_end, found) + t.line_end.size();
+        }
+        return found;
+    };
+    const auto number = [](long long value, std::size_t width) {
+        return right(std::to_string(value), width);
+    };
+    std::string numbers;
+    for (const double value : values) {
+        numbers +=
+            b.doubles ? store(value, b.big_endian) : store(static_cast<float>(value), b.big_endian);
+    }
+    const auto bytes = b.bytes < 0 ? static_cast<long long>(numbers.size()) : b.bytes;
+    return text.substr(0, at(1)) + "    58b" + number(b.big_endian ? 2 : 1, 6) +
+           number(b.float_format, 6) + number(11, 12) + number(bytes, 12) + number(0, 6) +
+           number(0, 6) + number(0, 12) + number(0, 12) + t.line_end +
+           text.substr(at(2), at(13) - at(2)) + numbers + b.between + "    -1" + t.line_end;
 }
 
 }  // namespace vybeg::test

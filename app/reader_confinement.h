@@ -1,0 +1,15 @@
+#pragma once
+
+namespace vybeg {
+
+// What vybeg-reader gives up before it looks at a file: new privileges, memory beyond the file's
+// size and 64 MB, writing to files, more than 8 descriptors, other processes and threads, core
+// dumps, and more than ten hours of processor time in all.
+void give_up_resources();
+
+// From here on, a system call that reading from open files, memory and the socket does not need
+// ends the process (SIGSYS). False where the system has no seccomp, or on another processor than
+// x86-64 and ARM64, and with AddressSanitizer, which itself opens files: the limits stay.
+bool forbid_system_calls();
+
+}  // namespace vybeg

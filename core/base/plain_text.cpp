@@ -1,0 +1,73 @@
+#include "core/base/plain_text.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace vybeg {
+namespace {
+
+struct Character {
+    std::uint32_t code = 0;
+    std::size_t bytes = 0;  // 0: no UTF-8 begins there
+};
+
+Character character_at(std::string_view text) {
+    const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(0);
+    if (first < 0x80) {
+        return {first, 1};
+    }
+    const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    if (first < 0xC2 || first > 0xF4 || text.size() < length) {
+        return {};
+    }
+    std::uint32_t code = first & (0xFFu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0u) != 0x80) {
+            return {};
+        }
+        code = code << 6 | (byte(i) & 0x3Fu);
+    }
+    const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+    return overlong || surrogate || code > 0x10FFFF ? Character{} : Character{code, length};
+}
+
+bool is_plain(std::uint32_t code) {
+    const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+    const bool separator = code == 0x2028 || code == 0x2029;
+    const bool turns = code == 0x061C || code == 0x200E || code == 0x200F ||
+                       (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+    return !control && !separator && !turns;
+}
+
+std::string hexadecimal(std::uint32_t number, int digits) {
+    std::string text;
+    for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) {
+        text += "0123456789abcdef"[number >> shift & 0xF];
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string plain_text(std::string_view text) {
+    std::string plain;
+    plain.reserve(text.size());
+    while (!text.empty()) {
+        const Character character = character_at(text);
+        const std::size_t bytes = character.bytes == 0 ? 1 : character.bytes;
+        if (character.bytes == 0) {
+            plain += "\\x" + hexadecimal(static_cast<unsigned char>(text[0]), 2);
+        } else if (is_plain(character.code)) {
+            plain += text.substr(0, bytes);
+        } else {
+            plain += bytes == 1 ? "\\x" + hexadecimal(character.code, 2)
+                                : "\\u" + hexadecimal(character.code, 4);
+        }
+        text.remove_prefix(bytes);
+    }
+    return plain;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace vybeg {
+
+// Text from a file, or a file's name, as it may stand in a terminal, a header or a message: valid
+// UTF-8 in one line. Control characters (C0, DEL, C1), line and paragraph separators and those that
+// turn the direction of writing are shown as escapes, e.g. "\x1b" or "\u202e", and so are bytes
+// that are no UTF-8. What is plain already is returned as it is.
+std::string plain_text(std::string_view text);
+
+}  // namespace vybeg
