@@ -14,6 +14,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
+// Blocks between two suspicions, at least, for both to be judged alone.
+constexpr std::size_t least_between = 4;
 // Half a second at 33333 Hz, and at most eight megabytes of a slow carrier.
 constexpr std::size_t most_segment_blocks = 512;
 constexpr std::size_t most_segment_frames = std::size_t{1} << 19;
@@ -146,7 +148,7 @@ std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::moving_phases(double& thres
         if (moves[k] <= threshold) {
             continue;
         }
-        if (!suspects.empty() && suspects.back().last + 1 == places[k]) {
+        if (!suspects.empty() && places[k] - suspects.back().last <= least_between) {
             suspects.back().last = places[k];
             suspects.back().size = std::max(suspects.back().size, moves[k]);
         } else {
@@ -172,7 +174,7 @@ std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::unforeseen_blocks() const {
             continue;
         }
         const double size = errors[k] / usual;
-        if (!suspects.empty() && suspects.back().last + 1 == k) {
+        if (!suspects.empty() && k - suspects.back().last <= least_between) {
             suspects.back().last = k;
             suspects.back().size = std::max(suspects.back().size, size);
         } else {

@@ -15,6 +15,10 @@ namespace {
 constexpr int most_samples = 100;
 // The phase that the slow change of a line inside a stretch may add to that of the noise, rad.
 constexpr double model_phase = 0.005;
+// A phase that is known less well goes with any number of samples.
+constexpr double most_phase_sd = least_phase_step / 4;
+// That a number so small or smaller goes with a random phase, for it to be certain.
+constexpr double most_chance = 0.05;
 // Of the squares on both sides, what may differ where a line goes on.
 constexpr double most_difference = 0.1;
 // Beside that, in variances: what the noise makes differ.
@@ -119,8 +123,12 @@ Unforeseen unforeseen(const TwoSides& sides, const TwoChannels& samples, const S
     return found;
 }
 
+double phase_tolerance(const TwoSides::Continuation& on) {
+    return model_phase + 4 * on.phase_sd;
+}
+
 bool goes_on(const TwoSides::Continuation& on) {
-    return std::abs(on.phase) <= model_phase + 4 * on.phase_sd &&
+    return std::abs(on.phase) <= phase_tolerance(on) &&
            on.difference <= most_difference * on.size + noise_difference * on.variance;
 }
 
@@ -148,9 +156,10 @@ std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion&
     const TwoSides sides(samples, where.begin, between.begin, between.end, where.end, lines);
     const auto at = static_cast<double>(frame);
     const TwoSides::Continuation step = sides.continuation(carrier, at, 0);
-    const double seen = 4 * std::sin(least_phase_step / 2) * std::sin(least_phase_step / 2);
-    if (std::abs(step.phase) < least_phase_step || step.size < 100 * step.variance ||
-        step.difference < 0.5 * seen * sides.power(carrier)) {
+    // A step of a wave that goes on: one in the node of a beat is none, nor is what spreads.
+    if (std::abs(step.phase) < least_phase_step || step.phase_sd > most_phase_sd ||
+        step.size < sides.power(carrier) ||
+        3 * (between.end - between.begin) > 2 * (where.zone_end - where.zone_begin)) {
         return std::nullopt;
     }
     std::vector<std::size_t> strong;
@@ -160,7 +169,10 @@ std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion&
             strong.push_back(i);
         }
     }
-    PhaseStep found{static_cast<std::int64_t>(frame), wrap(step.phase), 0, step.phase_sd, {}};
+    PhaseStep found;
+    found.frame = static_cast<std::int64_t>(frame);
+    found.phase_rad = wrap(step.phase);
+    found.phase_sd = step.phase_sd;
     for (int size = 1; size <= most_samples; ++size) {
         for (const int lost : {size, -size}) {
             if (std::ranges::all_of(strong, [&](std::size_t i) {
@@ -174,6 +186,13 @@ std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion&
         return std::nullopt;
     }
     found.lost = found.candidates.front();
+    // The share of random phases that a number of samples goes with.
+    double chance = 1;
+    for (const std::size_t i : strong) {
+        chance *= std::min(1.0, phase_tolerance(sides.continuation(i, at, 0)) / std::numbers::pi);
+    }
+    found.is_ambiguous =
+        found.candidates.size() > 1 || 2 * std::abs(found.lost) * chance > most_chance;
     return found;
 }
 

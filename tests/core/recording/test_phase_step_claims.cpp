@@ -214,6 +214,81 @@ private slots:
         }
         QVERIFY2(found >= lost - 6, qPrintable(QString("%1 of %2").arg(found).arg(lost)));
     }
+
+    void forty_lost_samples_are_not_certainly_four_doubled() {
+        // 44 samples are seven periods less 0.025 rad.
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            for (const double noise : {1e-3, 1e-2, 3e-2}) {
+                std::mt19937_64 random(seed);
+                Signal signal = signal_of({any_line(5300, 10, 1, random)}, rate, 2, noise, seed);
+                const auto frame = static_cast<std::int64_t>(uniform(5000, 60000, random));
+                lose(signal, frame, 40);
+                const auto steps = steps_of(signal, 5300.02, rate);
+                const QString what = QString("seed %1, noise %2: ").arg(seed).arg(noise);
+                QVERIFY2(steps.size() == 1, qPrintable(what + text(steps)));
+                QVERIFY2(std::ranges::count(steps[0].candidates, 40) == 1,
+                         qPrintable(what + text(steps)));
+                QVERIFY2(steps[0].is_ambiguous, qPrintable(what + text(steps)));
+                const double expected =
+                    std::remainder(40 * 2 * std::numbers::pi * 5300 / rate, 2 * std::numbers::pi);
+                QVERIFY2(std::abs(steps[0].phase_rad - expected) < 5 * steps[0].phase_sd + 1e-3,
+                         qPrintable(what + QString("%1 +- %2, expected %3")
+                                               .arg(steps[0].phase_rad)
+                                               .arg(steps[0].phase_sd)
+                                               .arg(expected)));
+                QVERIFY(std::abs(steps[0].frame - frame) <= 2);
+            }
+        }
+    }
+
+    void a_second_mode_tells_how_many_were_lost() {
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            std::mt19937_64 random(seed);
+            const std::vector<Line> lines{any_line(5300, 10, 1, random),
+                                          any_line(8231, 4, 0.3, random)};
+            Signal signal = signal_of(lines, rate, 2, 1e-3, seed);
+            const auto frame = static_cast<std::int64_t>(uniform(5000, 60000, random));
+            lose(signal, frame, 40);
+            const auto steps = steps_of(signal, 5300.02, rate);
+            QVERIFY2(steps.size() == 1 && steps[0].lost == 40 && !steps[0].is_ambiguous,
+                     qPrintable(QString("seed %1: ").arg(seed) + text(steps)));
+        }
+    }
+
+    void one_sample_is_certain_at_50_dB_and_so_is_a_doubled_one() {
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            std::mt19937_64 random(seed);
+            const double f = uniform(5200, 5400, random);
+            for (const bool is_lost : {true, false}) {
+                Signal signal = signal_of({any_line(f, 10, 1, random)}, rate, 2, 0.003, seed);
+                const auto frame = static_cast<std::int64_t>(uniform(5000, 60000, random));
+                is_lost ? lose(signal, frame, 1) : repeat(signal, frame, 1);
+                const auto steps = steps_of(signal, f, rate);
+                QVERIFY2(steps.size() == 1 && steps[0].lost == (is_lost ? 1 : -1) &&
+                             !steps[0].is_ambiguous,
+                         qPrintable(QString("seed %1: ").arg(seed) + text(steps)));
+            }
+        }
+    }
+
+    void a_loss_near_an_end_is_right_or_not_claimed() {
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            for (const std::int64_t off : {5, 40, 70, 100, 150, 300, 600}) {
+                for (const bool at_end : {false, true}) {
+                    std::mt19937_64 random(seed);
+                    Signal signal = signal_of({any_line(5300, 10, 1, random)}, rate, 2, 0.01, seed);
+                    const std::int64_t frame = at_end ? std::ssize(signal.c) - off - 1 : off;
+                    lose(signal, frame, 1);
+                    const auto steps = steps_of(signal, 5300.02, rate);
+                    const bool right = steps.size() == 1 && steps[0].lost == 1 &&
+                                       std::abs(steps[0].frame - frame) <= 1;
+                    QVERIFY2(right || (steps.empty() && off < 160),
+                             qPrintable(QString("seed %1, %2 from an end: ").arg(seed).arg(off) +
+                                        text(steps)));
+                }
+            }
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(TestPhaseStepClaims)
