@@ -258,7 +258,8 @@ private slots:
     void one_sample_is_certain_at_50_dB_and_so_is_a_doubled_one() {
         for (std::uint64_t seed = 1; seed <= 6; ++seed) {
             std::mt19937_64 random(seed);
-            const double f = uniform(5200, 5400, random);
+            // No number of whole periods up to a hundred samples is nearly one of samples.
+            const double f = seed % 2 == 0 ? 5300 : 5321;
             for (const bool is_lost : {true, false}) {
                 Signal signal = signal_of({any_line(f, 10, 1, random)}, rate, 2, 0.003, seed);
                 const auto frame = static_cast<std::int64_t>(uniform(5000, 60000, random));

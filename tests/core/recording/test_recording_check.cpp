@@ -191,14 +191,14 @@ private slots:
     }
 
     void a_step_that_has_two_explanations_is_told_with_both() {
-        Signal signal = decay({.noise = 0.01});
+        Signal signal = decay({.noise = 0.03});
         signal.c.erase(signal.c.begin() + 60000, signal.c.begin() + 60040);
         signal.d.erase(signal.d.begin() + 60000, signal.d.begin() + 60040);
         const auto found = findings(std::move(signal), 5300);
         QCOMPARE(found.size(), std::size_t{1});
         QCOMPARE(found[0].kind, DiagnosticKind::phase_step);
-        // 40 samples, less seven periods: -4 samples and 0.025 rad.
-        QVERIFY2(std::abs(std::stod(found[0].args[0]) - 2.262) < 0.02, found[0].args[0].c_str());
+        // 40 samples are seven periods less 4 samples and 0.025 rad, three deviations here.
+        QVERIFY2(std::abs(std::stod(found[0].args[0]) - 2.262) < 0.05, found[0].args[0].c_str());
         QVERIFY2(found[0].args[2].starts_with("4,"), qPrintable(text(found)));
         QVERIFY2(found[0].args[3].find("40,") != std::string::npos, qPrintable(text(found)));
         QVERIFY(std::abs(found[0].first_frame - 60000) <= 1);
