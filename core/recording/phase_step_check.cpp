@@ -31,6 +31,11 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+// The smallest move of the phase that one to three lost samples make.
+double smallest_step(double w) {
+    return std::min({std::abs(wrap(w)), std::abs(wrap(2 * w)), std::abs(wrap(3 * w))});
+}
+
 std::size_t block_of(double w) {
     const double two_periods = 4 * std::numbers::pi / w;
     return static_cast<std::size_t>(std::clamp(std::ceil(two_periods), 32.0, 4096.0));
@@ -115,8 +120,8 @@ void PhaseStepCheck::close_block() {
     blocks_.push_back(block);
 }
 
-// The runs of blocks across which the phase moves from the block before to the block after by more
-// than a threshold; the largest of the moves is a step's size.
+// The blocks across which the phase moves from the block before to the block after by more than a
+// threshold, which is set.
 std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::moving_phases(double& threshold) const {
     std::vector<double> moves;
     std::vector<std::size_t> places;
@@ -148,17 +153,12 @@ std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::moving_phases(double& thres
         if (moves[k] <= threshold) {
             continue;
         }
-        if (!suspects.empty() && places[k] - suspects.back().last <= least_between) {
-            suspects.back().last = places[k];
-            suspects.back().size = std::max(suspects.back().size, moves[k]);
-        } else {
-            suspects.push_back({places[k], places[k], moves[k]});
-        }
+        suspects.push_back({places[k], places[k], moves[k] / threshold});
     }
     return suspects;
 }
 
-// The runs of blocks whose samples do not follow from those before.
+// The blocks whose samples do not follow from those before.
 std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::unforeseen_blocks() const {
     const std::vector<double> errors = prediction_errors(c_, d_, block_frames_);
     std::vector<double> known;
@@ -173,23 +173,33 @@ std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::unforeseen_blocks() const {
         if (!(errors[k] > unforeseen * usual)) {
             continue;
         }
-        const double size = errors[k] / usual;
-        if (!suspects.empty() && k - suspects.back().last <= least_between) {
-            suspects.back().last = k;
-            suspects.back().size = std::max(suspects.back().size, size);
-        } else {
-            suspects.push_back({k, k, size});
-        }
+        suspects.push_back({k, k, errors[k] / (unforeseen * usual)});
     }
     return suspects;
+}
+
+// Suspicions so close to each other that neither can be judged alone become one.
+void PhaseStepCheck::draw_together(std::vector<Suspect>& suspects) {
+    std::ranges::sort(suspects, {}, &Suspect::first);
+    std::vector<Suspect> fewer;
+    for (const Suspect& suspect : suspects) {
+        if (!fewer.empty() && suspect.first <= fewer.back().last + least_between) {
+            fewer.back().last = std::max(fewer.back().last, suspect.last);
+            fewer.back().size = std::max(fewer.back().size, suspect.size);
+        } else {
+            fewer.push_back(suspect);
+        }
+    }
+    suspects = std::move(fewer);
 }
 
 void PhaseStepCheck::evaluate(bool is_end) {
     double threshold = least_phase_step;
     std::vector<Suspect> suspects = moving_phases(threshold);
-    if (threshold > least_phase_step) {
-        suspects = unforeseen_blocks();
+    if (threshold > least_phase_step && threshold > 0.7 * smallest_step(w_)) {
+        std::ranges::copy(unforeseen_blocks(), std::back_inserter(suspects));
     }
+    draw_together(suspects);
     const std::size_t end =
         is_end ? blocks_.size() : blocks_.size() - std::min(blocks_.size(), reach_blocks_ + 3);
     std::vector<double> sizes;

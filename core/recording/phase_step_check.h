@@ -36,7 +36,8 @@ private:
         std::complex<double> d;
         bool missing = false;
     };
-    // Blocks [first, last] in whose neighbourhood a step is suspected, by how much.
+    // Blocks [first, last] in whose neighbourhood a step is suspected; size relative to the
+    // threshold.
     struct Suspect {
         std::size_t first = 0;
         std::size_t last = 0;
@@ -47,6 +48,7 @@ private:
     void evaluate(bool is_end);
     std::vector<Suspect> moving_phases(double& threshold) const;
     std::vector<Suspect> unforeseen_blocks() const;
+    static void draw_together(std::vector<Suspect>& suspects);
     void judge(const std::vector<Suspect>& suspects, std::size_t suspect);
     void forget_all();
 

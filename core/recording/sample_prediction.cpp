@@ -11,8 +11,8 @@ namespace vybeg {
 namespace {
 
 constexpr Eigen::Index order = 16;
-// The prediction is fitted to one of so many blocks at least, and to so many frames at most.
-constexpr std::size_t fitted_frames = 8192;
+// The prediction is fitted to blocks of about so many frames together.
+constexpr std::size_t fitted_frames = 2048;
 
 using Samples = Eigen::Map<const Eigen::VectorXd>;
 
