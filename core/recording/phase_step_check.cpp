@@ -231,16 +231,20 @@ void PhaseStepCheck::judge(const std::vector<Suspect>& suspects, std::size_t sus
         return;
     }
     std::size_t from = first;
-    while (from > after_last && first - from < reach_blocks_ && !blocks_[from - 1].missing) {
+    while (from > 0 && first - from < reach_blocks_ && !blocks_[from - 1].missing) {
         --from;
     }
     std::size_t to = end;
-    while (to < before_next && to - end < reach_blocks_ && !blocks_[to].missing) {
+    while (to < blocks_.size() && to - end < reach_blocks_ && !blocks_[to].missing) {
         ++to;
     }
-    std::optional<PhaseStep> step = judge_step(
-        {c_, d_},
-        {from * block_frames_, first * block_frames_, end * block_frames_, to * block_frames_}, w_);
+    const Suspicion where{from * block_frames_,
+                          std::min(first, std::max(from, after_last)) * block_frames_,
+                          first * block_frames_,
+                          end * block_frames_,
+                          std::max(end, std::min(to, before_next)) * block_frames_,
+                          to * block_frames_};
+    std::optional<PhaseStep> step = judge_step({c_, d_}, where, w_);
     if (!step) {
         return;
     }

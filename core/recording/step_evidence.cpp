@@ -17,6 +17,10 @@ constexpr int most_samples = 100;
 constexpr double model_phase = 0.005;
 // A phase that is known less well goes with any number of samples.
 constexpr double most_phase_sd = least_phase_step / 4;
+// Of the power of both channels, what noise may leave unexplained.
+constexpr double most_unexplained = 0.1;
+// Noise variance of the samples without a step, relative to that with it.
+constexpr double least_gain = 1.5;
 // That a number so small or smaller goes with a random phase, for it to be certain.
 constexpr double most_chance = 0.05;
 // Of the squares on both sides, what may differ where a line goes on.
@@ -38,7 +42,8 @@ public:
           before_begin_(static_cast<double>(begin)),
           after_begin_(static_cast<double>(first)) {}
 
-    // How a line goes on across `frame` where so many samples are lost there.
+    // How a line goes on across `frame` where so many samples are lost there, compared some samples
+    // aside of it.
     struct Continuation {
         double phase = 0;       // rad, after less before
         double phase_sd = 0;    // rad
@@ -47,17 +52,17 @@ public:
         double variance = 0;    // of the real part of a channel's after - before
     };
 
-    Continuation continuation(std::size_t line, double frame, int lost) const {
+    Continuation continuation(std::size_t line, double frame, int lost, double aside = 0) const {
         // The middle of the gap, so that neither side is run far beyond its end.
         const double half = 0.5 * lost;
-        const Eigen::Vector2cd before = before_.phasor(line, frame + half - before_begin_);
-        const Eigen::Vector2cd after = after_.phasor(line, frame - half - after_begin_);
+        const Eigen::Vector2cd before = before_.phasor(line, frame + half + aside - before_begin_);
+        const Eigen::Vector2cd after = after_.phasor(line, frame - half + aside - after_begin_);
         Continuation on;
         on.phase = std::arg(before.dot(after));
         on.difference = (after - before).squaredNorm();
         on.size = before.squaredNorm() + after.squaredNorm();
-        on.variance = before_.variance(line, frame + half - before_begin_) +
-                      after_.variance(line, frame - half - after_begin_);
+        on.variance = before_.variance(line, frame + half + aside - before_begin_) +
+                      after_.variance(line, frame - half + aside - after_begin_);
         on.phase_sd = std::sqrt(2 * on.variance / std::max(on.size, 1e-300));
         return on;
     }
@@ -127,9 +132,25 @@ double phase_tolerance(const TwoSides::Continuation& on) {
     return model_phase + 4 * on.phase_sd;
 }
 
-bool goes_on(const TwoSides::Continuation& on) {
-    return std::abs(on.phase) <= phase_tolerance(on) &&
-           on.difference <= most_difference * on.size + noise_difference * on.variance;
+bool is_same(const TwoSides::Continuation& on) {
+    return on.difference <= most_difference * on.size + noise_difference * on.variance;
+}
+
+// Whether a line goes on in its phase, amplitude and direction, and in their slopes: in the node of
+// a beat the amplitude turns back.
+bool goes_on(const TwoSides& sides, std::size_t line, double frame, int lost, double aside) {
+    const TwoSides::Continuation on = sides.continuation(line, frame, lost);
+    return std::abs(on.phase) <= phase_tolerance(on) && is_same(on) &&
+           is_same(sides.continuation(line, frame, lost, aside)) &&
+           is_same(sides.continuation(line, frame, lost, -aside));
+}
+
+// Noise variance of the whole reach as lines without a step explain it.
+double variance_without_step(const TwoChannels& samples, const Suspicion& where) {
+    const std::size_t middle = (where.reach_begin + where.reach_end) / 2;
+    const std::vector<double> lines = strong_lines(part(samples, where.reach_begin, middle),
+                                                   part(samples, middle, where.reach_end));
+    return LocalLines(part(samples, where.reach_begin, where.reach_end), lines).noise_variance();
 }
 
 }  // namespace
@@ -157,7 +178,12 @@ std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion&
     const auto at = static_cast<double>(frame);
     const TwoSides::Continuation step = sides.continuation(carrier, at, 0);
     // A step of a wave that goes on: one in the node of a beat is none, nor is what spreads.
-    if (std::abs(step.phase) < least_phase_step || step.phase_sd > most_phase_sd ||
+    double power = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        power += sides.power(i);
+    }
+    if (sides.noise_variance() > most_unexplained * power / 4 ||
+        std::abs(step.phase) < least_phase_step || step.phase_sd > most_phase_sd ||
         step.size < sides.power(carrier) ||
         3 * (between.end - between.begin) > 2 * (where.zone_end - where.zone_begin)) {
         return std::nullopt;
@@ -169,20 +195,22 @@ std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion&
             strong.push_back(i);
         }
     }
+    const auto shorter = std::min(between.begin - where.begin, where.end - between.end);
+    const double aside = 0.25 * static_cast<double>(shorter);
     PhaseStep found;
     found.frame = static_cast<std::int64_t>(frame);
     found.phase_rad = wrap(step.phase);
     found.phase_sd = step.phase_sd;
     for (int size = 1; size <= most_samples; ++size) {
         for (const int lost : {size, -size}) {
-            if (std::ranges::all_of(strong, [&](std::size_t i) {
-                    return goes_on(sides.continuation(i, at, lost));
-                })) {
+            if (std::ranges::all_of(
+                    strong, [&](std::size_t i) { return goes_on(sides, i, at, lost, aside); })) {
                 found.candidates.push_back(lost);
             }
         }
     }
-    if (found.candidates.empty()) {
+    if (found.candidates.empty() ||
+        variance_without_step(samples, where) < least_gain * sides.noise_variance()) {
         return std::nullopt;
     }
     found.lost = found.candidates.front();
