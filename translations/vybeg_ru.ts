@@ -526,6 +526,10 @@
             <translation>%1: на участке нет ни одного годного отсчёта (все NaN).</translation>
         </message>
         <message>
+            <source>%1: every window holds clipped samples (channel %2). Record with a lower gain, begin the range where the wave is weaker (--from), or shorten the window.</source>
+            <translation>%1: в каждом окне есть ограниченные отсчёты (канал %2). Уменьшите усиление при записи, начните участок там, где волна слабее (--from), или возьмите окно короче.</translation>
+        </message>
+        <message>
             <source>This decay cannot be simulated: %2.</source>
             <translation>Такой выбег смоделировать нельзя: %2.</translation>
         </message>
@@ -618,8 +622,16 @@
             <translation>Повторено отсчётов: %1, на %2 с. Окна над этим местом помечены.</translation>
         </message>
         <message>
+            <source>A step of %1 rad in the phase of both channels at %2 s. Samples doubled: %3, or lost: %4; the phase shows them only modulo the period. Windows over the place are flagged.</source>
+            <translation>Скачок фазы на %1 рад в обоих каналах, на %2 с. Повторено отсчётов: %3, либо потеряно: %4; фаза показывает их число только с точностью до периода. Окна над этим местом помечены.</translation>
+        </message>
+        <message>
             <source>Samples were lost or doubled at %1 more places.</source>
             <translation>Отсчёты потеряны или повторены ещё в стольких местах: %1.</translation>
+        </message>
+        <message>
+            <source>Channel %1 stays within %2 levels of the converter: its signal is below one bit.</source>
+            <translation>Канал %1 не выходит за %2 уровня преобразователя: сигнал меньше одного разряда.</translation>
         </message>
         <message>
             <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out (--offset auto).</source>
@@ -640,6 +652,10 @@
         <message>
             <source>%1 lost samples at %2 places are counted in the time behind them, so that the phase runs on.</source>
             <translation>Потерянные отсчёты (%1, мест: %2) учтены во времени после них, так что фаза идёт дальше.</translation>
+        </message>
+        <message>
+            <source>At %1 places an unknown number of samples was lost or doubled: the phase after each is a parameter of its own. Time moves by the smallest possible number.</source>
+            <translation>Мест, где потеряно или повторено неизвестное число отсчётов: %1. Фаза после каждого — отдельный параметр; время сдвинуто на наименьшее возможное число.</translation>
         </message>
         <message>
             <source>The first %1 s are left out of the fit: the strike and what the band-pass makes of it are no free decay.</source>

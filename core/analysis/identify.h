@@ -74,8 +74,8 @@ struct Identification {
 // runs that differ in their start. The gain ratio that is found is the one of the recorded signals.
 // Memory does not grow with the recordings, and the result is the same to the last bit for any
 // number of threads. Errors: setting_invalid, those of prepare(), fit_window_too_short,
-// window_too_long, no_valid_samples, those of fit_resonator(), interrupted. Precondition: at least
-// one recording.
+// window_too_long, no_valid_samples, every_window_clipped, those of fit_resonator(), interrupted.
+// Precondition: at least one recording.
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job);
 

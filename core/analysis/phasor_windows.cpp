@@ -175,7 +175,8 @@ double median_power(const Estimates& estimates) {
     return *middle;
 }
 
-// Samples lost (less those doubled) before each window, from the steps in their order.
+// Samples lost (less those doubled) before each window, from the steps in their order; where their
+// number is ambiguous, the smallest.
 class LostBefore {
 public:
     explicit LostBefore(const std::vector<PhaseStep>& steps) : steps_(steps) {}
@@ -183,15 +184,23 @@ public:
     // For frames that do not fall from call to call.
     std::int64_t at(std::int64_t frame) {
         for (; next_ < steps_.size() && steps_[next_].frame <= frame; ++next_) {
-            lost_ += steps_[next_].lost;
+            const PhaseStep& step = steps_[next_];
+            if (step.is_ambiguous) {
+                breaks_.push_back(step.frame + lost_);
+            }
+            lost_ += step.lost;
         }
         return lost_;
     }
+    // Of the steps passed, the frames behind which the phase is unknown against that before,
+    // counted with what was lost.
+    const std::vector<std::int64_t>& phase_breaks() const { return breaks_; }
 
 private:
     const std::vector<PhaseStep>& steps_;
     std::size_t next_ = 0;
     std::int64_t lost_ = 0;
+    std::vector<std::int64_t> breaks_;
 };
 
 // e^{-i angle} both phasors, from the window's centre to the start of the recording, and turned so
@@ -228,6 +237,9 @@ PhasorRun collect(const Estimates& estimates, const Prepared& prepared, const Wi
         const double power = estimate.noise_power > limit ? estimate.noise_power : noise_power;
         run.sd.push_back(mean.sd_of_part() * std::sqrt(power));
     }
+    for (const std::int64_t frame : lost.phase_breaks()) {
+        run.phase_breaks_s.push_back(static_cast<double>(frame) / rate_hz);
+    }
     return run;
 }
 
@@ -235,16 +247,41 @@ void tell_of_lost_samples(const std::vector<PhaseStep>& steps,
                           std::vector<Diagnostic>& diagnostics) {
     std::int64_t samples = 0;
     std::int64_t places = 0;
+    std::int64_t ambiguous = 0;
     for (const PhaseStep& step : steps) {
-        if (step.lost != 0) {
+        if (step.is_ambiguous) {
+            ++ambiguous;
+        } else {
             samples += step.lost;
             ++places;
         }
+    }
+    if (ambiguous > 0) {
+        diagnostics.push_back({DiagnosticKind::phase_unknown, {integer_text(ambiguous)}});
     }
     if (places > 0) {
         diagnostics.push_back(
             {DiagnosticKind::lost_counted, {integer_text(samples), integer_text(places)}});
     }
+}
+
+// Why no window is left.
+Error nothing_left(const SampleFaults& faults) {
+    if (faults.clipped.empty()) {
+        return {ErrorCode::no_valid_samples, "", {}};
+    }
+    std::vector<std::string> channels;
+    for (const Diagnostic& finding : faults.findings) {
+        if (finding.kind == DiagnosticKind::clipped &&
+            std::ranges::find(channels, finding.args[0]) == channels.end()) {
+            channels.push_back(finding.args[0]);
+        }
+    }
+    std::string names = channels.front();
+    for (std::size_t k = 1; k < channels.size(); ++k) {
+        names += ", " + channels[k];
+    }
+    return {ErrorCode::every_window_clipped, "", {names}};
 }
 
 }  // namespace
@@ -276,11 +313,12 @@ Result<PhasorWindows> phasor_windows(const Prepared& prepared, const WindowPlan&
     const SampleFaults faults = prepared.check->finish();
     add_findings(faults.findings, found.diagnostics);
     tell_of_lost_samples(faults.steps, found.diagnostics);
+    const bool any_sample = std::ranges::any_of(pass->estimates, counts);
     leave_out(faults, plan, pass->estimates);
     leave_out_strike(plan, rate_hz, prepared.filter_reach, pass->estimates, found.diagnostics);
     const double noise_power = median_power(pass->estimates);
     if (!std::isfinite(noise_power)) {
-        return Error{ErrorCode::no_valid_samples, "", {}};
+        return any_sample ? nothing_left(faults) : Error{ErrorCode::no_valid_samples, "", {}};
     }
     found.noise_sd = std::sqrt(noise_power);
     found.run = collect(pass->estimates, prepared, plan, faults.steps, rate_hz, noise_power);

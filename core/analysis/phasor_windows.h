@@ -37,14 +37,16 @@ std::int64_t default_phasor_window(std::int64_t frames, double f0_hz, double rat
 // free of what its slope and curvature leave of the image at 2w, and what is not noise (beats, a
 // frequency beside the carrier, decay) does not count as noise. Times count from the start of the
 // recording. Windows with missing or clipped samples and those over a lost sample are left out; the
-// time behind lost samples counts them. Left out is also what is no free decay yet: all up to the
-// strike where a window before it has less than a thousandth of its power, and,
+// time behind lost samples counts them; where the phase does not tell their number it counts the
+// smallest, and PhasorRun::phase_breaks_s names the place. Left out is also what is no free decay
+// yet: all up to the strike where a window before it has less than a thousandth of its power, and,
 // behind a band-pass, as much again as the filter reaches, through which a strike still rings. The
 // angle of the first electrode is subtracted.
 //
 // Precondition: the plan's windows lie in the prepared range, hop = length, at least
 // least_phasor_window(). Errors: those of the source, no_valid_samples where no window is left,
-// interrupted. The result is the same to the last bit for any number of threads.
+// every_window_clipped where clipping leaves none, interrupted. The result is the same to the last
+// bit for any number of threads.
 Result<PhasorWindows> phasor_windows(const Prepared& prepared, const WindowPlan& plan,
                                      double rate_hz, int threads, const JobControl& job);
 

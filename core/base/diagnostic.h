@@ -22,12 +22,16 @@ enum class DiagnosticKind {
     clipped,               // args: channel, samples at the rail, its level
     samples_lost,          // args: samples, at time (s). A phase step common to both channels.
     samples_doubled,       // args: samples, at time (s)
+    phase_step,            // args: step (rad), at time (s), numbers of samples that may have been
+                           // doubled, and lost. The phase tells them only modulo the period.
     more_samples_lost,     // args: places beyond those told one by one
+    below_one_bit,         // args: channel, levels of the converter that it takes
     offset,                // args: channel, offset, per cent of the amplitude
     mains,                 // args: frequency (Hz), per cent of the carrier
     start_transient,       // args: seconds
     gaps_inserted,         // args: samples, places. On the engineer's wish.
     lost_counted,          // args: samples, places. Counted in the time of an identification.
+    phase_unknown,         // args: places of a phase_step inside an identification
     strike_left_out,       // args: seconds from the start of the range. No free decay there yet.
     frequency_drifts,      // args: run, Hz per s, its sd. Fitted.
     frequency_follows_amplitude,  // args: Hz per squared unit of amplitude, its sd. Fitted.

@@ -40,6 +40,7 @@ enum class ErrorCode {
     band_invalid,     // args: low, high (Hz), half the sample rate (Hz)
     filter_too_long,  // args: transient in samples, frames in the recording
     no_valid_samples,
+    every_window_clipped,   // args: channels, e.g. "C, D"
     simulation_impossible,  // args: reason
     fit_window_too_short,   // args: window in samples, least window at this carrier
     fit_too_few_windows,    // args: usable windows, least number

@@ -123,6 +123,11 @@ const char* message_template(ErrorCode code) {
                 "%3. Choose a wider band or a longer recording.");
         case ErrorCode::no_valid_samples:
             return VYBEG_MESSAGE("Message", "%1: every sample of the range is missing (NaN).");
+        case ErrorCode::every_window_clipped:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: every window holds clipped samples (channel %2). Record with a lower gain, "
+                "begin the range where the wave is weaker (--from), or shorten the window.");
         case ErrorCode::simulation_impossible:
             return VYBEG_MESSAGE("Message", "This decay cannot be simulated: %2.");
         case ErrorCode::fit_window_too_short:
@@ -203,8 +208,19 @@ const char* message_template(DiagnosticKind kind) {
         case DiagnosticKind::samples_doubled:
             return VYBEG_MESSAGE(
                 "Message", "Samples doubled: %1 at %2 s. Windows over the place are flagged.");
+        case DiagnosticKind::phase_step:
+            return VYBEG_MESSAGE(
+                "Message",
+                "A step of %1 rad in the phase of both channels at %2 s. Samples doubled: %3, or "
+                "lost: %4; the phase shows them only modulo the period. Windows over the place "
+                "are flagged.");
         case DiagnosticKind::more_samples_lost:
             return VYBEG_MESSAGE("Message", "Samples were lost or doubled at %1 more places.");
+        case DiagnosticKind::below_one_bit:
+            return VYBEG_MESSAGE(
+                "Message",
+                "Channel %1 stays within %2 levels of the converter: its signal is below "
+                "one bit.");
         case DiagnosticKind::offset:
             return VYBEG_MESSAGE("Message",
                                  "Channel %1 has an offset of %2, %3 % of the amplitude. The "
@@ -228,6 +244,11 @@ const char* message_template(DiagnosticKind kind) {
                 "Message",
                 "%1 lost samples at %2 places are counted in the time behind them, "
                 "so that the phase runs on.");
+        case DiagnosticKind::phase_unknown:
+            return VYBEG_MESSAGE(
+                "Message",
+                "At %1 places an unknown number of samples was lost or doubled: the phase after "
+                "each is a parameter of its own. Time moves by the smallest possible number.");
         case DiagnosticKind::strike_left_out:
             return VYBEG_MESSAGE("Message",
                                  "The first %1 s are left out of the fit: the strike and what the "
@@ -298,12 +319,15 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::clipped: return "clipped";
         case DiagnosticKind::samples_lost: return "samples-lost";
         case DiagnosticKind::samples_doubled: return "samples-doubled";
+        case DiagnosticKind::phase_step: return "phase-step";
         case DiagnosticKind::more_samples_lost: return "more-samples-lost";
+        case DiagnosticKind::below_one_bit: return "below-one-bit";
         case DiagnosticKind::offset: return "offset";
         case DiagnosticKind::mains: return "mains";
         case DiagnosticKind::start_transient: return "start-transient";
         case DiagnosticKind::gaps_inserted: return "gaps-inserted";
         case DiagnosticKind::lost_counted: return "lost-counted";
+        case DiagnosticKind::phase_unknown: return "phase-unknown";
         case DiagnosticKind::strike_left_out: return "strike-left-out";
         case DiagnosticKind::frequency_drifts: return "frequency-drifts";
         case DiagnosticKind::frequency_follows_amplitude: return "frequency-follows-amplitude";
@@ -351,6 +375,7 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::band_invalid: return "band-invalid";
         case ErrorCode::filter_too_long: return "filter-too-long";
         case ErrorCode::no_valid_samples: return "no-valid-samples";
+        case ErrorCode::every_window_clipped: return "every-window-clipped";
         case ErrorCode::simulation_impossible: return "simulation-impossible";
         case ErrorCode::fit_window_too_short: return "fit-window-too-short";
         case ErrorCode::fit_too_few_windows: return "fit-too-few-windows";

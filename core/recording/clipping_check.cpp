@@ -80,11 +80,11 @@ void ClippingCheck::add(std::int64_t first_frame, std::span<const double> x) {
     std::int64_t frame = first_frame;
     for (const double value : x) {
         if (std::isfinite(value)) {
-            if (!any_) {
+            if (count_ == 0) {
                 constexpr double lowest = std::numeric_limits<double>::lowest();
                 upper_.level = upper_.next = lower_.level = lower_.next = lowest;
-                any_ = true;
             }
+            ++count_;
             // Most samples lie far inside: two comparisons decide.
             if (value >= upper_.next) {
                 upper_.add(frame, value);
@@ -97,10 +97,16 @@ void ClippingCheck::add(std::int64_t first_frame, std::span<const double> x) {
     }
 }
 
+int ClippingCheck::levels() const {
+    if (count_ == 0 || upper_.level == -lower_.level) {
+        return count_ == 0 ? 0 : 1;
+    }
+    return upper_.count + lower_.count == count_ ? 2 : 3;
+}
+
 std::vector<ClippingCheck::Rail> ClippingCheck::rails() const {
     std::vector<Rail> rails;
-    // A constant channel is no clipped one.
-    if (!any_ || upper_.level == -lower_.level) {
+    if (levels() < 3) {
         return rails;
     }
     if (upper_.is_rail()) {

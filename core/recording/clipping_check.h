@@ -34,6 +34,10 @@ public:
     // The rails that were met, none to two: the upper, the lower.
     std::vector<Rail> rails() const;
 
+    // How many levels the channel takes: 1 (constant), 2, or 3 for more; 0 without a sample. One or
+    // two are no rail: the signal is below one bit of the converter.
+    int levels() const;
+
     static constexpr std::size_t most_places = 1 << 16;
 
 private:
@@ -54,7 +58,7 @@ private:
         bool is_rail() const;
     };
 
-    bool any_ = false;
+    std::int64_t count_ = 0;  // finite samples
     Extreme upper_;
     Extreme lower_;  // of the negated samples
 };

@@ -1,27 +1,29 @@
 #include "core/recording/phase_step_check.h"
 
 #include "core/numerics/phase.h"
+#include "core/recording/sample_prediction.h"
+#include "core/recording/step_evidence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace vybeg {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t block_frames = 32;
-// Blocks over which the scatter of the phase is taken: half a second at 33333 Hz.
-constexpr std::size_t segment_blocks = 512;
-// Blocks of a segment that the next one sees again: a step in the last of them has its whole
-// neighbourhood there.
-constexpr std::size_t overlap_blocks = 6;
-constexpr double least_step = 0.25;  // rad
-// Of the power around a step, what noise and decay may leave unexplained.
-constexpr double most_unexplained = 0.1;
+// Blocks between two suspicions, at least, for both to be judged alone.
+constexpr std::size_t least_between = 4;
+// Half a second at 33333 Hz, and at most eight megabytes of a slow carrier.
+constexpr std::size_t most_segment_blocks = 512;
+constexpr std::size_t most_segment_frames = std::size_t{1} << 19;
+// The mean of a prediction's errors in a block, relative to the median, that is unforeseen.
+constexpr double unforeseen = 5;
+// Suspicions of a segment that are judged, the largest first: where there are more, the phase
+// cannot be followed.
+constexpr std::size_t most_judged = 16;
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -29,56 +31,32 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-// The number of lost samples whose phase comes nearest to the angle; the fewest of those that fit.
-int samples_lost(double angle, double w) {
-    constexpr int most = 8;
-    int best = 1;
-    double least = std::numeric_limits<double>::max();
-    for (int size = 1; size <= most; ++size) {
-        for (const int lost : {size, -size}) {
-            // A carrier at a simple fraction of the rate repeats its phases: the smaller number
-            // stands.
-            const double off = std::abs(wrap(angle - lost * w));
-            if (off < least - 0.1) {
-                least = off;
-                best = lost;
-            }
-        }
-    }
-    return best;
+// The smallest move of the phase that one to three lost samples make.
+double smallest_step(double w) {
+    return std::min({std::abs(wrap(w)), std::abs(wrap(2 * w)), std::abs(wrap(3 * w))});
 }
 
-// Re(z exp(-i w j)), least squares over x[from..to): the wave of one channel, j from the start of
-// x.
-Complex fit_wave(std::span<const double> x, std::size_t from, std::size_t to, double w) {
-    double cc = 0;
-    double cs = 0;
-    double ss = 0;
-    double xc = 0;
-    double xs = 0;
-    for (std::size_t j = from; j < to; ++j) {
-        const double cosine = std::cos(w * static_cast<double>(j));
-        const double sine = std::sin(w * static_cast<double>(j));
-        cc += cosine * cosine;
-        cs += cosine * sine;
-        ss += sine * sine;
-        xc += x[j] * cosine;
-        xs += x[j] * sine;
-    }
-    const double determinant = cc * ss - cs * cs;
-    return {(xc * ss - xs * cs) / determinant, (xs * cc - xc * cs) / determinant};
+std::size_t block_of(double w) {
+    const double two_periods = 4 * std::numbers::pi / w;
+    return static_cast<std::size_t>(std::clamp(std::ceil(two_periods), 32.0, 4096.0));
 }
 
-double wave_at(Complex wave, double w, std::size_t j) {
-    const double turn = w * static_cast<double>(j);
-    return wave.real() * std::cos(turn) + wave.imag() * std::sin(turn);
+// Twelve periods tell neighbouring modes apart; eight blocks, so that a step has room inside.
+std::size_t reach_of(double w, std::size_t block) {
+    const double frames = std::clamp(24 * std::numbers::pi / w, 512.0, 16384.0);
+    return std::max<std::size_t>(8, (static_cast<std::size_t>(frames) + block - 1) / block);
 }
 
 }  // namespace
 
 PhaseStepCheck::PhaseStepCheck(double f0_hz, double rate_hz)
-    : w_(2 * std::numbers::pi * f0_hz / rate_hz) {
-    for (std::size_t j = 0; j < block_frames; ++j) {
+    : w_(2 * std::numbers::pi * f0_hz / rate_hz),
+      block_frames_(block_of(w_)),
+      reach_blocks_(reach_of(w_, block_frames_)) {
+    const std::size_t blocks = std::clamp<std::size_t>(most_segment_frames / block_frames_,
+                                                       4 * reach_blocks_, most_segment_blocks);
+    segment_frames_ = (blocks + 2 * reach_blocks_ + 6) * block_frames_;
+    for (std::size_t j = 0; j < block_frames_; ++j) {
         basis_.push_back(std::polar(1.0, -w_ * static_cast<double>(j)));
     }
 }
@@ -86,13 +64,12 @@ PhaseStepCheck::PhaseStepCheck(double f0_hz, double rate_hz)
 void PhaseStepCheck::add(std::int64_t first_frame, std::span<const double> c,
                          std::span<const double> d) {
     if (first_frame != first_frame_ + static_cast<std::int64_t>(c_.size())) {
-        evaluate();
+        evaluate(true);
         forget_all();
         first_frame_ = first_frame;
     }
-    constexpr std::size_t most = (segment_blocks + overlap_blocks) * block_frames;
     for (std::size_t at = 0; at < c.size();) {
-        const std::size_t count = std::min(most - c_.size(), c.size() - at);
+        const std::size_t count = std::min(segment_frames_ - c_.size(), c.size() - at);
         const auto copy = [at, count](std::span<const double> from, std::vector<double>& to) {
             const auto begin = from.begin() + static_cast<std::ptrdiff_t>(at);
             to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
@@ -100,31 +77,33 @@ void PhaseStepCheck::add(std::int64_t first_frame, std::span<const double> c,
         copy(c, c_);
         copy(d, d_);
         at += count;
-        while ((blocks_.size() + 1) * block_frames <= c_.size()) {
+        while ((blocks_.size() + 1) * block_frames_ <= c_.size()) {
             close_block();
         }
-        if (c_.size() == most) {
-            evaluate();
+        if (c_.size() == segment_frames_) {
+            evaluate(false);
             const auto keep = [](auto& values, std::size_t last) {
                 values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(last));
             };
-            constexpr std::size_t kept = overlap_blocks * block_frames;
-            first_frame_ += static_cast<std::int64_t>(most - kept);
-            keep(c_, kept);
-            keep(d_, kept);
-            keep(blocks_, overlap_blocks);
+            const std::size_t kept = 2 * reach_blocks_ + 6;
+            const std::size_t gone = blocks_.size() - kept;
+            first_frame_ += static_cast<std::int64_t>(gone * block_frames_);
+            first_block_ -= gone;
+            keep(c_, kept * block_frames_);
+            keep(d_, kept * block_frames_);
+            keep(blocks_, kept);
         }
     }
 }
 
 void PhaseStepCheck::close_block() {
     Block block;
-    const std::size_t begin = blocks_.size() * block_frames;
+    const std::size_t begin = blocks_.size() * block_frames_;
     double c_cos = 0;
     double c_sin = 0;
     double d_cos = 0;
     double d_sin = 0;
-    for (std::size_t j = 0; j < block_frames; ++j) {
+    for (std::size_t j = 0; j < block_frames_; ++j) {
         c_cos += c_[begin + j] * basis_[j].real();
         c_sin += c_[begin + j] * basis_[j].imag();
         d_cos += d_[begin + j] * basis_[j].real();
@@ -141,9 +120,9 @@ void PhaseStepCheck::close_block() {
     blocks_.push_back(block);
 }
 
-// The phase's move from the block before to the block after each block between the first and the
-// last.
-void PhaseStepCheck::evaluate() {
+// The blocks across which the phase moves from the block before to the block after by more than a
+// threshold, which is set.
+std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::moving_phases(double& threshold) const {
     std::vector<double> moves;
     std::vector<std::size_t> places;
     for (std::size_t k = 1; k + 1 < blocks_.size(); ++k) {
@@ -158,107 +137,134 @@ void PhaseStepCheck::evaluate() {
             places.push_back(k);
         }
     }
+    std::vector<Suspect> suspects;
     if (moves.size() < 8) {
-        return;
+        return suspects;
     }
     const double usual = median(moves);
     std::vector<double> deviations;
     for (double& move : moves) {
-        move = wrap(move - usual);
-        deviations.push_back(std::abs(move));
+        move = std::abs(wrap(move - usual));
+        deviations.push_back(move);
     }
     constexpr double sd_of_median_deviation = 1.4826;
-    const double threshold = std::max(least_step, 8 * sd_of_median_deviation * median(deviations));
+    threshold = std::max(least_phase_step, 8 * sd_of_median_deviation * median(deviations));
     for (std::size_t k = 0; k < moves.size(); ++k) {
-        if (std::abs(moves[k]) <= threshold) {
+        if (moves[k] <= threshold) {
             continue;
         }
-        // One step shows in up to three neighbouring blocks: the largest move is the whole of it.
-        std::size_t largest = k;
-        while (k + 1 < moves.size() && places[k + 1] == places[k] + 1 &&
-               std::abs(moves[k + 1]) > threshold) {
-            ++k;
-            largest = std::abs(moves[k]) > std::abs(moves[largest]) ? k : largest;
-        }
-        const std::optional<PhaseStep> step = placed(places[largest]);
-        if (!step) {
-            continue;
-        }
-        const bool seen_before = !found_.empty() && step->frame - found_.back().frame <=
-                                                        static_cast<std::int64_t>(2 * block_frames);
-        if (!seen_before) {
-            found_.push_back(*step);
-        } else if (std::abs(step->angle) > std::abs(found_.back().angle)) {
-            found_.back() = *step;  // one step on the border of two segments
-        }
+        suspects.push_back({places[k], places[k], moves[k] / threshold});
     }
+    return suspects;
 }
 
-// The frame of a step in or beside a block: the waves of the two blocks before its neighbours and
-// of the two after change over where that leaves the least squares.
-std::optional<PhaseStep> PhaseStepCheck::placed(std::size_t block) const {
-    const std::size_t low = (block - 1) * block_frames;
-    const std::size_t high = (block + 2) * block_frames;
-    const std::size_t begin = low - std::min(low, 2 * block_frames);
-    const std::size_t end = std::min(high + 2 * block_frames, c_.size());
-    const auto part = [begin, end](const std::vector<double>& x) {
-        return std::span(x).subspan(begin, end - begin);
-    };
-    const auto is_missing = [](double x) { return !std::isfinite(x); };
-    if (low - begin < block_frames || end - high < block_frames ||
-        std::ranges::any_of(part(c_), is_missing) || std::ranges::any_of(part(d_), is_missing)) {
-        return std::nullopt;
+// The blocks whose samples do not follow from those before.
+std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::unforeseen_blocks() const {
+    const std::vector<double> errors = prediction_errors(c_, d_, block_frames_);
+    std::vector<double> known;
+    std::ranges::copy_if(errors, std::back_inserter(known),
+                         [](double error) { return std::isfinite(error); });
+    std::vector<Suspect> suspects;
+    if (known.size() < 8) {
+        return suspects;
     }
-    const std::size_t from = low - begin;
-    const std::size_t to = high - begin;
-    const std::array<std::span<const double>, 2> channels{part(c_), part(d_)};
-    std::array<Complex, 2> before;
-    std::array<Complex, 2> after;
-    Complex turn = 0;
-    double power = 0;
-    for (std::size_t i = 0; i < 2; ++i) {
-        before[i] = fit_wave(channels[i], 0, from, w_);
-        after[i] = fit_wave(channels[i], to, end - begin, w_);
-        // z is conjugate to the analytic signal's phase: a wave that runs ahead has its arg fall.
-        turn += std::conj(after[i]) * before[i];
+    const double usual = median(std::move(known));
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        if (!(errors[k] > unforeseen * usual)) {
+            continue;
+        }
+        suspects.push_back({k, k, errors[k] / (unforeseen * usual)});
     }
-    double squares = 0;  // of the change over at each frame, from `from` on
-    for (std::size_t i = 0; i < 2; ++i) {
-        for (std::size_t j = from; j < to; ++j) {
-            const double off = channels[i][j] - wave_at(after[i], w_, j);
-            squares += off * off;
-            power += channels[i][j] * channels[i][j];
+    return suspects;
+}
+
+// Suspicions so close to each other that neither can be judged alone become one.
+void PhaseStepCheck::draw_together(std::vector<Suspect>& suspects) {
+    std::ranges::sort(suspects, {}, &Suspect::first);
+    std::vector<Suspect> fewer;
+    for (const Suspect& suspect : suspects) {
+        if (!fewer.empty() && suspect.first <= fewer.back().last + least_between) {
+            fewer.back().last = std::max(fewer.back().last, suspect.last);
+            fewer.back().size = std::max(fewer.back().size, suspect.size);
+        } else {
+            fewer.push_back(suspect);
         }
     }
-    double least = squares;
-    std::size_t best = from;
-    for (std::size_t j = from; j < to; ++j) {
-        for (std::size_t i = 0; i < 2; ++i) {
-            const double off_before = channels[i][j] - wave_at(before[i], w_, j);
-            const double off_after = channels[i][j] - wave_at(after[i], w_, j);
-            squares += off_before * off_before - off_after * off_after;
-        }
-        if (squares < least) {
-            least = squares;
-            best = j + 1;
+    suspects = std::move(fewer);
+}
+
+void PhaseStepCheck::evaluate(bool is_end) {
+    double threshold = least_phase_step;
+    std::vector<Suspect> suspects = moving_phases(threshold);
+    if (threshold > least_phase_step && threshold > 0.7 * smallest_step(w_)) {
+        std::ranges::copy(unforeseen_blocks(), std::back_inserter(suspects));
+    }
+    draw_together(suspects);
+    const std::size_t end =
+        is_end ? blocks_.size() : blocks_.size() - std::min(blocks_.size(), reach_blocks_ + 3);
+    std::vector<double> sizes;
+    for (const Suspect& suspect : suspects) {
+        sizes.push_back(suspect.size);
+    }
+    std::ranges::sort(sizes, std::greater{});
+    const double least = sizes.size() > most_judged ? sizes[most_judged - 1] : 0;
+    for (std::size_t k = 0; k < suspects.size(); ++k) {
+        if (suspects[k].first >= first_block_ && suspects[k].first < end &&
+            suspects[k].size >= least) {
+            judge(suspects, k);
         }
     }
-    const double angle = std::arg(turn);
-    if (least > most_unexplained * power || std::abs(angle) < least_step) {
-        return std::nullopt;
+    first_block_ = end;
+}
+
+// Around a suspicion, as far as it reaches and no other one nor a missing sample stands.
+void PhaseStepCheck::judge(const std::vector<Suspect>& suspects, std::size_t suspect) {
+    // A step shows in the blocks beside its own, too.
+    const std::size_t first =
+        suspects[suspect].first - std::min<std::size_t>(1, suspects[suspect].first);
+    const std::size_t end = std::min(suspects[suspect].last + 2, blocks_.size());
+    const std::size_t after_last = suspect == 0 ? 0 : suspects[suspect - 1].last + 2;
+    const std::size_t before_next =
+        suspect + 1 == suspects.size() ? blocks_.size() : suspects[suspect + 1].first - 1;
+    if (std::ranges::any_of(blocks_.begin() + static_cast<std::ptrdiff_t>(first),
+                            blocks_.begin() + static_cast<std::ptrdiff_t>(end), &Block::missing)) {
+        return;
     }
-    return PhaseStep{first_frame_ + static_cast<std::int64_t>(begin + best), angle,
-                     samples_lost(angle, w_)};
+    std::size_t from = first;
+    while (from > 0 && first - from < reach_blocks_ && !blocks_[from - 1].missing) {
+        --from;
+    }
+    std::size_t to = end;
+    while (to < blocks_.size() && to - end < reach_blocks_ && !blocks_[to].missing) {
+        ++to;
+    }
+    const Suspicion where{from * block_frames_,
+                          std::min(first, std::max(from, after_last)) * block_frames_,
+                          first * block_frames_,
+                          end * block_frames_,
+                          std::max(end, std::min(to, before_next)) * block_frames_,
+                          to * block_frames_};
+    std::optional<PhaseStep> step = judge_step({c_, d_}, where, w_);
+    if (!step) {
+        return;
+    }
+    step->frame += first_frame_;
+    const bool seen_before = !found_.empty() && step->frame - found_.back().frame <=
+                                                    static_cast<std::int64_t>(2 * block_frames_);
+    if (!seen_before) {
+        found_.push_back(*std::move(step));
+    }
 }
 
 void PhaseStepCheck::forget_all() {
     c_.clear();
     d_.clear();
     blocks_.clear();
+    first_block_ = 0;
 }
 
 std::vector<PhaseStep> PhaseStepCheck::finish() {
-    evaluate();
+    evaluate(true);
     forget_all();
     return std::move(found_);
 }

@@ -35,6 +35,9 @@ struct ChannelSums {
 };
 
 void report_rails(const ClippingCheck& clipping, const std::string& channel, SampleFaults& faults) {
+    if (const int levels = clipping.levels(); levels == 2) {
+        faults.findings.push_back({DiagnosticKind::below_one_bit, {channel, integer_text(levels)}});
+    }
     for (const ClippingCheck::Rail& rail : clipping.rails()) {
         faults.findings.push_back({DiagnosticKind::clipped,
                                    {channel, integer_text(rail.count), short_text(rail.level)},
@@ -42,6 +45,38 @@ void report_rails(const ClippingCheck& clipping, const std::string& channel, Sam
                                    rail.count});
         faults.clipped.insert(faults.clipped.end(), rail.places.begin(), rail.places.end());
     }
+}
+
+// Numbers of samples, e.g. "1, 7, ..."; larger ones are always possible.
+std::string list_of(const std::vector<int>& candidates, int sign) {
+    constexpr int most = 6;
+    std::string list;
+    int listed = 0;
+    for (const int lost : candidates) {
+        if (lost * sign <= 0) {
+            continue;
+        }
+        if (++listed > most) {
+            break;
+        }
+        list += integer_text(std::abs(lost)) + ", ";
+    }
+    return list + "...";
+}
+
+Diagnostic finding_of(const PhaseStep& step, double rate_hz) {
+    const std::string at_s = short_text(static_cast<double>(step.frame) / rate_hz, 9);
+    if (step.is_ambiguous) {
+        return {DiagnosticKind::phase_step,
+                {short_text(step.phase_rad, 3), at_s, list_of(step.candidates, -1),
+                 list_of(step.candidates, 1)},
+                step.frame,
+                std::abs(step.lost)};
+    }
+    return {step.lost > 0 ? DiagnosticKind::samples_lost : DiagnosticKind::samples_doubled,
+            {integer_text(std::abs(step.lost)), at_s},
+            step.frame,
+            std::abs(step.lost)};
 }
 
 void report_steps(double rate_hz, SampleFaults& faults) {
@@ -55,12 +90,7 @@ void report_steps(double rate_hz, SampleFaults& faults) {
                  0});
             break;
         }
-        const double at_s = static_cast<double>(step.frame) / rate_hz;
-        faults.findings.push_back(
-            {step.lost > 0 ? DiagnosticKind::samples_lost : DiagnosticKind::samples_doubled,
-             {integer_text(std::abs(step.lost)), short_text(at_s, 9)},
-             step.frame,
-             std::abs(step.lost)});
+        faults.findings.push_back(finding_of(step, rate_hz));
     }
 }
 

@@ -166,7 +166,8 @@ private slots:
         const auto none =
             phasor_windows(*prepared, plan_windows(0, 133332, 500, 500), 33333, 2, JobControl());
         QVERIFY(!none);
-        QVERIFY(none.error().code == ErrorCode::no_valid_samples);
+        QVERIFY(none.error().code == ErrorCode::every_window_clipped);
+        QCOMPARE(none.error().args, std::vector<std::string>{"D"});
     }
 
     void the_phase_runs_on_behind_a_lost_sample() {
@@ -185,6 +186,65 @@ private slots:
             1);
         const double square = errors_of(found, decay).square;
         QVERIFY2(square < 1.2, qPrintable(QString::number(square)));
+    }
+
+    void the_phase_after_an_ambiguous_loss_is_a_break() {
+        for (const double noise : {1e-3, 1e-2}) {
+            for (const std::ptrdiff_t lost_at : {30011, 66000}) {
+                FreeDecay decay = gyro();
+                decay.noise = noise;
+                SimulatedDecay samples = simulated(decay);
+                for (std::vector<double>* x : {&samples.c, &samples.d}) {
+                    x->erase(x->begin() + lost_at, x->begin() + lost_at + 40);
+                }
+                Settings settings;
+                settings.f0_hz = decay.f0_hz;
+                const PhasorWindows found =
+                    phasors_of(recording_of(samples.c, samples.d, 33333), settings, 512);
+                QCOMPARE(found.run.phase_breaks_s.size(), std::size_t{1});
+                const double at = static_cast<double>(lost_at) / 33333;
+                QVERIFY2(std::abs(found.run.phase_breaks_s[0] - at) < 1e-4,
+                         qPrintable(QString::number(found.run.phase_breaks_s[0])));
+                QCOMPARE(std::ranges::count(found.diagnostics, DiagnosticKind::phase_unknown,
+                                            &Diagnostic::kind),
+                         1);
+                QCOMPARE(std::ranges::count(found.diagnostics, DiagnosticKind::lost_counted,
+                                            &Diagnostic::kind),
+                         0);
+                // Up to one constant phase each side is the motion; 1.3 ms change nothing in it.
+                const SlowMotion motion(decay);
+                std::complex<double> turn = 0;
+                double size = 0;
+                for (std::size_t k = 0; k < found.run.time_s.size(); ++k) {
+                    if (found.run.time_s[k] > at) {
+                        const auto truth = true_mean(motion, decay, found.run.time_s[k], 512);
+                        turn += std::conj(truth[0]) * found.run.c[k] +
+                                std::conj(truth[1]) * found.run.d[k];
+                        size += truth.squaredNorm();
+                    }
+                }
+                // Modulo the period the phase is right, within what the step was told to.
+                QVERIFY2(std::abs(std::arg(turn)) < 0.05, qPrintable(QString::number(arg(turn))));
+                QVERIFY2(std::abs(std::abs(turn) / size - 1) < 1e-3,
+                         qPrintable(QString::number(std::abs(turn) / size)));
+            }
+        }
+    }
+
+    void a_channel_below_one_bit_leaves_the_windows_of_the_other() {
+        FreeDecay decay = gyro();
+        decay.a_B = 0;
+        for (const double share : {0.3, 0.497}) {
+            SimulatedDecay samples = simulated(decay);
+            for (double& x : samples.d) {
+                x = 1e-3 * std::round(0.01 * x + share);
+            }
+            Settings settings;
+            settings.f0_hz = decay.f0_hz;
+            const PhasorWindows found =
+                phasors_of(recording_of(samples.c, samples.d, 33333), settings, 500);
+            QCOMPARE(found.run.time_s.size(), std::size_t{266});
+        }
     }
 
     void what_is_no_free_decay_yet_is_left_out() {

@@ -190,6 +190,40 @@ private slots:
         QVERIFY(std::abs(found[1].first_frame - 100001) <= 1);
     }
 
+    void a_step_that_has_two_explanations_is_told_with_both() {
+        Signal signal = decay({.noise = 0.03});
+        signal.c.erase(signal.c.begin() + 60000, signal.c.begin() + 60040);
+        signal.d.erase(signal.d.begin() + 60000, signal.d.begin() + 60040);
+        const auto found = findings(std::move(signal), 5300);
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(found[0].kind, DiagnosticKind::phase_step);
+        // 40 samples are seven periods less 4 samples and 0.025 rad, three deviations here.
+        QVERIFY2(std::abs(std::stod(found[0].args[0]) - 2.262) < 0.05, found[0].args[0].c_str());
+        QVERIFY2(found[0].args[2].starts_with("4,"), qPrintable(text(found)));
+        QVERIFY2(found[0].args[3].find("40,") != std::string::npos, qPrintable(text(found)));
+        QVERIFY(std::abs(found[0].first_frame - 60000) <= 1);
+    }
+
+    void a_channel_below_one_bit_is_not_clipped() {
+        // The wave crosses one threshold of the converter: rarely, half of the time, nearly always.
+        for (const double offset : {0.0, 0.35, 0.49, 0.497, 0.503, 0.6}) {
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                Signal signal = decay({.tau = 400, .noise = 1e-3, .seed = seed});
+                for (double& x : signal.d) {
+                    x = std::round(0.016 * x + offset);
+                }
+                const auto found = findings(std::move(signal), 5300);
+                QVERIFY2(std::ranges::count(found, DiagnosticKind::clipped, &Diagnostic::kind) == 0,
+                         qPrintable(QString("offset %1: ").arg(offset) + text(found)));
+                const bool toggles = std::abs(offset - 0.5) < 0.0096;
+                QVERIFY2(std::ranges::count(found, DiagnosticKind::below_one_bit,
+                                            &Diagnostic::kind) == (toggles ? 1 : 0) ||
+                             std::abs(std::abs(offset - 0.5) - 0.01) < 0.002,
+                         qPrintable(QString("offset %1: ").arg(offset) + text(found)));
+            }
+        }
+    }
+
     void a_repaired_recording_is_the_one_before_the_loss_with_gaps() {
         const Signal whole = decay({.seconds = 5});
         Signal cut = whole;

@@ -99,7 +99,7 @@ void TestSampleFaults::twentyLostSamplesAreFoundInTheirPlaces() {
             }
             where += ":";
             for (const PhaseStep& s : steps) {
-                where += QString(" %1 (%2, %3)").arg(s.frame).arg(s.lost).arg(s.angle);
+                where += QString(" %1 (%2, %3)").arg(s.frame).arg(s.lost).arg(s.phase_rad);
             }
             QVERIFY2(found >= 19, qPrintable(where));
             int total = 0;

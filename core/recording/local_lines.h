@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// Samples of both channels without a missing one.
+struct TwoChannels {
+    std::span<const double> c;
+    std::span<const double> d;
+};
+
+// The lines of a short stretch as slowly varying waves, one least-squares fit for both channels:
+//     x[j] = sum over lines of Re(P_i(u) e^{i w_i j}) + P_0(u),  u = (j - middle) / (length / 2),
+// P polynomials of the order that the length allows, 1 from 48 samples on, 2 from 192. j counts
+// from the start of the stretch.
+class LocalLines {
+public:
+    // Precondition: stretch.c.size() >= least_samples(w.size()).
+    LocalLines(const TwoChannels& stretch, std::vector<double> w);
+
+    static std::size_t least_samples(std::size_t lines);
+
+    // P_i(u) e^{i w_i j} of the channels c and d, at any j, whole or not.
+    Eigen::Vector2cd phasor(std::size_t line, double j) const;
+    // Variance of the real part of a channel's phasor; the imaginary one has the same.
+    double variance(std::size_t line, double j) const;
+    // Of a sample, the mean of both channels.
+    double noise_variance() const { return noise_variance_; }
+    // Mean of |P_i|^2 over the stretch, both channels summed.
+    double power(std::size_t line) const;
+    // Sum of all lines and the offset at j.
+    Eigen::Vector2d sample(double j) const;
+    // What the fit leaves, samples x channels.
+    const Eigen::MatrixX2d& residual() const { return residual_; }
+
+private:
+    double u(double j) const { return 2 * j / length_ - 1; }
+    Eigen::Index column(std::size_t line) const;
+
+    std::vector<double> w_;
+    double length_;
+    int order_;
+    double noise_variance_ = 0;      // of a sample, the mean of both channels
+    Eigen::MatrixX2d coefficients_;  // offset's powers of u, then lines' cos and sin of each power
+    Eigen::MatrixXd inverse_;        // of the normal matrix
+    Eigen::MatrixX2d residual_;
+};
+
+// The frequencies (rad per sample, ascending in no order, strongest first) of the lines that stand
+// out of two stretches of about the same length: down to a hundredth of the strongest one's
+// amplitude, to the noise, and at most eight. Lines closer than 1.5 bins of the shorter stretch
+// count as one, whose amplitude varies.
+std::vector<double> strong_lines(const TwoChannels& before, const TwoChannels& after);
+
+}  // namespace vybeg
