@@ -109,6 +109,11 @@ const char* message_template(ErrorCode code) {
                 "Message",
                 "%1: no carrier stands out of the spectrum. Give it with --f0, or the band "
                 "to look in with --band.");
+        case ErrorCode::carrier_not_near:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: no line stands out of the spectrum within %3 Hz of the carrier given, %2 Hz. "
+                "Give a nearer one, or leave it out so that it is looked for.");
         case ErrorCode::band_invalid:
             return VYBEG_MESSAGE(
                 "Message",
@@ -128,6 +133,16 @@ const char* message_template(ErrorCode code) {
                 "Message",
                 "%1: the window of %2 samples is too short for the resonator's fit; at this "
                 "carrier it needs at least %3 (16 samples and two periods).");
+        case ErrorCode::fit_window_turns:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the window of %2 samples is too long for the beat between the lines at %3 Hz "
+                "and %4 Hz. Use at most %5 samples, or leave the window out.");
+        case ErrorCode::fit_beat_too_fast:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the "
+                "shortest at this carrier. Keep one pair of modes with --filter.");
         case ErrorCode::fit_too_few_windows:
             return VYBEG_MESSAGE("Message",
                                  "%1: the resonator needs %3 windows without faults, and there are "
@@ -216,6 +231,10 @@ const char* message_template(DiagnosticKind kind) {
                 "Message",
                 "%1 lost samples at %2 places are counted in the time behind them, "
                 "so that the phase runs on.");
+        case DiagnosticKind::carrier_elsewhere:
+            return VYBEG_MESSAGE("Message",
+                                 "The carrier given is %1 Hz, and the signal is at %2 Hz: that is "
+                                 "used.");
         case DiagnosticKind::strike_left_out:
             return VYBEG_MESSAGE("Message",
                                  "The first %1 s are left out of the fit: the strike and what the "
@@ -290,6 +309,7 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::start_transient: return "start-transient";
         case DiagnosticKind::gaps_inserted: return "gaps-inserted";
         case DiagnosticKind::lost_counted: return "lost-counted";
+        case DiagnosticKind::carrier_elsewhere: return "carrier-elsewhere";
         case DiagnosticKind::strike_left_out: return "strike-left-out";
         case DiagnosticKind::frequency_drifts: return "frequency-drifts";
         case DiagnosticKind::frequency_follows_amplitude: return "frequency-follows-amplitude";
@@ -334,11 +354,14 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::range_empty: return "range-empty";
         case ErrorCode::carrier_above_half_rate: return "carrier-above-half-rate";
         case ErrorCode::carrier_not_found: return "carrier-not-found";
+        case ErrorCode::carrier_not_near: return "carrier-not-near";
         case ErrorCode::band_invalid: return "band-invalid";
         case ErrorCode::filter_too_long: return "filter-too-long";
         case ErrorCode::no_valid_samples: return "no-valid-samples";
         case ErrorCode::simulation_impossible: return "simulation-impossible";
         case ErrorCode::fit_window_too_short: return "fit-window-too-short";
+        case ErrorCode::fit_window_turns: return "fit-window-turns";
+        case ErrorCode::fit_beat_too_fast: return "fit-beat-too-fast";
         case ErrorCode::fit_too_few_windows: return "fit-too-few-windows";
         case ErrorCode::fit_failed: return "fit-failed";
         case ErrorCode::output_failed: return "output-failed";
