@@ -81,20 +81,21 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
     for (std::size_t i = 0; i < windows.size(); ++i) {
         const std::size_t k = windows[i];
         const double t = run.time_s[k];
+        std::size_t own = part;
+        while (own < run.phase_breaks_s.size() && run.phase_breaks_s[own] <= t) {
+            ++own;
+        }
         if (i > 0) {
             // Beyond the usual rate, so that gaps are bridged on the right turn.
             const double usual = rate * (t - run.time_s[windows[i - 1]]);
             const double beyond =
                 std::arg(product(run, windows[i - 1], k) * std::polar(1.0, -usual));
-            const std::size_t before = part;
-            while (part < run.phase_breaks_s.size() && run.phase_breaks_s[part] <= t) {
-                ++part;
-            }
-            phase += usual + (part == before ? beyond : 0);
+            phase += usual + (part == own ? beyond : 0);
         }
         const double power = power_of(run, k);
         const double sd = run.sd[k];
         add(motion.phase, t, phase, sd / std::sqrt(power));
+        part = own;
         motion.phase.part.push_back(part);
         const bool inside = i > 0 && i + 1 < windows.size();
         motion.phase.step_variance.push_back(
