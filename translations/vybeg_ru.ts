@@ -514,6 +514,10 @@
             <translation>%1: несущая не выделяется в спектре. Задайте её (--f0) или полосу поиска (--band).</translation>
         </message>
         <message>
+            <source>%1: no line stands out of the spectrum within %3 Hz of the carrier given, %2 Hz. Give a nearer one, or leave it out so that it is looked for.</source>
+            <translation>%1: в пределах %3 Гц от заданной несущей, %2 Гц, в спектре нет ни одной линии. Задайте частоту точнее или не задавайте её: программа найдёт несущую сама.</translation>
+        </message>
+        <message>
             <source>%1: the band from %2 Hz to %3 Hz is impossible; it must rise and lie between 0 and half the sample rate, %4 Hz.</source>
             <translation>%1: полоса от %2 Гц до %3 Гц невозможна; она должна возрастать и лежать между 0 и половиной частоты дискретизации, %4 Гц.</translation>
         </message>
@@ -662,6 +666,10 @@
             <translation>Первые %1 с в подгонку не взяты: удар и то, что делает с ним полосовой фильтр, — не свободный выбег.</translation>
         </message>
         <message>
+            <source>The carrier given is %1 Hz, and the signal is at %2 Hz: that is used.</source>
+            <translation>Задана несущая %1 Гц, а сигнал находится на %2 Гц: использована эта частота.</translation>
+        </message>
+        <message>
             <source>%1: %2 lines are to be skipped, and the file has only %3.</source>
             <translation>%1: нужно пропустить строк: %2, а в файле их всего %3.</translation>
         </message>
@@ -676,6 +684,14 @@
         <message>
             <source>%1: the resonator needs %3 windows without faults, and there are %2. Use a longer recording or shorter windows.</source>
             <translation>%1: для резонатора нужно не меньше %3 окон без дефектов, а их %2. Возьмите запись длиннее или окна короче.</translation>
+        </message>
+        <message>
+            <source>%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the shortest at this carrier. Keep one pair of modes with --filter.</source>
+            <translation>%1: биения линий %2 Гц и %3 Гц слишком быстры для окон в %4 отсчётов, самых коротких при этой несущей. Оставьте одну пару мод полосовым фильтром (--filter).</translation>
+        </message>
+        <message>
+            <source>%1: the window of %2 samples is too long for the beat between the lines at %3 Hz and %4 Hz. Use at most %5 samples, or leave the window out.</source>
+            <translation>%1: окно в %2 отсчётов слишком длинное для биений между линиями %3 Гц и %4 Гц. Возьмите не больше %5 отсчётов или не задавайте окно.</translation>
         </message>
         <message>
             <source>The resonator cannot be fitted to %1: %2.</source>

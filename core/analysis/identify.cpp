@@ -38,29 +38,6 @@ private:
     std::vector<double> fractions_;
 };
 
-Result<WindowPlan> plan_of(const IdentifySettings& settings, const Prepared& prepared,
-                           double rate_hz) {
-    const std::int64_t frames = prepared.end - prepared.first;
-    std::int64_t length =
-        settings.window.value_or(default_phasor_window(frames, prepared.f0_hz, rate_hz));
-    if (settings.signal.periods) {
-        length = window_of_periods(*settings.signal.periods, prepared.f0_hz, rate_hz);
-    }
-    const std::int64_t least = least_phasor_window(prepared.f0_hz, rate_hz);
-    if (length < least) {
-        return Error{
-            ErrorCode::fit_window_too_short, "", {integer_text(length), integer_text(least)}};
-    }
-    if (settings.signal.snap) {
-        length = snap_window(length, prepared.f0_hz, rate_hz);
-    }
-    const WindowPlan plan = plan_windows(prepared.first, prepared.end, length, length);
-    if (plan.count == 0) {
-        return Error{ErrorCode::window_too_long, "", {integer_text(length), integer_text(frames)}};
-    }
-    return plan;
-}
-
 struct Windows {
     PhasorWindows windows;
     Calibration calibration;
@@ -70,28 +47,25 @@ struct Windows {
 // From one recording to its phasors.
 Result<Windows> windows_of(const Recording& recording, const IdentifySettings& settings,
                            int threads, const JobControl& job) {
-    const Result<Prepared> prepared = prepare(recording, settings.signal, job.silent());
-    if (!prepared) {
-        return prepared.error();
+    const Result<WindowChoice> choice =
+        choose_windows(recording, settings.signal, settings.window, job.silent());
+    if (!choice) {
+        return choice.error();
     }
-    const Result<WindowPlan> plan = plan_of(settings, *prepared, recording.rate_hz);
-    if (!plan) {
-        return plan.error();
-    }
-    Result<PhasorWindows> windows =
-        phasor_windows(*prepared, *plan, recording.rate_hz, threads, job);
+    Result<PhasorWindows> windows = phasor_windows(*choice, recording.rate_hz, threads, job);
     if (!windows) {
         return windows.error();
     }
-    return Windows{std::move(*windows), prepared->calibration, prepared->carrier_s};
+    return Windows{std::move(*windows), choice->prepared.calibration, choice->prepared.carrier_s};
 }
 
 IdentifiedRun run_of(Windows& from) {
     const PhasorWindows& windows = from.windows;
-    return {windows.run.f_ref_hz, windows.plan.length,
-            windows.plan.count,   static_cast<std::int64_t>(windows.run.time_s.size()),
-            windows.noise_sd,     from.calibration,
-            windows.diagnostics,  run_track(windows.run, track_points)};
+    return {windows.run.f_ref_hz,    windows.plan.length,
+            windows.plan.count,      static_cast<std::int64_t>(windows.run.time_s.size()),
+            windows.noise_sd,        from.calibration,
+            windows.diagnostics,     run_track(windows.run, track_points),
+            wave_motion(windows.run)};
 }
 
 // The recordings' phasors, several recordings at a time.

@@ -1,5 +1,6 @@
 #include "core/analysis/phasor_windows.h"
 
+#include "core/analysis/filtered_noise.h"
 #include "core/analysis/inspect.h"
 #include "core/analysis/window_faults.h"
 #include "core/analysis/window_mean.h"
@@ -53,9 +54,8 @@ struct Pass {
 };
 
 // All windows of the plan: one thread reads, the others estimate.
-Result<Pass> estimate_all(const Prepared& prepared, const WindowPlan& plan, double rate_hz,
+Result<Pass> estimate_all(const Prepared& prepared, const WindowPlan& plan, const WindowMean& mean,
                           int threads, const JobControl& job) {
-    const WindowMean mean(plan.length, 2 * std::numbers::pi * prepared.f0_hz / rate_hz);
     Pass pass;
     pass.estimates.resize(static_cast<std::size_t>(plan.count));
     const std::int64_t per_chunk = std::max<std::int64_t>(1, chunk_frames / plan.length);
@@ -159,8 +159,9 @@ void leave_out_strike(const WindowPlan& plan, double rate_hz, std::int64_t filte
     }
 }
 
-// Median of the noise powers that exist; NaN where there is none.
-double median_power(const Estimates& estimates) {
+// Median of the noise powers that exist, without its bias for chi^2 of few degrees of freedom (by
+// Wilson and Hilferty); NaN where there is none.
+double median_power(const Estimates& estimates, double freedom) {
     std::vector<double> powers;
     for (const WindowMean::Estimate& estimate : estimates) {
         if (counts(estimate)) {
@@ -172,7 +173,33 @@ double median_power(const Estimates& estimates) {
     }
     const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
     std::ranges::nth_element(powers, middle);
-    return *middle;
+    return *middle / std::pow(1 - 2 / (9 * freedom), 3);
+}
+
+// Variance per sample of the white noise that has the density beside the carrier. The residual
+// knows it best where it is white, but counts what lies far from the carrier, too, and behind a
+// band-pass the band's edges.
+double noise_at_carrier(double residual, const CarrierLines& lines, const Prepared& prepared) {
+    constexpr double significant = 4;
+    // Fewer stretches are not robust: outliers in one of them are no noise of the others.
+    constexpr int robust = 4;
+    if (!std::isfinite(lines.noise_power)) {
+        return residual;
+    }
+    if (prepared.filter) {
+        return lines.noise_power;
+    }
+    const double over = lines.noise_power / residual - 1;
+    const bool coloured =
+        std::abs(over) > significant * lines.relative_sd && (over < 0 || lines.stretches >= robust);
+    return coloured ? lines.noise_power : residual;
+}
+
+std::vector<double> in_turns(std::vector<double> frequencies_hz, double rate_hz) {
+    for (double& frequency : frequencies_hz) {
+        frequency *= 2 * std::numbers::pi / rate_hz;
+    }
+    return frequencies_hz;
 }
 
 // Samples lost (less those doubled) before each window, from the steps in their order; where their
@@ -213,15 +240,26 @@ Phasors moved(const Phasors& local, double cycles, double two_theta_zero) {
     return {back * (local.c * cosine + local.d * sine), back * (local.d * cosine - local.c * sine)};
 }
 
+struct Noise {
+    double residual = 0;    // variance per sample, from the windows' residuals
+    double at_carrier = 0;  // variance per sample of white noise of the density there
+};
+
 // The windows that exist, with their times, phasors and deviations.
 PhasorRun collect(const Estimates& estimates, const Prepared& prepared, const WindowPlan& plan,
-                  const std::vector<PhaseStep>& steps, double rate_hz, double noise_power) {
-    const WindowMean mean(plan.length, 2 * std::numbers::pi * prepared.f0_hz / rate_hz);
-    const double limit = noise_power * (1 + disturbed * std::sqrt(2 / mean.freedom()));
+                  const std::vector<PhaseStep>& steps, double rate_hz, const WindowMean& mean,
+                  const Noise& noise) {
+    const double limit = noise.residual * (1 + disturbed * std::sqrt(2 / mean.freedom()));
     const double two_theta_zero = prepared.calibration.angle_zero_deg * std::numbers::pi / 90;
     PhasorRun run;
     run.f_ref_hz = prepared.f0_hz;
     run.window_s = static_cast<double>(plan.length) / rate_hz;
+    FilteredNoise filtered;
+    if (prepared.filter) {
+        filtered = filtered_noise(*prepared.filter, prepared.f0_hz, plan.length, rate_hz);
+        run.noise_correlation = filtered.correlation;
+    }
+    const double sd = mean.sd_of_part() * std::sqrt(noise.at_carrier * filtered.variance);
     LostBefore lost(steps);
     for (std::int64_t k = 0; k < plan.count; ++k) {
         const WindowMean::Estimate& estimate = estimates[static_cast<std::size_t>(k)];
@@ -234,8 +272,8 @@ PhasorRun collect(const Estimates& estimates, const Prepared& prepared, const Wi
         run.time_s.push_back(time_s);
         run.c.push_back(phasors.c);
         run.d.push_back(phasors.d);
-        const double power = estimate.noise_power > limit ? estimate.noise_power : noise_power;
-        run.sd.push_back(mean.sd_of_part() * std::sqrt(power));
+        const bool stands_out = estimate.noise_power > limit;
+        run.sd.push_back(stands_out ? sd * std::sqrt(estimate.noise_power / noise.residual) : sd);
     }
     for (const std::int64_t frame : lost.phase_breaks()) {
         run.phase_breaks_s.push_back(static_cast<double>(frame) / rate_hz);
@@ -299,9 +337,12 @@ std::int64_t default_phasor_window(std::int64_t frames, double f0_hz, double rat
         {std::min(wish, frames / 64), frames / 16384 + 1, least_phasor_window(f0_hz, rate_hz)});
 }
 
-Result<PhasorWindows> phasor_windows(const Prepared& prepared, const WindowPlan& plan,
-                                     double rate_hz, int threads, const JobControl& job) {
-    Result<Pass> pass = estimate_all(prepared, plan, rate_hz, threads, job);
+Result<PhasorWindows> phasor_windows(const WindowChoice& choice, double rate_hz, int threads,
+                                     const JobControl& job) {
+    const auto& [prepared, plan, lines] = choice;
+    const WindowMean mean(plan.length, 2 * std::numbers::pi * prepared.f0_hz / rate_hz,
+                          in_turns(lines.mains_hz, rate_hz));
+    Result<Pass> pass = estimate_all(prepared, plan, mean, threads, job);
     if (!pass) {
         return pass.error();
     }
@@ -310,18 +351,25 @@ Result<PhasorWindows> phasor_windows(const Prepared& prepared, const WindowPlan&
     found.read_s = pass->read_s;
     found.estimate_s = pass->estimate_s;
     found.diagnostics = prepared.diagnostics;
+    // The windows' deviations take it in.
+    std::erase_if(found.diagnostics, [](const Diagnostic& told) {
+        return told.kind == DiagnosticKind::filter_colours_noise;
+    });
     const SampleFaults faults = prepared.check->finish();
     add_findings(faults.findings, found.diagnostics);
+    add_findings(prepared.check->offsets(), found.diagnostics);
     tell_of_lost_samples(faults.steps, found.diagnostics);
     const bool any_sample = std::ranges::any_of(pass->estimates, counts);
     leave_out(faults, plan, pass->estimates);
     leave_out_strike(plan, rate_hz, prepared.filter_reach, pass->estimates, found.diagnostics);
-    const double noise_power = median_power(pass->estimates);
-    if (!std::isfinite(noise_power)) {
+    Noise noise;
+    noise.residual = median_power(pass->estimates, mean.freedom());
+    if (!std::isfinite(noise.residual)) {
         return any_sample ? nothing_left(faults) : Error{ErrorCode::no_valid_samples, "", {}};
     }
-    found.noise_sd = std::sqrt(noise_power);
-    found.run = collect(pass->estimates, prepared, plan, faults.steps, rate_hz, noise_power);
+    noise.at_carrier = noise_at_carrier(noise.residual, lines, prepared);
+    found.noise_sd = std::sqrt(noise.at_carrier);
+    found.run = collect(pass->estimates, prepared, plan, faults.steps, rate_hz, mean, noise);
     return found;
 }
 

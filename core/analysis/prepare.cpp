@@ -212,12 +212,14 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
         return named(f0.error());
     }
     prepared.f0_hz = *f0;
+    prepared.unwatched = *conditioned;
     // What is read from here on goes into the windows, and past the check on its way.
     prepared.check = std::make_shared<FaultCheck>(*f0, rate);
     const auto watched = std::make_shared<WatchedSource>(raw, prepared.check);
     prepared.source = *condition(watched, prepared.calibration, settings.filter, rate);
     if (settings.filter) {
         const auto [low, high] = *settings.filter;
+        prepared.filter = settings.filter;
         prepared.filter_reach = band_pass_reach(low, high, rate);
         const double lost = static_cast<double>(prepared.filter_reach) / rate;
         prepared.diagnostics.push_back({DiagnosticKind::filter_transients, {short_text(lost, 3)}});

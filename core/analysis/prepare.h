@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,12 @@ namespace vybeg {
 // A recording made ready for windows: what the samples are, where they lie, and what the carrier
 // is.
 struct Prepared {
-    std::shared_ptr<const SampleSource> source;  // calibrated and filtered
-    std::int64_t first = 0;                      // the range to analyse: frames [first, end)
+    std::shared_ptr<const SampleSource> source;     // calibrated and filtered
+    std::shared_ptr<const SampleSource> unwatched;  // the same, past no check: to look ahead
+    std::int64_t first = 0;                         // the range to analyse: frames [first, end)
     std::int64_t end = 0;
     double f0_hz = 0;
+    std::optional<Band> filter;
     std::int64_t filter_reach = 0;      // frames to each side of which the band-pass takes in
     Calibration calibration;            // with the offsets that were found
     std::shared_ptr<FaultCheck> check;  // sees the samples of `source` as they are read

@@ -1,50 +1,78 @@
 #include "core/analysis/window_mean.h"
 
-#include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vybeg {
+namespace {
 
-WindowMean::WindowMean(std::int64_t n, double w) : n_(n), w_(w) {
-    const auto count = static_cast<double>(n);
-    mean_square_ = (count * count - 1) / 12;
-    const double half = 0.5 * count;
-    Eigen::Matrix3d even = Eigen::Matrix3d::Zero();
-    Eigen::Matrix3d odd = Eigen::Matrix3d::Zero();
-    for (std::int64_t j = 0; j < n; ++j) {
-        const double u = static_cast<double>(j) - 0.5 * (count - 1);
-        const double p1 = u / half;
-        const double p2 = (u * u - mean_square_) / (half * half);
-        const double cosine = std::cos(w * u);
-        const double sine = std::sin(w * u);
-        const Eigen::Vector3d e{cosine, p1 * sine, p2 * cosine};
-        const Eigen::Vector3d o{sine, p1 * cosine, p2 * sine};
-        even += e * e.transpose();
-        odd += o * o.transpose();
+// The polynomials orthogonal over the window up to an order, column by column, of size about 1.
+Eigen::MatrixXd polynomials(const Eigen::VectorXd& u, Eigen::Index order) {
+    Eigen::MatrixXd p(u.size(), order + 1);
+    p.col(0).setOnes();
+    for (Eigen::Index k = 0; k < order; ++k) {
+        p.col(k + 1) = u.cwiseProduct(p.col(k));
+        if (k > 0) {
+            p.col(k + 1) -= p.col(k).squaredNorm() / p.col(k - 1).squaredNorm() * p.col(k - 1);
+        }
     }
-    even_ = even.inverse();
-    odd_ = odd.inverse();
-    sd_of_part_ = std::sqrt((even_(0, 0) + odd_(0, 0)) / 2);
+    return p;
 }
 
-WindowMean::Channel WindowMean::channel(const ChannelMoments& moments) const {
-    const double half = 0.5 * static_cast<double>(n_);
-    const std::complex<double> z1 = moments[1] / half;
-    const std::complex<double> z2 = (moments[2] - mean_square_ * moments[0]) / (half * half);
-    const Eigen::Vector3d e{moments[0].real(), -z1.imag(), z2.real()};
-    const Eigen::Vector3d o{-moments[0].imag(), z1.real(), -z2.imag()};
-    const Eigen::Vector3d even = even_ * e;
-    const Eigen::Vector3d odd = odd_ * o;
-    return {{even[0], -odd[0]}, e.dot(even) + o.dot(odd)};
+Eigen::Index order_of(std::int64_t n, double w) {
+    const double periods = static_cast<double>(n) * w / (2 * std::numbers::pi);
+    return static_cast<Eigen::Index>(std::clamp(periods / 2, 2.0, 5.0));
+}
+
+}  // namespace
+
+WindowMean::WindowMean(std::int64_t n, double w, std::span<const double> lines) {
+    const double half = 0.5 * static_cast<double>(n);
+    const Eigen::VectorXd j = Eigen::VectorXd::LinSpaced(n, 0.5 - half, half - 0.5);
+    const Eigen::Index order = order_of(n, w);
+    const Eigen::MatrixXd p = polynomials(j / half, order);
+    // Lines that a short window cannot hold beside the rest are slopes there.
+    const auto held = std::min<Eigen::Index>(std::ssize(lines), n / 32);
+    Eigen::MatrixXd functions(n, 2 * (order + 1) + 2 + 2 * held);
+    const Eigen::ArrayXd cosine = (w * j.array()).cos();
+    const Eigen::ArrayXd sine = (w * j.array()).sin();
+    for (Eigen::Index k = 0; k <= order; ++k) {
+        functions.col(2 * k) = p.col(k).array() * cosine;
+        functions.col(2 * k + 1) = p.col(k).array() * sine;
+    }
+    functions.col(2 * order + 2) = p.col(0);
+    functions.col(2 * order + 3) = p.col(1);
+    for (Eigen::Index k = 0; k < held; ++k) {
+        const double line = lines[static_cast<std::size_t>(k)];
+        functions.col(2 * order + 4 + 2 * k) = (line * j.array()).cos();
+        functions.col(2 * order + 5 + 2 * k) = (line * j.array()).sin();
+    }
+    const Eigen::Index count = functions.cols();
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(functions);
+    basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(n, count);
+    const Eigen::MatrixXd inverse =
+        qr.matrixQR().topRows(count).triangularView<Eigen::Upper>().solve(
+            Eigen::MatrixXd::Identity(count, count));
+    mean_of_ = inverse.topRows(2);
+    mean_of_.row(1) *= -1;
+    sd_of_part_ = std::sqrt(mean_of_.squaredNorm() / 2);
+    freedom_ = 2 * static_cast<double>(n - count);
+}
+
+WindowMean::Channel WindowMean::channel(std::span<const double> samples) const {
+    const Eigen::Map<const Eigen::VectorXd> x(samples.data(), std::ssize(samples));
+    const Eigen::VectorXd products = basis_.transpose() * x;
+    const Eigen::Vector2d mean = mean_of_ * products;
+    return {{mean[0], mean[1]}, products.squaredNorm()};
 }
 
 WindowMean::Estimate WindowMean::estimate(const Window& window) const {
-    const Moments moments = window_moments(window, w_);
     const SampleProducts products = sample_products(window);
-    const Channel c = channel(moments.c);
-    const Channel d = channel(moments.d);
+    const Channel c = channel(window.c);
+    const Channel d = channel(window.d);
     const double power = products.cc + products.dd;
     // The difference has lost its digits where the fit is almost perfect; nothing recorded is.
     const double residual = std::max(power - c.power - d.power, 1e-14 * power);

@@ -32,6 +32,7 @@ enum class DiagnosticKind {
     gaps_inserted,         // args: samples, places. On the engineer's wish.
     lost_counted,          // args: samples, places. Counted in the time of an identification.
     phase_unknown,         // args: places of a phase_step inside an identification
+    carrier_elsewhere,     // args: carrier given, carrier found (Hz)
     strike_left_out,       // args: seconds from the start of the range. No free decay there yet.
     frequency_drifts,      // args: run, Hz per s, its sd. Fitted.
     frequency_follows_amplitude,  // args: Hz per squared unit of amplitude, its sd. Fitted.

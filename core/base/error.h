@@ -37,12 +37,15 @@ enum class ErrorCode {
     range_empty,              // args: from, to, length of the recording (s)
     carrier_above_half_rate,  // args: carrier (Hz), half the sample rate (Hz)
     carrier_not_found,
-    band_invalid,     // args: low, high (Hz), half the sample rate (Hz)
-    filter_too_long,  // args: transient in samples, frames in the recording
+    carrier_not_near,  // args: carrier given (Hz), how far it was looked for (Hz)
+    band_invalid,      // args: low, high (Hz), half the sample rate (Hz)
+    filter_too_long,   // args: transient in samples, frames in the recording
     no_valid_samples,
     every_window_clipped,   // args: channels, e.g. "C, D"
     simulation_impossible,  // args: reason
     fit_window_too_short,   // args: window in samples, least window at this carrier
+    fit_window_turns,       // args: window in samples, two lines (Hz), most samples
+    fit_beat_too_fast,      // args: two lines (Hz), least window at this carrier
     fit_too_few_windows,    // args: usable windows, least number
     fit_failed,             // args: reason
     // The output cannot be written: exit status 5.

@@ -111,6 +111,11 @@ const char* message_template(ErrorCode code) {
                 "Message",
                 "%1: no carrier stands out of the spectrum. Give it with --f0, or the band "
                 "to look in with --band.");
+        case ErrorCode::carrier_not_near:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: no line stands out of the spectrum within %3 Hz of the carrier given, %2 Hz. "
+                "Give a nearer one, or leave it out so that it is looked for.");
         case ErrorCode::band_invalid:
             return VYBEG_MESSAGE(
                 "Message",
@@ -135,6 +140,16 @@ const char* message_template(ErrorCode code) {
                 "Message",
                 "%1: the window of %2 samples is too short for the resonator's fit; at this "
                 "carrier it needs at least %3 (16 samples and two periods).");
+        case ErrorCode::fit_window_turns:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the window of %2 samples is too long for the beat between the lines at %3 Hz "
+                "and %4 Hz. Use at most %5 samples, or leave the window out.");
+        case ErrorCode::fit_beat_too_fast:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the "
+                "shortest at this carrier. Keep one pair of modes with --filter.");
         case ErrorCode::fit_too_few_windows:
             return VYBEG_MESSAGE("Message",
                                  "%1: the resonator needs %3 windows without faults, and there are "
@@ -249,6 +264,10 @@ const char* message_template(DiagnosticKind kind) {
                 "Message",
                 "At %1 places an unknown number of samples was lost or doubled: the phase after "
                 "each is a parameter of its own. Time moves by the smallest possible number.");
+        case DiagnosticKind::carrier_elsewhere:
+            return VYBEG_MESSAGE("Message",
+                                 "The carrier given is %1 Hz, and the signal is at %2 Hz: that is "
+                                 "used.");
         case DiagnosticKind::strike_left_out:
             return VYBEG_MESSAGE("Message",
                                  "The first %1 s are left out of the fit: the strike and what the "
@@ -328,6 +347,7 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::gaps_inserted: return "gaps-inserted";
         case DiagnosticKind::lost_counted: return "lost-counted";
         case DiagnosticKind::phase_unknown: return "phase-unknown";
+        case DiagnosticKind::carrier_elsewhere: return "carrier-elsewhere";
         case DiagnosticKind::strike_left_out: return "strike-left-out";
         case DiagnosticKind::frequency_drifts: return "frequency-drifts";
         case DiagnosticKind::frequency_follows_amplitude: return "frequency-follows-amplitude";
@@ -372,12 +392,15 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::range_empty: return "range-empty";
         case ErrorCode::carrier_above_half_rate: return "carrier-above-half-rate";
         case ErrorCode::carrier_not_found: return "carrier-not-found";
+        case ErrorCode::carrier_not_near: return "carrier-not-near";
         case ErrorCode::band_invalid: return "band-invalid";
         case ErrorCode::filter_too_long: return "filter-too-long";
         case ErrorCode::no_valid_samples: return "no-valid-samples";
         case ErrorCode::every_window_clipped: return "every-window-clipped";
         case ErrorCode::simulation_impossible: return "simulation-impossible";
         case ErrorCode::fit_window_too_short: return "fit-window-too-short";
+        case ErrorCode::fit_window_turns: return "fit-window-turns";
+        case ErrorCode::fit_beat_too_fast: return "fit-beat-too-fast";
         case ErrorCode::fit_too_few_windows: return "fit-too-few-windows";
         case ErrorCode::fit_failed: return "fit-failed";
         case ErrorCode::output_failed: return "output-failed";

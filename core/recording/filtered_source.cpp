@@ -191,14 +191,18 @@ Result<std::shared_ptr<const SampleSource>> band_passed(std::shared_ptr<const Sa
                      .where = "",
                      .args = {integer_text(kaiser.half_length), integer_text(source->frames())}};
     }
-    const double half_transition = transition_hz(low_hz, high_hz, rate_hz) / 2;
     return std::shared_ptr<const SampleSource>(std::make_shared<FilteredSource>(
-        std::move(source), band_pass_taps((low_hz - half_transition) / rate_hz,
-                                          (high_hz + half_transition) / rate_hz, kaiser)));
+        std::move(source), band_pass_response(low_hz, high_hz, rate_hz)));
 }
 
 std::int64_t band_pass_reach(double low_hz, double high_hz, double rate_hz) {
     return design(low_hz, high_hz, rate_hz).half_length;
+}
+
+std::vector<double> band_pass_response(double low_hz, double high_hz, double rate_hz) {
+    const double half_transition = transition_hz(low_hz, high_hz, rate_hz) / 2;
+    return band_pass_taps((low_hz - half_transition) / rate_hz,
+                          (high_hz + half_transition) / rate_hz, design(low_hz, high_hz, rate_hz));
 }
 
 }  // namespace vybeg

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace vybeg {
 
@@ -21,5 +22,8 @@ Result<std::shared_ptr<const SampleSource>> band_passed(std::shared_ptr<const Sa
 // The filter's half-length in samples: what it takes at each end. Precondition: 0 < low_hz <
 // high_hz < rate_hz / 2.
 std::int64_t band_pass_reach(double low_hz, double high_hz, double rate_hz);
+
+// The half h[0] .. h[M] of its impulse response, M its half-length. Same precondition.
+std::vector<double> band_pass_response(double low_hz, double high_hz, double rate_hz);
 
 }  // namespace vybeg

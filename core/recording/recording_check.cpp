@@ -18,22 +18,6 @@ constexpr std::size_t most_listed = 100;  // places of lost samples that are tol
 
 const std::array<std::string, 2> channel_names{"C", "D"};
 
-struct ChannelSums {
-    double sum = 0;
-    double squares = 0;
-    std::int64_t valid = 0;
-
-    void add(std::span<const double> x) {
-        for (const double value : x) {
-            if (std::isfinite(value)) {
-                sum += value;
-                squares += value * value;
-                ++valid;
-            }
-        }
-    }
-};
-
 void report_rails(const ClippingCheck& clipping, const std::string& channel, SampleFaults& faults) {
     if (const int levels = clipping.levels(); levels == 2) {
         faults.findings.push_back({DiagnosticKind::below_one_bit, {channel, integer_text(levels)}});
@@ -94,50 +78,6 @@ void report_steps(double rate_hz, SampleFaults& faults) {
     }
 }
 
-void report_offsets(const std::array<ChannelSums, 2>& sums, SampleFaults& faults) {
-    // Half the square of the wave's amplitude is the power of both channels.
-    double power = 0;
-    for (const ChannelSums& channel : sums) {
-        const double mean =
-            channel.sum / static_cast<double>(std::max<std::int64_t>(1, channel.valid));
-        power += channel.valid > 0
-                     ? channel.squares / static_cast<double>(channel.valid) - mean * mean
-                     : 0;
-    }
-    const double amplitude = std::sqrt(2 * power);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double offset =
-            sums[i].valid > 0 ? sums[i].sum / static_cast<double>(sums[i].valid) : 0;
-        if (std::abs(offset) > small_offset * amplitude) {
-            faults.findings.push_back({DiagnosticKind::offset,
-                                       {channel_names[i], short_text(offset),
-                                        short_text(100 * std::abs(offset) / amplitude, 3)}});
-        }
-    }
-}
-
-Status report_start(const SampleSource& source, double rate_hz, std::optional<double> f0_hz,
-                    SampleFaults& faults) {
-    const auto frames =
-        static_cast<std::size_t>(std::min(static_cast<double>(source.frames()), start_s * rate_hz));
-    std::vector<double> c(frames);
-    std::vector<double> d(frames);
-    if (Status read = source.read(0, c, d); !read) {
-        return read;
-    }
-    for (const MainsLine& line : mains_lines(c, d, rate_hz)) {
-        faults.findings.push_back(
-            {DiagnosticKind::mains, {short_text(line.f_hz), short_text(100 * line.ratio, 2)}});
-    }
-    if (const double seconds = f0_hz ? start_transient_s(c, d, *f0_hz, rate_hz) : 0; seconds > 0) {
-        faults.findings.push_back({DiagnosticKind::start_transient,
-                                   {short_text(seconds, 2)},
-                                   0,
-                                   std::llround(seconds * rate_hz)});
-    }
-    return {};
-}
-
 // All frames in order, a portion at a time, to look(first_frame, c, d).
 template <class Look>
 Status read_through(const SampleSource& source, const JobControl& job, Look look) {
@@ -161,6 +101,20 @@ Status read_through(const SampleSource& source, const JobControl& job, Look look
 
 }  // namespace
 
+void FaultCheck::ChannelSums::add(std::span<const double> x) {
+    for (const double value : x) {
+        if (std::isfinite(value)) {
+            sum += value;
+            squares += value * value;
+            ++valid;
+        }
+    }
+}
+
+double FaultCheck::ChannelSums::mean() const {
+    return valid > 0 ? sum / static_cast<double>(valid) : 0;
+}
+
 FaultCheck::FaultCheck(std::optional<double> f0_hz, double rate_hz) : rate_hz_(rate_hz) {
     if (f0_hz) {
         steps_.emplace(*f0_hz, rate_hz);
@@ -178,6 +132,8 @@ void FaultCheck::add(std::int64_t first_frame, std::span<const double> c,
             ++frames_with_missing_;
         }
     }
+    sums_[0].add(c);
+    sums_[1].add(d);
     clipping_[0].add(first_frame, c);
     clipping_[1].add(first_frame, d);
     if (steps_) {
@@ -203,6 +159,51 @@ SampleFaults FaultCheck::finish() {
     return faults;
 }
 
+std::vector<Diagnostic> FaultCheck::offsets() const {
+    // Half the square of the wave's amplitude is the power of both channels.
+    double power = 0;
+    for (const ChannelSums& channel : sums_) {
+        const double mean = channel.mean();
+        power += channel.valid > 0
+                     ? channel.squares / static_cast<double>(channel.valid) - mean * mean
+                     : 0;
+    }
+    const double amplitude = std::sqrt(2 * power);
+    std::vector<Diagnostic> findings;
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+        const double offset = sums_[i].mean();
+        if (std::abs(offset) > small_offset * amplitude) {
+            findings.push_back({DiagnosticKind::offset,
+                                {channel_names[i], short_text(offset),
+                                 short_text(100 * std::abs(offset) / amplitude, 3)}});
+        }
+    }
+    return findings;
+}
+
+Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, double rate_hz,
+                                               std::optional<double> f0_hz) {
+    const auto frames =
+        static_cast<std::size_t>(std::min(static_cast<double>(source.frames()), start_s * rate_hz));
+    std::vector<double> c(frames);
+    std::vector<double> d(frames);
+    if (const Status read = source.read(0, c, d); !read) {
+        return read.error();
+    }
+    std::vector<Diagnostic> findings;
+    for (const MainsLine& line : mains_lines(c, d, rate_hz)) {
+        findings.push_back(
+            {DiagnosticKind::mains, {short_text(line.f_hz), short_text(100 * line.ratio, 2)}});
+    }
+    if (const double seconds = f0_hz ? start_transient_s(c, d, *f0_hz, rate_hz) : 0; seconds > 0) {
+        findings.push_back({DiagnosticKind::start_transient,
+                            {short_text(seconds, 2)},
+                            0,
+                            std::llround(seconds * rate_hz)});
+    }
+    return findings;
+}
+
 Result<SampleFaults> find_faults(const SampleSource& source, double rate_hz,
                                  std::optional<double> f0_hz, const JobControl& job) {
     FaultCheck check(f0_hz, rate_hz);
@@ -217,20 +218,18 @@ Result<SampleFaults> find_faults(const SampleSource& source, double rate_hz,
 Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
                                      std::optional<double> f0_hz, const JobControl& job) {
     FaultCheck check(f0_hz, rate_hz);
-    std::array<ChannelSums, 2> sums;
-    const auto look = [&](std::int64_t first, std::span<const double> c,
-                          std::span<const double> d) {
-        check.add(first, c, d);
-        sums[0].add(c);
-        sums[1].add(d);
-    };
-    if (const Status read = read_through(source, job, look); !read) {
+    const Status read = read_through(
+        source, job, [&](std::int64_t first, auto c, auto d) { check.add(first, c, d); });
+    if (!read) {
         return read.error();
     }
     SampleFaults faults = check.finish();
-    report_offsets(sums, faults);
-    if (const Status read = report_start(source, rate_hz, f0_hz, faults); !read) {
-        return read.error();
+    const Result<std::vector<Diagnostic>> start = start_findings(source, rate_hz, f0_hz);
+    if (!start) {
+        return start.error();
+    }
+    for (const std::vector<Diagnostic>& more : {check.offsets(), *start}) {
+        faults.findings.insert(faults.findings.end(), more.begin(), more.end());
     }
     return faults;
 }

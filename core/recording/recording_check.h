@@ -32,9 +32,21 @@ public:
     void add(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
     // Ends the check.
     SampleFaults finish();
+    // Channels whose mean is above 0.5 % of the amplitude, so far.
+    std::vector<Diagnostic> offsets() const;
 
 private:
+    struct ChannelSums {
+        double sum = 0;
+        double squares = 0;
+        std::int64_t valid = 0;
+
+        void add(std::span<const double> x);
+        double mean() const;
+    };
+
     double rate_hz_;
+    std::array<ChannelSums, 2> sums_;
     std::int64_t missing_ = 0;  // samples of both channels
     std::int64_t frames_with_missing_ = 0;
     std::int64_t first_missing_ = -1;
@@ -45,6 +57,11 @@ private:
 // The faults alone. Reads the source once, front to back. Errors: those of the source, interrupted.
 Result<SampleFaults> find_faults(const SampleSource& source, double rate_hz,
                                  std::optional<double> f0_hz, const JobControl& job);
+
+// What the first four seconds show: lines of the mains, and a start that does not decay as what
+// follows. Errors: those of the source.
+Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, double rate_hz,
+                                               std::optional<double> f0_hz);
 
 // What the samples tell about how they were recorded (METHOD section 7): their faults, offsets
 // above 0.5 % of the amplitude, lines of the mains and a start that does not decay as what follows.

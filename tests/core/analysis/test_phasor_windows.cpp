@@ -41,13 +41,11 @@ FreeDecay gyro() {
 
 PhasorWindows phasors_of(const Recording& recording, const Settings& settings, std::int64_t window,
                          int threads = 2) {
-    const Result<Prepared> prepared = prepare(recording, settings, {});
-    if (!prepared) {
+    const Result<WindowChoice> choice = choose_windows(recording, settings, window, {});
+    if (!choice) {
         qFatal("the recording cannot be prepared");
     }
-    const WindowPlan plan = plan_windows(prepared->first, prepared->end, window, window);
-    Result<PhasorWindows> found =
-        phasor_windows(*prepared, plan, recording.rate_hz, threads, JobControl());
+    Result<PhasorWindows> found = phasor_windows(*choice, recording.rate_hz, threads, {});
     if (!found) {
         qFatal("no phasors");
     }
@@ -160,11 +158,10 @@ private slots:
         const double missing = (10 * 500 + 249.5) / 33333;
         QVERIFY(std::ranges::none_of(clipped.run.time_s,
                                      [&](double t) { return std::abs(t - missing) < 1e-3; }));
-        const Result<Prepared> prepared =
-            prepare(recording_of(simulated(decay).c, samples.d, 33333), settings, {});
-        QVERIFY(prepared);
-        const auto none =
-            phasor_windows(*prepared, plan_windows(0, 133332, 500, 500), 33333, 2, JobControl());
+        const Result<WindowChoice> choice =
+            choose_windows(recording_of(simulated(decay).c, samples.d, 33333), settings, 500, {});
+        QVERIFY(choice);
+        const auto none = phasor_windows(*choice, 33333, 2, {});
         QVERIFY(!none);
         QVERIFY(none.error().code == ErrorCode::every_window_clipped);
         QCOMPARE(none.error().args, std::vector<std::string>{"D"});
@@ -303,10 +300,9 @@ private slots:
         const Recording recording = simulated_recording(gyro());
         Settings settings;
         settings.f0_hz = 5300;
-        const Result<Prepared> prepared = prepare(recording, settings, {});
-        QVERIFY(prepared);
-        const auto found = phasor_windows(*prepared, plan_windows(0, 133332, 500, 500), 33333, 2,
-                                          JobControl(stop.get_token()));
+        const Result<WindowChoice> choice = choose_windows(recording, settings, 500, {});
+        QVERIFY(choice);
+        const auto found = phasor_windows(*choice, 33333, 2, JobControl(stop.get_token()));
         QVERIFY(!found);
         QVERIFY(found.error().code == ErrorCode::interrupted);
     }

@@ -1,0 +1,297 @@
+#include "core/analysis/carrier_lines.h"
+
+#include "core/base/number_text.h"
+#include "core/numerics/fft.h"
+#include "core/numerics/kaiser.h"
+#include "core/recording/start_check.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::int64_t most_stretches = 32;
+constexpr std::size_t longest_stretch = std::size_t{1} << 20;
+constexpr std::size_t most_samples = std::size_t{1} << 21;
+// Half the main lobe of the window, and the distance from a line beyond which its skirt is gone.
+constexpr std::ptrdiff_t main_lobe = 7;
+constexpr std::ptrdiff_t skirt = 8;
+
+double median_of(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+// Side lobes of -150 dB: those of -92 dB hold as much as noise 60 dB below the carrier.
+std::vector<double> kaiser(std::size_t size) {
+    constexpr double beta = 20;
+    std::vector<double> weights(size);
+    for (std::size_t j = 0; j < size; ++j) {
+        weights[j] =
+            kaiser_window(2 * (static_cast<double>(j) + 0.5) / static_cast<double>(size) - 1, beta);
+    }
+    return weights;
+}
+
+// Power of both channels in the bins [first, first + size), in units of the variance per sample and
+// channel of white noise.
+struct Spectrum {
+    double bin_hz = 0;
+    std::ptrdiff_t first = 0;
+    std::vector<std::vector<double>> stretches;
+    std::vector<double> mean;
+
+    double hz(std::ptrdiff_t k) const { return static_cast<double>(first + k) * bin_hz; }
+};
+
+struct Reach {
+    double low_hz = 0;
+    double high_hz = 0;
+};
+
+Result<Spectrum> spectrum_of(const Prepared& prepared, std::size_t size, const Reach& reach,
+                             double rate_hz, const JobControl& job) {
+    Spectrum spectrum;
+    spectrum.bin_hz = rate_hz / static_cast<double>(size);
+    const auto half = static_cast<std::ptrdiff_t>(size / 2);
+    spectrum.first = std::clamp(static_cast<std::ptrdiff_t>(reach.low_hz / spectrum.bin_hz),
+                                std::ptrdiff_t{1}, half - 1);
+    const auto end = std::clamp(static_cast<std::ptrdiff_t>(reach.high_hz / spectrum.bin_hz) + 2,
+                                spectrum.first + 1, half);
+    const auto bins = static_cast<std::size_t>(end - spectrum.first);
+    spectrum.mean.assign(bins, 0);
+    const std::vector<double> weights = kaiser(size);
+    double squares = 0;
+    for (const double weight : weights) {
+        squares += weight * weight;
+    }
+    // What the band-pass cannot fill at both ends is missing; stretches overlap by half.
+    const auto length = static_cast<std::int64_t>(size);
+    const std::int64_t first = std::max(prepared.first, prepared.filter_reach);
+    const std::int64_t last =
+        std::min(prepared.end, prepared.unwatched->frames() - prepared.filter_reach) - length;
+    if (last < first) {
+        return spectrum;
+    }
+    const std::int64_t stretches = std::min({2 * (last - first) / length + 1, most_stretches,
+                                             static_cast<std::int64_t>(most_samples / size)});
+    const std::int64_t step = prepared.unwatched->seeks()
+                                  ? (last - first) / std::max<std::int64_t>(stretches - 1, 1)
+                                  : length / 2;
+    const Fft transform(size);
+    std::vector<double> c(size);
+    std::vector<double> d(size);
+    std::vector<std::complex<double>> data(size);
+    for (std::int64_t s = 0; s < stretches; ++s) {
+        if (job.cancelled()) {
+            return Error{ErrorCode::interrupted, "", {}};
+        }
+        if (const Status read = prepared.unwatched->read(first + s * step, c, d); !read) {
+            return read.error();
+        }
+        bool whole = true;
+        for (std::size_t j = 0; j < size; ++j) {
+            whole = whole && std::isfinite(c[j]) && std::isfinite(d[j]);
+            data[j] = {weights[j] * c[j], weights[j] * d[j]};
+        }
+        if (!whole) {
+            continue;
+        }
+        transform.forward(data);
+        std::vector<double>& power = spectrum.stretches.emplace_back(bins);
+        for (std::size_t k = 0; k < bins; ++k) {
+            const std::size_t bin = static_cast<std::size_t>(spectrum.first) + k;
+            power[k] = 0.25 * (std::norm(data[bin]) + std::norm(data[size - bin])) / squares;
+            spectrum.mean[k] += power[k];
+        }
+    }
+    for (double& power : spectrum.mean) {
+        power /= static_cast<double>(std::max<std::size_t>(spectrum.stretches.size(), 1));
+    }
+    return spectrum;
+}
+
+struct Line {
+    std::ptrdiff_t bin = 0;
+    double f_hz = 0;
+    double power = 0;
+};
+
+// Whether a valley a tenth as high lies between a peak and the higher bins around it.
+bool stands_alone(const std::vector<double>& mean, std::ptrdiff_t peak) {
+    const auto size = std::ssize(mean);
+    const double height = mean[static_cast<std::size_t>(peak)];
+    for (const std::ptrdiff_t way : {-1, 1}) {
+        double valley = height;
+        for (std::ptrdiff_t k = peak; k >= 0 && k < size; k += way) {
+            const double here = mean[static_cast<std::size_t>(k)];
+            valley = std::min(valley, here);
+            if (here > height && valley > height / 10) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+std::vector<Line> lines_of(const Spectrum& spectrum) {
+    constexpr double least_of_strongest = 1e-7;
+    const std::vector<double>& mean = spectrum.mean;
+    std::vector<Line> lines;
+    if (spectrum.stretches.empty() || std::ssize(mean) < 2 * main_lobe + 3) {
+        return lines;
+    }
+    // As in the search for the carrier, 16 dB for one stretch; the mean of many scatters less.
+    const double over = 1 + 39 / std::sqrt(static_cast<double>(spectrum.stretches.size()));
+    const double least =
+        std::max(over * median_of(mean), least_of_strongest * *std::ranges::max_element(mean));
+    for (std::ptrdiff_t k = 1; k + 1 < std::ssize(mean); ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        if (mean[at] < least || mean[at] < mean[at - 1] || mean[at] <= mean[at + 1] ||
+            !stands_alone(mean, k)) {
+            continue;
+        }
+        const double left = std::log(mean[at - 1]);
+        const double right = std::log(mean[at + 1]);
+        const double curvature = left - 2 * std::log(mean[at]) + right;
+        const double shift =
+            curvature < 0 ? std::clamp(0.5 * (left - right) / curvature, -0.5, 0.5) : 0;
+        lines.push_back({k, spectrum.hz(k) + shift * spectrum.bin_hz, mean[at]});
+    }
+    return lines;
+}
+
+// The median density between the lines, stretch by stretch, so that a strike or a lost sample in
+// one of them does not count.
+void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const Reach& reach,
+                CarrierLines& found) {
+    // Median over mean of the sum of two exponential distributions (both channels).
+    constexpr double median_over_mean = 0.83917;
+    std::vector<double> densities;
+    std::size_t bins = 0;
+    for (const std::vector<double>& power : spectrum.stretches) {
+        std::vector<double> between;
+        for (std::ptrdiff_t k = 0; k < std::ssize(power); ++k) {
+            const bool near = std::ranges::any_of(
+                lines, [k](const Line& line) { return std::abs(k - line.bin) <= skirt; });
+            if (!near && spectrum.hz(k) >= reach.low_hz && spectrum.hz(k) <= reach.high_hz) {
+                between.push_back(power[static_cast<std::size_t>(k)]);
+            }
+        }
+        if (between.size() >= 8) {
+            bins += between.size();
+            densities.push_back(median_of(std::move(between)) / median_over_mean);
+        }
+    }
+    if (densities.empty()) {
+        return;
+    }
+    found.stretches = static_cast<int>(densities.size());
+    found.noise_power = median_of(densities);
+    // Two channels; 2.5 bins of this window to an independent one; a median, twice over, has 1.25
+    // times the deviation of a mean each time.
+    found.relative_sd = 1.8 / std::sqrt(static_cast<double>(bins));
+}
+
+std::size_t stretch_size(const Prepared& prepared, const Settings& settings, std::int64_t window,
+                         double rate_hz) {
+    constexpr double per_window = 64;
+    constexpr double per_band = 60;
+    double wish = per_window * static_cast<double>(window);
+    if (settings.filter) {
+        wish = std::max(wish,
+                        per_band * rate_hz / (settings.filter->high_hz - settings.filter->low_hz));
+    }
+    const auto frames = static_cast<std::size_t>(
+        std::max<std::int64_t>(prepared.end - prepared.first - 2 * prepared.filter_reach, 1));
+    const auto wished = std::bit_ceil(
+        static_cast<std::size_t>(std::min(wish, static_cast<double>(longest_stretch))));
+    return std::min(wished, std::bit_floor(frames));
+}
+
+Reach within(Reach reach, const Settings& settings, double rate_hz) {
+    const Band band = settings.filter.value_or(Band{0, rate_hz / 2});
+    return {std::max(reach.low_hz, band.low_hz), std::min(reach.high_hz, band.high_hz)};
+}
+
+// The line that is the carrier: the strongest one of the main lobe around f0, else the strongest.
+std::optional<Line> carrier_of(const std::vector<Line>& lines, double f0_hz, double lobe_hz) {
+    const auto weaker = [&](const Line& a, const Line& b) {
+        const bool near_a = std::abs(a.f_hz - f0_hz) <= lobe_hz;
+        const bool near_b = std::abs(b.f_hz - f0_hz) <= lobe_hz;
+        return near_a != near_b ? near_b : a.power < b.power;
+    };
+    const auto found = std::ranges::max_element(lines, weaker);
+    return found == lines.end() ? std::nullopt : std::optional(*found);
+}
+
+Result<std::vector<double>> mains_of(const Prepared& prepared, double lobe_hz, double rate_hz) {
+    constexpr double seconds = 4;
+    const auto count = static_cast<std::size_t>(
+        std::min(static_cast<double>(prepared.end - prepared.first), seconds * rate_hz));
+    std::vector<double> c(count);
+    std::vector<double> d(count);
+    if (const Status read = prepared.unwatched->read(prepared.first, c, d); !read) {
+        return read.error();
+    }
+    std::vector<double> found;
+    for (const MainsLine& line : mains_lines(c, d, rate_hz)) {
+        if (std::abs(line.f_hz - prepared.f0_hz) > 4 * lobe_hz && line.f_hz < prepared.f0_hz) {
+            found.push_back(line.f_hz);
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+Result<CarrierLines> carrier_lines(const Prepared& prepared, const Settings& settings,
+                                   std::int64_t window, double rate_hz, const JobControl& job) {
+    const double f0 = prepared.f0_hz;
+    CarrierLines found;
+    found.strongest_hz = found.lowest_hz = found.highest_hz = f0;
+    const std::size_t size = stretch_size(prepared, settings, window, rate_hz);
+    if (size < 16) {
+        return found;
+    }
+    const double lobe = rate_hz / static_cast<double>(window);
+    const double far = std::min(settings.f0_hz ? 400.0 : 80.0, f0 / (settings.f0_hz ? 3 : 8));
+    const Reach wide = within({f0 - far, f0 + far}, settings, rate_hz);
+    Result<Spectrum> spectrum = spectrum_of(prepared, size, wide, rate_hz, job);
+    if (!spectrum) {
+        return spectrum.error();
+    }
+    std::vector<Line> lines = lines_of(*spectrum);
+    const std::optional<Line> carrier = carrier_of(lines, f0, lobe);
+    if (!carrier && settings.f0_hz && !spectrum->stretches.empty()) {
+        return Error{ErrorCode::carrier_not_near, "", {short_text(f0), short_text(far, 3)}};
+    }
+    if (carrier) {
+        const double near = std::min(80.0, carrier->f_hz / 8);
+        found.found = true;
+        found.strongest_hz = found.lowest_hz = found.highest_hz = carrier->f_hz;
+        for (const Line& line : lines) {
+            if (std::abs(line.f_hz - carrier->f_hz) <= near) {
+                found.lowest_hz = std::min(found.lowest_hz, line.f_hz);
+                found.highest_hz = std::max(found.highest_hz, line.f_hz);
+            }
+        }
+        find_noise(*spectrum, lines,
+                   within({carrier->f_hz - near, carrier->f_hz + near}, settings, rate_hz), found);
+    }
+    Result<std::vector<double>> mains = mains_of(prepared, lobe, rate_hz);
+    if (!mains) {
+        return mains.error();
+    }
+    found.mains_hz = std::move(*mains);
+    return found;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,140 @@
+#include "core/analysis/window_choice.h"
+
+#include "core/analysis/inspect.h"
+#include "core/analysis/phasor_windows.h"
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Revolutions of a mode's phasor in a window: where the program chooses, and the engineer.
+constexpr double most_turn = 0.1;
+constexpr double most_chosen_turn = 0.25;
+
+struct Length {
+    std::int64_t samples = 0;
+    bool chosen = false;  // by the engineer
+};
+
+Result<Length> wished_length(const Settings& settings, std::optional<std::int64_t> window,
+                             const Prepared& prepared, double rate_hz) {
+    Length length;
+    if (settings.periods) {
+        length = {window_of_periods(*settings.periods, prepared.f0_hz, rate_hz), true};
+    } else if (window) {
+        length = {*window, true};
+    } else {
+        length.samples =
+            default_phasor_window(prepared.end - prepared.first, prepared.f0_hz, rate_hz);
+    }
+    const std::int64_t least = least_phasor_window(prepared.f0_hz, rate_hz);
+    if (length.samples < least) {
+        return Error{ErrorCode::fit_window_too_short,
+                     "",
+                     {integer_text(length.samples), integer_text(least)}};
+    }
+    return length;
+}
+
+// How far the farther of the outer lines lies from a frequency, Hz.
+double farthest(const CarrierLines& lines, double f_hz) {
+    return std::max(std::abs(lines.lowest_hz - f_hz), std::abs(lines.highest_hz - f_hz));
+}
+
+// The window in which lines `away` from the reference turn by no more than they may.
+Result<std::int64_t> slow_enough(const Length& wish, const CarrierLines& lines, double reference_hz,
+                                 double rate_hz) {
+    const double away = farthest(lines, reference_hz);
+    const double most = wish.chosen ? most_chosen_turn : most_turn;
+    if (away * static_cast<double>(wish.samples) <= most * rate_hz) {
+        return wish.samples;
+    }
+    const auto fitting = static_cast<std::int64_t>(most * rate_hz / away);
+    const std::int64_t least = least_phasor_window(reference_hz, rate_hz);
+    const std::string low = short_text(lines.lowest_hz);
+    const std::string high = short_text(lines.highest_hz);
+    if (fitting < least) {
+        return Error{ErrorCode::fit_beat_too_fast, "", {low, high, integer_text(least)}};
+    }
+    if (wish.chosen) {
+        return Error{ErrorCode::fit_window_turns,
+                     "",
+                     {integer_text(wish.samples), low, high, integer_text(fitting)}};
+    }
+    return fitting;
+}
+
+// The same recording, prepared at another carrier without looking for anything again.
+Result<Prepared> prepared_at(double f_hz, const Prepared& before, const Recording& recording,
+                             Settings settings, const JobControl& job) {
+    settings.f0_hz = f_hz;
+    settings.calibration = before.calibration;
+    Result<Prepared> prepared = prepare(recording, settings, job);
+    if (prepared) {
+        prepared->carrier_s += before.carrier_s;
+    }
+    return prepared;
+}
+
+}  // namespace
+
+Result<WindowChoice> choose_windows(const Recording& recording, const Settings& settings,
+                                    std::optional<std::int64_t> window, const JobControl& job) {
+    const double rate = recording.rate_hz;
+    Result<Prepared> prepared = prepare(recording, settings, job);
+    if (!prepared) {
+        return prepared.error();
+    }
+    const Result<Length> wish = wished_length(settings, window, *prepared, rate);
+    if (!wish) {
+        return wish.error();
+    }
+    const double begun = job.now();
+    Result<CarrierLines> lines = carrier_lines(*prepared, settings, wish->samples, rate, job);
+    if (!lines) {
+        return lines.error();
+    }
+    prepared->carrier_s += job.now() - begun;
+    const double given = prepared->f0_hz;
+    const double turn = farthest(*lines, given) * static_cast<double>(wish->samples) / rate;
+    if (turn > most_turn) {
+        prepared = prepared_at((lines->lowest_hz + lines->highest_hz) / 2, *prepared, recording,
+                               settings, job);
+        if (!prepared) {
+            return prepared.error();
+        }
+    }
+    Result<std::int64_t> length = slow_enough(*wish, *lines, prepared->f0_hz, rate);
+    if (!length) {
+        return length.error();
+    }
+    if (settings.snap) {
+        length = snap_window(*length, prepared->f0_hz, rate);
+    }
+    const double lobe_hz = rate / static_cast<double>(wish->samples);
+    if (settings.f0_hz && std::abs(lines->strongest_hz - given) > lobe_hz) {
+        prepared->diagnostics.push_back({DiagnosticKind::carrier_elsewhere,
+                                         {short_text(given), short_text(lines->strongest_hz)}});
+    }
+    const auto start = start_findings(*recording.source, rate, prepared->f0_hz);
+    if (!start) {
+        return start.error();
+    }
+    add_findings(*start, prepared->diagnostics);
+    WindowChoice choice;
+    choice.plan = plan_windows(prepared->first, prepared->end, *length, *length);
+    if (choice.plan.count == 0) {
+        return Error{ErrorCode::window_too_long,
+                     "",
+                     {integer_text(*length), integer_text(prepared->end - prepared->first)}};
+    }
+    choice.prepared = std::move(*prepared);
+    choice.lines = std::move(*lines);
+    return choice;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,233 @@
+// The wave's own four numbers against the motion that was simulated.
+//
+// Statistical model: a pull is the error over the deviation told; over N independent runs the mean
+// of its squares is 1 within sqrt(2/N).
+#include "core/resonator/wave_motion.h"
+#include "tests/core/resonator/known_resonator.h"
+
+#include <array>
+#include <cmath>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+constexpr std::int64_t window = 500;
+
+using Numbers = std::array<Estimate, 4>;
+
+Numbers numbers(const WaveMotion& wave) {
+    return {wave.f_hz, wave.decay_per_s, wave.theta_rate_rad_s, wave.quadrature_rate_per_s};
+}
+
+// The same windows without noise; the deviations, hence the weights, are those of `noise`.
+PhasorRun silent(FreeDecay decay, double offset_hz) {
+    const double sd = decay.noise * std::sqrt(2.0 / window);
+    decay.noise = 0;
+    PhasorRun run = simulated_phasors(decay, window, 1, offset_hz);
+    run.sd.assign(run.sd.size(), sd);
+    return run;
+}
+
+// Adds noise around the reference frequency with a Lorentz line of half width w, exact from window
+// to window; `size` is the deviation of each of the four parts.
+void add_noise_about_the_carrier(PhasorRun& run, double half_width_hz, double size,
+                                 std::uint64_t seed) {
+    GaussianNoise noise(seed);
+    const double keep = std::exp(-2 * std::numbers::pi * half_width_hz * run.window_s);
+    const double fresh = size * std::sqrt(1 - keep * keep);
+    std::array<double, 4> state{};
+    bool first = true;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        for (std::size_t i = 0; i < 4; i += 2) {
+            const auto [a, b] = noise.next();
+            state[i] = first ? size * a : keep * state[i] + fresh * a;
+            state[i + 1] = first ? size * b : keep * state[i + 1] + fresh * b;
+        }
+        first = false;
+        run.c[k] += std::complex(state[0], state[1]);
+        run.d[k] += std::complex(state[2], state[3]);
+    }
+}
+
+struct Pulls {
+    std::array<double, 4> squares{};
+    int runs = 0;
+
+    void add(const WaveMotion& found, const WaveMotion& truth) {
+        const Numbers is = numbers(found);
+        const Numbers should = numbers(truth);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double pull = (is[i].value - should[i].value) / is[i].sd;
+            squares[i] += pull * pull;
+        }
+        ++runs;
+    }
+    double rms(std::size_t i) const { return std::sqrt(squares[i] / runs); }
+    QString text() const {
+        return QString("rms pulls: f %1, decay %2, angle %3, quadrature %4")
+            .arg(rms(0))
+            .arg(rms(1))
+            .arg(rms(2))
+            .arg(rms(3));
+    }
+    bool within(double least, double most) const {
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (!(rms(i) >= least && rms(i) <= most)) {
+                return false;
+            }
+        }
+        return true;
+    }
+};
+
+// A resonator of a split, started at an angle with some quadrature.
+FreeDecay wave(double split_hz, double theta_deg, double a_B) {
+    FreeDecay decay = reference();
+    decay.split_hz = split_hz;
+    decay.theta_w = 0.2;
+    decay.damping_anisotropy_per_s = 2e-4;
+    decay.theta_tau = 0.5;
+    decay.two_theta_A = 2 * theta_deg * std::numbers::pi / 180;
+    decay.a_B = a_B;
+    decay.noise = 3e-3;
+    return decay;
+}
+
+}  // namespace
+
+class TestWaveMotion : public QObject {
+    Q_OBJECT
+
+private slots:
+    void its_numbers_are_those_of_a_steady_motion() {
+        FreeDecay decay = reference();
+        decay.tau_s = 40;
+        decay.omega_rad_s = 0.02;
+        decay.noise = 1e-4;
+        const WaveMotion found = wave_motion(simulated_phasors(decay, window, 3, 0.7));
+        VYBEG_NEAR(found.f_hz, decay.f0_hz + 0.7, 4, 1e-5);
+        VYBEG_NEAR(found.tau_s, 40, 4, 1e-2);
+        VYBEG_NEAR(found.decay_per_s, 1.0 / 40, 4, 1e-5);
+        VYBEG_NEAR(found.theta_rate_rad_s, -0.277 * 0.02, 4, 1e-5);
+        VYBEG_NEAR(found.quadrature_rate_per_s, 0, 4, 1e-5);
+        // By the growth of the quadrature, d(a_B/a_A)/dt = pi split sin 4(theta_A - theta_w).
+        FreeDecay split = reference();
+        split.split_hz = 1e-4;
+        split.noise = 1e-4;
+        const WaveMotion grown = wave_motion(simulated_phasors(split, window, 3));
+        VYBEG_NEAR(grown.quadrature_rate_per_s, std::numbers::pi * 1e-4 * std::sin(0.6), 4, 1e-5);
+    }
+
+    void their_deviations_are_right_in_white_noise() {
+        for (const auto& [split, angle, a_B] :
+             {std::array{1e-6, 10.0, 0.0}, {1e-4, 40.0, 0.1}, {1e-3, -70.0, -0.3}}) {
+            const FreeDecay decay = wave(split, angle, a_B);
+            const WaveMotion truth = wave_motion(silent(decay, 0.3));
+            Pulls pulls;
+            for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+                pulls.add(wave_motion(simulated_phasors(decay, window, seed, 0.3)), truth);
+            }
+            QVERIFY2(pulls.within(0.75, 1.25), qPrintable(pulls.text()));
+        }
+    }
+
+    void a_curved_motion_has_no_smaller_deviation() {
+        for (const double split : {0.01, 0.03, 0.2}) {
+            const FreeDecay decay = wave(split, 10, 0.1);
+            const WaveMotion truth = wave_motion(silent(decay, 0));
+            Pulls pulls;
+            for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+                pulls.add(wave_motion(simulated_phasors(decay, window, seed)), truth);
+            }
+            QVERIFY2(pulls.within(0, 1.4), qPrintable(pulls.text()));
+        }
+    }
+
+    void noise_about_the_carrier_is_in_the_deviations_data() {
+        QTest::addColumn<double>("half_width_hz");
+        QTest::addColumn<double>("size");
+        for (const double width : {0.02, 0.05, 0.2, 1.0}) {
+            for (const double size : {1e-5, 1e-4, 1e-3}) {
+                QTest::addRow("%g Hz, %g", width, size) << width << size;
+            }
+        }
+    }
+
+    void noise_about_the_carrier_is_in_the_deviations() {
+        QFETCH(double, half_width_hz);
+        QFETCH(double, size);
+        FreeDecay decay = wave(1e-4, 30, 0.05);
+        decay.noise = 1e-3;
+        const WaveMotion truth = wave_motion(silent(decay, 0));
+        Pulls pulls;
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            PhasorRun run = simulated_phasors(decay, window, seed);
+            add_noise_about_the_carrier(run, half_width_hz, size, 500 + seed);
+            pulls.add(wave_motion(run), truth);
+        }
+        QVERIFY2(pulls.within(0.4, 1.5), qPrintable(pulls.text()));
+    }
+
+    void a_phase_that_breaks_costs_the_frequency_no_truth() {
+        const FreeDecay decay = wave(1e-4, 25, 0.05);
+        PhasorRun silence = silent(decay, 0);
+        silence.phase_breaks_s = {9.3, 17.1};
+        const WaveMotion truth = wave_motion(silence);
+        Pulls pulls;
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            PhasorRun run = simulated_phasors(decay, window, seed);
+            run.phase_breaks_s = silence.phase_breaks_s;
+            for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+                const auto turn = std::polar(1.0, run.time_s[k] < 9.3    ? 0.0
+                                                  : run.time_s[k] < 17.1 ? 1.0
+                                                                         : 2.8);
+                run.c[k] *= turn;
+                run.d[k] *= turn;
+            }
+            pulls.add(wave_motion(run), truth);
+        }
+        QVERIFY2(pulls.within(0.7, 1.3), qPrintable(pulls.text()));
+    }
+
+    void outliers_are_left_out() {
+        const FreeDecay decay = wave(1e-4, 25, 0.05);
+        const WaveMotion truth = wave_motion(silent(decay, 0));
+        Pulls pulls;
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            PhasorRun run = simulated_phasors(decay, window, seed);
+            for (std::size_t k = 3; k < 100; k += 7) {
+                run.c[k] *= 1.2;
+                run.d[k] += std::complex(0.1, -0.3);
+            }
+            pulls.add(wave_motion(run), truth);
+        }
+        QVERIFY2(pulls.within(0.7, 1.3), qPrintable(pulls.text()));
+    }
+
+    void what_is_not_there_has_its_reason() {
+        FreeDecay decay = reference();
+        decay.tau_s = 1e300;
+        const WaveMotion undamped = wave_motion(simulated_phasors(decay, window, 1));
+        QCOMPARE(undamped.tau_s.reason.code, ReasonCode::no_decay);
+        QVERIFY(undamped.decay_per_s.given());
+        PhasorRun growing = simulated_phasors(reference(), window, 1);
+        for (std::size_t k = 0; k < growing.time_s.size(); ++k) {
+            growing.c[k] *= std::exp(growing.time_s[k] / 100);
+            growing.d[k] *= std::exp(growing.time_s[k] / 100);
+        }
+        QCOMPARE(wave_motion(growing).tau_s.reason.code, ReasonCode::grows);
+        decay.a_B = 1;
+        const WaveMotion circular = wave_motion(simulated_phasors(decay, window, 1));
+        QCOMPARE(circular.theta_rate_rad_s.reason.code, ReasonCode::circular_wave);
+        QCOMPARE(circular.quadrature_rate_per_s.reason.code, ReasonCode::circular_wave);
+        QVERIFY(circular.f_hz.given());
+        decay.seconds = 0.08;
+        QCOMPARE(wave_motion(simulated_phasors(decay, window, 1)).f_hz.reason.code,
+                 ReasonCode::too_few_windows);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWaveMotion)
+#include "test_wave_motion.moc"
