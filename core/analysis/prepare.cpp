@@ -212,6 +212,7 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
         return named(f0.error());
     }
     prepared.f0_hz = *f0;
+    prepared.rate_relative_sd = recording.rate_relative_sd;
     // What is read from here on goes into the windows, and past the check on its way.
     prepared.check = std::make_shared<FaultCheck>(*f0, rate);
     const auto watched = std::make_shared<WatchedSource>(raw, prepared.check);

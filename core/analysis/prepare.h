@@ -20,6 +20,7 @@ struct Prepared {
     std::int64_t first = 0;                      // the range to analyse: frames [first, end)
     std::int64_t end = 0;
     double f0_hz = 0;
+    double rate_relative_sd = 0;        // of the recording
     std::int64_t filter_reach = 0;      // frames to each side of which the band-pass takes in
     Calibration calibration;            // with the offsets that were found
     std::shared_ptr<FaultCheck> check;  // sees the samples of `source` as they are read

@@ -31,6 +31,7 @@ void note_early_end(std::int64_t promised_frames, Recording& recording);
 struct SampleRate {
     double hz = 0;
     RateOrigin from = RateOrigin::file;
+    double relative_sd = 0;  // what the digits of the file leave open
 };
 
 // The file's own rate where it has one (> 0), else the option's. Errors: rate_unknown.
