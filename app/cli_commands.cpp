@@ -20,13 +20,20 @@
 namespace vybeg::cli {
 namespace {
 
+// ", sd 0.003 Hz", where the digits of the file leave the rate open.
+std::string rate_sd_text(const Recording& recording) {
+    return recording.rate_relative_sd > 0
+               ? ", sd " + short_text(recording.rate_relative_sd * recording.rate_hz, 2) + " Hz"
+               : "";
+}
+
 std::string described(const Recording& recording, const std::string& sha256,
                       const std::vector<Diagnostic>& findings) {
     std::string text = "file      " + plain_text(recording.path.string()) + "\nformat    " +
                        recording.format + "\nlength    " + round_trip_text(recording.seconds()) +
                        " s, " + integer_text(recording.frames()) + " frames\nrate      " +
                        round_trip_text(recording.rate_hz) + " Hz (" +
-                       rate_origin_name(recording.rate_from) + ")\n";
+                       rate_origin_name(recording.rate_from) + rate_sd_text(recording) + ")\n";
     for (std::size_t i = 0; i < recording.channels.size(); ++i) {
         const Channel& channel = recording.channels[i];
         text += "channel   " + std::to_string(i + 1) + ": " + channel.name;

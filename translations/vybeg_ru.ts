@@ -614,6 +614,18 @@
             <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие (--variables).</translation>
         </message>
         <message>
+            <source>Channel %1: %2 samples lie beyond its range and are missing. Record with a larger range.</source>
+            <translation>Канал %1: отсчётов за пределами шкалы: %2, они пропущены. Запишите с большим пределом измерения.</translation>
+        </message>
+        <message>
+            <source>Channel %1 is in %2 in the file; it was converted to %3, the unit of channel C.</source>
+            <translation>Канал %1 записан в файле в %2; пересчитан в %3, единицу канала C.</translation>
+        </message>
+        <message>
+            <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit with --channels, or give the gain ratio with --kappa.</source>
+            <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей (--channels) или задайте отношение усилений (--kappa).</translation>
+        </message>
+        <message>
             <source>Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged.</source>
             <translation>Канал %1 ограничен: на пределе шкалы (%3) отсчётов: %2. Окна с ними помечены.</translation>
         </message>

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <mutex>
 #include <numbers>
 #include <numeric>
@@ -44,7 +45,9 @@ std::int64_t windows_of_chunk(const WindowPlan& plan) {
     return plan.hop < plan.length ? std::max(windows, 2 * windows_of_block(plan)) : windows;
 }
 
-void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& estimate) {
+// `rate_relative_sd`: every frequency in Hz is wrong by as much as the sample rate is.
+void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& estimate,
+              double rate_relative_sd) {
     const auto value = [&](SlowVariable variable, double x) { track.values(variable)[row] = x; };
     const auto sd = [&](SlowVariable variable, double x) { track.sds(variable)[row] = x; };
     track.time_s()[row] = time_s;
@@ -60,7 +63,9 @@ void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& 
     sd(SlowVariable::a_B, estimate.sd.a_B);
     sd(SlowVariable::two_theta_A, estimate.sd.two_theta_A);
     sd(SlowVariable::alpha, estimate.sd.alpha);
-    sd(SlowVariable::f, estimate.sd_f_hz);
+    sd(SlowVariable::f, rate_relative_sd > 0
+                            ? std::hypot(estimate.sd_f_hz, rate_relative_sd * estimate.f_hz)
+                            : estimate.sd_f_hz);
     sd(SlowVariable::delta_phi_CD, estimate.sd_delta_phi_CD);
     track.flags()[row] = estimate.flags;
 }
@@ -154,7 +159,7 @@ private:
         for (std::size_t k = 0; k < estimates.size(); ++k) {
             fill_row(chunk.rows, static_cast<std::size_t>(first) + k,
                      plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_),
-                     estimates[k]);
+                     estimates[k], prepared_.rate_relative_sd);
         }
     }
 

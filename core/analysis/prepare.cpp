@@ -213,6 +213,7 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
     }
     prepared.f0_hz = *f0;
     prepared.unwatched = *conditioned;
+    prepared.rate_relative_sd = recording.rate_relative_sd;
     // What is read from here on goes into the windows, and past the check on its way.
     prepared.check = std::make_shared<FaultCheck>(*f0, rate);
     const auto watched = std::make_shared<WatchedSource>(raw, prepared.check);

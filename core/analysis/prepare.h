@@ -23,6 +23,7 @@ struct Prepared {
     std::int64_t end = 0;
     double f0_hz = 0;
     std::optional<Band> filter;
+    double rate_relative_sd = 0;        // of the recording
     std::int64_t filter_reach = 0;      // frames to each side of which the band-pass takes in
     Calibration calibration;            // with the offsets that were found
     std::shared_ptr<FaultCheck> check;  // sees the samples of `source` as they are read

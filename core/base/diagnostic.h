@@ -18,23 +18,26 @@ enum class DiagnosticKind {
     filter_colours_noise,  // standard deviations assume white noise
     context_missing,       // args: samples that the algorithm needs beyond the window
     not_converged,         // args: windows, of
-    text_lines_ignored,    // args: count; header and comment lines
-    clipped,               // args: channel, samples at the rail, its level
-    samples_lost,          // args: samples, at time (s). A phase step common to both channels.
-    samples_doubled,       // args: samples, at time (s)
-    phase_step,            // args: step (rad), at time (s), numbers of samples that may have been
-                           // doubled, and lost. The phase tells them only modulo the period.
-    more_samples_lost,     // args: places beyond those told one by one
-    below_one_bit,         // args: channel, levels of the converter that it takes
-    offset,                // args: channel, offset, per cent of the amplitude
-    mains,                 // args: frequency (Hz), per cent of the carrier
-    start_transient,       // args: seconds
-    gaps_inserted,         // args: samples, places. On the engineer's wish.
-    lost_counted,          // args: samples, places. Counted in the time of an identification.
-    phase_unknown,         // args: places of a phase_step inside an identification
-    carrier_elsewhere,     // args: carrier given, carrier found (Hz)
-    strike_left_out,       // args: seconds from the start of the range. No free decay there yet.
-    frequency_drifts,      // args: run, Hz per s, its sd. Fitted.
+    over_range,            // args: channel, samples. Of the missing ones, those beyond its range.
+    unit_converted,        // args: channel, its unit, the unit of C, in which it is read
+    units_differ,        // args: channel C, its unit, channel D, its unit. No factor between them.
+    text_lines_ignored,  // args: count; header and comment lines
+    clipped,             // args: channel, samples at the rail, its level
+    samples_lost,        // args: samples, at time (s). A phase step common to both channels.
+    samples_doubled,     // args: samples, at time (s)
+    phase_step,          // args: step (rad), at time (s), numbers of samples that may have been
+                         // doubled, and lost. The phase tells them only modulo the period.
+    more_samples_lost,   // args: places beyond those told one by one
+    below_one_bit,       // args: channel, levels of the converter that it takes
+    offset,              // args: channel, offset, per cent of the amplitude
+    mains,               // args: frequency (Hz), per cent of the carrier
+    start_transient,     // args: seconds
+    gaps_inserted,       // args: samples, places. On the engineer's wish.
+    lost_counted,        // args: samples, places. Counted in the time of an identification.
+    phase_unknown,       // args: places of a phase_step inside an identification
+    carrier_elsewhere,   // args: carrier given, carrier found (Hz)
+    strike_left_out,     // args: seconds from the start of the range. No free decay there yet.
+    frequency_drifts,    // args: run, Hz per s, its sd. Fitted.
     frequency_follows_amplitude,  // args: Hz per squared unit of amplitude, its sd. Fitted.
     q_disagrees,                  // args: run, Q from the envelope, Q from the coherent fit
     decay_of_one_direction,       // tau is refused: the decay of the direction is given

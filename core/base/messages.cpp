@@ -211,6 +211,19 @@ const char* message_template(DiagnosticKind kind) {
                 "without them are flagged.");
         case DiagnosticKind::not_converged:
             return VYBEG_MESSAGE("Message", "%1 of %2 windows did not converge; they are flagged.");
+        case DiagnosticKind::over_range:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1: %2 samples lie beyond its range and are missing. "
+                                 "Record with a larger range.");
+        case DiagnosticKind::unit_converted:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1 is in %2 in the file; it was converted to %3, the "
+                                 "unit of channel C.");
+        case DiagnosticKind::units_differ:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1 is in %2 and channel %3 in %4, units without a known "
+                                 "ratio: amplitudes and angles are wrong. Choose channels of one "
+                                 "unit with --channels, or give the gain ratio with --kappa.");
         case DiagnosticKind::text_lines_ignored:
             return VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.");
         case DiagnosticKind::clipped:
@@ -334,6 +347,9 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::filter_colours_noise: return "filter-colours-noise";
         case DiagnosticKind::context_missing: return "context-missing";
         case DiagnosticKind::not_converged: return "not-converged";
+        case DiagnosticKind::over_range: return "over-range";
+        case DiagnosticKind::unit_converted: return "unit-converted";
+        case DiagnosticKind::units_differ: return "units-differ";
         case DiagnosticKind::text_lines_ignored: return "text-lines-ignored";
         case DiagnosticKind::clipped: return "clipped";
         case DiagnosticKind::samples_lost: return "samples-lost";

@@ -29,6 +29,9 @@ struct Recording {
     std::filesystem::path path;
     std::string format;  // e.g. "WAV, 64 bit float, 2 channels", "text, 3 columns, comma"
     double rate_hz = 0;
+    // Standard deviation of rate_hz relative to it, as far as the digits of the file leave the rate
+    // open; 0 where it is exact.
+    double rate_relative_sd = 0;
     RateOrigin rate_from = RateOrigin::file;
     std::vector<Channel> channels;  // all of the file's, in its order; a time column does not count
     int channel_c = 1;              // which of them is C and which is D, from 1

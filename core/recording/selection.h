@@ -37,6 +37,7 @@ void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& rec
 struct SampleRate {
     double hz = 0;
     RateOrigin from = RateOrigin::file;
+    double relative_sd = 0;  // what the digits of the file leave open
 };
 
 // The file's own rate where it has one (> 0), else the option's. Errors: rate_unknown.

@@ -1,11 +1,12 @@
 #include "core/recording/text_format.h"
 
+#include "core/recording/text_clock.h"
+#include "core/recording/text_columns.h"
 #include "core/recording/text_fields.h"
 #include "core/recording/text_header.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 namespace vybeg {
@@ -35,12 +36,17 @@ int columns_of(std::string_view line, const Dialect& dialect,
         return 0;
     }
     split_fields(line, dialect.delimiter, fields);
+    std::size_t clocks = 0;
     const bool numbers = std::all_of(fields.begin(), fields.end(), [&](std::string_view field) {
-        return parse_field(field, dialect.decimal_comma).has_value();
+        if (parse_field(field, dialect.decimal_comma)) {
+            return true;
+        }
+        ++clocks;
+        return parse_clock(field).has_value();
     });
     const bool blank =
         std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return f.empty(); });
-    return numbers && !blank ? static_cast<int>(fields.size()) : 0;
+    return numbers && !blank && clocks < fields.size() ? static_cast<int>(fields.size()) : 0;
 }
 
 struct Score {
@@ -64,89 +70,42 @@ Score score(std::span<const std::string> lines, const Dialect& dialect) {
     return best;
 }
 
-// The numbers of one column, also from rows that are wrong elsewhere; but not from a last line that
-// was cut off.
-std::vector<double> column_values(std::span<const std::string> rows, const TextFormat& format,
-                                  int column) {
-    std::vector<double> values;
+// The first row of the table. Values below a line like "dt:" are none.
+std::size_t first_row(std::span<const std::string> lines, const Dialect& dialect, int columns) {
+    constexpr std::size_t values_of_a_title = 3;  // lines, at most
     std::vector<std::string_view> fields;
-    const auto at = static_cast<std::size_t>(column);
-    for (const std::string& row : rows) {
-        if (is_comment(row, format.delimiter)) {
-            continue;
-        }
-        split_fields(row, format.delimiter, fields);
-        const bool whole = static_cast<int>(fields.size()) == format.columns;
-        if (fields.size() <= at || (!whole && &row == &rows.back())) {
-            continue;
-        }
-        if (const auto value = parse_field(fields[at], format.decimal_comma)) {
-            values.push_back(*value);
-        }
-    }
-    return values;
-}
-
-std::vector<double> steps_of(const std::vector<double>& values) {
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < values.size(); ++i) {
-        steps.push_back(values[i] - values[i - 1]);
-    }
-    return steps;
-}
-
-// Rises by steps of which nine in ten, or all but one, lie within a half of the median step: a
-// clock with jitter, gaps and perhaps an error that the reader will report, but no vibration.
-bool rises_evenly(const std::vector<double>& values) {
-    const std::vector<double> steps = steps_of(values);
-    if (steps.size() < 2) {
-        return false;
-    }
-    std::vector<double> sorted = steps;
-    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-    const double median = sorted[sorted.size() / 2];
-    const auto odd = std::count_if(steps.begin(), steps.end(), [median](double step) {
-        return !(step >= 0.5 * median && step <= 1.5 * median);
-    });
-    const auto count = static_cast<std::ptrdiff_t>(steps.size());
-    return median > 0 && odd <= std::max<std::ptrdiff_t>(count / 10, count >= 4 ? 1 : 0);
-}
-
-bool is_whole(const std::vector<double>& values) {
-    return std::all_of(values.begin(), values.end(),
-                       [](double value) { return value == std::floor(value); });
-}
-
-void find_time(std::span<const std::string> rows, const std::vector<Channel>& columns,
-               const TextChoice& choice, TextFormat& format) {
-    const bool said = choice.time_column.has_value();
-    const bool unit_said = choice.time_unit_s.has_value();
-    int candidate = said ? *choice.time_column - 1 : -1;
-    for (int i = 0; !said && i < format.columns && candidate < 0; ++i) {
-        candidate = is_time_name(columns[static_cast<std::size_t>(i)].name) ? i : -1;
-    }
-    if (candidate != 0 && format.columns >= 3) {
-        const std::vector<double> first = column_values(rows, format, 0);
-        if (rises_evenly(first)) {
-            const bool counts =
-                is_whole(first) && time_unit(columns[0]).empty() && (said || !unit_said);
-            if (counts && is_counter_name(columns[0].name)) {
-                format.counter_column = 0;
-            } else if (!counts && candidate < 0 && !said) {
-                candidate = 0;
+    std::size_t row = 0;
+    for (std::size_t i = 0, rows = 0; i < lines.size(); ++i) {
+        if (columns_of(lines[i], dialect, fields) == columns) {
+            row = rows == 0 ? i : row;
+            if (++rows > values_of_a_title) {
+                break;
             }
+        } else if (rows > 0 && trimmed(lines[i]).ends_with(':')) {
+            rows = 0;
         }
     }
-    if (candidate < 0 || candidate >= format.columns) {
-        return;
+    return row;
+}
+
+// Columns but for those at the end that are empty in all rows.
+int used_columns(std::span<const std::string> rows, const Dialect& dialect, int columns) {
+    std::vector<std::string_view> fields;
+    std::size_t used = 0;
+    for (const std::string& row : rows) {
+        if (columns_of(row, dialect, fields) != columns) {
+            continue;
+        }
+        while (used < fields.size() &&
+               std::any_of(fields.begin() + static_cast<std::ptrdiff_t>(used), fields.end(),
+                           [](std::string_view field) { return !field.empty(); })) {
+            ++used;
+        }
+        if (used == fields.size()) {
+            break;
+        }
     }
-    const std::string unit = time_unit(columns[static_cast<std::size_t>(candidate)]);
-    if (!said && !unit_said && unit.empty() && is_whole(column_values(rows, format, candidate))) {
-        format.counter_column = candidate;
-        return;
-    }
-    format.time_column = candidate;
-    format.time_unit_s = choice.time_unit_s.value_or(seconds_per(unit).value_or(1));
+    return static_cast<int>(used);
 }
 
 }  // namespace
@@ -176,37 +135,30 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     format.decimal_comma = dialect.decimal_comma;
     format.columns = best.columns;
     std::vector<std::string_view> fields;
-    const auto first = std::find_if(body.begin(), body.end(), [&](const std::string& line) {
-        return columns_of(line, dialect, fields) == best.columns;
-    });
     // Lines that were said to be skipped are, and no more: a wrong first row is then an error.
-    const auto skipped =
-        choice.lines_to_skip ? said : static_cast<std::size_t>(first - body.begin());
+    const auto skipped = choice.lines_to_skip ? said : first_row(body, dialect, best.columns);
     format.lines_to_skip = static_cast<std::int64_t>(skipped);
     // Numbers that are skipped name no columns.
     const auto above = lines.first(skipped);
     const auto numbers = std::find_if(above.rbegin(), above.rend(), [&](const std::string& line) {
         return columns_of(line, dialect, fields) > 0;
     });
-    const auto words = above.last(static_cast<std::size_t>(numbers - above.rbegin()));
-    const TextHeader header = read_header(words, format.delimiter, format.columns);
+    const auto names_from = above.size() - static_cast<std::size_t>(numbers - above.rbegin());
+    const auto rows = lines.subspan(skipped);
+    const TextHeader header = read_header({.lines = above,
+                                           .names_from = names_from,
+                                           .delimiter = format.delimiter,
+                                           .columns = format.columns,
+                                           .used = used_columns(rows, dialect, format.columns)});
     format.header_lines_used = header.lines_used;
-    find_time(lines.subspan(skipped), header.columns, choice, format);
+    format.has_remarks = header.has_remarks;
+    format.rates = header_rates(above, format.delimiter, format.columns);
+    find_columns(rows, header.columns, choice, format);
     for (const Channel& column : header.columns) {
         format.names.push_back(column.name);
         format.units.push_back(column.unit);
     }
     return format;
-}
-
-std::vector<int> channel_columns(const TextFormat& format) {
-    std::vector<int> columns;
-    for (int column = 0; column < format.columns; ++column) {
-        if (column != format.time_column && column != format.counter_column) {
-            columns.push_back(column);
-        }
-    }
-    return columns;
 }
 
 std::vector<Channel> channels_of(const TextFormat& format, double scale) {

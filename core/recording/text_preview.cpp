@@ -6,6 +6,7 @@
 #include "core/recording/text_encoding.h"
 #include "core/recording/text_fields.h"
 #include "core/recording/text_head.h"
+#include "core/recording/text_recording.h"
 #include "core/recording/text_rows.h"
 #include "core/recording/text_table.h"
 
@@ -65,7 +66,8 @@ Status read_rows(const TextTable& table, RecordingPreview& preview) {
             }
             const double before = preview.time_s.empty() ? 0 : preview.time_s.back();
             preview.time_s.push_back(rows.time() * table.format.time_unit_s);
-            if (preview.time_s.size() > 1 && !(preview.time_s.back() > before)) {
+            // Equal times may be written more coarsely than they step.
+            if (preview.time_s.size() > 1 && preview.time_s.back() < before) {
                 preview.problem =
                     file.error(ErrorCode::text_time_backwards,
                                {integer_text(lines + rows.lines()), round_trip_text(rows.time()),
@@ -93,8 +95,12 @@ Status read_table(const std::shared_ptr<const FileBytes>& file, const OpenOption
     }
     preview.c_column = columns[static_cast<std::size_t>(options.channel_c - 1)];
     preview.d_column = columns[static_cast<std::size_t>(options.channel_d - 1)];
-    const auto table = find_table(
-        file, format, {.time = format.time_column, .c = preview.c_column, .d = preview.d_column});
+    const auto chosen = columns_for(*file, format, options);
+    if (!chosen) {
+        preview.problem = chosen.error();
+        return {};
+    }
+    const auto table = find_table(file, format, *chosen);
     if (!table) {
         return table.error();
     }
@@ -103,12 +109,14 @@ Status read_table(const std::shared_ptr<const FileBytes>& file, const OpenOption
 
 void find_rate(const FileBytes& file, const OpenOptions& options, RecordingPreview& preview) {
     const std::vector<double>& times = preview.time_s;
+    const auto c = static_cast<std::size_t>(preview.c_column);
+    const bool named = preview.used && c < preview.used->rates.size();
     if (preview.time_column < 0) {
-        preview.rate_hz = options.rate_hz;
+        preview.rate_hz = named ? preview.used->rates[c].hz : options.rate_hz;
     } else if (times.size() > 1 && times.back() > times.front()) {
         preview.rate_hz = static_cast<double>(times.size() - 1) / (times.back() - times.front());
     }
-    if (!preview.problem && preview.time_column < 0 && !options.rate_hz) {
+    if (!preview.problem && preview.time_column < 0 && !preview.rate_hz) {
         preview.problem = file.error(ErrorCode::rate_unknown);
     }
     const Status frames = check_frames(file, std::ssize(preview.c));

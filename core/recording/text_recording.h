@@ -17,6 +17,11 @@ namespace vybeg {
 Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job);
 
+// The columns of the chosen channels, which exist, with their time. Errors: format_unsupported
+// where C and D have different times or rates.
+Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
+                                const OpenOptions& options);
+
 // The table that open_text() reads, before its rows are looked at.
 Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
                                const OpenOptions& options, const JobControl& job);

@@ -1,6 +1,7 @@
 #include "core/recording/text_rows.h"
 
 #include "core/base/number_text.h"
+#include "core/recording/text_clock.h"
 #include "core/recording/text_encoding.h"
 #include "core/recording/text_fields.h"
 #include "core/recording/text_lines.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace vybeg {
 namespace {
@@ -57,7 +59,7 @@ const char* skip_number(const char* at, const char* end, char sign) {
             return nullptr;
         }
     }
-    constexpr std::ptrdiff_t longest = 300;  // of all that are below 1e300
+    constexpr std::ptrdiff_t longest = 37;  // of all that are below least_mark
     return at != end && *at != 'e' && *at != 'E' && at - begin < longest ? at : nullptr;
 }
 
@@ -100,6 +102,9 @@ bool TextRows::next() {
         ++lines_;
         const char* const end = text.data() + text.size();
         const char* const plain = plain_ ? plain_row(text.data() + at_, end) : nullptr;
+        over_c_ = false;
+        over_d_ = false;
+        clock_.reset();
         if (plain) {
             at_ = behind_line_end(text, static_cast<std::size_t>(plain - text.data()));
             return true;
@@ -179,7 +184,7 @@ const char* TextRows::plain_number(const char* at, const char* end, int column) 
         at, end, value,
         fast_float::parse_options(fast_float::chars_format::general,
                                   format_.decimal_comma ? ',' : '.'));
-    if (parsed.ec != std::errc{} || !std::isfinite(value) || parsed.ptr[-1] == ',') {
+    if (parsed.ec != std::errc{} || !(std::abs(value) < least_mark) || parsed.ptr[-1] == ',') {
         return nullptr;
     }
     if (column == columns_.time) {
@@ -209,20 +214,43 @@ bool TextRows::any_row(std::string_view line, bool ended) {
     if (fields_.size() < columns && !ended) {
         return false;  // the recorder stopped, or the copy was cut, within this line
     }
-    if (fields_.size() > columns) {
+    if (fields_.size() > columns && !format_.has_remarks) {
         return fail(format_.columns);
     }
     // Blanks cannot say which field is missing.
     if (fields_.size() < columns && format_.delimiter == ' ') {
         return fail(static_cast<int>(fields_.size()));
     }
-    if (columns_.time >= 0) {
-        if (!number(columns_.time, time_) || std::isnan(time_)) {
+    return (columns_.time < 0 || time_field()) && sample(columns_.c, c_, over_c_) &&
+           sample(columns_.d, d_, over_d_);
+}
+
+bool TextRows::time_field() {
+    const std::string_view text = field(columns_.time);
+    if (format_.clock_from_s) {
+        const auto clock = parse_clock(text);
+        if (!clock || !clock->timed) {
             return fail(columns_.time);
         }
-        time_text_ = field(columns_.time);
+        time_ = seconds_after(*clock, *format_.clock_from_s);
+        clock_ = NumberDigits{clock->decimals, std::numeric_limits<double>::max_digits10};
+        return true;
     }
-    return number(columns_.c, c_) && number(columns_.d, d_);
+    if (!number(columns_.time, time_) || !std::isfinite(time_)) {
+        return fail(columns_.time);
+    }
+    usual_time_ = usual_number(text);
+    time_text_ = usual_time_;
+    return true;
+}
+
+bool TextRows::sample(int column, double& value, bool& over_range) {
+    if (!number(column, value)) {
+        return false;
+    }
+    over_range = std::isinf(value);
+    value = over_range ? std::numeric_limits<double>::quiet_NaN() : value;
+    return true;
 }
 
 std::string_view TextRows::field(int column) const {

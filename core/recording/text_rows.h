@@ -2,7 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/recording/text_blocks.h"
-#include "core/recording/text_format.h"
+#include "core/recording/text_fields.h"
+#include "core/recording/text_layout.h"
 
 #include <cstdint>
 #include <optional>
@@ -18,6 +19,7 @@ struct TextColumns {
     int time = -1;
     int c = 0;
     int d = 1;
+    double d_factor = 1;  // of D's numbers, for them to be in the unit of C
 };
 
 // A line that is no row of the table.
@@ -45,9 +47,12 @@ public:
     bool next();
 
     double time() const { return time_; }  // in the column's unit
-    std::string_view time_text() const { return time_text_; }
+    NumberDigits time_digits() const { return clock_ ? *clock_ : digits_of(time_text_); }
     double c() const { return c_; }
-    double d() const { return d_; }
+    double d() const { return d_ * columns_.d_factor; }
+    // Whether the sample is missing because it lies beyond the range.
+    bool c_over_range() const { return over_c_; }
+    bool d_over_range() const { return over_d_; }
 
     const std::optional<TextFault>& fault() const { return fault_; }
     std::int64_t lines() const { return lines_; }      // begun so far: the row's own, from 1
@@ -59,6 +64,8 @@ private:
     bool any_row(std::string_view line, bool ended);
     std::string_view field(int column) const;
     bool number(int column, double& value);
+    bool sample(int column, double& value, bool& over_range);
+    bool time_field();
     bool fail(int column);
 
     const TextFormat& format_;
@@ -70,7 +77,11 @@ private:
     double time_ = 0;
     double c_ = 0;
     double d_ = 0;
+    bool over_c_ = false;
+    bool over_d_ = false;
     std::string_view time_text_;
+    std::string usual_time_;             // time_text_ where others write it
+    std::optional<NumberDigits> clock_;  // of a time of day
     std::optional<TextFault> fault_;
     std::int64_t lines_ = 0;
     std::int64_t ignored_ = 0;

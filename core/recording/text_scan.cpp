@@ -45,23 +45,26 @@ struct BlockScan {
     std::int64_t rows_with_missing = 0;
     std::int64_t first_missing_row = -1;
     std::optional<TextFault> fault;  // in the last line
-    bool backwards = false;          // time_s[1] in the last line does not lie above time_s[0]
+    bool backwards = false;          // the time in the last line lies below the one before
     double before = 0;               // of these, in the column's unit
     double time = 0;
     double first_time = 0;  // in the column's unit
     double last_time = 0;
-    std::int64_t first_line = 0;  // of the first row
+    std::int64_t first_line = 0;     // of the first row
+    std::int64_t repeated_line = 0;  // of the first row whose time is that of the row before
+    double repeated = 0;             // this time
+    std::array<std::int64_t, 2> over_range{};
     FinestDigits digits;
     TimeLine times{0};
 };
 
 class BlockScanner {
 public:
-    BlockScanner(const TextTable& table, double step_s) : table_(table), step_s_(step_s) {}
+    BlockScanner(const TextTable& table, const TimeLine& empty) : table_(table), empty_(empty) {}
 
     BlockScan scan(std::int64_t index) const {
         BlockScan found;
-        found.times = TimeLine(step_s_);
+        found.times = empty_;
         TextBlock block;
         found.read = table_.blocks.read(index, block);
         if (!found.read) {
@@ -84,6 +87,8 @@ private:
         }
         const int missing = (std::isnan(row.c()) ? 1 : 0) + (std::isnan(row.d()) ? 1 : 0);
         if (missing > 0) {
+            found.over_range[0] += row.c_over_range() ? 1 : 0;
+            found.over_range[1] += row.d_over_range() ? 1 : 0;
             found.missing_samples += missing;
             if (found.rows_with_missing++ == 0) {
                 found.first_missing_row = found.rows;
@@ -96,34 +101,46 @@ private:
         if (found.rows == 0) {
             found.first_time = row.time();
             found.first_line = row.lines();
-        } else if (!(row.time() > found.last_time)) {
-            found.backwards = true;
-            found.before = found.last_time;
-            found.time = row.time();
-            return false;
+        } else if (row.time() <= found.last_time) {
+            if (row.time() < found.last_time) {
+                found.backwards = true;
+                found.before = found.last_time;
+                found.time = row.time();
+                return false;
+            }
+            if (found.repeated_line == 0) {
+                found.repeated_line = row.lines();
+                found.repeated = row.time();
+            }
         }
         found.last_time = row.time();
-        found.digits.add(digits_of(row.time_text()));
+        found.digits.add(row.time_digits());
         found.times.add(row.time() * table_.format.time_unit_s);
         return true;
     }
 
     const TextTable& table_;
-    double step_s_;
+    TimeLine empty_;  // to begin with
 };
 
 // Puts the findings of the blocks together, in their order.
 class ScanSum {
 public:
-    ScanSum(const TextTable& table, double step_s) : table_(table), times_(step_s) {}
+    ScanSum(const TextTable& table, const TimeLine& empty) : table_(table), times_(empty) {}
 
     Status take(const BlockScan& block) {
         if (!block.read) {
             return block.read;
         }
         const bool timed = table_.columns.time >= 0 && block.rows > 0;
-        if (timed && scan_.rows() > 0 && !(block.first_time > last_time_)) {
-            return backwards(block.first_line, block.first_time, last_time_);
+        if (timed && scan_.rows() > 0 && block.first_time <= last_time_) {
+            if (block.first_time < last_time_) {
+                return backwards(block.first_line, block.first_time, last_time_);
+            }
+            note_repeated(block.first_line, block.first_time);
+        }
+        if (block.repeated_line > 0) {
+            note_repeated(block.repeated_line, block.repeated);
         }
         if (block.backwards) {
             return backwards(block.lines, block.time, block.before);
@@ -135,6 +152,9 @@ public:
             scan_.first_missing_row = scan_.rows() + block.first_missing_row;
         }
         scan_.missing_samples += block.missing_samples;
+        for (std::size_t i = 0; i < scan_.over_range.size(); ++i) {
+            scan_.over_range[i] += block.over_range[i];
+        }
         scan_.rows_with_missing += block.rows_with_missing;
         scan_.lines_ignored += block.lines_ignored;
         lines_ += block.lines;
@@ -147,15 +167,26 @@ public:
         return {};
     }
 
-    TextScan finish() {
+    Result<TextScan> finish() {
         if (table_.columns.time >= 0 && scan_.rows() > 0) {
             scan_.resolution = digits_.resolution(table_.format.time_unit_s);
             scan_.even = times_.judge(scan_.resolution);
+        }
+        if (repeated_ && !scan_.even) {
+            return *repeated_;
         }
         return std::move(scan_);
     }
 
 private:
+    // Equal times follow each other where they are written more coarsely than they step; of times
+    // that are even otherwise it is no error.
+    void note_repeated(std::int64_t in_block, double time) {
+        if (!repeated_) {
+            repeated_ = backwards(in_block, time, time);
+        }
+    }
+
     std::int64_t line(std::int64_t in_block) const {
         return table_.format.lines_to_skip + lines_ + in_block;
     }
@@ -170,12 +201,14 @@ private:
     TextScan scan_;
     std::int64_t lines_ = 0;  // of the blocks so far
     double last_time_ = 0;
+    std::optional<Error> repeated_;  // the first time that is the one before again
     FinestDigits digits_;
     TimeLine times_;
 };
 
-// About the time from row to row, from the first block that tells; 0 where none does.
-Result<double> first_step(const TextTable& table) {
+// A line to which no time has been added: with about the step and resolution of the first block
+// that has them, a step of 0 where none does.
+Result<TimeLine> empty_line(const TextTable& table) {
     TextBlock block;
     for (std::int64_t index = 0; table.columns.time >= 0 && index < table.blocks.count(); ++index) {
         if (const Status status = table.blocks.read(index, block); !status) {
@@ -186,25 +219,26 @@ Result<double> first_step(const TextTable& table) {
         TextRows rows(table.format, table.columns, block, SampleUse::check);
         while (rows.next()) {
             samples.time_s.push_back(rows.time() * table.format.time_unit_s);
-            digits.add(digits_of(rows.time_text()));
+            digits.add(rows.time_digits());
         }
         samples.resolution = digits.resolution(table.format.time_unit_s);
-        if (samples.time_s.size() > 1) {
-            return typical_step(samples);
+        const double step_s = samples.time_s.size() > 1 ? typical_step(samples) : 0;
+        if (step_s > 0) {
+            return TimeLine(step_s, samples.resolution);
         }
     }
-    return 0.0;
+    return TimeLine(0);
 }
 
 }  // namespace
 
 Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
-    const auto step_s = first_step(table);
-    if (!step_s) {
-        return step_s.error();
+    const auto empty = empty_line(table);
+    if (!empty) {
+        return empty.error();
     }
-    const BlockScanner scanner(table, *step_s);
-    ScanSum sum(table, *step_s);
+    const BlockScanner scanner(table, *empty);
+    ScanSum sum(table, *empty);
     std::vector<BlockScan> blocks;
     const std::int64_t count = table.blocks.count();
     for (std::int64_t first = 0; first < count; first += blocks_at_once) {

@@ -5,6 +5,7 @@
 #include "core/recording/text_table.h"
 #include "core/recording/time_line.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -18,7 +19,8 @@ struct TextScan {
     std::int64_t missing_samples = 0;         // empty, NaN and infinite ones, of both channels
     std::int64_t rows_with_missing = 0;       // rows that have one or two of them
     std::int64_t first_missing_row = -1;
-    TimeResolution resolution;      // of the time column
+    std::array<std::int64_t, 2> over_range{};  // of the missing samples, those of C and of D
+    TimeResolution resolution;                 // of the time column
     std::optional<EvenTimes> even;  // nothing where there is no time column, or an uneven one
 
     std::int64_t rows() const { return first_rows.back(); }

@@ -2,7 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/recording/text_blocks.h"
-#include "core/recording/text_format.h"
+#include "core/recording/text_layout.h"
 #include "core/recording/text_rows.h"
 
 #include <cstdint>

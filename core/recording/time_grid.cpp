@@ -41,9 +41,9 @@ std::vector<Stretch> find_stretches(const TimedSamples& samples, double step) {
     std::vector<Stretch> stretches;
     std::size_t first = 0;
     for (std::size_t i = 1; i < time.size(); ++i) {
-        // Rounding of the two times may lengthen a step by their resolution.
+        const double coarser = std::max(std::abs(time[i]), std::abs(time[i - 1]));
         const double longest =
-            std::max(gap_steps * step, step + 1.25 * samples.resolution.at(time[i]));
+            std::max(gap_steps * step, longest_rounded_step(step, samples.resolution, coarser));
         if (time[i] - time[i - 1] > longest) {
             stretches.push_back({first, i});
             first = i;
@@ -68,12 +68,18 @@ double fit_step(std::span<const double> time, std::span<const Stretch> stretches
     return products / squares;
 }
 
-// The grid's number for each row: the whole number of steps from the row before, at least one.
-std::vector<std::int64_t> number_rows(std::span<const double> time, double step) {
+// The grid's number for each row: one more than the row before; behind a gap, the whole number of
+// steps more.
+std::vector<std::int64_t> number_rows(std::span<const double> time,
+                                      std::span<const Stretch> stretches, double step) {
     std::vector<std::int64_t> numbers(time.size(), 0);
-    for (std::size_t i = 1; i < time.size(); ++i) {
-        const double steps = std::round((time[i] - time[i - 1]) / step);
-        numbers[i] = numbers[i - 1] + std::max<std::int64_t>(static_cast<std::int64_t>(steps), 1);
+    for (const Stretch& stretch : stretches) {
+        for (std::size_t i = std::max<std::size_t>(stretch.first, 1); i < stretch.end; ++i) {
+            const double steps =
+                i == stretch.first ? std::round((time[i] - time[i - 1]) / step) : 1.0;
+            numbers[i] =
+                numbers[i - 1] + std::max<std::int64_t>(static_cast<std::int64_t>(steps), 1);
+        }
     }
     return numbers;
 }
@@ -81,6 +87,7 @@ std::vector<std::int64_t> number_rows(std::span<const double> time, double step)
 struct Line {
     double start_s = 0;
     double step_s = 0;
+    double step_relative_sd = 0;  // by the scatter of the times
 };
 
 // The straight line of least squares through the times against their numbers.
@@ -100,7 +107,13 @@ Line fit_line(std::span<const double> time, std::span<const std::int64_t> number
         squares += k * k;
     }
     const double step = products / squares;
-    return {time[0] + mean_t - step * mean_k, step};
+    double scatter = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        const double expected = mean_t + step * (static_cast<double>(numbers[i]) - mean_k);
+        scatter += std::pow(time[i] - time[0] - expected, 2);
+    }
+    const double sd = std::sqrt(scatter / std::max(n - 2, 1.0) / squares);
+    return {time[0] + mean_t - step * mean_k, step, sd / step};
 }
 
 struct Unevenness {
@@ -187,6 +200,11 @@ double TimeResolution::at(double time_s) const {
     return std::max(absolute_s, relative);
 }
 
+double longest_rounded_step(double step_s, const TimeResolution& resolution, double time_s) {
+    // Each of the two times is rounded by up to half of its last digit.
+    return step_s + 1.25 * resolution.at(time_s);
+}
+
 double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s) {
     // Half of the last digit from rounding, and half of that again for what it does to the line.
     return even_tolerance * step_s + 0.75 * resolution.at(time_s);
@@ -233,7 +251,7 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
                      {"text", "its " + std::to_string(time.size()) + " times reach over " +
                                   short_text(frames) + " sample periods"}};
     }
-    const std::vector<std::int64_t> numbers = number_rows(time, step);
+    const std::vector<std::int64_t> numbers = number_rows(time, stretches, step);
     const Line line = fit_line(time, numbers);
     const Unevenness uneven = compare(samples, numbers, line);
     std::vector<TimeGap> gaps;
@@ -265,6 +283,7 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
             }
         }
     }
+    grid.rate_relative_sd = line.step_relative_sd;
     report_gaps(gaps, grid.rate_hz, grid.diagnostics);
     return grid;
 }

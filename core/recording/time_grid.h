@@ -18,7 +18,7 @@ struct TimeResolution {
     double at(double time_s) const;  // seconds
 };
 
-// Samples with a time for each, strictly rising.
+// Samples with a time for each, strictly rising but for what its digits leave open.
 struct TimedSamples {
     std::vector<double> time_s;
     std::vector<double> c;
@@ -28,7 +28,8 @@ struct TimedSamples {
 
 struct UniformSamples {
     double rate_hz = 0;
-    std::vector<double> c;  // NaN where samples are missing
+    double rate_relative_sd = 0;  // standard deviation of rate_hz relative to it
+    std::vector<double> c;        // NaN where samples are missing
     std::vector<double> d;
     std::vector<Diagnostic> diagnostics;  // time_uneven, time_gap
 };
@@ -36,6 +37,9 @@ struct UniformSamples {
 // How far a time may lie from a grid of the given step and still be even, s: a thousandth of a step
 // plus what its digits leave open.
 double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s);
+
+// The longest step from one time to the next that rounding may make of the given step, s.
+double longest_rounded_step(double step_s, const TimeResolution& resolution, double time_s);
 
 // False where the gaps between so many rows are so long that a grid of so many frames would be
 // absurdly larger than the file.

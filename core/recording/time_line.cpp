@@ -12,9 +12,13 @@ namespace {
 // tell.
 constexpr double longest_single_step = 1.4;
 constexpr double shortest_gap = 1.6;
+constexpr double doubt = 0.2;  // the same for steps that rounding makes longer than that
 constexpr std::size_t most_stretches = std::size_t{1} << 16;
 
 constexpr double rows_left_out = 16;  // at most, behind a point of a hull
+
+constexpr std::size_t most_bounds = 1000;   // on each side, for the interval of the slope
+constexpr double arithmetic_error = 1e-15;  // of a time, relative to the largest
 
 constexpr int no_decade = std::numeric_limits<int>::min();  // of the time 0
 
@@ -31,6 +35,8 @@ struct TimeLine::Line {
     double mean_frame = 0;
     double mean_late_s = 0;
     double slope = 0;
+    double slope_sd = 0;
+    double squares = 0;           // sum of (frame - mean_frame)^2
     std::vector<double> offsets;  // late_s of the first row of each stretch
 };
 
@@ -90,24 +96,34 @@ int TimeLine::decade_of(double time_s) {
         return no_decade;
     }
     if (magnitude < decade_.from || magnitude >= decade_.to) {
-        decade_.exponent = static_cast<int>(std::floor(std::log10(magnitude)));
-        decade_.from = std::pow(10.0, decade_.exponent);
-        decade_.to = std::pow(10.0, decade_.exponent + 1);
+        enter_decade(time_s);
     }
     return decade_.exponent;
 }
 
-// Whether the time follows the last one without a gap.
+void TimeLine::enter_decade(double time_s) {
+    decade_.exponent = static_cast<int>(std::floor(std::log10(std::abs(time_s))));
+    decade_.from = std::pow(10.0, decade_.exponent);
+    decade_.to = std::pow(10.0, decade_.exponent + 1);
+    // Of the coarser decade, where the times pass from one to the other.
+    decade_.rounding =
+        std::max(decade_.rounding, longest_rounded_step(step_s_, expected_, time_s) / step_s_);
+}
+
+// Whether the time follows the last one without a gap. Its decade has been entered.
 bool TimeLine::continues(double time_s) {
     if (stretches_.empty()) {
         return false;
     }
     const double steps = (time_s - stretches_.back().last_s) / step_s_;
-    doubtful_ = doubtful_ || !(steps <= longest_single_step || steps >= shortest_gap);
-    return steps < shortest_gap;
+    const double longest = std::max(longest_single_step, decade_.rounding);
+    const double shortest = std::max(shortest_gap, decade_.rounding + doubt);
+    doubtful_ = doubtful_ || !(steps <= longest || steps >= shortest);
+    return steps < shortest;
 }
 
 void TimeLine::add(double time_s) {
+    const int decade = decade_of(time_s);
     if (!continues(time_s)) {
         stretches_.emplace_back().first_s = time_s;
         doubtful_ = doubtful_ || stretches_.size() > most_stretches;
@@ -122,13 +138,16 @@ void TimeLine::add(double time_s) {
     stretch.last_s = time_s;
     stretch.late_sum += late;
     stretch.late_row_sum += row * late;
-    Hull& hull = stretch.hull(decade_of(time_s));
+    Hull& hull = stretch.hull(decade);
     hull.early.add_row({row, late});
     hull.late.add_row({row, late});
 }
 
 void TimeLine::append(const TimeLine& next) {
     auto from = next.stretches_.begin();
+    if (from != next.stretches_.end()) {
+        decade_of(from->first_s);
+    }
     const bool joins = from != next.stretches_.end() && continues(from->first_s);
     doubtful_ =
         doubtful_ || next.doubtful_ || stretches_.size() + next.stretches_.size() > most_stretches;
@@ -196,7 +215,61 @@ TimeLine::Line TimeLine::fit_line(const std::vector<RowStretch>& stretches) cons
         squares += n * centre * centre + spread(n);
     }
     line.slope = products / squares;
+    line.squares = squares;
     return line;
+}
+
+// Rounded times leave an interval of slopes open: those of the lines that pass each time within
+// half of its last digit. Brings the slope into it, and gives its standard deviation as that of a
+// slope that may lie anywhere in there. Where no line passes all of them, the largest deviation
+// from this one stands for that of each time.
+void TimeLine::narrow_slope(const std::vector<RowStretch>& stretches,
+                            const TimeResolution& resolution, Line& line) const {
+    std::vector<Bound> most;
+    std::vector<Bound> least;
+    double largest_s = 0;  // deviation from the line
+    const double reach_s =
+        std::max(std::abs(stretches_.front().first_s), std::abs(stretches_.back().last_s));
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+        const auto first = static_cast<double>(stretches[s].first_frame);
+        for (const Hull& hull : stretches_[s].hulls) {
+            const double time_s = hull.decade == no_decade ? 0 : 2 * std::pow(10.0, hull.decade);
+            const double half_s = 0.5 * resolution.at(time_s) + arithmetic_error * reach_s;
+            const auto add = [&](const Chain& chain, double allowance, std::vector<Bound>& bounds) {
+                for (const Point& point : chain.points) {
+                    const double frame = first + point.row;
+                    const double late_s = line.offsets[s] + point.late_s;
+                    bounds.push_back({frame, late_s + allowance});
+                    const double expected =
+                        line.mean_late_s + line.slope * (frame - line.mean_frame);
+                    largest_s = std::max(largest_s, std::abs(late_s - expected));
+                }
+            };
+            add(hull.early, half_s, most);
+            add(hull.late, -half_s, least);
+        }
+    }
+    double lowest = -std::numeric_limits<double>::infinity();
+    double highest = std::numeric_limits<double>::infinity();
+    // Some of many bounds leave a wider interval open than all of them.
+    const auto stride = [](const std::vector<Bound>& bounds) {
+        return std::max<std::size_t>(bounds.size() / most_bounds, 1);
+    };
+    for (std::size_t i = 0; i < most.size(); i += stride(most)) {
+        for (std::size_t j = 0; j < least.size(); j += stride(least)) {
+            const double frames = most[i].frame - least[j].frame;
+            const double slope = (most[i].late_s - least[j].late_s) / frames;
+            lowest = frames < 0 ? std::max(lowest, slope) : lowest;
+            highest = frames > 0 ? std::min(highest, slope) : highest;
+        }
+    }
+    if (!(lowest <= highest) || !std::isfinite(lowest) || !std::isfinite(highest)) {
+        line.slope_sd = largest_s / std::sqrt(line.squares);
+        return;
+    }
+    line.slope = std::clamp(line.slope, lowest, highest);
+    const double off_centre = line.slope - 0.5 * (lowest + highest);
+    line.slope_sd = std::hypot((highest - lowest) / std::sqrt(12.0), off_centre);
 }
 
 bool TimeLine::explained(const std::vector<RowStretch>& stretches, const Line& line,
@@ -235,11 +308,13 @@ std::optional<EvenTimes> TimeLine::judge(const TimeResolution& resolution) const
         return std::nullopt;
     }
     EvenTimes even{.stretches = number_rows(*step_s)};
-    const Line line = fit_line(even.stretches);
+    Line line = fit_line(even.stretches);
     if (!explained(even.stretches, line, resolution)) {
         return std::nullopt;
     }
+    narrow_slope(even.stretches, resolution, line);
     even.rate_hz = 1 / (step_s_ + line.slope);
+    even.rate_relative_sd = line.slope_sd * even.rate_hz;
     return even;
 }
 

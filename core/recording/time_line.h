@@ -18,6 +18,7 @@ struct RowStretch {
 // Times that lie on a uniform grid.
 struct EvenTimes {
     double rate_hz = 0;
+    double rate_relative_sd = 0;        // what the digits of the times leave open of rate_hz
     std::vector<RowStretch> stretches;  // one after the other, gaps between them
 
     std::int64_t frames() const { return stretches.back().first_frame + stretches.back().rows; }
@@ -27,10 +28,12 @@ struct EvenTimes {
 // to_uniform_grid() finds of times that are even. Memory grows with the gaps alone.
 class TimeLine {
 public:
-    // `step_s`: about the time from row to row, typical_step() of some of them.
-    explicit TimeLine(double step_s) : step_s_(step_s) {}
+    // `step_s`: about the time from row to row, typical_step() of some of them; `resolution`: about
+    // how finely they are written.
+    explicit TimeLine(double step_s, const TimeResolution& resolution = {})
+        : step_s_(step_s), expected_(resolution) {}
 
-    // The next time (s), above the one before.
+    // The next time (s), not below the one before.
     void add(double time_s);
 
     // Takes on the times of the rows that follow. Precondition: the same step.
@@ -84,19 +87,30 @@ private:
         int exponent = 0;
         double from = 0;
         double to = 0;
+        double rounding = 0;  // longest step that rounding makes of one, in steps
+    };
+
+    // A row's frame and how late it may at least or at most be against step_s_.
+    struct Bound {
+        double frame;
+        double late_s;
     };
 
     struct Line;  // of least squares through all rows
 
     bool continues(double time_s);
+    void enter_decade(double time_s);
     int decade_of(double time_s);
     std::optional<double> fitted_step() const;
     std::vector<RowStretch> number_rows(double step_s) const;
     Line fit_line(const std::vector<RowStretch>& stretches) const;
     bool explained(const std::vector<RowStretch>& stretches, const Line& line,
                    const TimeResolution& resolution) const;
+    void narrow_slope(const std::vector<RowStretch>& stretches, const TimeResolution& resolution,
+                      Line& line) const;
 
     double step_s_;
+    TimeResolution expected_;
     bool doubtful_ = false;
     std::vector<Stretch> stretches_;
     Decade decade_;

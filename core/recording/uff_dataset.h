@@ -21,6 +21,8 @@ struct UffFunction {
     bool is_even = false;
     std::int64_t count = 0;
     double step_s = 0;  // seconds from value to value
+    // Standard deviation of step_s relative to it, by its six digits.
+    double step_relative_sd = 0;
 
     bool is_time_response() const;
 };

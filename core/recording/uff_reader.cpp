@@ -106,10 +106,12 @@ public:
             return status.error();
         }
         const bool has_step = std::isfinite(1 / first.step_s) && first.step_s > 0;
-        const auto rate = choose_rate(
-            file_,
-            has_step ? std::optional(SampleRate{1 / first.step_s, RateOrigin::file}) : std::nullopt,
-            options_);
+        const auto rate =
+            choose_rate(file_,
+                        has_step ? std::optional(SampleRate{1 / first.step_s, RateOrigin::file,
+                                                            first.step_relative_sd})
+                                 : std::nullopt,
+                        options_);
         if (!rate) {
             return rate.error();
         }
@@ -123,6 +125,7 @@ public:
                            std::to_string(channels_.size()) + " channels";
         recording.rate_hz = rate->hz;
         recording.rate_from = rate->from;
+        recording.rate_relative_sd = rate->relative_sd;
         recording.channels = numbered_channels(static_cast<int>(channels_.size()));
         for (std::size_t i = 0; i < channels_.size(); ++i) {
             recording.channels[i].unit = channels_[i].unit;

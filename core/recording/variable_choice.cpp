@@ -1,8 +1,8 @@
 #include "core/recording/variable_choice.h"
 
 #include "core/base/number_text.h"
+#include "core/recording/column_words.h"
 #include "core/recording/rate_name.h"
-#include "core/recording/text_header.h"
 
 #include <algorithm>
 #include <limits>

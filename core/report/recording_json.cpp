@@ -20,15 +20,18 @@ std::string recording_json(const Recording& recording, const std::string& sha256
                          {"count", diagnostic.count},
                          {"text", english(diagnostic)}});
     }
-    const Json info{{"format", recording.format},
-                    {"frames", recording.frames()},
-                    {"seconds", recording.seconds()},
-                    {"rate_hz", recording.rate_hz},
-                    {"rate_from", rate_origin_name(recording.rate_from)},
-                    {"channels", channels},
-                    {"start", recording.start},
-                    {"sha256", sha256},
-                    {"check", check}};
+    Json info{{"format", recording.format},
+              {"frames", recording.frames()},
+              {"seconds", recording.seconds()},
+              {"rate_hz", recording.rate_hz},
+              {"rate_from", rate_origin_name(recording.rate_from)},
+              {"channels", channels},
+              {"start", recording.start},
+              {"sha256", sha256},
+              {"check", check}};
+    if (recording.rate_relative_sd > 0) {
+        info["rate_relative_sd"] = recording.rate_relative_sd;
+    }
     // Names come from files: what is no UTF-8 is replaced, not thrown.
     return info.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

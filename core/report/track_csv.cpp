@@ -146,6 +146,9 @@ std::vector<std::string> track_header(const std::string& program, const Recordin
             rate_origin_name(recording.rate_from) + ")",
         "channels: " + integer_text(recording.channel_c) + "," + integer_text(recording.channel_d),
     };
+    if (recording.rate_relative_sd > 0) {
+        lines.push_back("rate_relative_sd: " + short_text(recording.rate_relative_sd, 3));
+    }
     if (!recording.read_with.empty()) {
         lines.push_back("read with: " + recording.read_with);
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numbers>
 
 using namespace vybeg;
@@ -53,6 +54,7 @@ private slots:
     void electrodeAngleIsSubtracted();
     void filterFlagsItsTransients();
     void windowsOverMissingSamplesAreFlaggedAndEmpty();
+    void uncertaintyOfTheRateIsInThatOfTheFrequency();
     void impossibleAnalysesAreNamed();
     void cancellingInterrupts();
     void progressRisesToOne();
@@ -202,6 +204,29 @@ void TestAnalyse::windowsOverMissingSamplesAreFlaggedAndEmpty() {
             QCOMPARE(has(analysis->track.flags()[k], Flag::gap), gap);
             QCOMPARE(std::isnan(analysis->track.values(SlowVariable::a_A)[k]), gap);
             QCOMPARE(std::isnan(analysis->track.values(SlowVariable::rms)[k]), gap);
+        }
+    }
+}
+
+void TestAnalyse::uncertaintyOfTheRateIsInThatOfTheFrequency() {
+    Recording recording = test::simulated_recording(short_decay());
+    Settings settings;
+    settings.periods = 100;
+    const Result<Analysis> exact = analyse(recording, settings, {});
+    for (const double relative : {1e-7, 1e-5, 1e-3}) {
+        recording.rate_relative_sd = relative;
+        const Result<Analysis> open = analyse(recording, settings, {});
+        QVERIFY(exact && open);
+        for (std::size_t row = 0; row < open->track.rows(); row += 7) {
+            const double f = exact->track.values(SlowVariable::f)[row];
+            const double expected =
+                std::hypot(exact->track.sds(SlowVariable::f)[row], relative * f);
+            const double sd = open->track.sds(SlowVariable::f)[row];
+            QVERIFY2(std::abs(sd / expected - 1) < 1e-12,
+                     qPrintable(QString("%1 instead of %2").arg(sd).arg(expected)));
+            QCOMPARE(open->track.values(SlowVariable::f)[row], f);
+            QCOMPARE(open->track.sds(SlowVariable::a_A)[row],
+                     exact->track.sds(SlowVariable::a_A)[row]);
         }
     }
 }

@@ -31,6 +31,7 @@ private slots:
     void a_binary_header_that_lies_is_damage_data();
     void a_binary_header_that_lies_is_damage();
     void rate_names_units_and_start_come_from_the_header();
+    void six_digits_of_the_step_leave_the_rate_open();
     void values_may_touch_and_exponents_may_be_of_fortran();
     void other_datasets_are_passed_over();
     void channels_are_chosen_among_those_like_the_first();
@@ -206,6 +207,21 @@ void TestUffReader::rate_names_units_and_start_come_from_the_header() {
         folder.write("no-step.uff", uff58(wave(10).c, text) + uff58(wave(10).d, text));
     QCOMPARE(opened(path, options).rate_from, RateOrigin::option);
     QCOMPARE(open(path).error().code, ErrorCode::rate_unknown);
+}
+
+void TestUffReader::six_digits_of_the_step_leave_the_rate_open() {
+    const Folder folder;
+    for (const double rate_hz : {33333.0, 44100.0, 51200.0, 11025.0, 20480.0}) {
+        UffText text;
+        text.step_s = 1 / rate_hz;
+        const Recording recording =
+            opened(folder.write("run.uff", uff58(wave(10).c, text) + uff58(wave(10).d, text)));
+        const double error = recording.rate_hz / rate_hz - 1;
+        const double sd = recording.rate_relative_sd;
+        // Half of the sixth digit is sqrt(3) standard deviations.
+        QVERIFY2(std::abs(error) < 1.74 * sd + 1e-12 && sd > 2e-7 && sd < 3e-6,
+                 qPrintable(QString("error %1, sd %2").arg(error).arg(sd)));
+    }
 }
 
 void TestUffReader::values_may_touch_and_exponents_may_be_of_fortran() {

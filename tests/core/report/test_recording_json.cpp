@@ -51,6 +51,17 @@ private slots:
         QVERIFY(json.endsWith("}\n"));
     }
 
+    void what_the_digits_leave_open_of_the_rate_is_a_member_of_its_own() {
+        Recording recording;
+        recording.rate_hz = 33333;
+        recording.rate_relative_sd = 2.5e-6;
+        recording.source = std::make_shared<Silence>();
+        const QByteArray json = QByteArray::fromStdString(recording_json(recording, "", {}));
+        const QJsonObject info = QJsonDocument::fromJson(json).object();
+        QCOMPARE(info["rate_relative_sd"].toDouble(), 2.5e-6);
+        QCOMPARE(info["rate_hz"].toDouble(), 33333.0);
+    }
+
     void names_that_are_no_utf_8_are_replaced() {
         Recording recording;
         recording.rate_hz = 1;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vybeg {
+
+// A sample rate as the lines above a table write it.
+struct WrittenRate {
+    double hz = 0;           // 0: unknown
+    double relative_sd = 0;  // what the digits leave open: rounding is uniform, a digit / sqrt(12)
+
+    friend bool operator==(const WrittenRate&, const WrittenRate&) = default;
+};
+
+// The rate of each column of the table by the fields and lines above it that name a rate or a step
+// ("Sample Interval,2E-06", "# Samplerate: 10 kHz", "Delta_X", "Start,Increment" over their
+// values, "dt=0.001"). Empty where there is none, or where two of them disagree by more than their
+// digits.
+std::vector<WrittenRate> header_rates(std::span<const std::string> lines, char delimiter,
+                                      int columns);
+
+// Whether a text is the name of a rate or of a step: "Sample Rate (kHz)", "XInc:", "dt".
+bool is_rate_key(std::string_view text);
+
+// Relative standard deviation of a number by its digits alone. Whole numbers are exact. A short
+// number may have lost its zeros and counts for six digits, unless its places are fixed: 0.000030.
+double written_relative_sd(std::string_view number, double value);
+
+}  // namespace vybeg

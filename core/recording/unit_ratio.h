@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace vybeg {
+
+// What a value in the unit `from` is multiplied by to be in the unit `to`: 1e-3 from "mV" to "V",
+// 1 from "Volt" to "В". Nothing where they measure different quantities or one of them is not
+// known; 1 where both are the same text.
+std::optional<double> unit_ratio(std::string_view from, std::string_view to);
+
+// Whether the text is a unit with or without a prefix ("V", "мВ", "m/s").
+bool is_known_unit(std::string_view text);
+
+}  // namespace vybeg
