@@ -1,0 +1,193 @@
+#include "core/resonator/wave_motion.h"
+
+#include "core/base/number_text.h"
+#include "core/estimators/wave_state.h"
+#include "core/numerics/phase.h"
+#include "core/resonator/mean_rate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t least_windows = 8;
+// A wave, and the smaller of its travelling waves, below this many deviations is left out.
+constexpr double seen = 5;
+// An outlier stands this many deviations (robust ones of the scatter, at least the noise's) off.
+constexpr double outlier = 6;
+
+double power_of(const PhasorRun& run, std::size_t k) {
+    return std::norm(run.c[k]) + std::norm(run.d[k]);
+}
+
+// z_j^H z_k: its angle is the phase from window j to window k.
+std::complex<double> product(const PhasorRun& run, std::size_t j, std::size_t k) {
+    return std::conj(run.c[j]) * run.c[k] + std::conj(run.d[j]) * run.d[k];
+}
+
+// Series of the windows listed, and which windows those of the angle are.
+struct Motion {
+    RateSeries phase;      // rad
+    RateSeries amplitude;  // logarithm
+    RateSeries theta;      // rad
+    RateSeries quadrature;
+    std::vector<std::size_t> angles;
+};
+
+void add(RateSeries& series, double time_s, double value, double sd) {
+    series.time_s.push_back(time_s);
+    series.value.push_back(value);
+    series.sd.push_back(sd);
+}
+
+// Phase per second between windows that follow each other at the usual distance.
+double usual_rate(const PhasorRun& run, const std::vector<std::size_t>& windows) {
+    std::complex<double> sum = 0;
+    for (std::size_t i = 1; i < windows.size(); ++i) {
+        if (run.time_s[windows[i]] - run.time_s[windows[i - 1]] < 1.5 * run.window_s) {
+            sum += product(run, windows[i - 1], windows[i]);
+        }
+    }
+    return std::arg(sum) / run.window_s;
+}
+
+Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
+    const double rate = usual_rate(run, windows);
+    Motion motion;
+    double phase = 0;
+    double two_theta = 0;
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+        const std::size_t k = windows[i];
+        const double t = run.time_s[k];
+        if (i > 0) {
+            // Beyond the usual rate, so that gaps are bridged on the right turn.
+            const double usual = rate * (t - run.time_s[windows[i - 1]]);
+            phase += usual + std::arg(product(run, windows[i - 1], k) * std::polar(1.0, -usual));
+        }
+        const double power = power_of(run, k);
+        const double sd = run.sd[k];
+        add(motion.phase, t, phase, sd / std::sqrt(power));
+        add(motion.amplitude, t, std::log(power - 4 * sd * sd) / 2, sd / std::sqrt(power));
+        const WaveState state = to_wave_state({run.c[k], run.d[k]});
+        if (state.a_A - std::abs(state.a_B) < seen * std::numbers::sqrt2 * sd) {
+            continue;
+        }
+        two_theta = motion.angles.empty()
+                        ? state.two_theta_A
+                        : nearest_branch(state.two_theta_A, two_theta, std::numbers::pi);
+        const double across = (state.a_A + state.a_B) * (state.a_A - state.a_B);
+        add(motion.theta, t, two_theta / 2, sd * std::sqrt(power) / (2 * across));
+        add(motion.quadrature, t, state.a_B / state.a_A,
+            sd * std::sqrt(power) / (state.a_A * state.a_A));
+        motion.angles.push_back(k);
+    }
+    return motion;
+}
+
+// Marks the windows (those of the series, in their order) that stand out of a series' scatter.
+void mark_outliers(const RateSeries& series, const std::vector<std::size_t>& windows,
+                   std::vector<bool>& out) {
+    if (series.value.size() < least_windows) {
+        return;
+    }
+    const std::vector<double> trend = trend_of(series);
+    std::vector<double> off;
+    for (std::size_t i = 0; i < trend.size(); ++i) {
+        off.push_back(std::abs(series.value[i] - trend[i]) / series.sd[i]);
+    }
+    std::vector<double> sorted = off;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
+    const double limit = outlier * std::max(1.0, 1.4826 * *middle);
+    for (std::size_t i = 0; i < off.size(); ++i) {
+        if (off[i] > limit) {
+            out[windows[i]] = true;
+        }
+    }
+}
+
+Motion motion_without_outliers(const PhasorRun& run) {
+    std::vector<std::size_t> windows;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        if (power_of(run, k) > seen * seen * run.sd[k] * run.sd[k]) {
+            windows.push_back(k);
+        }
+    }
+    constexpr int passes = 4;
+    for (int pass = 0; pass < passes; ++pass) {
+        Motion motion = motion_of(run, windows);
+        std::vector<bool> out(run.time_s.size(), false);
+        mark_outliers(motion.phase, windows, out);
+        mark_outliers(motion.amplitude, windows, out);
+        mark_outliers(motion.theta, motion.angles, out);
+        mark_outliers(motion.quadrature, motion.angles, out);
+        if (std::erase_if(windows, [&](std::size_t k) { return out[k]; }) == 0) {
+            return motion;
+        }
+    }
+    return motion_of(run, windows);
+}
+
+// What correlation from window to window makes of the variance of a mean over many of them.
+double inflation_of(const PhasorRun& run) {
+    if (run.noise_correlation.empty()) {
+        return 1;
+    }
+    constexpr double least =
+        0.05;  // where the band is so narrow that the lags' sum is all rounding
+    return std::max(
+        least,
+        2 * std::accumulate(run.noise_correlation.begin(), run.noise_correlation.end(), 0.0) - 1);
+}
+
+Estimate missing(ReasonCode code, std::vector<std::string> args = {}) {
+    Estimate estimate;
+    estimate.reason = {code, std::move(args)};
+    return estimate;
+}
+
+Estimate decay_time(const MeanRate& decay) {
+    constexpr double told = 5;
+    const bool grows = decay.value < 0;
+    if (std::abs(decay.value) < told * decay.sd || grows) {
+        const bool sure = std::abs(decay.value) >= told * decay.sd;
+        return missing(sure ? ReasonCode::grows : ReasonCode::no_decay,
+                       {short_text(sure ? -decay.value : decay.value, 3), short_text(decay.sd, 2)});
+    }
+    return {1 / decay.value, decay.sd / (decay.value * decay.value), {}};
+}
+
+}  // namespace
+
+WaveMotion wave_motion(const PhasorRun& run) {
+    const Motion motion = motion_without_outliers(run);
+    WaveMotion found;
+    if (motion.phase.value.size() < least_windows) {
+        found.f_hz = found.tau_s = found.theta_rate_rad_s = found.quadrature_rate_per_s =
+            found.decay_per_s = missing(ReasonCode::too_few_windows);
+        return found;
+    }
+    constexpr double two_pi = 2 * std::numbers::pi;
+    const double inflation = inflation_of(run);
+    const MeanRate turn = mean_rate(motion.phase, inflation);
+    found.f_hz = {run.f_ref_hz + turn.value / two_pi, turn.sd / two_pi, {}};
+    const MeanRate growth = mean_rate(motion.amplitude, inflation);
+    found.decay_per_s = {-growth.value, growth.sd, {}};
+    found.tau_s = decay_time({-growth.value, growth.sd});
+    if (motion.angles.size() < std::max(least_windows, motion.phase.value.size() / 2)) {
+        found.theta_rate_rad_s = found.quadrature_rate_per_s = missing(ReasonCode::circular_wave);
+        return found;
+    }
+    const MeanRate angle = mean_rate(motion.theta, inflation);
+    const MeanRate quadrature = mean_rate(motion.quadrature, inflation);
+    found.theta_rate_rad_s = {angle.value, angle.sd, {}};
+    found.quadrature_rate_per_s = {quadrature.value, quadrature.sd, {}};
+    return found;
+}
+
+}  // namespace vybeg
