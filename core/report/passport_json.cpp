@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace vybeg {
@@ -80,6 +82,12 @@ Estimate read_estimate(const Json& json) {
         if (!(estimate.sd >= 0)) {
             fail("a standard deviation is negative");
         }
+        if (json.contains("u")) {
+            estimate.u = json.at("u").get<double>();
+            if (!(estimate.u >= 0)) {
+                fail("an uncertainty is negative");
+            }
+        }
         return estimate;
     }
     // What was not finite when it was written has neither code nor arguments.
@@ -134,7 +142,35 @@ ResonatorModel read_model(const std::string& name) {
     return name == "free" ? ResonatorModel::free : ResonatorModel::structured;
 }
 
-Passport read_all(const Json& json) {
+// What the modes of a file of schema 1 are named by: always by frequency, which names nothing where
+// it does not differ.
+std::optional<ModeOrder> old_mode_order(const Passport& passport) {
+    constexpr double needed = 5;  // deviations
+    const Estimate& split = passport.resonator.split_hz;
+    if (split.given() && split.value > needed * split.sd) {
+        return ModeOrder::frequency;
+    }
+    if (passport.modes.size() == 2) {
+        const Estimate& high = passport.modes[0].f_hz;
+        const Estimate& low = passport.modes[1].f_hz;
+        if (high.value - low.value > needed * std::hypot(high.sd, low.sd)) {
+            return ModeOrder::frequency;
+        }
+    }
+    return std::nullopt;
+}
+
+ModeOrder read_mode_order(const std::string& name) {
+    if (name == mode_order_name(ModeOrder::frequency)) {
+        return ModeOrder::frequency;
+    }
+    if (name != mode_order_name(ModeOrder::decay)) {
+        fail("the modes are named by \"" + name + "\"");
+    }
+    return ModeOrder::decay;
+}
+
+Passport read_all(const Json& json, int schema) {
     Passport passport;
     passport.program = json.at("program").get<std::string>();
     for (const Json& input : json.at("inputs")) {
@@ -148,6 +184,16 @@ Passport read_all(const Json& json) {
         read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters);
     for (const Json& mode : json.at("modes")) {
         passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters));
+    }
+    if (schema == 1) {
+        passport.mode_order = old_mode_order(passport);
+    } else {
+        const Json& by = json.at("modes_by");
+        passport.mode_order =
+            by.is_null() ? std::nullopt : std::optional(read_mode_order(by.get<std::string>()));
+        for (const Json& run : json.at("runs")) {
+            passport.runs.push_back(read_parameters<RunEstimate>(run, run_parameters));
+        }
     }
     const Json& parameters = json.at("parameters");
     passport.raw.names = parameters.at("names").get<std::vector<std::string>>();
@@ -183,6 +229,10 @@ std::string passport_json(const Passport& passport) {
     for (const ModeEstimate& mode : passport.modes) {
         modes.push_back(written_parameters(mode, mode_parameters));
     }
+    Json runs = Json::array();
+    for (const RunEstimate& run : passport.runs) {
+        runs.push_back(written_parameters(run, run_parameters));
+    }
     Json tracks = Json::array();
     for (const RunTrack& track : passport.tracks) {
         Json columns;
@@ -199,6 +249,9 @@ std::string passport_json(const Passport& passport) {
                       {"model", passport.model == ResonatorModel::free ? "free" : "structured"},
                       {"resonator", written_parameters(passport.resonator, resonator_parameters)},
                       {"modes", modes},
+                      {"modes_by", passport.mode_order ? Json(mode_order_name(*passport.mode_order))
+                                                       : Json(nullptr)},
+                      {"runs", runs},
                       {"parameters",
                        {{"names", passport.raw.names},
                         {"values", numbers_json(passport.raw.values)},
@@ -221,7 +274,7 @@ Result<Passport> read_passport(std::string_view text, const std::string& where) 
                          where,
                          {integer_text(schema), integer_text(Passport::schema)}};
         }
-        return read_all(json);
+        return read_all(json, schema);
     } catch (const Json::parse_error& error) {
         return Error{ErrorCode::passport_damaged,
                      where,

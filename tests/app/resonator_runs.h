@@ -73,8 +73,12 @@ inline bool is_quantity(const QJsonObject& object) {
         return object.keys() == QStringList{"reason", "value"} &&
                object["reason"].toString().endsWith('.');
     }
-    return object.keys() == QStringList{"sd", "value"} && object["value"].isDouble() &&
-           object["sd"].isDouble();
+    // With the tolerances of the channels also u, of the resonator also its sensitivities.
+    QStringList keys = object.keys();
+    keys.removeOne("sensitivity");
+    const bool has_u = keys.removeOne("u");
+    return keys == QStringList{"sd", "value"} && object["value"].isDouble() &&
+           object["sd"].isDouble() && (!has_u || object["u"].toDouble() >= object["sd"].toDouble());
 }
 
 // The error of a quantity in its own deviations.
