@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -74,7 +75,15 @@ ReasonCode reason_code(const std::string& name) {
     }
 }
 
-Estimate read_estimate(const Json& json) {
+// Reasons of schema 1 that are no more, or have other arguments now.
+bool is_old_reason(const std::string& name) {
+    constexpr std::array<const char*, 8> old{
+        "below-noise",         "no-decay",  "kappa-still-wave",     "kappa-not-seen",
+        "channels-one-number", "not-asked", "amplitude-like-drift", "residual-from-elsewhere"};
+    return std::ranges::find(old, name) != old.end();
+}
+
+Estimate read_estimate(const Json& json, int schema) {
     Estimate estimate;
     if (!json.at("value").is_null()) {
         estimate.value = json.at("value").get<double>();
@@ -92,7 +101,12 @@ Estimate read_estimate(const Json& json) {
     }
     // What was not finite when it was written has neither code nor arguments.
     if (json.contains("code")) {
-        estimate.reason.code = reason_code(json.at("code").get<std::string>());
+        const auto name = json.at("code").get<std::string>();
+        if (schema == 1 && is_old_reason(name)) {
+            estimate.reason.code = ReasonCode::earlier_version;
+            return estimate;
+        }
+        estimate.reason.code = reason_code(name);
         estimate.reason.args = json.at("args").get<std::vector<std::string>>();
     } else {
         estimate.reason.code = ReasonCode::too_few_windows;
@@ -110,10 +124,10 @@ Json written_parameters(const Owner& owner, const Parameters& parameters) {
 }
 
 template <class Owner, class Parameters>
-Owner read_parameters(const Json& json, const Parameters& parameters) {
+Owner read_parameters(const Json& json, const Parameters& parameters, int schema) {
     Owner owner;
     for (const auto& parameter : parameters) {
-        owner.*parameter.member = read_estimate(json.at(parameter.name));
+        owner.*parameter.member = read_estimate(json.at(parameter.name), schema);
     }
     return owner;
 }
@@ -181,9 +195,9 @@ Passport read_all(const Json& json, int schema) {
     }
     passport.model = read_model(json.at("model").get<std::string>());
     passport.resonator =
-        read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters);
+        read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters, schema);
     for (const Json& mode : json.at("modes")) {
-        passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters));
+        passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters, schema));
     }
     if (schema == 1) {
         passport.mode_order = old_mode_order(passport);
@@ -192,7 +206,7 @@ Passport read_all(const Json& json, int schema) {
         passport.mode_order =
             by.is_null() ? std::nullopt : std::optional(read_mode_order(by.get<std::string>()));
         for (const Json& run : json.at("runs")) {
-            passport.runs.push_back(read_parameters<RunEstimate>(run, run_parameters));
+            passport.runs.push_back(read_parameters<RunEstimate>(run, run_parameters, schema));
         }
     }
     const Json& parameters = json.at("parameters");

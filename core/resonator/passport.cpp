@@ -13,6 +13,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double single_changed_from = 3;  // deviations
 constexpr double same_direction = 0.1;     // rad of 2theta_A
+constexpr double unseen_split_hz = 3;      // prior deviation of the split in the fit
 
 // Chance of a normal number beyond z deviations, to both sides.
 double chance_beyond(double z) {
@@ -31,6 +32,11 @@ double frequency_spread(const std::vector<RunEstimate>& runs) {
         }
     }
     return count > 1 ? std::sqrt(squares / (count - 1)) : 0;
+}
+
+// Of two angles 2theta_A.
+double apart(const Estimate& one, const Estimate& other) {
+    return std::abs(std::remainder(one.value - other.value, std::numbers::pi));
 }
 
 // Differences as they are found; the verdicts come when all are there.
@@ -56,8 +62,9 @@ public:
     }
 
 private:
+    // `besides`: a part of u of its own.
     void add(Difference difference, bool is_frequency, double period = 0,
-             const Reason& incomparable = {}) {
+             const Reason& incomparable = {}, double besides = 0) {
         const Estimate& then = difference.then;
         const Estimate& now = difference.now;
         if (!then.given() && !now.given()) {
@@ -73,7 +80,7 @@ private:
         const double change = now.value - then.value;
         difference.change = period > 0 ? std::remainder(change, period) : change;
         difference.sd = std::hypot(then.sd, now.sd);
-        difference.u = std::hypot(then.uncertainty(), now.uncertainty());
+        difference.u = std::hypot(then.uncertainty(), now.uncertainty(), besides);
         if (is_frequency) {
             difference.u = std::hypot(difference.u, spread_hz_);
             difference.limit = options_.f_limit_ppm * 1e-6 * std::abs(then.value);
@@ -112,10 +119,9 @@ private:
             if (!run.two_theta_A_rad.given() || !two_theta_A.given()) {
                 continue;
             }
-            const double apart = std::abs(
-                std::remainder(run.two_theta_A_rad.value - two_theta_A.value, std::numbers::pi));
-            if (apart <= least) {
-                least = apart;
+            const double distance = apart(run.two_theta_A_rad, two_theta_A);
+            if (distance <= least) {
+                least = distance;
                 nearest = &run;
             }
         }
@@ -128,11 +134,18 @@ private:
             return;
         }
         const Estimate none{.reason = {ReasonCode::other_direction, {}}};
+        const bool is_frequency = member == &RunEstimate::direction_f_hz;
         for (std::size_t k = 0; k < now_.runs.size(); ++k) {
-            const RunEstimate* then = run_at(now_.runs[k].two_theta_A_rad);
+            const RunEstimate& run = now_.runs[k];
+            const RunEstimate* then = run_at(run.two_theta_A_rad);
+            const double apart_rad =
+                then != nullptr ? apart(then->two_theta_A_rad, run.two_theta_A_rad) : 0;
+            // d f / d 2theta_A is up to the split, d tau / d 2theta_A up to g tau^2: unseen here,
+            // so that their priors of the fit stand for them.
+            const double slope = is_frequency ? unseen_split_hz : std::abs((run.*member).value);
             add({"runs[" + std::to_string(k) + "].direction." + name, unit,
                  then != nullptr ? then->*member : none, now_.runs[k].*member},
-                member == &RunEstimate::direction_f_hz);
+                is_frequency, 0, {}, apart_rad > 0 ? slope * apart_rad : 0);
         }
     }
 

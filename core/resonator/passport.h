@@ -80,7 +80,8 @@ double changed_from(std::size_t count);
 // where one of them has no value, for its reason.
 // Modes are compared where both sides name them alike. Where the mean frequency or the decay time
 // of the resonator cannot be compared, those of the runs' directions are, each with the run of the
-// passport whose 2theta_A is nearest: within 0.1 rad modulo pi.
+// passport whose 2theta_A is nearest: within 0.1 rad modulo pi, with what the
+// unseen split and anisotropy may make of the rest in u.
 std::vector<Difference> compare(const Passport& passport, const ResonatorFit& now,
                                 const CompareOptions& options = {});
 

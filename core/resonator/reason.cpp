@@ -83,6 +83,10 @@ const char* message_template(ReasonCode code) {
             return VYBEG_MESSAGE("Reason",
                                  "The modes of both sides are not named by the same: one by "
                                  "frequency, the other by decay.");
+        case ReasonCode::earlier_version:
+            return VYBEG_MESSAGE("Reason",
+                                 "The earlier version of the program that wrote the passport gave "
+                                 "no value for it.");
     }
     return "";
 }
@@ -109,6 +113,7 @@ std::string reason_name(ReasonCode code) {
         case ReasonCode::too_few_windows: return "too-few-windows";
         case ReasonCode::other_direction: return "other-direction";
         case ReasonCode::other_mode_order: return "other-mode-order";
+        case ReasonCode::earlier_version: return "earlier-version";
     }
     return "";
 }

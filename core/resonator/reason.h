@@ -28,6 +28,7 @@ enum class ReasonCode {
     too_few_windows,      // not enough windows for it in this run
     other_direction,      // of two results: no wave of the other one stands in this direction
     other_mode_order,     // of two results: their modes are named by different things
+    earlier_version,      // of a passport: a reason that this version has no more
 };
 
 struct Reason {

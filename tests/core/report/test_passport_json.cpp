@@ -1,5 +1,6 @@
 #include "core/report/passport_json.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
@@ -119,12 +120,20 @@ private slots:
         QJsonObject old =
             QJsonDocument::fromJson(QByteArray::fromStdString(passport_json(passport))).object();
         old["schema"] = 1;
+        // As the versions before wrote it in every passport.
+        QJsonObject resonator = old["resonator"].toObject();
+        resonator["delay_s"] = QJsonObject{{"value", QJsonValue::Null},
+                                           {"reason", "The motion tells one number."},
+                                           {"code", "channels-one-number"},
+                                           {"args", QJsonArray()}};
+        old["resonator"] = resonator;
         old.remove("modes_by");
         old.remove("runs");
         const Result<Passport> read =
             read_passport(QJsonDocument(old).toJson().toStdString(), "p.json");
         QVERIFY(read);
         QVERIFY(read->runs.empty());
+        QVERIFY(read->resonator.delay_s.reason.code == ReasonCode::earlier_version);
         QCOMPARE(read->mode_order.has_value(), named);
         QVERIFY(!named || *read->mode_order == ModeOrder::frequency);
         QCOMPARE(read->resonator.tau_s.value, 400.0);

@@ -189,19 +189,23 @@ private slots:
     void a_direction_is_compared_with_the_same_direction_alone_data() {
         QTest::addColumn<double>("two_theta");
         QTest::addColumn<bool>("comparable");
+        QTest::addColumn<bool>("changed");
         const double pi = std::numbers::pi;
-        QTest::newRow("the same") << 0.3 << true;
-        QTest::newRow("0.09 rad on") << 0.39 << true;
-        QTest::newRow("modulo pi") << 0.3 - pi << true;
-        QTest::newRow("modulo pi, the other way") << 0.25 + pi << true;
-        QTest::newRow("0.11 rad on") << 0.41 << false;
-        QTest::newRow("30 degrees on") << 0.3 + pi / 3 << false;
+        QTest::newRow("the same") << 0.3 << true << true;
+        QTest::newRow("1e-4 rad on") << 0.3001 << true << true;
+        // An unseen anisotropy may make 9 % of it.
+        QTest::newRow("0.09 rad on") << 0.39 << true << false;
+        QTest::newRow("modulo pi") << 0.3 - pi << true << true;
+        QTest::newRow("modulo pi, the other way") << 0.25 + pi << true << false;
+        QTest::newRow("0.11 rad on") << 0.41 << false << false;
+        QTest::newRow("30 degrees on") << 0.3 + pi / 3 << false << false;
     }
 
     // f and tau of one direction were called the resonator's: 1700 deviations between two starts.
     void a_direction_is_compared_with_the_same_direction_alone() {
         QFETCH(double, two_theta);
         QFETCH(bool, comparable);
+        QFETCH(bool, changed);
         Pair pair = pair_of();
         RunEstimate run;
         for (Estimate* each : {&run.f_offset_hz, &run.a_A, &run.a_B, &run.split_sin_hz,
@@ -221,8 +225,9 @@ private slots:
         QCOMPARE(differences.size(), std::size_t{2});
         QCOMPARE(differences[0].name, std::string("runs[0].direction.f_hz"));
         QCOMPARE(differences[1].name, std::string("runs[0].direction.tau_s"));
+        const Verdict known = changed ? Verdict::changed : Verdict::unchanged;
         const Verdict wanted[] = {comparable ? Verdict::unchanged : Verdict::not_comparable,
-                                  comparable ? Verdict::changed : Verdict::not_comparable};
+                                  comparable ? known : Verdict::not_comparable};
         for (std::size_t k = 0; k < 2; ++k) {
             QVERIFY(differences[k].verdict == wanted[k]);
             QVERIFY(comparable || differences[k].why.code == ReasonCode::other_direction);
