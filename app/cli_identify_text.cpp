@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/report/quantity_text.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/run_parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -172,10 +173,7 @@ std::string relative_text(double relative) {
 std::string difference_text(const Difference& difference) {
     const std::string verdict = std::string(verdict_name(difference.verdict)) + ": ";
     if (difference.verdict == Verdict::not_comparable) {
-        const bool both = difference.then.given() && difference.now.given();
-        const char* const side = difference.then.given() ? "now: " : "in the passport: ";
-        return line(label_of(difference.name),
-                    verdict + (both ? "" : side) + english(difference.why));
+        return line(label_of(difference.name), verdict + incomparable_text(difference));
     }
     const Estimate change{difference.change, difference.sd, {}, difference.u};
     const bool angle = std::string_view(difference.unit) == "rad";

@@ -787,10 +787,6 @@
             <source>The modes of both sides are not named by the same: one by frequency, the other by decay.</source>
             <translation>Моды двух сторон названы по-разному: одни по частоте, другие по затуханию.</translation>
         </message>
-        <message>
-            <source>The earlier version of the program that wrote the passport gave no value for it.</source>
-            <translation>Прежняя версия программы, записавшая паспорт, значения не дала.</translation>
-        </message>
     </context>
     <context>
         <name>Resonator</name>

@@ -3,6 +3,7 @@
 #include "ui/error_text.h"
 #include "ui/parameter_text.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
@@ -82,6 +83,16 @@ QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
     return {QStringLiteral("? ") + word, {word}, theme.mutedText};
 }
 
+QString whyText(const Difference& difference) {
+    switch (difference.why) {
+        case Incomparable::now_unknown: return reasonText(difference.now.reason);
+        case Incomparable::then_unknown:
+            return resonatorText(QT_TRANSLATE_NOOP("Resonator", "in the passport: %1"))
+                .arg(reasonText(difference.then.reason));
+        default: return QCoreApplication::translate("Reason", message_template(difference.why));
+    }
+}
+
 }  // namespace
 
 QStringList incomparableTexts(const std::vector<Difference>& differences) {
@@ -90,11 +101,7 @@ QStringList incomparableTexts(const std::vector<Difference>& differences) {
         if (difference.verdict != Verdict::not_comparable) {
             continue;
         }
-        const QString reason =
-            difference.then.given()
-                ? reasonText(difference.why)
-                : resonatorText(QT_TRANSLATE_NOOP("Resonator", "in the passport: %1"))
-                      .arg(reasonText(difference.why));
+        const QString reason = whyText(difference);
         const QString symbol = difference.name.starts_with("modes[") ? resonatorText("Modes")
                                : difference.name.starts_with("runs[")
                                    ? titleOf(difference)

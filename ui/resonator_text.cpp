@@ -2,6 +2,7 @@
 
 #include "core/report/identify_json.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/run_parameters.h"
 #include "ui/error_text.h"
 #include "ui/parameter_text.h"
 

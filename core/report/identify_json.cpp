@@ -4,6 +4,7 @@
 #include "core/report/quantity_json.h"
 #include "core/report/settings_text.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/run_parameters.h"
 
 #include <nlohmann/json.hpp>
 
@@ -247,7 +248,7 @@ Json differences_json(std::span<const Difference> differences) {
                     {"now", quantity_json(difference.now)},
                     {"verdict", verdict_name(difference.verdict)}};
         if (difference.verdict == Verdict::not_comparable) {
-            object["change"] = quantity_json({.reason = difference.why});
+            object["change"] = {{"value", nullptr}, {"reason", incomparable_text(difference)}};
             object["relative"] = nullptr;
             object["deviations"] = nullptr;
         } else {

@@ -4,6 +4,7 @@
 #include "core/recording/file_bytes.h"
 #include "core/report/quantity_json.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/run_parameters.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -75,12 +77,28 @@ ReasonCode reason_code(const std::string& name) {
     }
 }
 
-// Reasons of schema 1 that are no more, or have other arguments now.
-bool is_old_reason(const std::string& name) {
-    constexpr std::array<const char*, 8> old{
-        "below-noise",         "no-decay",  "kappa-still-wave",     "kappa-not-seen",
-        "channels-one-number", "not-asked", "amplitude-like-drift", "residual-from-elsewhere"};
-    return std::ranges::find(old, name) != old.end();
+// Reasons of schema 1 that are no more, or have other arguments now, by their nearest.
+Reason old_reason(const std::string& name, const std::vector<std::string>& args) {
+    constexpr std::array<std::pair<const char*, ReasonCode>, 7> nearest{{
+        {"below-noise", ReasonCode::modes_not_apart},
+        {"kappa-still-wave", ReasonCode::as_given},
+        {"kappa-not-seen", ReasonCode::as_given},
+        {"not-asked", ReasonCode::as_given},
+        {"channels-one-number", ReasonCode::held},
+        {"amplitude-like-drift", ReasonCode::rests_on_unseen},
+        {"residual-from-elsewhere", ReasonCode::rests_on_unseen},
+    }};
+    for (const auto& [old, code] : nearest) {
+        if (name == old) {
+            return {code, {}};
+        }
+    }
+    if (name == "no-decay" && args.size() == 2) {  // 1/tau and its deviation
+        const double rate = parse_number(args[0]).value_or(0);
+        const double sd = parse_number(args[1]).value_or(0);
+        return {ReasonCode::no_decay, {short_text(1 / (std::max(rate, 0.0) + 2 * sd), 3)}};
+    }
+    return {reason_code(name), args};
 }
 
 Estimate read_estimate(const Json& json, int schema) {
@@ -102,12 +120,9 @@ Estimate read_estimate(const Json& json, int schema) {
     // What was not finite when it was written has neither code nor arguments.
     if (json.contains("code")) {
         const auto name = json.at("code").get<std::string>();
-        if (schema == 1 && is_old_reason(name)) {
-            estimate.reason.code = ReasonCode::earlier_version;
-            return estimate;
-        }
-        estimate.reason.code = reason_code(name);
-        estimate.reason.args = json.at("args").get<std::vector<std::string>>();
+        auto args = json.at("args").get<std::vector<std::string>>();
+        estimate.reason =
+            schema == 1 ? old_reason(name, args) : Reason{reason_code(name), std::move(args)};
     } else {
         estimate.reason.code = ReasonCode::too_few_windows;
     }

@@ -7,6 +7,9 @@
 #include <limits>
 #include <numbers>
 
+// Marks a text for lupdate, as in core/base/messages.cpp.
+#define VYBEG_MESSAGE(context, text) text
+
 namespace vybeg {
 namespace {
 
@@ -64,15 +67,20 @@ public:
 private:
     // `besides`: a part of u of its own.
     void add(Difference difference, bool is_frequency, double period = 0,
-             const Reason& incomparable = {}, double besides = 0) {
+             Incomparable why = Incomparable::none, double besides = 0) {
         const Estimate& then = difference.then;
         const Estimate& now = difference.now;
         if (!then.given() && !now.given()) {
             return;
         }
         difference.relative = difference.change = difference.sd = difference.u = nan;
-        if (!then.given() || !now.given() || incomparable.code != ReasonCode::none) {
-            difference.why = !then.given() ? then.reason : !now.given() ? now.reason : incomparable;
+        if (why == Incomparable::none) {
+            why = !then.given()  ? Incomparable::then_unknown
+                  : !now.given() ? Incomparable::now_unknown
+                                 : Incomparable::none;
+        }
+        if (why != Incomparable::none) {
+            difference.why = why;
             difference.verdict = Verdict::not_comparable;
             differences_.push_back(std::move(difference));
             return;
@@ -95,7 +103,9 @@ private:
     void add_modes() {
         const std::size_t modes = std::max(passport_.modes.size(), now_.modes.size());
         const bool alike = passport_.mode_order && *passport_.mode_order == now_.mode_order;
-        const Reason order = alike ? Reason{} : Reason{ReasonCode::other_mode_order, {}};
+        const bool both = !passport_.modes.empty() && !now_.modes.empty();
+        const Incomparable order =
+            alike || !both ? Incomparable::none : Incomparable::other_mode_order;
         const Reason not_apart{ReasonCode::modes_not_apart, {}};
         const auto told = [](const Reason& reason) { return reason.code != ReasonCode::none; };
         for (std::size_t k = 0; k < modes; ++k) {
@@ -133,7 +143,7 @@ private:
         if ((passport_.resonator.*of_resonator).given() && (now_.resonator.*of_resonator).given()) {
             return;
         }
-        const Estimate none{.reason = {ReasonCode::other_direction, {}}};
+        const Estimate none{.reason = {ReasonCode::rests_on_unseen, {}}};
         const bool is_frequency = member == &RunEstimate::direction_f_hz;
         for (std::size_t k = 0; k < now_.runs.size(); ++k) {
             const RunEstimate& run = now_.runs[k];
@@ -145,7 +155,9 @@ private:
             const double slope = is_frequency ? unseen_split_hz : std::abs((run.*member).value);
             add({"runs[" + std::to_string(k) + "].direction." + name, unit,
                  then != nullptr ? then->*member : none, now_.runs[k].*member},
-                is_frequency, 0, {}, apart_rad > 0 ? slope * apart_rad : 0);
+                is_frequency, 0,
+                then != nullptr ? Incomparable::none : Incomparable::other_direction,
+                apart_rad > 0 ? slope * apart_rad : 0);
         }
     }
 
@@ -179,6 +191,32 @@ const char* verdict_name(Verdict verdict) {
         case Verdict::not_comparable: return "not comparable";
     }
     return "";
+}
+
+const char* message_template(Incomparable why) {
+    switch (why) {
+        case Incomparable::other_direction:
+            return VYBEG_MESSAGE("Reason",
+                                 "It belongs to one direction, and no recording of the other side "
+                                 "starts within 3 degrees of it.");
+        case Incomparable::other_mode_order:
+            return VYBEG_MESSAGE("Reason",
+                                 "The modes of both sides are not named by the same: one by "
+                                 "frequency, the other by decay.");
+        case Incomparable::none:
+        case Incomparable::now_unknown:
+        case Incomparable::then_unknown: break;
+    }
+    return "";
+}
+
+std::string incomparable_text(const Difference& difference) {
+    switch (difference.why) {
+        case Incomparable::now_unknown: return "now: " + english(difference.now.reason);
+        case Incomparable::then_unknown:
+            return "in the passport: " + english(difference.then.reason);
+        default: return message_template(difference.why);
+    }
 }
 
 double Difference::deviations() const {

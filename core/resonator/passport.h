@@ -47,6 +47,15 @@ enum class Verdict { unchanged, changed, not_comparable };
 // "unchanged", "changed", "not comparable".
 const char* verdict_name(Verdict verdict);
 
+// Why a parameter is not comparable.
+enum class Incomparable {
+    none,
+    now_unknown,       // for the reason of `now`
+    then_unknown,      // for the reason of `then`
+    other_direction,   // no wave of the passport stands in this direction
+    other_mode_order,  // the modes of both sides are named by different things
+};
+
 // One parameter, then and now.
 struct Difference {
     std::string name;  // as in identify JSON: "split_hz", "modes[0].f_hz", "runs[0].direction.f_hz"
@@ -59,7 +68,7 @@ struct Difference {
     double relative = 0;  // change / then; NaN: an axis, or nothing to relate to
     double limit = 0;     // smaller changes count as none; unit of the change
     Verdict verdict{};
-    Reason why{};  // of not_comparable
+    Incomparable why{};  // of not_comparable
 
     double deviations() const;  // |change| / u
 };
@@ -69,6 +78,12 @@ struct CompareOptions {
     // are no change of the gyro.
     double f_limit_ppm = 30;
 };
+
+// English sentence of the last two, translated like those of messages.h; empty for the others.
+const char* message_template(Incomparable why);
+
+// The whole English sentence of a difference that is not comparable.
+std::string incomparable_text(const Difference& difference);
 
 // The size, in deviations, from which on one of `count` independent normal numbers is called
 // changed: by chance as rarely as one number alone goes beyond three (0.27 %).

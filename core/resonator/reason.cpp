@@ -75,18 +75,6 @@ const char* message_template(ReasonCode code) {
                                  "do not show.");
         case ReasonCode::too_few_windows:
             return VYBEG_MESSAGE("Reason", "This recording has too few windows for it.");
-        case ReasonCode::other_direction:
-            return VYBEG_MESSAGE("Reason",
-                                 "It belongs to one direction, and no recording of the other side "
-                                 "starts within 3 degrees of it.");
-        case ReasonCode::other_mode_order:
-            return VYBEG_MESSAGE("Reason",
-                                 "The modes of both sides are not named by the same: one by "
-                                 "frequency, the other by decay.");
-        case ReasonCode::earlier_version:
-            return VYBEG_MESSAGE("Reason",
-                                 "The earlier version of the program that wrote the passport gave "
-                                 "no value for it.");
     }
     return "";
 }
@@ -111,9 +99,6 @@ std::string reason_name(ReasonCode code) {
         case ReasonCode::grows: return "grows";
         case ReasonCode::rests_on_unseen: return "rests-on-unseen";
         case ReasonCode::too_few_windows: return "too-few-windows";
-        case ReasonCode::other_direction: return "other-direction";
-        case ReasonCode::other_mode_order: return "other-mode-order";
-        case ReasonCode::earlier_version: return "earlier-version";
     }
     return "";
 }

@@ -26,9 +26,6 @@ enum class ReasonCode {
     grows,                // args: rate of growth, its sd (1/s)
     rests_on_unseen,      // more than half of its variance is of parameters that are not seen
     too_few_windows,      // not enough windows for it in this run
-    other_direction,      // of two results: no wave of the other one stands in this direction
-    other_mode_order,     // of two results: their modes are named by different things
-    earlier_version,      // of a passport: a reason that this version has no more
 };
 
 struct Reason {

@@ -133,7 +133,7 @@ private slots:
             read_passport(QJsonDocument(old).toJson().toStdString(), "p.json");
         QVERIFY(read);
         QVERIFY(read->runs.empty());
-        QVERIFY(read->resonator.delay_s.reason.code == ReasonCode::earlier_version);
+        QVERIFY(read->resonator.delay_s.reason.code == ReasonCode::held);
         QCOMPARE(read->mode_order.has_value(), named);
         QVERIFY(!named || *read->mode_order == ModeOrder::frequency);
         QCOMPARE(read->resonator.tau_s.value, 400.0);
