@@ -175,12 +175,11 @@ std::string difference_text(const Difference& difference) {
     if (difference.verdict == Verdict::not_comparable) {
         return line(label_of(difference.name), verdict + incomparable_text(difference));
     }
-    const Estimate change{difference.change, difference.sd, {}, difference.u};
+    const Estimate change{difference.change, difference.u, {}};
     const bool angle = std::string_view(difference.unit) == "rad";
-    std::string text = verdict + "by " +
-                       (angle ? text_in_degrees(change) : text_of(change, difference.unit)) +
-                       relative_text(difference.relative) + ", " +
-                       short_text(difference.deviations(), 3) + " deviations";
+    std::string text =
+        verdict + "by " + (angle ? text_in_degrees(change) : text_of(change, difference.unit)) +
+        relative_text(difference.relative) + ", " + short_text(difference.deviations(), 3) + " u";
     if (difference.limit > 0 && std::abs(difference.change) <= difference.limit) {
         text += ", within the limit of " + short_text(difference.limit, 3) + " " + difference.unit;
     }
@@ -223,7 +222,7 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
     if (comparison != nullptr) {
         text += "compared with " + comparison->file + ", changed from " +
                 short_text(changed_from(compared(comparison->differences)), 3) +
-                " deviations of the difference on\n";
+                " u of the difference on\n";
         for (const Difference& difference : comparison->differences) {
             text += difference_text(difference);
         }

@@ -142,8 +142,7 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
                                       {known ? exactText(sds) : QString()},
                                       {}};
         const double factor = shown.factor;
-        QuantityCell change =
-            valueCell(factor * difference.change, factor * difference.sd, factor * difference.u);
+        const QuantityCell change = valueCell(factor * difference.change, factor * difference.u);
         rows.push_back(
             {withUnit(titleOf(difference), shown.unit),
              shown.tip,
