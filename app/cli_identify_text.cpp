@@ -15,6 +15,7 @@ namespace vybeg::cli {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
+constexpr double negligible = 0.01;  // of a standard deviation
 
 // "1.00034 ± 0.00005 Hz, u 0.0003", "(1.03 ± 0.03)e-6 Hz", or the reason.
 std::string text_of(const Estimate& estimate, const std::string& unit) {
@@ -84,7 +85,8 @@ std::string sensitivities_text(const ResonatorFit& fit) {
     std::string rows;
     for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
         const ResonatorParameter& parameter = resonator_parameters[k];
-        if (!(fit.resonator.*parameter.member).given()) {
+        const Estimate& estimate = fit.resonator.*parameter.member;
+        if (!estimate.given()) {
             continue;
         }
         const bool angle = parameter.period > 0;
@@ -93,7 +95,8 @@ std::string sensitivities_text(const ResonatorFit& fit) {
         row.resize(std::max<std::size_t>(row.size() + 1, 38), ' ');
         for (const UsualError& error : usual_errors) {
             const double change = error.size * fit.sensitivities[k].*error.member;
-            row += padded(short_text(angle ? change * degrees : change, 3), 12);
+            const bool felt = std::abs(change) > negligible * estimate.sd;
+            row += padded(felt ? short_text(angle ? change * degrees : change, 3) : "~0", 12);
         }
         rows += row + "\n";
     }

@@ -17,6 +17,9 @@ namespace vybeg::ui {
 
 namespace {
 
+// A change of a parameter, in its standard deviations, that is not worth its digits.
+constexpr double negligible = 0.01;
+
 // One sentence is enough for all the numbers that lack for the same reason.
 void sayOnce(std::vector<QuantityRow>& rows) {
     for (std::size_t k = 1; k < rows.size(); ++k) {
@@ -111,14 +114,17 @@ std::vector<QuantityRow> sensitivityRows(const Identification& found, const Disp
     const ResonatorFit& fit = found.fit;
     for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
         const ResonatorParameter& parameter = resonator_parameters[k];
-        if (!(fit.resonator.*parameter.member).given()) {
+        const Estimate& estimate = fit.resonator.*parameter.member;
+        if (!estimate.given()) {
             continue;
         }
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
         QuantityRow row{withUnit(shown.title, shown.unit), shown.tip, {}};
         for (const UsualError& error : usual_errors) {
             const double change = shown.factor * error.size * fit.sensitivities[k].*error.member;
-            row.cells.push_back({threeDigits(change), {exactText(change)}, {}});
+            const bool felt = std::abs(change) > negligible * shown.factor * estimate.sd;
+            row.cells.push_back(
+                {felt ? threeDigits(change) : QStringLiteral("≈ 0"), {exactText(change)}, {}});
         }
         rows.push_back(std::move(row));
     }
