@@ -60,10 +60,10 @@ inline bool simulate_set(const QString& folder, const QString& prefix, const QSt
     return done;
 }
 
-// A wave that hardly moves: 28 s at a tenth of a thousandth of a hertz.
+// A wave that hardly moves: 28 s at a millionth of a hertz.
 inline bool simulate_still(const QString& folder) {
     return run_cli({"simulate", "--seconds", "28", "--noise", "0.001", "--tau", "400", "--split",
-                    "1e-4", "--theta-w", "0.2", "--two-theta-A", starts[1], "-o", "still.wav"},
+                    "1e-6", "--theta-w", "0.2", "--two-theta-A", starts[1], "-o", "still.wav"},
                    folder)
                .status == 0;
 }

@@ -24,6 +24,16 @@ ResonatorEstimate all_unknown() {
     return resonator;
 }
 
+RunEstimate unknown_run() {
+    RunEstimate run;
+    for (Estimate* each :
+         {&run.f_offset_hz, &run.a_A, &run.a_B, &run.two_theta_A_rad, &run.split_sin_hz,
+          &run.direction_f_hz, &run.direction_tau_s, &run.q_envelope, &run.drift_hz_per_s}) {
+        each->reason = unknown;
+    }
+    return run;
+}
+
 struct Pair {
     Passport then;
     ResonatorFit now;
@@ -154,7 +164,7 @@ private slots:
         pair.now.resonator.f_mean_hz.value = 5300.2;
         QVERIFY(only(pair).verdict == Verdict::changed);
         // Runs that scatter by 0.1 Hz do not tell 0.2 Hz.
-        RunEstimate run;
+        RunEstimate run = unknown_run();
         run.f_offset_hz = {0.1, 1e-7, {}};
         pair.now.runs = {run, run};
         pair.now.runs[1].f_offset_hz.value = -0.1;
@@ -207,11 +217,7 @@ private slots:
         QFETCH(bool, comparable);
         QFETCH(bool, changed);
         Pair pair = pair_of();
-        RunEstimate run;
-        for (Estimate* each : {&run.f_offset_hz, &run.a_A, &run.a_B, &run.split_sin_hz,
-                               &run.q_envelope, &run.drift_hz_per_s}) {
-            each->reason = unknown;
-        }
+        RunEstimate run = unknown_run();
         run.two_theta_A_rad = {0.3, 1e-4, {}};
         run.direction_f_hz = {5300, 1e-6, {}};
         run.direction_tau_s = {400, 0.01, {}};
