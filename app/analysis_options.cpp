@@ -1,6 +1,7 @@
 #include "app/analysis_options.h"
 
 #include "app/option_values.h"
+#include "core/base/messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -299,6 +300,31 @@ void add_identify_options(CLI::App& app, IdentifySettings& settings) {
                        [&settings](std::int64_t samples) { settings.window = samples; });
     add_f0_option(app, settings.signal);
     add_signal_options(app, settings.signal);
+    add_value(
+        app, "--tolerance", "NAME=X[,NAME=X]",
+        "How well the channels are known, standard deviations: kappa (relative, default "
+        "0.01), skew (deg), delay (s), crosstalk (relative), phase-drift (rad over a run), "
+        "gain-drift (relative, over a run); default 0, but for kappa. Units may follow, as in "
+        "skew=0.1deg,delay=10ns",
+        [&settings](const auto&, const auto& text) {
+            Result<Tolerance> tolerance = read_tolerance(text);
+            if (!tolerance) {
+                throw CLI::ValidationError(english(tolerance.error()));
+            }
+            settings.tolerance = *tolerance;
+        });
+}
+
+void add_compare_options(CLI::App& app, CompareOptions& options) {
+    add_value(app, "--f-limit", "PPM",
+              "Frequencies count as changed beyond this, ppm: they follow the temperature (default "
+              "30)",
+              [&options](const auto& option, const auto& text) {
+                  options.f_limit_ppm = number_value(option, text);
+                  if (options.f_limit_ppm < 0) {
+                      reject(option, text, "it cannot be negative");
+                  }
+              });
 }
 
 }  // namespace vybeg::cli

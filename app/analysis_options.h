@@ -3,6 +3,7 @@
 #include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
 #include "core/recording/open_recording.h"
+#include "core/resonator/passport.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,8 +18,11 @@ void add_open_options(CLI::App& app, OpenOptions& options);
 // validate().
 void add_analysis_options(CLI::App& app, Settings& settings);
 
-// Those of them that have a part in an identification, and --model. `settings` must outlive the
-// parse.
+// Those of them that have a part in an identification, --model and --tolerance. `settings` must
+// outlive the parse.
 void add_identify_options(CLI::App& app, IdentifySettings& settings);
+
+// Those of a comparison: --f-limit. `options` must outlive the parse.
+void add_compare_options(CLI::App& app, CompareOptions& options);
 
 }  // namespace vybeg::cli

@@ -4,6 +4,7 @@
 #include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
 #include "core/recording/open_recording.h"
+#include "core/resonator/passport.h"
 #include "core/simulation/free_decay.h"
 
 #include <cstdint>
@@ -37,6 +38,7 @@ struct IdentifyRequest {
     std::string old_passport;  // of compare; empty: none
     OpenOptions open;
     IdentifySettings settings;
+    CompareOptions compare;
     bool timing = false;
 };
 

@@ -184,7 +184,7 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
     const double identified = seconds_now();
     PassportComparison* const compared = *comparison ? &**comparison : nullptr;
     if (compared != nullptr) {
-        compared->differences = compare(*passport, found->fit);
+        compared->differences = compare(*passport, found->fit, request.compare);
     }
     Status written = write_outputs(
         outputs, identify_json(program, inputs->told, *found, compared),

@@ -4,7 +4,9 @@
 #include "core/base/plain_text.h"
 #include "core/report/quantity_text.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/run_parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,26 +15,34 @@
 namespace vybeg::cli {
 namespace {
 
-// "1.00034 ± 0.00005 Hz", "(1.03 ± 0.03)e-6 Hz", or the reason.
+constexpr double degrees = 180 / std::numbers::pi;
+constexpr double negligible = 0.01;  // of a standard deviation
+
+// "1.00034 ± 0.00005 Hz, u 0.0003", "(1.03 ± 0.03)e-6 Hz", or the reason.
 std::string text_of(const Estimate& estimate, const std::string& unit) {
     if (!estimate.given()) {
         return "- " + english(estimate.reason);
     }
-    const QuantityText text = quantity_text(estimate.value, estimate.sd);
+    const QuantityText text = quantity_text(estimate.value, estimate.sd, estimate.u);
+    const std::string power = text.exponent != 0 ? "e" + std::to_string(text.exponent) : "";
     std::string numbers = text.value;
     if (!text.sd.empty()) {
         numbers += " ± " + text.sd;
     }
-    if (text.exponent != 0) {
-        numbers = "(" + numbers + ")e" + std::to_string(text.exponent);
+    if (!power.empty()) {
+        numbers = "(" + numbers + ")" + power;
     }
-    return unit.empty() ? numbers : numbers + " " + unit;
+    if (!unit.empty()) {
+        numbers += " " + unit;
+    }
+    return text.u.empty() ? numbers : numbers + ", u " + text.u + power;
 }
 
 // Angles for people are in degrees.
 std::string text_in_degrees(const Estimate& estimate) {
-    constexpr double degrees = 180 / std::numbers::pi;
-    return text_of({estimate.value * degrees, estimate.sd * degrees, estimate.reason}, "deg");
+    return text_of(
+        {estimate.value * degrees, estimate.sd * degrees, estimate.reason, estimate.u * degrees},
+        "deg");
 }
 
 std::string line(const std::string& name, const std::string& text) {
@@ -57,11 +67,62 @@ std::string parameter_text(const ResonatorParameter& parameter, const Estimate& 
     return parameter.period > 0 ? text_in_degrees(estimate) : text_of(estimate, parameter.unit);
 }
 
+// What the wave of a recording did, whatever the resonator is.
+std::string wave_text(const IdentifiedInput& input, const WaveMotion& wave) {
+    std::string text = "wave of " + input.name + ", means over the recording\n";
+    for (const WaveParameter& parameter : wave_parameters) {
+        const Estimate& estimate = wave.*parameter.member;
+        text += line(label_of(parameter.name), text_of(estimate, parameter.unit));
+    }
+    return text;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+    return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+// The change of each parameter by a usual error of the channels.
+std::string sensitivities_text(const ResonatorFit& fit) {
+    std::string rows;
+    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
+        const ResonatorParameter& parameter = resonator_parameters[k];
+        const Estimate& estimate = fit.resonator.*parameter.member;
+        if (!estimate.given()) {
+            continue;
+        }
+        const bool angle = parameter.period > 0;
+        const std::string unit = angle ? "deg" : parameter.unit;
+        std::string row = "  " + label_of(parameter.name) + (unit.empty() ? "" : ", " + unit);
+        row.resize(std::max<std::size_t>(row.size() + 1, 38), ' ');
+        for (const UsualError& error : usual_errors) {
+            const double change = error.size * fit.sensitivities[k].*error.member;
+            const bool felt = std::abs(change) > negligible * estimate.sd;
+            row += padded(felt ? short_text(angle ? change * degrees : change, 3) : "~0", 12);
+        }
+        rows += row + "\n";
+    }
+    if (rows.empty()) {
+        return "";
+    }
+    std::string head = "  change of a parameter by";
+    head.resize(38, ' ');
+    std::string names(38, ' ');
+    for (const UsualError& error : usual_errors) {
+        head += padded(error.amount, 12);
+        names += padded(error.name, 12);
+    }
+    return "sensitivity: what errors of the channels would change; u holds those with a "
+           "tolerance, sd none\n" +
+           head + "\n" + names + "\n" + rows;
+}
+
 std::string modes_text(const ResonatorFit& fit) {
     if (fit.modes.empty()) {
         return "modes: - " + english(fit.no_modes) + "\n";
     }
-    std::string text;
+    std::string text = "modes by falling ";
+    text += fit.mode_order == ModeOrder::decay ? "decay rate" : "frequency";
+    text += "\n";
     for (std::size_t k = 0; k < fit.modes.size(); ++k) {
         text += "mode " + std::to_string(k + 1) + "\n";
         for (const ModeParameter& parameter : mode_parameters) {
@@ -81,6 +142,8 @@ std::string run_text(const IdentifiedInput& input, const IdentifiedRun& run,
            line("a_A", text_of(estimate.a_A, "")) + line("a_B", text_of(estimate.a_B, "")) +
            line("two_theta_A", text_in_degrees(estimate.two_theta_A_rad)) +
            line("split_sin", text_of(estimate.split_sin_hz, "Hz")) +
+           line("f of this direction", text_of(estimate.direction_f_hz, "Hz")) +
+           line("tau of this direction", text_of(estimate.direction_tau_s, "s")) +
            line("q_envelope", text_of(estimate.q_envelope, "")) +
            line("drift", text_of(estimate.drift_hz_per_s, "Hz/s"));
 }
@@ -101,20 +164,35 @@ std::string drift_text(const Identification& identification) {
     return text;
 }
 
-std::string difference_text(const Difference& difference) {
-    if (difference.verdict == Verdict::not_comparable) {
-        const bool then = difference.then.given();
-        return line(label_of(difference.name),
-                    std::string(verdict_name(difference.verdict)) + ": " +
-                        (then ? "now: " : "in the passport: ") +
-                        english(then ? difference.now.reason : difference.then.reason));
+// "+2.1 %", or ppm where there is less; with a comma before it, empty where it says nothing.
+std::string relative_text(double relative) {
+    if (std::isnan(relative)) {
+        return "";
     }
-    const Estimate change{difference.change, difference.sd, {}};
+    const bool small = std::abs(relative) < 1e-4;
+    const std::string text = short_text(relative * (small ? 1e6 : 1e2), 3);
+    return std::string(" (") + (relative > 0 ? "+" : "") + text + (small ? " ppm)" : " %)");
+}
+
+std::string difference_text(const Difference& difference) {
+    const std::string verdict = std::string(verdict_name(difference.verdict)) + ": ";
+    if (difference.verdict == Verdict::not_comparable) {
+        return line(label_of(difference.name), verdict + incomparable_text(difference));
+    }
+    const Estimate change{difference.change, difference.u, {}};
     const bool angle = std::string_view(difference.unit) == "rad";
-    return line(label_of(difference.name),
-                std::string(verdict_name(difference.verdict)) + ": by " +
-                    (angle ? text_in_degrees(change) : text_of(change, difference.unit)) + ", " +
-                    short_text(difference.deviations(), 3) + " standard deviations");
+    std::string text =
+        verdict + "by " + (angle ? text_in_degrees(change) : text_of(change, difference.unit)) +
+        relative_text(difference.relative) + ", " + short_text(difference.deviations(), 3) + " u";
+    if (difference.limit > 0 && std::abs(difference.change) <= difference.limit) {
+        text += ", within the limit of " + short_text(difference.limit, 3) + " " + difference.unit;
+    }
+    return line(label_of(difference.name), text);
+}
+
+std::size_t compared(const std::vector<Difference>& differences) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        differences, [](const auto& each) { return each.verdict != Verdict::not_comparable; }));
 }
 
 }  // namespace
@@ -124,12 +202,16 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
                           const PassportComparison* comparison) {
     const ResonatorFit& fit = identification.fit;
     std::string text;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+        text += wave_text(inputs[k], identification.runs[k].wave);
+    }
     if (fit.model == ResonatorModel::structured) {
         text += "resonator, structured model\n";
         for (const ResonatorParameter& parameter : resonator_parameters) {
             text += line(label_of(parameter.name),
                          parameter_text(parameter, fit.resonator.*parameter.member));
         }
+        text += sensitivities_text(fit);
     } else {
         text += "resonator, free model: " + english(Reason{ReasonCode::free_model, {}}) + "\n";
     }
@@ -138,10 +220,13 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
         text += run_text(inputs[k], identification.runs[k], fit.runs[k]);
     }
     text += drift_text(identification);
-    text += "residual rms " + short_text(fit.residual_rms, 4) + ", chi^2 per degree of freedom " +
+    text += "residual rms " + short_text(fit.residual_rms, 4) + ", " +
+            (fit.noise.white() ? "white" : "coloured") + ", chi^2 per degree of freedom " +
             short_text(fit.chi2_per_dof, 4) + "\n";
     if (comparison != nullptr) {
-        text += "compared with " + plain_text(comparison->file) + "\n";
+        text += "compared with " + plain_text(comparison->file) + ", changed from " +
+                short_text(changed_from(compared(comparison->differences)), 3) +
+                " u of the difference on\n";
         for (const Difference& difference : comparison->differences) {
             text += difference_text(difference);
         }

@@ -7,8 +7,9 @@
 
 namespace vybeg::cli {
 
-// The summary of an identification for people: resonator, modes, runs, drift function and, where
-// there is one, the comparison; every number with its standard deviation or its reason.
+// The summary of an identification for people: what each wave did, resonator, modes, runs, drift
+// function and, where there is one, the comparison; every number with its standard deviation, and u
+// where it differs, or its reason.
 std::string identify_text(std::span<const IdentifiedInput> inputs,
                           const Identification& identification,
                           const PassportComparison* comparison);

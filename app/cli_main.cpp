@@ -121,6 +121,7 @@ int main(int argc, char** argv) {
         ->required();
     add_inputs(*compare_command, comparison.inputs);
     add_identification(*compare_command, comparison);
+    add_compare_options(*compare_command, comparison.compare);
     add_log_options(*compare_command, log_options);
 
     SimulateRequest simulation;

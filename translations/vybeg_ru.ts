@@ -722,24 +722,32 @@
             <translation>Запись %1: добротность по огибающей, %2, и по когерентной подгонке, %3, расходятся больше чем на три стандартных отклонения: это не движение резонатора с постоянными параметрами.</translation>
         </message>
         <message>
-            <source>The damping was seen in one direction only: the decay time and Q are those of the wave as it stood, not the mean of both modes.</source>
-            <translation>Затухание видно только в одном направлении: постоянная времени и добротность относятся к волне, как она стояла, а не к среднему двух мод.</translation>
-        </message>
-        <message>
-            <source>The channels are no calibrated pair of pick-offs: the free model fits significantly better (likelihood ratio %1), and the axes of the resonator cannot be told.</source>
-            <translation>Каналы — не калиброванная пара датчиков: свободная модель подходит значимо лучше (отношение правдоподобия %1), и оси резонатора определить нельзя.</translation>
-        </message>
-        <message>
-            <source>The gain ratio of the channels was found from a turning wave on the assumption that the damping is the same in all directions.</source>
-            <translation>Отношение усилений каналов найдено по поворачивающейся волне в предположении, что затухание одинаково во всех направлениях.</translation>
-        </message>
-        <message>
             <source>The residual is above the noise of the windows (chi square per degree of freedom %1); the standard deviations are enlarged to match.</source>
             <translation>Остаток больше шума окон (хи-квадрат на степень свободы %1); стандартные отклонения соответственно увеличены.</translation>
         </message>
         <message>
             <source>The fit of the resonator stopped before it converged; its values are doubtful.</source>
             <translation>Подгонка резонатора остановилась, не сойдясь; её значения сомнительны.</translation>
+        </message>
+        <message>
+            <source>The damping was seen in one direction only: the recording&apos;s own decay time is given, not the resonator&apos;s.</source>
+            <translation>Затухание наблюдалось только в одном направлении: приводится время затухания самой записи, а не резонатора.</translation>
+        </message>
+        <message>
+            <source>The channels are no calibrated pair of pick-offs (%1): the free model gives the modes, and the resonator has no axes.</source>
+            <translation>Каналы — не откалиброванная пара датчиков (%1): свободная модель даёт моды, осей у резонатора нет.</translation>
+        </message>
+        <message>
+            <source>The residual is below the noise of the windows (chi square per degree of freedom %1): the standard deviations are too large.</source>
+            <translation>Невязка меньше шума окон (хи-квадрат на степень свободы %1): СКО завышены.</translation>
+        </message>
+        <message>
+            <source>The residual is not white (chi square per degree of freedom %1); the standard deviations follow its spectrum.</source>
+            <translation>Невязка не белая (хи-квадрат на степень свободы %1); СКО взяты по её спектру.</translation>
+        </message>
+        <message>
+            <source>The noise about the carrier is as narrow as the residual can show. Noise narrower than %1 Hz looks like the wave itself: the standard deviations may be too small. Record longer, or repeat the recording.</source>
+            <translation>Шум около несущей настолько узок, насколько это видно по невязке. Шум уже %1 Гц неотличим от самой волны: СКО могут быть занижены. Нужна более длинная запись или повторная.</translation>
         </message>
     </context>
     <context>
@@ -760,10 +768,6 @@
             <translation>Волна почти неподвижна, поэтому видно одно направление резонатора и никакое другое. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
         </message>
         <message>
-            <source>The difference between the modes, %1, is less than five of its standard deviations, %2: it has no axis that could be told.</source>
-            <translation>Различие мод, %1, меньше пяти своих стандартных отклонений, %2: его ось определить нельзя.</translation>
-        </message>
-        <message>
             <source>At one angle a rotation and a damping anisotropy turn the wave alike. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
             <translation>При одном угле вращение и анизотропия затухания поворачивают волну одинаково. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
         </message>
@@ -776,10 +780,6 @@
             <translation>Две моды не различить.</translation>
         </message>
         <message>
-            <source>No decay is seen: 1/tau is %1 with a standard deviation of %2 1/s. Record longer.</source>
-            <translation>Затухание не видно: 1/tau равно %1 при стандартном отклонении %2 1/с. Запишите дольше.</translation>
-        </message>
-        <message>
             <source>A circular wave has no angle.</source>
             <translation>У круговой волны нет угла.</translation>
         </message>
@@ -788,36 +788,56 @@
             <translation>Волны стоят под слишком малым числом углов для дрейфа как функции угла: нужны три пуска через 22,5 градуса или больше либо волна, которая поворачивается.</translation>
         </message>
         <message>
-            <source>The motion tells one number of the channels, which is taken as their gain ratio. A wrong angle between the pick-offs, or a delay between the channels, looks like it or like an anisotropy.</source>
-            <translation>Движение сообщает о каналах одно число, оно принимается за отношение их усилений. Неверный угол между датчиками или запаздывание между каналами выглядят как оно или как анизотропия.</translation>
-        </message>
-        <message>
-            <source>The wave turns through %1 degrees; %2 are needed to see the gain ratio of the channels.</source>
-            <translation>Волна поворачивается на %1 градусов; чтобы увидеть отношение усилений каналов, нужно %2.</translation>
-        </message>
-        <message>
-            <source>In a turning wave a gain ratio of the channels and a damping anisotropy look the same, and only one of them is found here.</source>
-            <translation>В поворачивающейся волне отношение усилений каналов и анизотропия затухания выглядят одинаково, и здесь найдено только одно из них.</translation>
-        </message>
-        <message>
-            <source>This motion does not show the gain ratio of the channels.</source>
-            <translation>Это движение не показывает отношения усилений каналов.</translation>
-        </message>
-        <message>
-            <source>Its estimate was switched off.</source>
-            <translation>Его оценка выключена.</translation>
-        </message>
-        <message>
-            <source>Within this decay a dependence on the amplitude cannot be told from a drift with time.</source>
-            <translation>В пределах этого выбега зависимость от амплитуды не отличить от ухода со временем.</translation>
-        </message>
-        <message>
-            <source>The residual comes from elsewhere: this term would follow it without explaining it.</source>
-            <translation>Остаток другого происхождения: этот член следовал бы ему, не объясняя его.</translation>
-        </message>
-        <message>
             <source>This recording has too few windows for it.</source>
             <translation>В этой записи для этого слишком мало окон.</translation>
+        </message>
+        <message>
+            <source>The difference between the modes is within its noise: it is at most %1 %2, and has no axis.</source>
+            <translation>Разность мод в пределах её шума: она не больше %1 %2 и оси не имеет.</translation>
+        </message>
+        <message>
+            <source>The decay is within its noise: tau is at least %1 s. Record longer.</source>
+            <translation>Затухание в пределах его шума: τ не меньше %1 с. Нужна более длинная запись.</translation>
+        </message>
+        <message>
+            <source>In a turning wave a gain ratio of the channels and a damping anisotropy look the same. Calibrate the channels and state their tolerance, or add recordings that start at other angles.</source>
+            <translation>У поворачивающейся волны отношение усилений каналов и разнодобротность неразличимы. Откалибруйте каналы и задайте их допуск или добавьте записи, начатые под другими углами.</translation>
+        </message>
+        <message>
+            <source>The recordings hardly narrow the stated tolerance: the value is as given.</source>
+            <translation>Записи почти не уточняют заданный допуск: остаётся заданное значение.</translation>
+        </message>
+        <message>
+            <source>Taken as zero, because no tolerance is given for it; the sensitivities say what it would change.</source>
+            <translation>Принято за нуль, так как допуск не задан; что изменилось бы, показывают чувствительности.</translation>
+        </message>
+        <message>
+            <source>The phasors need no dependence on the amplitude: it is at most %1 %2.</source>
+            <translation>Зависимость от амплитуды по записям не нужна: она не больше %1 %2.</translation>
+        </message>
+        <message>
+            <source>A drift of the frequency looks like the motion itself in this recording.</source>
+            <translation>В этой записи уход частоты неотличим от самого движения.</translation>
+        </message>
+        <message>
+            <source>The decay is hardly above its noise: tau lies between %1 s and %2 s.</source>
+            <translation>Затухание едва выше его шума: τ лежит между %1 с и %2 с.</translation>
+        </message>
+        <message>
+            <source>The wave grows, at a rate of %1 1/s (standard deviation %2).</source>
+            <translation>Волна растёт со скоростью %1 1/с (СКО %2).</translation>
+        </message>
+        <message>
+            <source>It depends on parameters of the resonator that these recordings do not show.</source>
+            <translation>Зависит от параметров резонатора, которых эти записи не показывают.</translation>
+        </message>
+        <message>
+            <source>It belongs to one direction, and no recording of the other side starts within 3 degrees of it.</source>
+            <translation>Относится к одному направлению, а с другой стороны нет записи, начатой не дальше 3 градусов от него.</translation>
+        </message>
+        <message>
+            <source>The modes of both sides are not named by the same: one by frequency, the other by decay.</source>
+            <translation>Моды двух сторон названы по-разному: одни по частоте, другие по затуханию.</translation>
         </message>
     </context>
     <context>
@@ -1035,10 +1055,6 @@
             <translation>Вывод</translation>
         </message>
         <message>
-            <source>Difference, sd</source>
-            <translation>Разность, СКО</translation>
-        </message>
-        <message>
             <source>Passport</source>
             <translation>Паспорт</translation>
         </message>
@@ -1085,6 +1101,86 @@
         <message>
             <source>Amplitude dependence β</source>
             <translation>Зависимость от амплитуды β</translation>
+        </message>
+        <message>
+            <source>Difference, u</source>
+            <translation>Разность, u</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>Разность</translation>
+        </message>
+        <message>
+            <source>Relative</source>
+            <translation>Относительно</translation>
+        </message>
+        <message>
+            <source>Run %1: %2 of its direction</source>
+            <translation>Пуск %1: %2 его направления</translation>
+        </message>
+        <message>
+            <source>Frequency of the wave</source>
+            <translation>Частота волны</translation>
+        </message>
+        <message>
+            <source>Mean rate of its phase, by power of both channels</source>
+            <translation>Средняя скорость её фазы по мощности обоих каналов</translation>
+        </message>
+        <message>
+            <source>Decay time of the wave</source>
+            <translation>Время затухания волны</translation>
+        </message>
+        <message>
+            <source>Of √(a_A² + a_B²)</source>
+            <translation>По √(a_A² + a_B²)</translation>
+        </message>
+        <message>
+            <source>Turn rate dθ_A/dt</source>
+            <translation>Скорость поворота dθ_A/dt</translation>
+        </message>
+        <message>
+            <source>Mean rate of the angle of the working wave</source>
+            <translation>Средняя скорость угла рабочей волны</translation>
+        </message>
+        <message>
+            <source>Quadrature growth d(a_B/a_A)/dt</source>
+            <translation>Рост квадратуры d(a_B/a_A)/dt</translation>
+        </message>
+        <message>
+            <source>Mean rate of the ratio of both waves</source>
+            <translation>Средняя скорость отношения двух волн</translation>
+        </message>
+        <message>
+            <source>0.1° of skew</source>
+            <translation>0,1° неортогон.</translation>
+        </message>
+        <message>
+            <source>10 ns of delay</source>
+            <translation>10 нс запаздывания</translation>
+        </message>
+        <message>
+            <source>10⁻⁴ rad of phase drift</source>
+            <translation>10⁻⁴ рад ухода фазы</translation>
+        </message>
+        <message>
+            <source>10⁻⁴ of gain drift</source>
+            <translation>10⁻⁴ ухода усиления</translation>
+        </message>
+        <message>
+            <source>0.001 of κ</source>
+            <translation>0,001 κ</translation>
+        </message>
+        <message>
+            <source>f of this direction</source>
+            <translation>f этого направления</translation>
+        </message>
+        <message>
+            <source>Of a wave that stays in the direction in which this one starts</source>
+            <translation>Волны, которая остаётся в том направлении, в котором эта начинается</translation>
+        </message>
+        <message>
+            <source>τ of this direction</source>
+            <translation>τ этого направления</translation>
         </message>
     </context>
     <context>
@@ -1233,6 +1329,90 @@
         <message>
             <source>Where the recording check finds lost samples, as many missing ones are put in, so that time runs on behind them. Windows over them have no values.</source>
             <translation>Там, где проверка записи находит потерянные отсчёты, вставляется столько же отсутствующих, и время за ними идёт верно. Окна над ними остаются без значений.</translation>
+        </message>
+        <message>
+            <source>κ ±</source>
+            <translation>κ ±</translation>
+        </message>
+        <message>
+            <source>How well the gain ratio is known: relative standard deviation. Empty: 0.01, or exact where κ is not 1.</source>
+            <translation>Насколько точно известно отношение усилений: относительное СКО. Пусто: 0,01, а если κ не равно 1 — точно.</translation>
+        </message>
+        <message>
+            <source>Tolerance of the gain ratio</source>
+            <translation>Допуск отношения усилений</translation>
+        </message>
+        <message>
+            <source>Skew ε ±</source>
+            <translation>Неортогон. ε ±</translation>
+        </message>
+        <message>
+            <source>Non-orthogonality of the pick-offs: D holds sin ε of C. 0: none.</source>
+            <translation>Неортогональность датчиков: в D входит sin ε от C. 0: её нет.</translation>
+        </message>
+        <message>
+            <source>Tolerance of the non-orthogonality</source>
+            <translation>Допуск неортогональности</translation>
+        </message>
+        <message>
+            <source>Delay ±</source>
+            <translation>Задержка ±</translation>
+        </message>
+        <message>
+            <source>ns</source>
+            <translation>нс</translation>
+        </message>
+        <message>
+            <source>Of D against C, beyond the delay above. 0: exact.</source>
+            <translation>D относительно C сверх задержки, заданной выше. 0: точно.</translation>
+        </message>
+        <message>
+            <source>Tolerance of the delay</source>
+            <translation>Допуск задержки</translation>
+        </message>
+        <message>
+            <source>Crosstalk ±</source>
+            <translation>Помеха C→D ±</translation>
+        </message>
+        <message>
+            <source>Of C into D with its phase turned by 90 degrees, relative. 0: none.</source>
+            <translation>Проникание C в D со сдвигом фазы на 90 градусов, относительное. 0: его нет.</translation>
+        </message>
+        <message>
+            <source>Tolerance of the crosstalk</source>
+            <translation>Допуск проникания</translation>
+        </message>
+        <message>
+            <source>Phase drift ±</source>
+            <translation>Уход фазы ±</translation>
+        </message>
+        <message>
+            <source>rad</source>
+            <translation>рад</translation>
+        </message>
+        <message>
+            <source>Of D against C over a recording, in proportion to time. 0: none.</source>
+            <translation>D относительно C за запись, пропорционально времени. 0: его нет.</translation>
+        </message>
+        <message>
+            <source>Tolerance of the phase drift</source>
+            <translation>Допуск ухода фазы</translation>
+        </message>
+        <message>
+            <source>Gain drift ±</source>
+            <translation>Уход усил. ±</translation>
+        </message>
+        <message>
+            <source>Of D against C over a recording, relative, in proportion to time. 0: none.</source>
+            <translation>D относительно C за запись, относительный, пропорционально времени. 0: его нет.</translation>
+        </message>
+        <message>
+            <source>Tolerance of the gain drift</source>
+            <translation>Допуск ухода усиления</translation>
+        </message>
+        <message>
+            <source>How well the channels are known, for u of the resonator:</source>
+            <translation>Насколько точно известны каналы (для u резонатора):</translation>
         </message>
     </context>
     <context>
@@ -2001,6 +2181,10 @@
             <source>Copy table</source>
             <translation>Копировать таблицу</translation>
         </message>
+        <message>
+            <source>u</source>
+            <translation>u</translation>
+        </message>
     </context>
     <context>
         <name>vybeg::ui::RangeFields</name>
@@ -2166,10 +2350,6 @@
             <translation>Набор или его параметры с тех пор изменились: идентифицируйте снова.</translation>
         </message>
         <message>
-            <source>Compared with %1. Changed: by three standard deviations of the difference or more.</source>
-            <translation>Сравнение с %1. «Изменился» — на три СКО разности или больше.</translation>
-        </message>
-        <message>
             <source>%1 is open: identify the set to compare.</source>
             <translation>Открыт %1: идентифицируйте набор, чтобы сравнить.</translation>
         </message>
@@ -2240,6 +2420,38 @@
         <message>
             <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator. Without what the quadrature adds</source>
             <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору. Без того, что добавляет квадратура</translation>
+        </message>
+        <message>
+            <source>Modes, by decay</source>
+            <translation>Моды, по затуханию</translation>
+        </message>
+        <message>
+            <source>Modes, by frequency</source>
+            <translation>Моды, по частоте</translation>
+        </message>
+        <message>
+            <source>Compared with %1. Changed: by %2 uncertainties u of the difference or more; by chance in one comparison of 370.</source>
+            <translation>Сравнение с %1. Изменился: от %2 неопределённостей u разности; случайно — в одном сравнении из 370.</translation>
+        </message>
+        <message>
+            <source>What the waves did</source>
+            <translation>Поведение волн</translation>
+        </message>
+        <message>
+            <source>Sensitivity to the channels</source>
+            <translation>Чувствительность к ошибкам каналов</translation>
+        </message>
+        <message>
+            <source>± is the statistical standard deviation; u, where it differs, holds the tolerances of the channels (Calibration) too. Errors of the channels without a tolerance count as none: the next table shows what they would change.</source>
+            <translation>± — статистическое СКО; u, если отличается, включает и допуски каналов (Калибровка). Ошибки каналов без допуска считаются отсутствующими: что они изменили бы, показывает следующая таблица.</translation>
+        </message>
+        <message>
+            <source>Frequencies change from</source>
+            <translation>Частоты изменились от</translation>
+        </message>
+        <message>
+            <source>Frequencies follow the temperature: smaller changes, in parts per million, are none of the gyro</source>
+            <translation>Частоты следуют за температурой: меньшие изменения, в миллионных долях, — не изменения гироскопа</translation>
         </message>
     </context>
     <context>

@@ -3,6 +3,7 @@
 #include "ui/error_text.h"
 #include "ui/parameter_text.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
@@ -27,10 +28,33 @@ QString deviationsText(double deviations) {
     return (deviations < 0 ? QChar(0x2212) : QLatin1Char('+')) + size;
 }
 
+// Of a difference, "runs[10].direction.f_hz".
+QString titleOfRun(const std::string& name) {
+    const auto digits = std::string("runs[").size();
+    return directionTitle(std::stoi(name.substr(digits)), name.substr(name.rfind('.') + 1));
+}
+
 QString titleOf(const Difference& difference) {
-    return difference.name.starts_with("modes[")
-               ? titleOfMode(difference.name)
+    if (difference.name.starts_with("modes[")) {
+        return titleOfMode(difference.name);
+    }
+    return difference.name.starts_with("runs[")
+               ? titleOfRun(difference.name)
                : shownAs(difference.name, difference.unit, {}).title;
+}
+
+// Percent, or ppm where there is less.
+QuantityCell relativeCell(double relative) {
+    if (std::isnan(relative)) {
+        return {QStringLiteral("—"), {QString()}, {}};
+    }
+    const bool small = std::abs(relative) < 1e-4;
+    QString text = QLocale().toString(std::abs(relative) * (small ? 1e6 : 1e2), 'g', 3);
+    if (relative != 0) {
+        text.prepend(relative < 0 ? QChar(0x2212) : QLatin1Char('+'));
+    }
+    return {
+        text + (small ? QStringLiteral(" ppm") : QStringLiteral(" %")), {exactText(relative)}, {}};
 }
 
 // Reasons stand below the table: in its narrow columns they would tear it apart.
@@ -59,6 +83,16 @@ QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
     return {QStringLiteral("? ") + word, {word}, theme.mutedText};
 }
 
+QString whyText(const Difference& difference) {
+    switch (difference.why) {
+        case Incomparable::now_unknown: return reasonText(difference.now.reason);
+        case Incomparable::then_unknown:
+            return resonatorText(QT_TRANSLATE_NOOP("Resonator", "in the passport: %1"))
+                .arg(reasonText(difference.then.reason));
+        default: return QCoreApplication::translate("Reason", message_template(difference.why));
+    }
+}
+
 }  // namespace
 
 QStringList incomparableTexts(const std::vector<Difference>& differences) {
@@ -67,13 +101,10 @@ QStringList incomparableTexts(const std::vector<Difference>& differences) {
         if (difference.verdict != Verdict::not_comparable) {
             continue;
         }
-        const bool then = difference.then.given();
-        const QString reason =
-            then ? reasonText(difference.now.reason)
-                 : resonatorText(QT_TRANSLATE_NOOP("Resonator", "in the passport: %1"))
-                       .arg(reasonText(difference.then.reason));
-        const QString symbol = difference.name.starts_with("modes[")
-                                   ? resonatorText("Modes")
+        const QString reason = whyText(difference);
+        const QString symbol = difference.name.starts_with("modes[") ? resonatorText("Modes")
+                               : difference.name.starts_with("runs[")
+                                   ? titleOf(difference)
                                    : titleOf(difference).section(QLatin1Char(' '), -1);
         const auto same =
             std::ranges::find(reasons, reason, &std::pair<QString, QStringList>::first);
@@ -92,7 +123,9 @@ QStringList incomparableTexts(const std::vector<Difference>& differences) {
 
 QStringList differenceHeaders() {
     return {resonatorText(QT_TRANSLATE_NOOP("Resonator", "Verdict")),
-            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Difference, sd")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Difference, u")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Difference")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Relative")),
             resonatorText(QT_TRANSLATE_NOOP("Resonator", "Passport")),
             resonatorText(QT_TRANSLATE_NOOP("Resonator", "Now"))};
 }
@@ -108,11 +141,13 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
         const QuantityCell deviations{known ? deviationsText(sds) : QStringLiteral("—"),
                                       {known ? exactText(sds) : QString()},
                                       {}};
+        const double factor = shown.factor;
+        const QuantityCell change = valueCell(factor * difference.change, factor * difference.u);
         rows.push_back(
             {withUnit(titleOf(difference), shown.unit),
              shown.tip,
-             {verdictCell(difference, theme), deviations, sideCell(difference.then, shown.factor),
-              sideCell(difference.now, shown.factor)}});
+             {verdictCell(difference, theme), deviations, change, relativeCell(difference.relative),
+              sideCell(difference.then, factor), sideCell(difference.now, factor)}});
     }
     return rows;
 }

@@ -9,7 +9,8 @@
 
 namespace vybeg::ui {
 
-// Of a comparison: verdict, difference in standard deviations, then, now.
+// Of a comparison: verdict, difference in combined uncertainties, in its unit and in percent, then,
+// now.
 QStringList differenceHeaders();
 std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
                                         const DisplayUnits& units, const Theme& theme);

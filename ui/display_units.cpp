@@ -119,10 +119,14 @@ bool isWrapped(SlowVariable variable) {
 }
 
 QString valueText(double value, double sd) {
+    return valueText(value, sd, std::numeric_limits<double>::quiet_NaN());
+}
+
+QString valueText(double value, double sd, double u) {
     if (!std::isfinite(value)) {
         return QStringLiteral("—");
     }
-    const QuantityText quantity = quantity_text(value, sd);
+    const QuantityText quantity = quantity_text(value, sd, u);
     const auto localised = [](const std::string& number) {
         QString text = QString::fromStdString(number);
         return text.replace('-', QChar(0x2212)).replace('.', QLocale().decimalPoint());
@@ -131,11 +135,14 @@ QString valueText(double value, double sd) {
     if (!quantity.sd.empty()) {
         text += QStringLiteral(" ± ") + localised(quantity.sd);
     }
-    if (quantity.exponent == 0) {
-        return text;
+    const QString power =
+        quantity.exponent == 0 ? QString() : QStringLiteral("·") + powerOfTen(quantity.exponent);
+    if (!power.isEmpty()) {
+        text = (quantity.sd.empty() ? text : QStringLiteral("(%1)").arg(text)) + power;
     }
-    return (quantity.sd.empty() ? text : QStringLiteral("(%1)").arg(text)) + QStringLiteral("·") +
-           powerOfTen(quantity.exponent);
+    return quantity.u.empty()
+               ? text
+               : QStringLiteral("%1 (u %2)").arg(text, localised(quantity.u) + power);
 }
 
 }  // namespace vybeg::ui

@@ -88,6 +88,9 @@ public:
     // step.
     const Settings& settings() const { return settings_; }
     void setSettings(const Settings& settings, int gesture = -1);
+    // How well the channels are known, a part of the identification alone; with undo and redo.
+    const Tolerance& tolerance() const { return tolerance_; }
+    void setTolerance(const Tolerance& tolerance);
     // What the program was started with: no undo step.
     void startWith(const Settings& settings);
     QUndoStack& undoStack() { return undo_; }
@@ -149,6 +152,9 @@ public:
     void savePassport(const QString& path, std::function<void(const Status&)> done);
     void openPassport(const QString& path);
     void closePassport();
+    // What counts as a change of the frequency, ppm.
+    void setFrequencyLimit(double ppm);
+    double frequencyLimit() const { return compare_.f_limit_ppm; }
     const OpenPassport* passport() const { return passport_ ? &*passport_ : nullptr; }
     // Of the current set's outcome from the passport; empty where one of them is missing.
     std::vector<Difference> differences() const;
@@ -216,6 +222,7 @@ private:
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
     int addRun(const Request& request, AnalysisOutcome outcome);
     void apply(const Settings& settings);
+    void apply(const Tolerance& tolerance);
     void requestDone(int key);
     QString freeName(const QString& wish) const;
     int freeStyle() const;
@@ -225,6 +232,7 @@ private:
     std::vector<RecordingEntry> recordings_;
     std::vector<RunEntry> runs_;
     Settings settings_;
+    Tolerance tolerance_;
     int current_ = 0;
     int last_id_ = 0;
     std::map<int, Request> requests_;  // by key, in the order of asking
@@ -238,8 +246,10 @@ private:
     int current_set_ = 0;
     int sets_made_ = 0;
     std::optional<OpenPassport> passport_;
+    CompareOptions compare_;
 
     friend class SettingsCommand;
+    friend class ToleranceCommand;
 };
 
 }  // namespace vybeg::ui

@@ -134,6 +134,7 @@ IdentifySettings Document::settingsOf(const RunSet& set) const {
     settings.signal.periods.reset();
     settings.signal.snap = false;
     settings.model = set.model;
+    settings.tolerance = tolerance_;
     return settings;
 }
 
@@ -251,10 +252,17 @@ void Document::closePassport() {
     emit passportChanged();
 }
 
+void Document::setFrequencyLimit(double ppm) {
+    if (ppm != compare_.f_limit_ppm) {
+        compare_.f_limit_ppm = ppm;
+        emit passportChanged();
+    }
+}
+
 std::vector<Difference> Document::differences() const {
     const RunSet* set = currentSet();
     const auto found = set ? outcome(*set) : nullptr;
-    return passport_ && found ? compare(passport_->passport, found->identification.fit)
+    return passport_ && found ? compare(passport_->passport, found->identification.fit, compare_)
                               : std::vector<Difference>();
 }
 

@@ -53,6 +53,12 @@ constexpr std::array<Texts, 12> parameter_texts{{
 
 static_assert(parameter_texts.size() == resonator_parameters.size());
 
+QString symbolOf(const std::string& parameter) {
+    return parameter == "f_hz"    ? QStringLiteral("f")
+           : parameter == "tau_s" ? QStringLiteral("τ")
+                                  : QStringLiteral("Q");
+}
+
 }  // namespace
 
 QString resonatorText(const char* text) {
@@ -82,16 +88,20 @@ QString exactText(double value) {
                              : QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
 }
 
-QuantityCell valueCell(double value, double sd) {
-    return {valueText(value, sd), {exactText(value), exactText(sd)}, {}};
+QuantityCell valueCell(double value, double sd, double u) {
+    return {valueText(value, sd, u), {exactText(value), exactText(sd), exactText(u)}, {}};
+}
+
+QuantityCell sentenceCell(const QString& text) {
+    return {text, {text, QString(), QString()}, {}};
 }
 
 QuantityCell cellOf(const Estimate& estimate, double factor) {
     if (!estimate.given()) {
-        const QString reason = reasonText(estimate.reason);
-        return {reason, {reason, QString()}, {}};
+        return sentenceCell(reasonText(estimate.reason));
     }
-    return valueCell(factor * estimate.value, std::abs(factor) * estimate.sd);
+    return valueCell(factor * estimate.value, std::abs(factor) * estimate.sd,
+                     std::abs(factor) * estimate.u);
 }
 
 Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& units) {
@@ -114,12 +124,16 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
     return shown;
 }
 
-// "Mode 1: f".
 QString modeTitle(int index, const std::string& parameter) {
-    const QString symbol = parameter == "f_hz"    ? QStringLiteral("f")
-                           : parameter == "tau_s" ? QStringLiteral("τ")
-                                                  : QStringLiteral("Q");
-    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "Mode %1: %2")).arg(index + 1).arg(symbol);
+    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "Mode %1: %2"))
+        .arg(index + 1)
+        .arg(symbolOf(parameter));
+}
+
+QString directionTitle(int index, const std::string& parameter) {
+    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "Run %1: %2 of its direction"))
+        .arg(index + 1)
+        .arg(symbolOf(parameter));
 }
 
 QString angleUnit(const DisplayUnits& units) {

@@ -4,6 +4,7 @@
 #include "ui/display_units.h"
 #include "ui/quantity_table.h"
 
+#include <limits>
 #include <string>
 
 namespace vybeg::ui {
@@ -20,8 +21,9 @@ struct Shown {
 
 Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& units);
 
-// "Mode 1: f" of a name of mode_parameters.
+// "Mode 1: f" of a name of mode_parameters, "Run 1: f of its direction".
 QString modeTitle(int index, const std::string& parameter);
+QString directionTitle(int index, const std::string& parameter);
 
 // A text of context "Resonator", and a unit as core/ names it, in the interface's language.
 QString resonatorText(const char* text);
@@ -30,7 +32,10 @@ QString withUnit(const QString& name, const QString& unit);
 
 // With all its digits, for a spreadsheet; empty for NaN.
 QString exactText(double value);
-QuantityCell valueCell(double value, double sd);
+QuantityCell valueCell(double value, double sd,
+                       double u = std::numeric_limits<double>::quiet_NaN());
+// A text among such cells.
+QuantityCell sentenceCell(const QString& text);
 // The value, or the sentence why there is none.
 QuantityCell cellOf(const Estimate& estimate, double factor = 1);
 

@@ -72,9 +72,12 @@ QString QuantityTable::tableText() const {
         if (rows_.front().cells[static_cast<std::size_t>(column)].exact.size() > 1) {
             head << tr("sd");
         }
+        if (rows_.front().cells[static_cast<std::size_t>(column)].exact.size() > 2) {
+            head << tr("u");
+        }
     }
     if (headers_.isEmpty()) {
-        head << tr("value") << tr("sd");
+        head << tr("value") << tr("sd") << tr("u");
     }
     lines << head.join(QLatin1Char('\t'));
     for (const QuantityRow& row : rows_) {

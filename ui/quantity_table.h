@@ -14,8 +14,10 @@ namespace vybeg::ui {
 // A cell: what is shown, and what it is as text for a spreadsheet, with all its digits.
 struct QuantityCell {
     QString text;
-    QStringList exact;  // value and standard deviation, or one text; alike in all rows of a column
-    QColor color;       // of the text; invalid: the usual one
+    // Value, standard deviation and combined uncertainty, or one text; alike in all rows of a
+    // column.
+    QStringList exact;
+    QColor color;  // of the text; invalid: the usual one
 };
 
 struct QuantityRow {

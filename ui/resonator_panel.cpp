@@ -1,6 +1,7 @@
 #include "ui/resonator_panel.h"
 
 #include "ui/difference_text.h"
+#include "ui/number_field.h"
 #include "ui/quantity_table.h"
 #include "ui/resonator_text.h"
 #include "ui/rich_text.h"
@@ -10,11 +11,14 @@
 
 #include <QComboBox>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace vybeg::ui {
 
@@ -38,12 +42,22 @@ QString paragraphs(const QStringList& texts, const QString& form) {
     return html;
 }
 
-QStringList runNames(const ResonatorOutcome& outcome) {
+// Names of the recordings; a mark stands at those that a warning above the tables is about.
+QStringList markedNames(const ResonatorOutcome& outcome) {
     QStringList names;
-    for (const IdentifiedInput& input : outcome.inputs) {
-        names << QString::fromStdString(input.name);
+    for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
+        const bool warned = !outcome.identification.runs[k].diagnostics.empty();
+        names << (warned ? QStringLiteral("⚠ ") : QString()) +
+                     QString::fromStdString(outcome.inputs[k].name);
     }
     return names;
+}
+
+double changedFrom(const std::vector<Difference>& differences) {
+    const auto compared = std::ranges::count_if(differences, [](const Difference& each) {
+        return each.verdict != Verdict::not_comparable;
+    });
+    return changed_from(static_cast<std::size_t>(compared));
 }
 
 }  // namespace
@@ -74,7 +88,10 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
                 [this, made] { emit exportWanted(made->content(), made->size()); });
         return made;
     };
-    resonator_section_ = addSection(*column, {resonator_ = table("resonator")});
+    waves_section_ = addSection(*column, {waves_ = table("waves")});
+    statistical_ = sentence(content);
+    resonator_section_ = addSection(*column, {resonator_ = table("resonator"), statistical_});
+    sensitivities_section_ = addSection(*column, {sensitivities_ = table("sensitivities")});
     modes_section_ = addSection(*column, {modes_ = table("modes")});
     runs_section_ = addSection(*column, {runs_ = table("runs")});
     drift_section_ =
@@ -83,10 +100,20 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
     passport_ = sentence(content);
     incomparable_ = sentence(content);
     close_passport_ = new QPushButton(content);
+    auto* limit = new QWidget(content);
+    limit_label_ = new QLabel(limit);
+    limit_ = new NumberField(limit);
+    limit_->setLimits(0, 1e6);
+    limit_->setUnit(QStringLiteral("ppm"));
+    limit_label_->setBuddy(limit_);
+    auto* limit_line = new QHBoxLayout(limit);
+    limit_line->setContentsMargins(6, 0, 6, 0);
+    limit_line->addWidget(limit_label_);
+    limit_line->addWidget(limit_, 1);
     track_choice_ = new QComboBox(content);
     track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
     comparison_section_ =
-        addSection(*column, {passport_, differences_ = table("differences"), incomparable_,
+        addSection(*column, {passport_, limit, differences_ = table("differences"), incomparable_,
                              track_choice_, tracks_ = plot("tracks"), close_passport_});
     column->addStretch(1);
 
@@ -103,6 +130,8 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
     layout->addWidget(scroll, 1);
 
     connect(close_passport_, &QPushButton::clicked, &document_, &Document::closePassport);
+    connect(limit_, &NumberField::valueEdited, this,
+            [this](auto ppm) { document_.setFrequencyLimit(*ppm); });
     connect(track_choice_, &QComboBox::activated, this, &ResonatorPanel::rebuild);
     connect(&document_, &Document::setsChanged, this, &ResonatorPanel::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResonatorPanel::refresh);
@@ -156,8 +185,8 @@ void ResonatorPanel::rebuild() {
     const RunSet* set = document_.currentSet();
     shown_ = set ? document_.outcome(*set) : nullptr;
     showState(set, shown_.get());
-    for (Section* section :
-         {resonator_section_, modes_section_, runs_section_, drift_section_, balance_section_}) {
+    for (Section* section : {waves_section_, resonator_section_, sensitivities_section_,
+                             modes_section_, runs_section_, drift_section_, balance_section_}) {
         section->setVisible(shown_ != nullptr);
     }
     warnings_->hide();
@@ -194,16 +223,28 @@ void ResonatorPanel::showResult(const ResonatorOutcome& outcome) {
     const QStringList warnings = warningTexts(outcome);
     warnings_->setText(paragraphs(warnings, QStringLiteral("⚠ %1")));
     warnings_->setVisible(!warnings.isEmpty());
+    waves_->setContent(markedNames(outcome), waveRows(found, units_));
     const auto rows = resonatorRows(found, units_);
     resonator_->setContent({}, rows);
     resonator_section_->setVisible(!rows.empty());
+    const auto sensitivities = sensitivityRows(found, units_);
+    sensitivities_->setContent(sensitivityHeaders(), sensitivities);
+    sensitivities_section_->setVisible(!sensitivities.empty());
+    modes_section_->setTitle(modesTitle(found.fit));
     modes_->setContent({}, modeRows(found.fit));
-    runs_->setContent(runNames(outcome), runRows(found, units_));
+    runs_->setContent(markedNames(outcome), runRows(found, units_));
     drift_plot_->setContent(driftPlot(outcome, units_));
     drift_section_->setVisible(found.fit.model == ResonatorModel::structured);
     drift_->setContent({}, driftRows(found, units_));
     balance_plot_->setContent(balancePlot(outcome));
     balance_section_->setVisible(!found.balance.empty());
+}
+
+QString ResonatorPanel::modesTitle(const ResonatorFit& fit) {
+    if (fit.modes.empty()) {
+        return tr("Modes");
+    }
+    return fit.mode_order == ModeOrder::decay ? tr("Modes, by decay") : tr("Modes, by frequency");
 }
 
 void ResonatorPanel::showDifferences(const ResonatorOutcome* outcome) {
@@ -213,11 +254,13 @@ void ResonatorPanel::showDifferences(const ResonatorOutcome* outcome) {
         return;
     }
     const QString name = passport->name.toHtmlEscaped();
-    passport_->setText(outcome ? tr("Compared with %1. Changed: by three standard deviations of "
-                                    "the difference or more.")
-                                     .arg(name)
-                               : tr("%1 is open: identify the set to compare.").arg(name));
     const std::vector<Difference> differences = document_.differences();
+    passport_->setText(outcome
+                           ? tr("Compared with %1. Changed: by %2 uncertainties u of the "
+                                "difference or more; by chance in one comparison of 370.")
+                                 .arg(name, QLocale().toString(changedFrom(differences), 'f', 1))
+                           : tr("%1 is open: identify the set to compare.").arg(name));
+    limit_->setValue(document_.frequencyLimit());
     const QStringList reasons = incomparableTexts(differences);
     for (QWidget* part : std::initializer_list<QWidget*>{differences_, track_choice_, tracks_}) {
         part->setVisible(outcome != nullptr);
@@ -244,12 +287,23 @@ void ResonatorPanel::retranslate() {
         section->setTitle(title);
         widget->setAccessibleName(title);
     };
+    name(waves_section_, waves_, tr("What the waves did"));
     name(resonator_section_, resonator_, tr("Resonator"));
+    name(sensitivities_section_, sensitivities_, tr("Sensitivity to the channels"));
     name(modes_section_, modes_, tr("Modes"));
     name(runs_section_, runs_, tr("Runs of the set"));
     name(drift_section_, drift_plot_, tr("Drift function"));
     name(balance_section_, balance_plot_, tr("Channel balance, condition (30)"));
     name(comparison_section_, differences_, tr("Comparison with the passport"));
+    statistical_->setText(
+        tr("± is the statistical standard deviation; u, where it differs, holds the tolerances of "
+           "the channels (Calibration) too. Errors of the channels without a tolerance count as "
+           "none: the next table shows what they would change."));
+    limit_label_->setText(tr("Frequencies change from"));
+    limit_->setAccessibleName(tr("Frequencies change from"));
+    limit_->setToolTip(
+        richTip(tr("Frequencies follow the temperature: smaller changes, in parts per million, are "
+                   "none of the gyro")));
     drift_->setAccessibleName(tr("Harmonics of the drift function"));
     drift_plot_->setToolTip(
         richTip(tr("Drift of the wave angle against the angle: measured points with their standard "

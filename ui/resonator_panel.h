@@ -14,6 +14,7 @@ class QVBoxLayout;
 
 namespace vybeg::ui {
 
+class NumberField;
 class QuantityTable;
 class Section;
 class SetPanel;
@@ -49,6 +50,7 @@ private:
     void showState(const RunSet* set, const ResonatorOutcome* outcome);
     void showDifferences(const ResonatorOutcome* outcome);
     void retranslate();
+    static QString modesTitle(const ResonatorFit& fit);
 
     Document& document_;
     DisplayUnits units_;
@@ -57,7 +59,10 @@ private:
     SetPanel* set_;
     QLabel* state_;
     QLabel* warnings_;
+    QuantityTable* waves_;
     QuantityTable* resonator_;
+    QLabel* statistical_;
+    QuantityTable* sensitivities_;
     QuantityTable* modes_;
     QuantityTable* runs_;
     XYPlotView* drift_plot_;
@@ -69,7 +74,11 @@ private:
     QuantityTable* differences_;
     QComboBox* track_choice_;
     XYPlotView* tracks_;
+    QLabel* limit_label_;
+    NumberField* limit_;
+    Section* waves_section_;
     Section* resonator_section_;
+    Section* sensitivities_section_;
     Section* modes_section_;
     Section* runs_section_;
     Section* drift_section_;

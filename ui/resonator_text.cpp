@@ -2,17 +2,23 @@
 
 #include "core/report/identify_json.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/run_parameters.h"
 #include "ui/error_text.h"
 #include "ui/parameter_text.h"
 
 #include <QLocale>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace vybeg::ui {
 
 namespace {
+
+// A change of a parameter, in its standard deviations, that is not worth its digits.
+constexpr double negligible = 0.01;
 
 // One sentence is enough for all the numbers that lack for the same reason.
 void sayOnce(std::vector<QuantityRow>& rows) {
@@ -28,6 +34,16 @@ void sayOnce(std::vector<QuantityRow>& rows) {
             }
         }
     }
+}
+
+// A number without a deviation of its own.
+QString threeDigits(double value) {
+    const double size = std::abs(value);
+    if (!std::isfinite(value) || size == 0) {
+        return valueText(value, std::numeric_limits<double>::quiet_NaN());
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+    return valueText(std::round(value / unit) * unit, std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
@@ -47,13 +63,80 @@ std::vector<QuantityRow> resonatorRows(const Identification& found, const Displa
     return rows;
 }
 
+std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnits& units) {
+    // As wave_parameters.
+    static constexpr std::array<std::pair<const char*, const char*>, 4> texts{{
+        {QT_TRANSLATE_NOOP("Resonator", "Frequency of the wave"),
+         QT_TRANSLATE_NOOP("Resonator", "Mean rate of its phase, by power of both channels")},
+        {QT_TRANSLATE_NOOP("Resonator", "Decay time of the wave"),
+         QT_TRANSLATE_NOOP("Resonator", "Of √(a_A² + a_B²)")},
+        {QT_TRANSLATE_NOOP("Resonator", "Turn rate dθ_A/dt"),
+         QT_TRANSLATE_NOOP("Resonator", "Mean rate of the angle of the working wave")},
+        {QT_TRANSLATE_NOOP("Resonator", "Quadrature growth d(a_B/a_A)/dt"),
+         QT_TRANSLATE_NOOP("Resonator", "Mean rate of the ratio of both waves")},
+    }};
+    static_assert(texts.size() == wave_parameters.size());
+    std::vector<QuantityRow> rows;
+    for (std::size_t k = 0; k < wave_parameters.size(); ++k) {
+        const WaveParameter& parameter = wave_parameters[k];
+        const bool rate = QLatin1String(parameter.unit) == QLatin1String("rad/s");
+        const QString unit = rate ? angleRateUnit(units) : unitText(parameter.unit);
+        QuantityRow row{
+            withUnit(resonatorText(texts[k].first), unit), resonatorText(texts[k].second), {}};
+        for (const IdentifiedRun& run : found.runs) {
+            row.cells.push_back(
+                cellOf(run.wave.*parameter.member, rate ? angleRateFactor(units) : 1));
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+QStringList sensitivityHeaders() {
+    // As usual_errors.
+    static constexpr std::array<const char*, 5> texts{
+        QT_TRANSLATE_NOOP("Resonator", "0.1° of skew"),
+        QT_TRANSLATE_NOOP("Resonator", "10 ns of delay"),
+        QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ rad of phase drift"),
+        QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of gain drift"),
+        QT_TRANSLATE_NOOP("Resonator", "0.001 of κ"),
+    };
+    static_assert(texts.size() == usual_errors.size());
+    QStringList headers;
+    for (const char* text : texts) {
+        headers << resonatorText(text);
+    }
+    return headers;
+}
+
+std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units) {
+    std::vector<QuantityRow> rows;
+    const ResonatorFit& fit = found.fit;
+    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
+        const ResonatorParameter& parameter = resonator_parameters[k];
+        const Estimate& estimate = fit.resonator.*parameter.member;
+        if (!estimate.given()) {
+            continue;
+        }
+        const Shown shown = shownAs(parameter.name, parameter.unit, units);
+        QuantityRow row{withUnit(shown.title, shown.unit), shown.tip, {}};
+        for (const UsualError& error : usual_errors) {
+            const double change = shown.factor * error.size * fit.sensitivities[k].*error.member;
+            const bool felt = std::abs(change) > negligible * shown.factor * estimate.sd;
+            row.cells.push_back(
+                {felt ? threeDigits(change) : QStringLiteral("≈ 0"), {exactText(change)}, {}});
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 std::vector<QuantityRow> modeRows(const ResonatorFit& fit) {
     std::vector<QuantityRow> rows;
     if (fit.modes.empty()) {
-        const QString reason = reasonText(fit.no_modes);
         rows.push_back({resonatorText(QT_TRANSLATE_NOOP("Resonator", "Modes")),
                         {},
-                        {{reason, {reason, QString()}, {}}}});
+                        {sentenceCell(reasonText(fit.no_modes))}});
         return rows;
     }
     for (std::size_t k = 0; k < fit.modes.size(); ++k) {
@@ -100,6 +183,16 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
         QT_TRANSLATE_NOOP("Resonator",
                           "What of the frequency split makes the quadrature of this run grow"),
         estimate(&RunEstimate::split_sin_hz, 1));
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "f of this direction")), hertz,
+        QT_TRANSLATE_NOOP("Resonator",
+                          "Of a wave that stays in the direction in which this one "
+                          "starts"),
+        estimate(&RunEstimate::direction_f_hz, 1));
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "τ of this direction")), unitText("s"),
+        QT_TRANSLATE_NOOP("Resonator",
+                          "Of a wave that stays in the direction in which this one "
+                          "starts"),
+        estimate(&RunEstimate::direction_tau_s, 1));
     add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q from the envelope")), {},
         QT_TRANSLATE_NOOP("Resonator", "Quality factor from the power of the waves alone"),
         estimate(&RunEstimate::q_envelope, 1));
@@ -126,7 +219,7 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
                                      .arg(locale.toString(static_cast<qint64>(run.windows_used)),
                                           locale.toString(static_cast<qint64>(run.windows)),
                                           locale.toString(static_cast<qint64>(run.window)));
-            return QuantityCell{text, {text, QString()}, {}};
+            return sentenceCell(text);
         });
     return rows;
 }
@@ -138,10 +231,9 @@ std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUni
                              QStringLiteral("cos 8θ_A"), QStringLiteral("sin 8θ_A")};
     std::vector<QuantityRow> rows;
     if (drift.order == 0) {
-        const QString reason = reasonText(no_drift_function(found));
         rows.push_back({resonatorText(QT_TRANSLATE_NOOP("Resonator", "Harmonics")),
                         {},
-                        {{reason, {reason, QString()}, {}}}});
+                        {sentenceCell(reasonText(no_drift_function(found)))}});
     }
     const double factor = angleRateFactor(units);
     for (Eigen::Index k = 0; k < drift.coefficients.size(); ++k) {

@@ -12,8 +12,13 @@ namespace vybeg::ui {
 // standard deviations, sentences where there is no value. Angles in the units of display, their
 // rates in rad/s or degrees per hour.
 
+// One column for each recording: what its wave did.
+std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnits& units);
 // One column: the value. Of the free model, none.
 std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units);
+// What usual errors of the channels would change, a column each; parameters that are given.
+QStringList sensitivityHeaders();
+std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units);
 // One column; one row with the reason where the modes cannot be told apart.
 std::vector<QuantityRow> modeRows(const ResonatorFit& fit);
 // One column for each recording.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/settings.h"
+#include "core/analysis/tolerance.h"
 #include "ui/number_field.h"
 
 #include <QWidget>
@@ -19,6 +20,7 @@ struct SettingsState {
     std::optional<double> f0_hz;    // carrier, typed or found
     std::optional<double> rate_hz;  // of the current recording
     std::optional<double> seconds;
+    Tolerance tolerance;
 };
 
 // One group of fields of the analysis panel. It shows a state and tells of edits; it keeps nothing

@@ -88,7 +88,8 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     add(range, QT_TR_NOOP("Range"), true);
     add(new CarrierFields(content), QT_TR_NOOP("Carrier and filter"), true);
     add(new StartFields(content), QT_TR_NOOP("Start values"), false);
-    add(new CalibrationFields(content), QT_TR_NOOP("Calibration"), false);
+    auto* calibration = new CalibrationFields(content);
+    add(calibration, QT_TR_NOOP("Calibration"), false);
     sections_->addStretch(1);
 
     auto* scroll = new QScrollArea(this);
@@ -119,6 +120,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
         document_.setSettings(settings);
     });
     connect(range, &RangeFields::visibleRangeWanted, this, &SettingsPanel::visibleRangeWanted);
+    connect(calibration, &CalibrationFields::toleranceEdited, &document_, &Document::setTolerance);
     connect(run_, &QPushButton::clicked, &document_, &Document::analyse);
     connect(live_, &QCheckBox::toggled, &document_, &Document::setLive);
     connect(&document_, &Document::liveChanged, live_,
@@ -139,7 +141,8 @@ void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
 }
 
 void SettingsPanel::refresh() {
-    SettingsState state{document_.settings(), document_.carrier(), std::nullopt, std::nullopt};
+    SettingsState state{document_.settings(), document_.carrier(), std::nullopt, std::nullopt,
+                        document_.tolerance()};
     const RecordingEntry* entry = document_.currentRecording();
     if (entry && entry->recording) {
         state.rate_hz = entry->recording->rate_hz;

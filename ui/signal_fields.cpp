@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 
@@ -193,7 +194,69 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
         settings.repair_lost = wanted;
         emit edited(settings);
     });
+    addTolerances();
     retranslate();
+}
+
+void CalibrationFields::addTolerances() {
+    tolerances_title_ = new QLabel(this);
+    tolerances_title_->setWordWrap(true);
+    addWide(tolerances_title_);
+    kappa_tolerance_ = addField(
+        {QT_TR_NOOP("κ ±"), "",
+         QT_TR_NOOP("How well the gain ratio is known: relative standard deviation. Empty: 0.01, "
+                    "or exact where κ is not 1."),
+         QT_TR_NOOP("Tolerance of the gain ratio")});
+    kappa_tolerance_->setOptional(true);
+    kappa_tolerance_->setLimits(0, 1);
+    kappa_tolerance_->setStep(0.001);
+    connect(kappa_tolerance_, &NumberField::valueEdited, this, [this](auto value) {
+        Tolerance tolerance = state().tolerance;
+        tolerance.kappa = value;
+        emit toleranceEdited(tolerance);
+    });
+    const auto add = [this](const Texts& texts, double Tolerance::*member, double scale,
+                            double most, double step) {
+        NumberField* field = addField(texts);
+        field->setLimits(0, most);
+        field->setStep(step);
+        tolerances_.push_back({field, member, scale});
+        connect(field, &NumberField::valueEdited, this, [this, member, scale](auto value) {
+            Tolerance tolerance = state().tolerance;
+            tolerance.*member = *value * scale;
+            emit toleranceEdited(tolerance);
+        });
+    };
+    add({QT_TR_NOOP("Skew ε ±"), QT_TR_NOOP("°"),
+         QT_TR_NOOP("Non-orthogonality of the pick-offs: D holds sin ε of C. 0: none."),
+         QT_TR_NOOP("Tolerance of the non-orthogonality")},
+        &Tolerance::skew_deg, 1, 45, 0.1);
+    add({QT_TR_NOOP("Delay ±"), QT_TR_NOOP("ns"),
+         QT_TR_NOOP("Of D against C, beyond the delay above. 0: exact."),
+         QT_TR_NOOP("Tolerance of the delay")},
+        &Tolerance::delay_s, 1e-9, 1e9, 1);
+    add({QT_TR_NOOP("Crosstalk ±"), "",
+         QT_TR_NOOP("Of C into D with its phase turned by 90 degrees, relative. 0: none."),
+         QT_TR_NOOP("Tolerance of the crosstalk")},
+        &Tolerance::crosstalk, 1, 1, 1e-4);
+    add({QT_TR_NOOP("Phase drift ±"), QT_TR_NOOP("rad"),
+         QT_TR_NOOP("Of D against C over a recording, in proportion to time. 0: none."),
+         QT_TR_NOOP("Tolerance of the phase drift")},
+        &Tolerance::phase_drift_rad, 1, 1, 1e-4);
+    add({QT_TR_NOOP("Gain drift ±"), "",
+         QT_TR_NOOP("Of D against C over a recording, relative, in proportion to time. 0: none."),
+         QT_TR_NOOP("Tolerance of the gain drift")},
+        &Tolerance::gain_drift, 1, 1, 1e-4);
+}
+
+void CalibrationFields::showTolerances() {
+    const Tolerance& tolerance = state().tolerance;
+    kappa_tolerance_->setValue(tolerance.kappa);
+    const bool told = state().settings.calibration.kappa != 1;
+    kappa_tolerance_->setPlaceholderText(QLocale().toString(told ? 0.0 : 0.01));
+    for (const ToleranceField& each : tolerances_) {
+        each.field->setValue(tolerance.*each.member / each.scale);
+    }
 }
 
 void CalibrationFields::edit(double Calibration::*member, double value) {
@@ -209,10 +272,12 @@ void CalibrationFields::retranslate() {
     repair_lost_->setToolTip(
         tr("Where the recording check finds lost samples, as many missing ones are put in, so that "
            "time runs on behind them. Windows over them have no values."));
+    tolerances_title_->setText(tr("How well the channels are known, for u of the resonator:"));
     SettingsFields::retranslate();
 }
 
 void CalibrationFields::refresh() {
+    showTolerances();
     repair_lost_->setChecked(state().settings.repair_lost);
     const Calibration& calibration = state().settings.calibration;
     kappa_->setValue(calibration.kappa);

@@ -3,6 +3,7 @@
 #include "ui/settings_fields.h"
 
 class QCheckBox;
+class QLabel;
 class QPushButton;
 
 namespace vybeg::ui {
@@ -51,12 +52,15 @@ private:
     NumberField* filter_high_;
 };
 
-// What is known of the pick-offs.
+// What is known of the pick-offs, and how well.
 class CalibrationFields : public SettingsFields {
     Q_OBJECT
 
 public:
     explicit CalibrationFields(QWidget* parent = nullptr);
+
+signals:
+    void toleranceEdited(const Tolerance& tolerance);
 
 protected:
     void refresh() override;
@@ -64,6 +68,15 @@ protected:
 
 private:
     void edit(double Calibration::*member, double value);
+    void addTolerances();
+    void showTolerances();
+
+    // A field of a tolerance, in units of `scale`.
+    struct ToleranceField {
+        NumberField* field;
+        double Tolerance::*member;
+        double scale;
+    };
 
     NumberField* kappa_;
     NumberField* offset_c_;
@@ -72,6 +85,9 @@ private:
     QCheckBox* repair_lost_;
     NumberField* delay_;
     NumberField* angle_zero_;
+    QLabel* tolerances_title_;
+    NumberField* kappa_tolerance_;
+    std::vector<ToleranceField> tolerances_;
 };
 
 }  // namespace vybeg::ui

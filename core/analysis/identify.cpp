@@ -3,6 +3,7 @@
 #include "core/analysis/phasor_windows.h"
 #include "core/analysis/prepare.h"
 #include "core/base/number_text.h"
+#include "core/resonator/resonator_parameters.h"
 
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -99,11 +100,21 @@ ChannelTolerance tolerance_of(const IdentifySettings& settings,
             .gain_drift = tolerance.gain_drift};
 }
 
-// The fit sees D times the calibration's gain ratio.
-void refer_to_recorded(double calibrated, Estimate& kappa) {
+// The fit sees D over the calibration's gain ratio.
+void refer_to_recorded(double calibrated, ResonatorFit& fit) {
+    Estimate& kappa = fit.resonator.kappa;
     kappa.value *= calibrated;
     kappa.sd *= calibrated;
     kappa.u *= calibrated;
+    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
+        if (resonator_parameters[k].member == &ResonatorEstimate::kappa) {
+            ChannelSensitivity& by = fit.sensitivities[k];
+            for (double* each : {&by.kappa, &by.skew_deg, &by.delay_s, &by.crosstalk,
+                                 &by.phase_drift_rad, &by.gain_drift}) {
+                *each *= calibrated;
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -153,7 +164,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
         return fit.error();
     }
     found.fit = std::move(*fit);
-    refer_to_recorded(settings.signal.calibration.kappa, found.fit.resonator.kappa);
+    refer_to_recorded(settings.signal.calibration.kappa, found.fit);
     if (found.fit.model == ResonatorModel::structured) {
         found.drift = drift_function(phasors, found.fit);
         for (std::size_t k = 0; k < phasors.size(); ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/settings.h"
+#include "core/analysis/tolerance.h"
 #include "core/base/job_control.h"
 #include "core/recording/recording.h"
 #include "core/resonator/channel_balance.h"
@@ -15,20 +16,6 @@
 #include <vector>
 
 namespace vybeg {
-
-// How well the channels are known, in the units of the command line: standard deviations about the
-// calibrated pair. Zero: known exactly.
-struct Tolerance {
-    // Relative; none: 0.01, or 0 where the calibration tells a gain ratio other than 1.
-    std::optional<double> kappa;
-    double skew_deg = 0;
-    double delay_s = 0;
-    double crosstalk = 0;
-    double phase_drift_rad = 0;  // over a run
-    double gain_drift = 0;       // over a run
-
-    friend bool operator==(const Tolerance&, const Tolerance&) = default;
-};
 
 struct IdentifySettings {
     // Carrier, range, filter, calibration, periods, snap and threads; its algorithm, window, hop

@@ -4,12 +4,16 @@
 #include "core/report/quantity_json.h"
 #include "core/report/settings_text.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/run_parameters.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -71,15 +75,37 @@ Json residual_json(const Identification& identification) {
     return quantity_json({rms, rms / std::sqrt(2 * std::max(freedom, 1.0)), {}});
 }
 
+// The change of a parameter per unit of each channel error.
+Json sensitivity_json(const ChannelSensitivity& sensitivity) {
+    return {{"skew_deg", number_json(sensitivity.skew_deg)},
+            {"delay_s", number_json(sensitivity.delay_s)},
+            {"phase_drift_rad", number_json(sensitivity.phase_drift_rad)},
+            {"gain_drift", number_json(sensitivity.gain_drift)},
+            {"kappa", number_json(sensitivity.kappa)}};
+}
+
 Json resonator_json(const Identification& identification) {
     if (identification.fit.model == ResonatorModel::free) {
         return nullptr;
     }
     Json object;
-    for (const ResonatorParameter& parameter : resonator_parameters) {
-        object[parameter.name] = quantity_json(identification.fit.resonator.*parameter.member);
+    const ResonatorFit& fit = identification.fit;
+    for (std::size_t k = 0; k < resonator_parameters.size(); ++k) {
+        const Estimate& estimate = fit.resonator.*resonator_parameters[k].member;
+        Json& quantity = object[resonator_parameters[k].name] = quantity_json(estimate);
+        if (estimate.given() && k < fit.sensitivities.size()) {
+            quantity["sensitivity"] = sensitivity_json(fit.sensitivities[k]);
+        }
     }
     object["residual_rms"] = residual_json(identification);
+    return object;
+}
+
+Json wave_json(const WaveMotion& wave) {
+    Json object;
+    for (const WaveParameter& parameter : wave_parameters) {
+        object[parameter.name] = quantity_json(wave.*parameter.member);
+    }
     return object;
 }
 
@@ -89,11 +115,15 @@ Json runs_json(const Identification& identification, std::span<const IdentifiedI
         const RunEstimate& run = identification.fit.runs[k];
         const IdentifiedRun& input = identification.runs[k];
         list.push_back({{"name", inputs[k].name},
+                        {"wave", wave_json(input.wave)},
                         {"f_offset_hz", quantity_json(run.f_offset_hz)},
                         {"a_A", quantity_json(run.a_A)},
                         {"a_B", quantity_json(run.a_B)},
                         {"two_theta_A_rad", quantity_json(run.two_theta_A_rad)},
                         {"split_sin_hz", quantity_json(run.split_sin_hz)},
+                        {"direction",
+                         {{"f_hz", quantity_json(run.direction_f_hz)},
+                          {"tau_s", quantity_json(run.direction_tau_s)}}},
                         {"q_envelope", quantity_json(run.q_envelope)},
                         {"drift_hz_per_s", quantity_json(run.drift_hz_per_s)},
                         {"window_samples", input.window},
@@ -102,6 +132,35 @@ Json runs_json(const Identification& identification, std::span<const IdentifiedI
                         {"noise_sd", number_json(input.noise_sd)}});
     }
     return list;
+}
+
+// What the residual holds beside white noise, a line each for lines and 1/f of both channels and of
+// the phase alone: variance in units of the windows' white noise, half width weighted with it.
+Json noise_json(const ResidualNoise& noise) {
+    struct Sum {
+        double variance = 0;
+        double width = 0;
+    };
+    std::map<std::pair<bool, bool>, Sum> sums;  // by of_phase and 1/f
+    for (const ResidualNoise::Part& part : noise.parts) {
+        Sum& sum = sums[{part.shape.of_phase, part.shape.half_width_hz == 0}];
+        sum.variance += part.variance;
+        sum.width += part.variance * part.shape.half_width_hz;
+    }
+    Json parts = Json::array();
+    for (const auto& [kind, sum] : sums) {
+        const auto& [of_phase, one_over_f] = kind;
+        Json part{{"of", of_phase ? "phase" : "signal"},
+                  {"shape", one_over_f ? "1/f" : "line"},
+                  {"variance", number_json(sum.variance)}};
+        if (!one_over_f) {
+            part["half_width_hz"] = number_json(sum.width / sum.variance);
+        }
+        parts.push_back(part);
+    }
+    return {{"kind", noise.white() ? "white" : "coloured"},
+            {"parts", parts},
+            {"narrowest", noise.narrowest}};
 }
 
 Json identifiable_json(const Identifiable& identifiable) {
@@ -189,16 +248,34 @@ Json differences_json(std::span<const Difference> differences) {
                     {"now", quantity_json(difference.now)},
                     {"verdict", verdict_name(difference.verdict)}};
         if (difference.verdict == Verdict::not_comparable) {
-            const bool then = difference.then.given();
-            object["change"] = quantity_json(then ? difference.now : difference.then);
+            object["change"] = {{"value", nullptr}, {"reason", incomparable_text(difference)}};
+            object["relative"] = nullptr;
             object["deviations"] = nullptr;
         } else {
-            object["change"] = quantity_json({difference.change, difference.sd, {}});
+            object["change"] = quantity_json({difference.change, difference.sd, {}, difference.u});
+            object["relative"] = number_json(difference.relative);
             object["deviations"] = number_json(difference.deviations());
+        }
+        if (difference.limit > 0) {
+            object["limit"] = difference.limit;
         }
         list.push_back(object);
     }
     return list;
+}
+
+// The fit sees D over the calibration's gain ratio, a file what was recorded.
+void refer_to_recorded(double calibrated, RawParameters& raw) {
+    const auto found = std::ranges::find(raw.names, "kappa");
+    if (found == raw.names.end()) {
+        return;
+    }
+    const auto kappa = static_cast<std::size_t>(found - raw.names.begin());
+    raw.values[kappa] *= calibrated;
+    for (std::size_t k = 0; k < raw.names.size(); ++k) {
+        raw.covariance[kappa * raw.names.size() + k] *= calibrated;
+        raw.covariance[k * raw.names.size() + kappa] *= calibrated;
+    }
 }
 
 }  // namespace
@@ -232,6 +309,7 @@ std::string identify_json(const std::string& program, std::span<const Identified
     }
     json["model"] = fit.model == ResonatorModel::structured ? "structured" : "free";
     json["modes"] = modes_json(fit);
+    json["modes_by"] = mode_order_name(fit.mode_order);
     if (fit.modes.empty()) {
         json["modes_reason"] = english(fit.no_modes);
     }
@@ -242,6 +320,7 @@ std::string identify_json(const std::string& program, std::span<const Identified
     }
     json["runs"] = runs_json(identification, inputs);
     json["identifiable"] = identifiable_json(fit.identifiable);
+    json["noise"] = noise_json(fit.noise);
     json["chi2_per_dof"] = number_json(fit.chi2_per_dof);
     json["free_over_structured"] = number_json(fit.free_over_structured);
     json["drift_function"] = drift_json(identification);
@@ -258,7 +337,10 @@ Passport passport_of(const std::string& program, std::span<const IdentifiedInput
     passport.model = identification.fit.model;
     passport.resonator = identification.fit.resonator;
     passport.modes = identification.fit.modes;
+    passport.mode_order = identification.fit.mode_order;
+    passport.runs = identification.fit.runs;
     passport.raw = identification.fit.raw;
+    refer_to_recorded(identification.settings.signal.calibration.kappa, passport.raw);
     for (const IdentifiedRun& run : identification.runs) {
         passport.tracks.push_back(run.track);
     }

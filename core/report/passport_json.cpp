@@ -4,12 +4,17 @@
 #include "core/recording/file_bytes.h"
 #include "core/report/quantity_json.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/run_parameters.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -72,7 +77,31 @@ ReasonCode reason_code(const std::string& name) {
     }
 }
 
-Estimate read_estimate(const Json& json) {
+// Reasons of schema 1 that are no more, or have other arguments now, by their nearest.
+Reason old_reason(const std::string& name, const std::vector<std::string>& args) {
+    constexpr std::array<std::pair<const char*, ReasonCode>, 7> nearest{{
+        {"below-noise", ReasonCode::modes_not_apart},
+        {"kappa-still-wave", ReasonCode::as_given},
+        {"kappa-not-seen", ReasonCode::as_given},
+        {"not-asked", ReasonCode::as_given},
+        {"channels-one-number", ReasonCode::held},
+        {"amplitude-like-drift", ReasonCode::rests_on_unseen},
+        {"residual-from-elsewhere", ReasonCode::rests_on_unseen},
+    }};
+    for (const auto& [old, code] : nearest) {
+        if (name == old) {
+            return {code, {}};
+        }
+    }
+    if (name == "no-decay" && args.size() == 2) {  // 1/tau and its deviation
+        const double rate = parse_number(args[0]).value_or(0);
+        const double sd = parse_number(args[1]).value_or(0);
+        return {ReasonCode::no_decay, {short_text(1 / (std::max(rate, 0.0) + 2 * sd), 3)}};
+    }
+    return {reason_code(name), args};
+}
+
+Estimate read_estimate(const Json& json, int schema) {
     Estimate estimate;
     if (!json.at("value").is_null()) {
         estimate.value = json.at("value").get<double>();
@@ -80,12 +109,20 @@ Estimate read_estimate(const Json& json) {
         if (!(estimate.sd >= 0)) {
             fail("a standard deviation is negative");
         }
+        if (json.contains("u")) {
+            estimate.u = json.at("u").get<double>();
+            if (!(estimate.u >= 0)) {
+                fail("an uncertainty is negative");
+            }
+        }
         return estimate;
     }
     // What was not finite when it was written has neither code nor arguments.
     if (json.contains("code")) {
-        estimate.reason.code = reason_code(json.at("code").get<std::string>());
-        estimate.reason.args = json.at("args").get<std::vector<std::string>>();
+        const auto name = json.at("code").get<std::string>();
+        auto args = json.at("args").get<std::vector<std::string>>();
+        estimate.reason =
+            schema == 1 ? old_reason(name, args) : Reason{reason_code(name), std::move(args)};
     } else {
         estimate.reason.code = ReasonCode::too_few_windows;
     }
@@ -102,10 +139,10 @@ Json written_parameters(const Owner& owner, const Parameters& parameters) {
 }
 
 template <class Owner, class Parameters>
-Owner read_parameters(const Json& json, const Parameters& parameters) {
+Owner read_parameters(const Json& json, const Parameters& parameters, int schema) {
     Owner owner;
     for (const auto& parameter : parameters) {
-        owner.*parameter.member = read_estimate(json.at(parameter.name));
+        owner.*parameter.member = read_estimate(json.at(parameter.name), schema);
     }
     return owner;
 }
@@ -134,7 +171,35 @@ ResonatorModel read_model(const std::string& name) {
     return name == "free" ? ResonatorModel::free : ResonatorModel::structured;
 }
 
-Passport read_all(const Json& json) {
+// What the modes of a file of schema 1 are named by: always by frequency, which names nothing where
+// it does not differ.
+std::optional<ModeOrder> old_mode_order(const Passport& passport) {
+    constexpr double needed = 5;  // deviations
+    const Estimate& split = passport.resonator.split_hz;
+    if (split.given() && split.value > needed * split.sd) {
+        return ModeOrder::frequency;
+    }
+    if (passport.modes.size() == 2) {
+        const Estimate& high = passport.modes[0].f_hz;
+        const Estimate& low = passport.modes[1].f_hz;
+        if (high.value - low.value > needed * std::hypot(high.sd, low.sd)) {
+            return ModeOrder::frequency;
+        }
+    }
+    return std::nullopt;
+}
+
+ModeOrder read_mode_order(const std::string& name) {
+    if (name == mode_order_name(ModeOrder::frequency)) {
+        return ModeOrder::frequency;
+    }
+    if (name != mode_order_name(ModeOrder::decay)) {
+        fail("the modes are named by \"" + name + "\"");
+    }
+    return ModeOrder::decay;
+}
+
+Passport read_all(const Json& json, int schema) {
     Passport passport;
     passport.program = json.at("program").get<std::string>();
     for (const Json& input : json.at("inputs")) {
@@ -145,9 +210,19 @@ Passport read_all(const Json& json) {
     }
     passport.model = read_model(json.at("model").get<std::string>());
     passport.resonator =
-        read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters);
+        read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters, schema);
     for (const Json& mode : json.at("modes")) {
-        passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters));
+        passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters, schema));
+    }
+    if (schema == 1) {
+        passport.mode_order = old_mode_order(passport);
+    } else {
+        const Json& by = json.at("modes_by");
+        passport.mode_order =
+            by.is_null() ? std::nullopt : std::optional(read_mode_order(by.get<std::string>()));
+        for (const Json& run : json.at("runs")) {
+            passport.runs.push_back(read_parameters<RunEstimate>(run, run_parameters, schema));
+        }
     }
     const Json& parameters = json.at("parameters");
     passport.raw.names = parameters.at("names").get<std::vector<std::string>>();
@@ -183,6 +258,10 @@ std::string passport_json(const Passport& passport) {
     for (const ModeEstimate& mode : passport.modes) {
         modes.push_back(written_parameters(mode, mode_parameters));
     }
+    Json runs = Json::array();
+    for (const RunEstimate& run : passport.runs) {
+        runs.push_back(written_parameters(run, run_parameters));
+    }
     Json tracks = Json::array();
     for (const RunTrack& track : passport.tracks) {
         Json columns;
@@ -199,6 +278,9 @@ std::string passport_json(const Passport& passport) {
                       {"model", passport.model == ResonatorModel::free ? "free" : "structured"},
                       {"resonator", written_parameters(passport.resonator, resonator_parameters)},
                       {"modes", modes},
+                      {"modes_by", passport.mode_order ? Json(mode_order_name(*passport.mode_order))
+                                                       : Json(nullptr)},
+                      {"runs", runs},
                       {"parameters",
                        {{"names", passport.raw.names},
                         {"values", numbers_json(passport.raw.values)},
@@ -221,7 +303,7 @@ Result<Passport> read_passport(std::string_view text, const std::string& where) 
                          where,
                          {integer_text(schema), integer_text(Passport::schema)}};
         }
-        return read_all(json);
+        return read_all(json, schema);
     } catch (const Json::parse_error& error) {
         return Error{ErrorCode::passport_damaged,
                      where,

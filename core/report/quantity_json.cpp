@@ -27,7 +27,11 @@ Json quantity_json(const Estimate& estimate) {
     if (!std::isfinite(estimate.value) || !std::isfinite(estimate.sd)) {
         return {{"value", nullptr}, {"reason", "The fit gave no finite value."}};
     }
-    return {{"value", estimate.value}, {"sd", estimate.sd}};
+    Json json{{"value", estimate.value}, {"sd", estimate.sd}};
+    if (std::isfinite(estimate.u)) {
+        json["u"] = estimate.u;
+    }
+    return json;
 }
 
 std::string json_text(const Json& json) {

@@ -15,7 +15,8 @@ namespace vybeg {
 nlohmann::ordered_json number_json(double value);
 nlohmann::ordered_json numbers_json(std::span<const double> values);
 
-// A quantity of INTERFACE.md: {"value": x, "sd": s} or {"value": null, "reason": "..."}.
+// A quantity of INTERFACE.md: {"value": x, "sd": s} or {"value": null, "reason": "..."}; with "u"
+// where the tolerances of the channels have a part in it.
 nlohmann::ordered_json quantity_json(const Estimate& estimate);
 
 // The JSON as text, indented, with a line feed at its end. Names come from files: what is no UTF-8

@@ -54,4 +54,16 @@ QuantityText quantity_text(double value, double sd) {
     return {rounded_text(value * scale, place), rounded_text(sd * scale, place), exponent};
 }
 
+QuantityText quantity_text(double value, double sd, double u) {
+    const QuantityText statistical = quantity_text(value, sd);
+    if (statistical.sd.empty() || !std::isfinite(u) || u <= sd) {
+        return statistical;
+    }
+    const double scale = std::pow(10.0, -statistical.exponent);
+    const std::string text = rounded_text(u * scale, last_place(u * scale));
+    QuantityText both = statistical;
+    both.u = text == statistical.sd ? "" : text;
+    return both;
+}
+
 }  // namespace vybeg

@@ -9,7 +9,8 @@ namespace vybeg {
 struct QuantityText {
     std::string value;  // "1.00034"; "nan" where there is no value
     std::string sd;     // "0.00005"; empty where there is no deviation
-    int exponent = 0;   // both are to be multiplied by 10^exponent; 0 for ordinary sizes
+    int exponent = 0;   // all are to be multiplied by 10^exponent; 0 for ordinary sizes
+    std::string u{};    // combined uncertainty, rounded by itself; empty: none, or as sd
 
     friend bool operator==(const QuantityText&, const QuantityText&) = default;
 };
@@ -18,5 +19,8 @@ struct QuantityText {
 // the value is then given with six significant digits. An exponent is used where the larger of the
 // two is below 1e-4 or not below 1e7.
 QuantityText quantity_text(double value, double sd);
+
+// With a combined uncertainty u of the same exponent; NaN: none.
+QuantityText quantity_text(double value, double sd, double u);
 
 }  // namespace vybeg

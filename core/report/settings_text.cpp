@@ -91,6 +91,7 @@ std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
         {"f0", text_of(settings.signal.f0_hz)},
     };
     append(signal_list(settings.signal), list);
+    list.emplace_back("tolerance", tolerance_text(settings.tolerance));
     return list;
 }
 

@@ -2,10 +2,10 @@
 
 #include "core/base/number_text.h"
 #include "core/simulation/carrier_noise.h"
+#include "core/simulation/decay_motion.h"
 #include "core/simulation/gaussian_noise.h"
 #include "core/simulation/pick_offs.h"
 #include "core/simulation/recorder.h"
-#include "core/simulation/wave_motion.h"
 
 #include <algorithm>
 #include <array>
@@ -42,8 +42,8 @@ Status run(const FreeDecay& decay,
            const std::function<Status(std::vector<double>&, std::vector<double>&)>& take,
            const JobControl& job) {
     const std::int64_t frames = motion_frame_count(decay);
-    WaveMotion motion(decay);
-    std::optional<WaveMotion> late;  // the motion as channel D has it
+    DecayMotion motion(decay);
+    std::optional<DecayMotion> late;  // the motion as channel D has it
     if (decay.delay_d_s != 0) {
         late.emplace(decay, decay.delay_d_s);
     }

@@ -1,7 +1,7 @@
 #include "core/base/number_text.h"
 #include "core/numerics/phase.h"
+#include "core/simulation/decay_motion.h"
 #include "core/simulation/free_decay.h"
-#include "core/simulation/wave_motion.h"
 #include "core/windows/window_plan.h"
 
 #include <Eigen/LU>
@@ -77,7 +77,7 @@ Result<Track> true_track(const FreeDecay& decay, std::int64_t window) {
                      {"its truth would have " + integer_text(plan.count) +
                       " windows; the most is " + integer_text(most_rows)}};
     }
-    WaveMotion motion(decay);
+    DecayMotion motion(decay);
     Track track(static_cast<std::size_t>(plan.count));
     std::optional<double> previous;
     for (std::size_t row = 0; row < track.rows(); ++row) {

@@ -60,10 +60,10 @@ inline bool simulate_set(const QString& folder, const QString& prefix, const QSt
     return done;
 }
 
-// A wave that hardly moves: 28 s at a tenth of a thousandth of a hertz.
+// A wave that hardly moves: 28 s at a millionth of a hertz.
 inline bool simulate_still(const QString& folder) {
     return run_cli({"simulate", "--seconds", "28", "--noise", "0.001", "--tau", "400", "--split",
-                    "1e-4", "--theta-w", "0.2", "--two-theta-A", starts[1], "-o", "still.wav"},
+                    "1e-6", "--theta-w", "0.2", "--two-theta-A", starts[1], "-o", "still.wav"},
                    folder)
                .status == 0;
 }
@@ -73,8 +73,12 @@ inline bool is_quantity(const QJsonObject& object) {
         return object.keys() == QStringList{"reason", "value"} &&
                object["reason"].toString().endsWith('.');
     }
-    return object.keys() == QStringList{"sd", "value"} && object["value"].isDouble() &&
-           object["sd"].isDouble();
+    // With the tolerances of the channels also u, of the resonator also its sensitivities.
+    QStringList keys = object.keys();
+    keys.removeOne("sensitivity");
+    const bool has_u = keys.removeOne("u");
+    return keys == QStringList{"sd", "value"} && object["value"].isDouble() &&
+           object["sd"].isDouble() && (!has_u || object["u"].toDouble() >= object["sd"].toDouble());
 }
 
 // The error of a quantity in its own deviations.

@@ -39,7 +39,7 @@ private slots:
     }
 
     void a_passport_is_compared_parameter_by_parameter() {
-        QCOMPARE(object(file("p.json"))["schema"].toInt(), 1);
+        QCOMPARE(object(file("p.json"))["schema"].toInt(), 2);
         QCOMPARE(object(file("p.json"))["tracks"].toArray().size(), 4);
 
         const auto compared = [&](const QStringList& files) {
@@ -76,6 +76,50 @@ private slots:
         QVERIFY(summary.out.contains("unchanged"));
     }
 
+    void kappa_in_the_passport_is_the_result_s() {
+        const QStringList told{"--kappa", "1.25", "--tolerance", "kappa=0.3"};
+        QCOMPARE(run(QStringList{"identify"} + set + told +
+                     QStringList{"-o", "k.json", "--passport", "kp.json"})
+                     .status,
+                 0);
+        const QJsonObject result = object(file("k.json"));
+        const QJsonObject passport = object(file("kp.json"));
+        const QJsonValue kappa = result["resonator"]["kappa"];
+        QVERIFY2(kappa["value"].isDouble(), qPrintable(kappa["reason"].toString()));
+        QVERIFY(deviations(kappa, 1) < 4);
+        QCOMPARE(passport["resonator"]["kappa"]["value"], kappa["value"]);
+        QCOMPARE(passport["resonator"]["kappa"]["sd"], kappa["sd"]);
+        const QJsonObject raw = passport["parameters"].toObject();
+        const QJsonArray names = raw["names"].toArray();
+        for (qsizetype k = 0; k < names.size(); ++k) {
+            if (names[k] == "kappa") {
+                const double value = raw["values"].toArray()[k].toDouble();
+                const double variance =
+                    raw["covariance"].toArray()[k * names.size() + k].toDouble();
+                QVERIFY(std::abs(value - kappa["value"].toDouble()) < 1e-12);
+                QVERIFY(std::abs(std::sqrt(variance) / kappa["u"].toDouble() - 1) < 1e-6);
+                return;
+            }
+        }
+        QFAIL("the passport's parameters hold no kappa");
+    }
+
+    void frequencies_change_beyond_a_limit() {
+        const auto split_of = [&](const QStringList& more, const QString& name) {
+            const Outcome outcome = run(QStringList{"compare", "p.json", "--f0", "5300.1"} +
+                                        set_of("same") + QStringList{"-o", "-"} + more);
+            return named(object(outcome.out)["differences"].toArray(), name);
+        };
+        const QJsonObject usual = split_of({}, "f_mean_hz");
+        QCOMPARE(usual["verdict"].toString(), QString("unchanged"));
+        QVERIFY(std::abs(usual["limit"].toDouble() / (30e-6 * 5300) - 1) < 1e-3);
+        QVERIFY(usual["relative"].isDouble());
+        QVERIFY(usual["change"]["u"].toDouble() > usual["change"]["sd"].toDouble());
+        QVERIFY(!split_of({}, "split_hz").contains("limit"));
+        const QJsonObject wide = split_of({"--f-limit", "50"}, "f_mean_hz");
+        QVERIFY(std::abs(wide["limit"].toDouble() / (50e-6 * 5300) - 1) < 1e-3);
+    }
+
     void a_failure_has_its_status_and_one_sentence_data() {
         QTest::addColumn<QString>("arguments");
         QTest::addColumn<int>("status");
@@ -86,6 +130,9 @@ private slots:
         };
         row("result over the passport", "compare p.json r0.wav -o p.json", 2, "to compare with");
         row("compare without a recording", "compare p.json", 2, "FILE");
+        row("negative limit", "compare p.json r0.wav --f-limit -1", 2, "negative");
+        row("limit of nothing", "compare p.json r0.wav --f-limit x", 2, "number");
+        row("unknown tolerance", "compare p.json r0.wav --tolerance tilt=1", 2, "\"tilt\"");
         row("no passport there", "compare none.json r0.wav", 3, "no such file");
         row("another JSON", "compare not.json r0.wav", 3, "not a passport");
         row("no JSON", "compare no.json r0.wav", 3, "no JSON");

@@ -84,9 +84,9 @@ private slots:
     void the_json_has_the_members_of_the_interface() {
         QCOMPARE(run(QStringList{"identify"} + set + QStringList{"-o", "r.json"}).status, 0);
         const QJsonObject json = object(file("r.json"));
-        for (const char* name :
-             {"program", "inputs", "settings", "warnings", "model", "modes", "resonator", "runs",
-              "identifiable", "drift_function", "channel_balance"}) {
+        for (const char* name : {"program", "inputs", "settings", "warnings", "model", "modes",
+                                 "resonator", "runs", "identifiable", "drift_function",
+                                 "channel_balance", "modes_by", "noise", "chi2_per_dof"}) {
             QVERIFY2(json.contains(name), name);
         }
         QVERIFY(json["program"].toString().startsWith("vybeg-cli "));
@@ -120,6 +120,68 @@ private slots:
         QCOMPARE(json["channel_balance"].toArray().size(), 4);
     }
 
+    void uncertainties_sensitivities_and_waves_stand_in_the_json() {
+        const auto identified = [&](const QStringList& more) {
+            return object(run(QStringList{"identify"} + set + QStringList{"-o", "-"} + more).out);
+        };
+        const QJsonObject json = identified(
+            {"--tolerance", "skew=0.1deg,delay=10ns,phase-drift=1e-4,gain-drift=1e-4,kappa=0.1%"});
+        QCOMPARE(json["settings"]["tolerance"].toString(),
+                 QString("kappa=0.001,skew=0.1,delay=1e-08,phase-drift=1e-04,gain-drift=1e-04"));
+        const QJsonObject usual = identified({});
+        QCOMPARE(usual["settings"]["tolerance"].toString(), QString("none"));
+        const QJsonObject tau = json["resonator"]["tau_s"].toObject();
+        QVERIFY2(is_quantity(tau), QJsonDocument(tau).toJson().constData());
+        const QJsonObject by = tau["sensitivity"].toObject();
+        QCOMPARE(by.keys(),
+                 (QStringList{"delay_s", "gain_drift", "kappa", "phase_drift_rad", "skew_deg"}));
+        for (const QString& name : by.keys()) {
+            QVERIFY2(by[name].isDouble(), qPrintable(name));
+        }
+        // A gain drift of 1e-4 over ten seconds is a decay rate of 0.5e-5/s of its half of the
+        // power, at most: it enters u.
+        QVERIFY(tau["u"].toDouble() > 1.5 * tau["sd"].toDouble());
+        QVERIFY(std::abs(1e-4 * by["gain_drift"].toDouble()) <= tau["u"].toDouble());
+        QVERIFY(!json["resonator"]["frequency_per_power"].toObject().contains("sensitivity"));
+        for (int k = 0; k < 4; ++k) {
+            const QJsonObject run = json["runs"][k].toObject();
+            QCOMPARE(run["wave"].toObject().keys(),
+                     (QStringList{"f_hz", "quadrature_rate_per_s", "tau_s", "theta_rate_rad_s"}));
+            QVERIFY(deviations(run["wave"]["f_hz"], 5300 + 0.01 * k) < 400);
+            QVERIFY(deviations(run["wave"]["tau_s"], 400) < 5);
+            QCOMPARE(run["direction"].toObject().keys(), (QStringList{"f_hz", "tau_s"}));
+            QVERIFY(is_quantity(run["direction"]["f_hz"].toObject()));
+        }
+        QCOMPARE(json["modes_by"].toString(), QString("frequency"));
+        QCOMPARE(json["noise"]["kind"].toString(), QString("white"));
+        QVERIFY(json["noise"]["parts"].toArray().isEmpty());
+        QVERIFY(std::abs(json["chi2_per_dof"].toDouble() - 1) < 0.1);
+    }
+
+    void the_summary_begins_with_the_waves_and_shows_what_sd_leaves_out() {
+        const Outcome outcome = run(QStringList{"identify"} + set +
+                                    QStringList{"--tolerance", "gain-drift=1e-3,skew=1deg"});
+        QCOMPARE(outcome.status, 0);
+        const QByteArray text = outcome.out;
+        QVERIFY2(text.startsWith("wave of r0.wav, means over the recording\n  f   "),
+                 text.left(200).constData());
+        QVERIFY(text.indexOf("wave of r3.wav") < text.indexOf("resonator, structured"));
+        QVERIFY(text.contains("  quadrature_rate"));
+        const auto line_of = [&](const QByteArray& name, qsizetype from) {
+            const qsizetype at = text.indexOf("\n" + name, from) + 1;
+            return text.mid(at, text.indexOf('\n', at) - at);
+        };
+        const qsizetype resonator = text.indexOf("resonator, structured");
+        const QByteArray tau = line_of("  tau ", resonator);
+        QVERIFY2(tau.contains(" s, u "), tau.constData());
+        const qsizetype table = text.indexOf("\nsensitivity:");
+        QVERIFY(table > resonator);
+        QVERIFY(
+            text.mid(table).contains("0.1 deg       10 ns    1e-4 rad        1e-4       0.001"));
+        QVERIFY(line_of("  tau, s", table).simplified().split(' ').size() == 7);
+        QVERIFY(line_of("  theta_w, deg", table).simplified().split(' ').size() == 7);
+    }
+
     void any_number_of_threads_gives_the_same_bytes() {
         const Outcome one =
             run(QStringList{"identify"} + set + QStringList{"-o", "-", "--threads", "1"});
@@ -138,8 +200,16 @@ private slots:
         QVERIFY2(reason.contains("recording that starts at"), qPrintable(reason));
         QVERIFY(json["resonator"]["theta_w_rad"]["value"].isNull());
         QVERIFY(!json["identifiable"]["split"].toBool());
-        QVERIFY(deviations(json["runs"][0]["split_sin_hz"], 1e-4 * std::sin(pi / 2 - 0.8)) < 4);
-        QVERIFY(json["runs"][0]["split_sin_hz"]["sd"].toDouble() < 3e-7);
+        // What the wave did is given all the same, and so are the numbers of its direction.
+        const QJsonValue still = json["runs"][0];
+        const QJsonValue growth = still["wave"]["quadrature_rate_per_s"];
+        QVERIFY(deviations(growth, pi * 1e-6 * std::sin(pi / 2 - 0.8)) < 4);
+        QVERIFY(growth["sd"].toDouble() < 3e-7);
+        const double along = 0.5e-6 * std::cos(pi / 2 - 0.8);
+        QVERIFY(deviations(still["direction"]["f_hz"], 5300 + along) < 4);
+        QVERIFY(still["direction"]["f_hz"]["sd"].toDouble() < 1e-7);
+        QVERIFY(deviations(still["direction"]["tau_s"], 400) < 4);
+        QVERIFY(json["resonator"]["tau_s"]["value"].isNull());
         QCOMPARE(json["drift_function"]["order"].toInt(), 0);
         QVERIFY(json["drift_function"]["curve"].isNull());
         QVERIFY(is_quantity(json["drift_function"]["harmonics"]["mean_rad_s"].toObject()));
@@ -189,6 +259,10 @@ private slots:
         };
         row("no file", "identify", 2, "FILE");
         row("unknown model", "identify r0.wav --model rigid", 2, "auto, structured or free");
+        row("unknown tolerance", "identify r0.wav --tolerance tilt=1", 2, "\"tilt\" is none of");
+        row("negative tolerance", "identify r0.wav --tolerance skew=-1", 2, "zero or more");
+        row("tolerance of nothing", "identify r0.wav --tolerance delay=nan", 2, "zero or more");
+        row("tolerance twice", "identify r0.wav --tolerance skew=1,skew=1", 2, "given twice");
         row("an option of analyze alone", "identify r0.wav --hop 5", 2, "--hop");
         row("window of a few samples", "identify r0.wav --window 8", 2, "at least 16 samples");
         row("result over a recording", "identify r0.wav r1.wav -o r1.wav", 2, "the recordings");

@@ -2,11 +2,14 @@
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
 #include "ui/message_bar.h"
+#include "ui/number_field.h"
+#include "ui/parameter_text.h"
 #include "ui/quantity_table.h"
 #include "ui/recording_drag.h"
 #include "ui/resonator_panel.h"
 #include "ui/resonator_text.h"
 #include "ui/set_panel.h"
+#include "ui/signal_fields.h"
 #include "ui/xy_plot_view.h"
 
 #include <QClipboard>
@@ -167,7 +170,7 @@ private slots:
         QVERIFY(std::abs(found.theta_w_rad.value - truth.theta_w) < 4 * found.theta_w_rad.sd);
         QVERIFY(std::abs(found.tau_s.value - truth.tau_s) < 4 * found.tau_s.sd);
         QCOMPARE(cell("resonator", "Frequency split"),
-                 valueText(found.split_hz.value, found.split_hz.sd));
+                 valueText(found.split_hz.value, found.split_hz.sd, found.split_hz.u));
         QVERIFY(cell("resonator", "Decay time").startsWith("40"));
         QCOMPARE(the<QuantityTable>("runs").columnCount(), 5);
         QVERIFY(!the<XYPlotView>("drift").content().series.empty());
@@ -181,13 +184,87 @@ private slots:
         table.setFocus();
         QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
         const QStringList lines = QApplication::clipboard()->text().split('\n');
-        QCOMPARE(lines.front(), QStringLiteral("\tvalue\tsd"));
+        QCOMPARE(lines.front(), QStringLiteral("\tvalue\tsd\tu"));
         const QStringList split = lines.at(2).split('\t');
-        QCOMPARE(split.size(), 3);
+        QCOMPARE(split.size(), 4);
         QVERIFY(split.front().startsWith("Frequency split") && split.front().endsWith("Hz"));
         const Estimate& found = outcome()->identification.fit.resonator.split_hz;
         QCOMPARE(split.at(1).toDouble(), found.value);
         QCOMPARE(split.at(2).toDouble(), found.sd);
+        QCOMPARE(split.at(3).toDouble(), found.u);
+    }
+
+    // What a recording's wave did stands first, free of the model; sd is never mistaken for all.
+    void waves_stand_first_and_sensitivities_beside_the_parameters() {
+        openSet();
+        identify();
+        const Identification& found = outcome()->identification;
+        auto& waves = the<QuantityTable>("waves");
+        auto& resonator = the<QuantityTable>("resonator");
+        auto& sensitivities = the<QuantityTable>("sensitivities");
+        const auto top = [this](QWidget& widget) {
+            return widget.mapTo(&the<ResonatorPanel>(), QPoint()).y();
+        };
+        QVERIFY(top(waves) < top(resonator) && top(resonator) < top(sensitivities));
+        QCOMPARE(waves.rowCount(), 4);
+        QCOMPARE(waves.columnCount(), 5);
+        const Estimate& f = found.runs[2].wave.f_hz;
+        QCOMPARE(cell("waves", "Frequency of the wave", 3), valueText(f.value, f.sd, f.u));
+        QCOMPARE(sensitivities.columnCount(), 6);
+        QVERIFY(sensitivities.rowCount() >= 5);
+        // Copied, the change of the axis by 0.1 degrees of skew.
+        sensitivities.setFocus();
+        QTest::keyClick(&sensitivities, Qt::Key_C, Qt::ControlModifier);
+        const QStringList lines = QApplication::clipboard()->text().split('\n');
+        const auto axis = std::ranges::find_if(
+            lines, [](const QString& line) { return line.startsWith("Stiffness axis"); });
+        QVERIFY(axis != lines.end());
+        QCOMPARE(axis->split('\t').at(1).toDouble(),
+                 0.1 * found.fit.sensitivities[2].skew_deg);
+        for (const QuantityRow& row : sensitivityRows(found, {})) {
+            QVERIFY2(!row.cells[0].exact[0].isEmpty(), qPrintable(row.name));
+        }
+    }
+
+    void tolerances_are_edited_undone_and_enter_u() {
+        openSet();
+        identify();
+        QVERIFY(!cell("resonator", "Decay time").contains("u "));
+        auto& section = the<CalibrationFields>();
+        const auto field = [&section](const QString& name) {
+            for (NumberField* each : section.findChildren<NumberField*>()) {
+                if (each->accessibleName() == name) {
+                    return each;
+                }
+            }
+            return static_cast<NumberField*>(nullptr);
+        };
+        const auto type = [&](const QString& name, const QString& text) {
+            NumberField* found = field(name);
+            QVERIFY2(found, qPrintable(name));
+            found->setText(text);
+            found->commit();
+        };
+        QCOMPARE(field("Tolerance of the gain ratio")->placeholderText(), QStringLiteral("0.01"));
+        type("Tolerance of the gain drift", "0.01");
+        type("Tolerance of the delay", "10");
+        type("Tolerance of the non-orthogonality", "0.5");
+        type("Tolerance of the phase drift", "0.001");
+        type("Tolerance of the crosstalk", "0.0001");
+        type("Tolerance of the gain ratio", "0.002");
+        const Tolerance wanted{0.002, 0.5, 10e-9, 1e-4, 1e-3, 0.01};
+        QCOMPARE(tolerance_text(document().tolerance()), tolerance_text(wanted));
+        QVERIFY(the<QLabel>("state").text().contains("Out of date"));
+        identify();
+        QCOMPARE(tolerance_text(outcome()->identification.settings.tolerance),
+                 tolerance_text(wanted));
+        QVERIFY2(cell("resonator", "Decay time").contains("(u "),
+                 qPrintable(cell("resonator", "Decay time")));
+        document().undoStack().undo();
+        QVERIFY(!document().tolerance().kappa);
+        QVERIFY(field("Tolerance of the gain ratio")->text().isEmpty());
+        field("Tolerance of the delay")->setText("-1");
+        QVERIFY(!field("Tolerance of the delay")->isValid());
     }
 
     void one_still_run_says_what_it_cannot_tell_and_what_would_help() {
@@ -262,6 +339,9 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return document().passport() != nullptr; }));
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("= unchanged"));
         QCOMPARE(cell("differences", "Frequency split", 2), QStringLiteral("0.0"));
+        QVERIFY(cell("differences", "Mean frequency", 4).endsWith("ppm") ||
+                cell("differences", "Mean frequency", 4).endsWith("%"));
+        QCOMPARE(the<QuantityTable>("differences").columnCount(), 7);
 
         const QStringList later = resonatorRuns(home_, "later", {.split_hz = 0.02});
         document().addSet();
@@ -270,6 +350,9 @@ private slots:
         identify();
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("≠ changed"));
         QCOMPARE(cell("differences", "Decay time"), QStringLiteral("= unchanged"));
+        QVERIFY2(cell("differences", "Frequency split", 4).contains("%"),
+                 qPrintable(cell("differences", "Frequency split", 4)));
+        QCOMPARE(document().frequencyLimit(), 30.0);
         QCOMPARE(the<XYPlotView>("tracks").content().series.size(), std::size_t(8));
         document().closePassport();
         QVERIFY(!the<QuantityTable>("differences").isVisible());

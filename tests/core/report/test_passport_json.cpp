@@ -1,5 +1,6 @@
 #include "core/report/passport_json.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
@@ -21,7 +22,7 @@ Passport example() {
     ResonatorEstimate& resonator = passport.resonator;
     resonator.f_mean_hz = {5300.000000001, 1e-9, {}};
     resonator.split_hz = {1.0 / 3e6, 3e-8, {}};
-    resonator.tau_s = {400, 0.1, {}};
+    resonator.tau_s = {400, 0.1, {}, 0.25};
     resonator.q = {6.6e6, 2e3, {}};
     const Reason reason{ReasonCode::one_direction, {"22.5", "28"}};
     for (Estimate* estimate :
@@ -35,6 +36,16 @@ Passport example() {
     mode.tau_s = {401, 0.2, {}};
     mode.q.reason = {ReasonCode::no_decay, {"1", "2"}};
     passport.modes = {mode};
+    passport.mode_order = ModeOrder::decay;
+    RunEstimate run;
+    run.f_offset_hz = {0.01, 1e-7, {}};
+    run.a_A = {1, 1e-5, {}, 0.01};
+    run.a_B.reason = run.split_sin_hz.reason = run.q_envelope.reason = reason;
+    run.two_theta_A_rad = {0.1, 1e-5, {}, 0.005};
+    run.direction_f_hz = {5300.1, 1e-7, {}};
+    run.direction_tau_s = {400.5, 1e-2, {}};
+    run.drift_hz_per_s.reason = {ReasonCode::drift_not_seen, {}};
+    passport.runs = {run};
     passport.raw = {{"a", "b"}, {1.5, -2e-300}, {1, 0.5, 0.5, 2}};
     passport.tracks = {{{0, 1},
                         {1, 0.9},
@@ -77,6 +88,12 @@ private slots:
         QCOMPARE(read->resonator.split_hz.value, passport.resonator.split_hz.value);
         QCOMPARE(read->resonator.split_hz.sd, passport.resonator.split_hz.sd);
         QVERIFY(read->resonator.theta_w_rad.reason == passport.resonator.theta_w_rad.reason);
+        QCOMPARE(read->resonator.tau_s.u, 0.25);
+        QVERIFY(std::isnan(read->resonator.split_hz.u));
+        QVERIFY(read->mode_order == ModeOrder::decay);
+        QCOMPARE(read->runs.size(), std::size_t{1});
+        QCOMPARE(read->runs[0].two_theta_A_rad.u, 0.005);
+        QCOMPARE(read->runs[0].direction_tau_s.value, 400.5);
         QVERIFY(read->modes[0].q.reason == passport.modes[0].q.reason);
         QVERIFY(read->raw.values == passport.raw.values);
         QVERIFY(read->raw.covariance == passport.raw.covariance);
@@ -84,10 +101,49 @@ private slots:
         QVERIFY(std::isnan(read->tracks[0].f_hz[1]));
     }
 
+    // Files of the versions before: modes by frequency, whether that told them or not, and no runs.
+    void a_file_of_schema_1_is_read_data() {
+        QTest::addColumn<double>("apart_hz");
+        QTest::addColumn<bool>("named");
+        QTest::newRow("frequencies that differ") << 1e-3 << true;
+        QTest::newRow("frequencies within their noise") << 2e-7 << false;
+    }
+
+    void a_file_of_schema_1_is_read() {
+        QFETCH(double, apart_hz);
+        QFETCH(bool, named);
+        Passport passport = example();
+        passport.resonator.split_hz = {.reason = passport.resonator.theta_w_rad.reason};
+        ModeEstimate mode = passport.modes[0];
+        passport.modes = {mode, mode};
+        passport.modes[0].f_hz.value += apart_hz;
+        QJsonObject old =
+            QJsonDocument::fromJson(QByteArray::fromStdString(passport_json(passport))).object();
+        old["schema"] = 1;
+        // As the versions before wrote it in every passport.
+        QJsonObject resonator = old["resonator"].toObject();
+        resonator["delay_s"] = QJsonObject{{"value", QJsonValue::Null},
+                                           {"reason", "The motion tells one number."},
+                                           {"code", "channels-one-number"},
+                                           {"args", QJsonArray()}};
+        old["resonator"] = resonator;
+        old.remove("modes_by");
+        old.remove("runs");
+        const Result<Passport> read =
+            read_passport(QJsonDocument(old).toJson().toStdString(), "p.json");
+        QVERIFY(read);
+        QVERIFY(read->runs.empty());
+        QVERIFY(read->resonator.delay_s.reason.code == ReasonCode::held);
+        QCOMPARE(read->mode_order.has_value(), named);
+        QVERIFY(!named || *read->mode_order == ModeOrder::frequency);
+        QCOMPARE(read->resonator.tau_s.value, 400.0);
+        QCOMPARE(read->tracks.size(), std::size_t{1});
+    }
+
     void it_is_json_for_everyone() {
         const QJsonObject json =
             QJsonDocument::fromJson(QByteArray::fromStdString(passport_json(example()))).object();
-        QCOMPARE(json["schema"].toInt(), 1);
+        QCOMPARE(json["schema"].toInt(), 2);
         QCOMPARE(json["vybeg"].toString(), QString("passport"));
         const QJsonObject axis = json["resonator"]["theta_w_rad"].toObject();
         QVERIFY(axis["value"].isNull());
@@ -104,12 +160,15 @@ private slots:
         };
         row("no JSON", "\"schema\"", "schema", "no JSON at byte");
         row("another file", "\"passport\"", "\"session\"", "not a passport's");
-        row("schema of nothing", "\"schema\": 1", "\"schema\": 0", "schema is 0");
-        row("schema as text", "\"schema\": 1", "\"schema\": \"1\"", "number");
+        row("schema of nothing", "\"schema\": 2", "\"schema\": 0", "schema is 0");
+        row("schema as text", "\"schema\": 2", "\"schema\": \"2\"", "number");
         row("member missing", "\"program\"", "\"programme\"", "program");
         row("unknown model", "\"structured\"", "\"rigid\"", "\"rigid\"");
         row("unknown reason", "one-direction", "no-direction", "no-direction");
         row("deviation below zero", "\"sd\": 0.1", "\"sd\": -0.1", "negative");
+        row("uncertainty below zero", "\"u\": 0.25", "\"u\": -0.25", "negative");
+        row("modes by colour", "\"decay\"", "\"colour\"", "\"colour\"");
+        row("runs missing", "\"runs\"", "\"rums\"", "runs");
         row("value as text", "\"value\": 400.0", "\"value\": \"400\"", "number");
         row("half a covariance", "\"names\": [", "\"names\": [\"c\",", "differ in size");
         row("half a track", "\"a_A\": [", "\"a_A\": [3,", "a_A has another length");

@@ -61,6 +61,18 @@ private slots:
         QCOMPARE(quantity.exponent, exponent);
     }
 
+    void an_uncertainty_stands_beside_the_deviation_where_it_differs() {
+        const QuantityText both = quantity_text(1.0003412, 5e-5, 3.2e-4);
+        QCOMPARE(both.value, std::string("1.00034"));
+        QCOMPARE(both.sd, std::string("0.00005"));
+        QCOMPARE(both.u, std::string("0.0003"));
+        QCOMPARE(quantity_text(3.21e-7, 1e-8, 1.5e-8).u, std::string("0.15"));
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        for (const double same : {nan, 5e-5, 5.1e-5, 1e-5}) {
+            QCOMPARE(quantity_text(1.0003412, 5e-5, same), quantity_text(1.0003412, 5e-5));
+        }
+    }
+
     void without_a_deviation_six_digits_stand_alone() {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         for (const double none : {nan, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {

@@ -24,6 +24,16 @@ ResonatorEstimate all_unknown() {
     return resonator;
 }
 
+RunEstimate unknown_run() {
+    RunEstimate run;
+    for (Estimate* each :
+         {&run.f_offset_hz, &run.a_A, &run.a_B, &run.two_theta_A_rad, &run.split_sin_hz,
+          &run.direction_f_hz, &run.direction_tau_s, &run.q_envelope, &run.drift_hz_per_s}) {
+        each->reason = unknown;
+    }
+    return run;
+}
+
 struct Pair {
     Passport then;
     ResonatorFit now;
@@ -109,6 +119,142 @@ private slots:
         QCOMPARE(differences[3].name, std::string("modes[1].f_hz"));
         QVERIFY(differences[3].verdict == Verdict::not_comparable);
         QVERIFY(differences[3].now.reason.code == ReasonCode::modes_not_apart);
+    }
+
+    void modes_named_by_different_things_are_not_comparable_data() {
+        QTest::addColumn<bool>("known");
+        QTest::newRow("by decay") << true;
+        QTest::newRow("old file, by a frequency that does not tell them") << false;
+    }
+
+    void modes_named_by_different_things_are_not_comparable() {
+        QFETCH(bool, known);
+        Pair pair = pair_of();
+        ModeEstimate mode;
+        mode.f_hz = {5300, 1e-6, {}};
+        mode.tau_s = {400, 0.01, {}};
+        mode.q = {6e6, 150, {}};
+        pair.then.modes = {mode, mode};
+        pair.now.modes = {mode, mode};
+        pair.now.modes[0].tau_s.value = 410;
+        if (known) {
+            pair.then.mode_order = ModeOrder::decay;
+        } else {
+            pair.then.mode_order.reset();
+        }
+        const std::vector<Difference> differences = compare(pair.then, pair.now);
+        QCOMPARE(differences.size(), std::size_t{6});
+        for (const Difference& difference : differences) {
+            QVERIFY(difference.verdict == Verdict::not_comparable);
+            QVERIFY(difference.why == Incomparable::other_mode_order);
+        }
+        pair.then.mode_order = pair.now.mode_order = ModeOrder::decay;
+        QVERIFY(compare(pair.then, pair.now)[1].verdict == Verdict::changed);
+    }
+
+    void a_frequency_changes_beyond_its_limit_and_the_spread_of_the_runs() {
+        Pair pair = pair_of();
+        pair.then.resonator.f_mean_hz = {5300, 4e-8, {}};
+        pair.now.resonator.f_mean_hz = {5300.1, 4e-8, {}};
+        // 0.1 Hz of temperature, 19 ppm, was "changed by 2.8 million deviations".
+        QVERIFY(only(pair).verdict == Verdict::unchanged);
+        QVERIFY(std::abs(only(pair).relative - 0.1 / 5300) < 1e-12);
+        QVERIFY(std::abs(only(pair).limit - 30e-6 * 5300) < 1e-12);
+        QVERIFY(compare(pair.then, pair.now, {.f_limit_ppm = 18})[0].verdict == Verdict::changed);
+        pair.now.resonator.f_mean_hz.value = 5300.2;
+        QVERIFY(only(pair).verdict == Verdict::changed);
+        // Runs that scatter by 0.1 Hz do not tell 0.2 Hz.
+        RunEstimate run = unknown_run();
+        run.f_offset_hz = {0.1, 1e-7, {}};
+        pair.now.runs = {run, run};
+        pair.now.runs[1].f_offset_hz.value = -0.1;
+        const Difference scattered = only(pair);
+        QVERIFY(scattered.verdict == Verdict::unchanged);
+        QVERIFY2(std::abs(scattered.u - std::sqrt(0.02)) < 1e-9,
+                 qPrintable(QString::number(scattered.u)));
+        QVERIFY(scattered.sd < 1e-6);
+    }
+
+    void tolerances_of_the_channels_count() {
+        Pair pair = pair_of();
+        pair.then.resonator.tau_s = {400, 0.001, {}, 0.1};
+        pair.now.resonator.tau_s = {400.2, 0.001, {}};
+        const Difference difference = only(pair);
+        QVERIFY(difference.verdict == Verdict::unchanged);
+        QCOMPARE(difference.u, std::hypot(0.1, 0.001));
+        QCOMPARE(difference.sd, std::hypot(0.001, 0.001));
+        QVERIFY(std::abs(difference.relative - 0.2 / 400) < 1e-12);
+    }
+
+    void many_parameters_need_more_deviations_each() {
+        QCOMPARE(changed_from(0), 3.0);
+        QCOMPARE(changed_from(1), 3.0);
+        for (const std::size_t count : {2, 12, 40}) {
+            const double z = changed_from(count);
+            const double all = 1 - std::pow(std::erf(z / std::sqrt(2)), double(count));
+            QVERIFY2(std::abs(all / 0.0026998 - 1) < 1e-3, qPrintable(QString::number(z)));
+        }
+    }
+
+    void a_direction_is_compared_with_the_same_direction_alone_data() {
+        QTest::addColumn<double>("two_theta");
+        QTest::addColumn<bool>("comparable");
+        QTest::addColumn<bool>("changed");
+        const double pi = std::numbers::pi;
+        QTest::newRow("the same") << 0.3 << true << true;
+        QTest::newRow("1e-4 rad on") << 0.3001 << true << true;
+        // An unseen anisotropy may make 9 % of it.
+        QTest::newRow("0.09 rad on") << 0.39 << true << false;
+        QTest::newRow("modulo pi") << 0.3 - pi << true << true;
+        QTest::newRow("modulo pi, the other way") << 0.25 + pi << true << false;
+        QTest::newRow("0.11 rad on") << 0.41 << false << false;
+        QTest::newRow("30 degrees on") << 0.3 + pi / 3 << false << false;
+    }
+
+    // f and tau of one direction were called the resonator's: 1700 deviations between two starts.
+    void a_direction_is_compared_with_the_same_direction_alone() {
+        QFETCH(double, two_theta);
+        QFETCH(bool, comparable);
+        QFETCH(bool, changed);
+        Pair pair = pair_of();
+        RunEstimate run = unknown_run();
+        run.two_theta_A_rad = {0.3, 1e-4, {}};
+        run.direction_f_hz = {5300, 1e-6, {}};
+        run.direction_tau_s = {400, 0.01, {}};
+        RunEstimate other = run;
+        other.two_theta_A_rad.value = 1.9;
+        pair.then.runs = {other, run};
+        run.two_theta_A_rad.value = two_theta;
+        run.direction_tau_s.value = 401;
+        pair.now.runs = {run};
+        const std::vector<Difference> differences = compare(pair.then, pair.now);
+        QCOMPARE(differences.size(), std::size_t{2});
+        QCOMPARE(differences[0].name, std::string("runs[0].direction.f_hz"));
+        QCOMPARE(differences[1].name, std::string("runs[0].direction.tau_s"));
+        const Verdict known = changed ? Verdict::changed : Verdict::unchanged;
+        const Verdict wanted[] = {comparable ? Verdict::unchanged : Verdict::not_comparable,
+                                  comparable ? known : Verdict::not_comparable};
+        for (std::size_t k = 0; k < 2; ++k) {
+            QVERIFY(differences[k].verdict == wanted[k]);
+            QVERIFY(comparable || differences[k].why == Incomparable::other_direction);
+        }
+        // Where the resonator's own are known, they are compared instead.
+        pair.then.resonator.f_mean_hz = pair.now.resonator.f_mean_hz = {5300, 1e-6, {}};
+        pair.then.resonator.tau_s = pair.now.resonator.tau_s = {400, 0.1, {}};
+        QCOMPARE(compare(pair.then, pair.now).size(), std::size_t{2});
+        QCOMPARE(compare(pair.then, pair.now)[0].name, std::string("f_mean_hz"));
+    }
+
+    void a_part_of_nothing_is_not_stated() {
+        Pair pair = pair_of();
+        pair.then.resonator.angle_rate_rad_s = {1e-9, 1e-8, {}};
+        pair.now.resonator.angle_rate_rad_s = {1e-6, 1e-8, {}};
+        QVERIFY(only(pair).verdict == Verdict::changed);
+        QVERIFY(std::isnan(only(pair).relative));
+        Pair axes = pair_of();
+        axes.then.resonator.theta_w_rad = {0.2, 1e-4, {}};
+        axes.now.resonator.theta_w_rad = {0.3, 1e-4, {}};
+        QVERIFY(std::isnan(only(axes).relative));
     }
 };
 

@@ -1,4 +1,4 @@
-#include "core/simulation/wave_motion.h"
+#include "core/simulation/decay_motion.h"
 
 #include <cmath>
 #include <numbers>
@@ -13,7 +13,7 @@ constexpr std::int64_t block = 256;  // frames between two exact anchors: 256 ro
 
 }  // namespace
 
-WaveMotion::WaveMotion(const FreeDecay& decay, double late_s)
+DecayMotion::DecayMotion(const FreeDecay& decay, double late_s)
     : decay_(decay),
       late_s_(late_s),
       linear_(decay),
@@ -26,7 +26,7 @@ WaveMotion::WaveMotion(const FreeDecay& decay, double late_s)
 }
 
 // e^{2 pi i int (f - f0) dt} from t = 0, in long double: a drift makes 1e5 turns in an hour.
-Complex WaveMotion::turn(double frame) const {
+Complex DecayMotion::turn(double frame) const {
     const long double t = static_cast<long double>(frame) / decay_.rate_hz - late_s_;
     const long double settled = -std::expm1(-t / decay_.settling_time_s);
     const long double turns = decay_.frequency_drift_hz_s * t * t / 2 +
@@ -34,7 +34,7 @@ Complex WaveMotion::turn(double frame) const {
     return std::polar(1.0, 2 * pi * static_cast<double>(std::remainder(turns, 1.0L)));
 }
 
-Eigen::Vector2cd WaveMotion::at_frame(double frame) {
+Eigen::Vector2cd DecayMotion::at_frame(double frame) {
     if (!by_power_ && !turns_ && late_s_ == 0) {
         return linear_.at_frame(frame);
     }
@@ -45,7 +45,7 @@ Eigen::Vector2cd WaveMotion::at_frame(double frame) {
     return z * (turns_ ? carrier * turn(frame) : carrier);
 }
 
-Eigen::Vector2cd WaveMotion::next() {
+Eigen::Vector2cd DecayMotion::next() {
     const auto frame = static_cast<double>(frame_);
     if (by_power_) {
         ++frame_;
@@ -62,7 +62,7 @@ Eigen::Vector2cd WaveMotion::next() {
     return now;
 }
 
-double WaveMotion::frequency_hz(double frame, const Eigen::Vector2cd& phasors) const {
+double DecayMotion::frequency_hz(double frame, const Eigen::Vector2cd& phasors) const {
     const double t = frame / decay_.rate_hz - late_s_;
     const double beside =
         by_power_ ? phasors.dot(by_power_->slope(phasors)).imag() / (2 * pi * phasors.squaredNorm())

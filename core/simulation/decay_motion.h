@@ -10,11 +10,11 @@ namespace vybeg {
 
 // The wave frame by frame: the slow motion, linear or not, with its carrier whose frequency may
 // drift and settle.
-class WaveMotion {
+class DecayMotion {
 public:
     // `late_s`: the motion as it was so many seconds before each frame.
     // Precondition: check(decay) passes.
-    explicit WaveMotion(const FreeDecay& decay, double late_s = 0);
+    explicit DecayMotion(const FreeDecay& decay, double late_s = 0);
 
     // Phasors with their carrier, the signals being their real parts, at frame 0, 1, 2, ...
     Eigen::Vector2cd next();

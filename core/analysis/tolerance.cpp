@@ -1,0 +1,129 @@
+#include "core/analysis/tolerance.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace vybeg {
+namespace {
+
+constexpr const char* none = "none";
+
+// A unit that may stand after a number, in units of the member's own.
+struct UnitSuffix {
+    const char* own;  // unit of the member
+    const char* suffix;
+    double factor;
+};
+
+constexpr double degree = std::numbers::pi / 180;
+
+constexpr std::array<UnitSuffix, 13> suffixes{{
+    {"deg", "deg", 1},
+    {"deg", "mrad", 1e-3 / degree},  // before rad, of which it is a longer form
+    {"deg", "rad", 1 / degree},
+    {"rad", "mrad", 1e-3},
+    {"rad", "rad", 1},
+    {"rad", "deg", degree},
+    {"s", "ms", 1e-3},
+    {"s", "us", 1e-6},
+    {"s", "ns", 1e-9},
+    {"s", "ps", 1e-12},
+    {"s", "s", 1},
+    {"", "%", 1e-2},
+    {"", "ppm", 1e-6},
+}};
+
+struct Reading {
+    double value = 0;
+    bool valid = false;
+};
+
+Reading read_number(std::string_view text, std::string_view unit) {
+    double factor = 1;
+    for (const UnitSuffix& suffix : suffixes) {
+        if (unit == suffix.own && text.ends_with(suffix.suffix)) {
+            factor = suffix.factor;
+            text.remove_suffix(std::string_view(suffix.suffix).size());
+            break;
+        }
+    }
+    const std::optional<double> number = parse_number(std::string(text));
+    if (!number || !std::isfinite(*number) || *number < 0) {
+        return {};
+    }
+    return {factor * *number, true};
+}
+
+std::string names() {
+    std::string list = "kappa";
+    for (const ToleranceParameter& parameter : tolerance_parameters) {
+        list += std::string(", ") + parameter.name;
+    }
+    return list;
+}
+
+}  // namespace
+
+Result<Tolerance> read_tolerance(std::string_view text) {
+    const auto wrong = [text](const std::string& allowed) {
+        return Error{ErrorCode::setting_invalid, "", {"--tolerance", std::string(text), allowed}};
+    };
+    Tolerance tolerance;
+    if (text == none) {
+        return tolerance;
+    }
+    std::set<std::string, std::less<>> given;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string_view part = text.substr(begin, end - begin);
+        const std::size_t equals = part.find('=');
+        begin = end + 1;
+        if (equals == std::string_view::npos) {
+            return wrong("it is NAME=X with commas, as in skew=0.1deg,delay=10ns");
+        }
+        const std::string name(part.substr(0, equals));
+        const auto parameter = std::ranges::find_if(
+            tolerance_parameters, [&](const auto& known) { return name == known.name; });
+        const bool is_kappa = name == "kappa";
+        if (!is_kappa && parameter == tolerance_parameters.end()) {
+            return wrong("\"" + name + "\" is none of " + names());
+        }
+        if (!given.insert(name).second) {
+            return wrong(name + " is given twice");
+        }
+        const std::string unit = is_kappa ? "" : parameter->unit;
+        const Reading reading = read_number(part.substr(equals + 1), unit);
+        if (!reading.valid) {
+            return wrong(name + " must be a number of zero or more" +
+                         (unit.empty() ? "" : ", in " + unit));
+        }
+        if (is_kappa) {
+            tolerance.kappa = reading.value;
+        } else {
+            tolerance.*parameter->member = reading.value;
+        }
+    }
+    return tolerance;
+}
+
+std::string tolerance_text(const Tolerance& tolerance) {
+    std::string text;
+    const auto add = [&text](const char* name, double value) {
+        text += (text.empty() ? "" : ",") + std::string(name) + "=" + round_trip_text(value);
+    };
+    if (tolerance.kappa) {
+        add("kappa", *tolerance.kappa);
+    }
+    for (const ToleranceParameter& parameter : tolerance_parameters) {
+        if (tolerance.*parameter.member != 0) {
+            add(parameter.name, tolerance.*parameter.member);
+        }
+    }
+    return text.empty() ? none : text;
+}
+
+}  // namespace vybeg

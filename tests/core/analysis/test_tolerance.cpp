@@ -1,0 +1,105 @@
+// Tolerances of the channels as text, and back.
+#include "core/analysis/tolerance.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace vybeg;
+
+class TestTolerance : public QObject {
+    Q_OBJECT
+
+private slots:
+    void a_tolerance_is_read_in_its_unit_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("skew_deg");
+        QTest::addColumn<double>("delay_s");
+        QTest::addColumn<double>("phase_drift_rad");
+        QTest::newRow("plain") << "skew=0.1,delay=1e-8,phase-drift=1e-4" << 0.1 << 1e-8 << 1e-4;
+        QTest::newRow("units of their own")
+            << "skew=0.1deg,delay=1e-8s,phase-drift=1e-4rad" << 0.1 << 1e-8 << 1e-4;
+        QTest::newRow("smaller units")
+            << "delay=10ns,skew=1.7453292519943295mrad,phase-drift=0.1mrad" << 0.1 << 1e-8 << 1e-4;
+        QTest::newRow("larger and smaller units")
+            << "delay=0.01us,skew=0.0017453292519943296rad,phase-drift=0.005729577951308232deg"
+            << 0.1 << 1e-8 << 1e-4;
+        QTest::newRow("ms, ps") << "delay=1e-5ms" << 0.0 << 1e-8 << 0.0;
+        QTest::newRow("ps") << "delay=10000ps" << 0.0 << 1e-8 << 0.0;
+        QTest::newRow("nothing") << "none" << 0.0 << 0.0 << 0.0;
+    }
+
+    void a_tolerance_is_read_in_its_unit() {
+        QFETCH(QString, text);
+        QFETCH(double, skew_deg);
+        QFETCH(double, delay_s);
+        QFETCH(double, phase_drift_rad);
+        const Result<Tolerance> read = read_tolerance(text.toStdString());
+        QVERIFY(read);
+        const auto near = [](double value, double wanted) {
+            return std::abs(value - wanted) <= 1e-14 * std::abs(wanted);
+        };
+        QVERIFY2(near(read->skew_deg, skew_deg), qPrintable(QString::number(read->skew_deg)));
+        QVERIFY2(near(read->delay_s, delay_s), qPrintable(QString::number(read->delay_s)));
+        QVERIFY2(near(read->phase_drift_rad, phase_drift_rad),
+                 qPrintable(QString::number(read->phase_drift_rad)));
+        QVERIFY(!read->kappa);
+    }
+
+    void ratios_may_be_percent_or_ppm() {
+        const Result<Tolerance> read =
+            read_tolerance("kappa=1%,crosstalk=100ppm,gain-drift=0.0001");
+        QVERIFY(read);
+        QCOMPARE(read->kappa.value_or(-1), 0.01);
+        QCOMPARE(read->crosstalk, 1e-4);
+        QCOMPARE(read->gain_drift, 1e-4);
+        QVERIFY(read_tolerance("kappa=0")->kappa == 0.0);  // exact is not "as usual"
+    }
+
+    void its_text_reads_back() {
+        Tolerance tolerance;
+        QCOMPARE(tolerance_text(tolerance), std::string("none"));
+        QVERIFY(*read_tolerance("none") == tolerance);
+        tolerance = {0.003, 1.0 / 3, 1e-9 / 7, 1e-4, 2e-5, 3e-6};
+        QVERIFY(*read_tolerance(tolerance_text(tolerance)) == tolerance);
+        tolerance = {.kappa = 0.0};
+        QCOMPARE(tolerance_text(tolerance), std::string("kappa=0"));
+    }
+
+    void what_cannot_be_is_refused_with_what_is_wrong_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("part");
+        const auto row = [](const char* text, const char* part) {
+            QTest::newRow(*text == '\0' ? "empty" : text) << text << part;
+        };
+        row("", "NAME=X");
+        row("skew", "NAME=X");
+        row("skew=0.1,", "NAME=X");
+        row("tilt=0.1", "\"tilt\" is none of kappa, skew, delay, crosstalk, phase-drift");
+        row("skew=-0.1", "skew must be a number of zero or more, in deg");
+        row("skew=nan", "skew must be");
+        row("delay=inf", "delay must be a number of zero or more, in s");
+        row("skew=", "skew must be");
+        row("skew=deg", "skew must be");
+        row("skew=0,1", "NAME=X");
+        row("delay=10 ns ns", "delay must be");
+        row("delay=0.1deg", "delay must be");
+        row("kappa=0.1deg", "kappa must be a number of zero or more");
+        row("skew=1,skew=2", "skew is given twice");
+        row("kappa=1%,kappa=2%", "kappa is given twice");
+    }
+
+    void what_cannot_be_is_refused_with_what_is_wrong() {
+        QFETCH(QString, text);
+        QFETCH(QString, part);
+        const Result<Tolerance> read = read_tolerance(text.toStdString());
+        QVERIFY(!read);
+        QVERIFY(read.error().code == ErrorCode::setting_invalid);
+        QCOMPARE(read.error().args.at(0), std::string("--tolerance"));
+        const QString said = QString::fromStdString(read.error().args.at(2));
+        QVERIFY2(said.contains(part), qPrintable(said));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTolerance)
+#include "test_tolerance.moc"
