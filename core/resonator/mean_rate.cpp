@@ -24,10 +24,9 @@ Eigen::MatrixXd trend_functions(const Eigen::VectorXd& t, const Eigen::VectorXd&
         const std::size_t own = part.empty() ? 0 : part[static_cast<std::size_t>(k)];
         functions(k, static_cast<Eigen::Index>(own)) = root_weight[k];
     }
-    Eigen::VectorXd power = root_weight;
-    for (Eigen::Index k = 0; k < trend_order; ++k) {
-        power = power.cwiseProduct(scaled);
-        functions.col(parts + k) = power;
+    for (Eigen::Index k = 1; k <= trend_order; ++k) {
+        functions.col(parts + k - 1) =
+            root_weight.array() * scaled.array().pow(static_cast<double>(k));
     }
     return functions;
 }
