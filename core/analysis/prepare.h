@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,10 @@ struct Prepared {
     std::int64_t first = 0;                      // the range to analyse: frames [first, end)
     std::int64_t end = 0;
     double f0_hz = 0;
-    std::int64_t filter_reach = 0;      // frames to each side of which the band-pass takes in
-    Calibration calibration;            // with the offsets that were found
-    std::shared_ptr<FaultCheck> check;  // sees the samples of `source` as they are read
+    std::int64_t filter_reach = 0;        // frames to each side of which the band-pass takes in
+    std::optional<double> noise_in_band;  // sd per sample, behind a band-pass (band_noise.h)
+    Calibration calibration;              // with the offsets that were found
+    std::shared_ptr<FaultCheck> check;    // sees the samples of `source` as they are read
     std::vector<Diagnostic> diagnostics;
     double carrier_s = 0;  // seconds that the search for the carrier took, reading included
 };

@@ -10,24 +10,25 @@ namespace vybeg {
 enum class DiagnosticKind {
     time_uneven,  // args: largest deviation (s), the same in samples. Resampled to a uniform grid.
     time_gap,     // args: missing samples, at time (s)
-    missing_samples,    // args: count of NaN and infinite samples. Windows over them are flagged.
-    file_ends_early,    // args: frames promised, frames present
-    filter_transients,  // args: seconds lost at each end
-    filter_colours_noise,  // standard deviations assume white noise
-    context_missing,       // args: samples that the algorithm needs beyond the window
-    not_converged,         // args: windows, of
-    text_lines_ignored,    // args: count; header and comment lines
-    clipped,               // args: channel, samples at the rail, its level
-    samples_lost,          // args: samples, at time (s). A phase step common to both channels.
-    samples_doubled,       // args: samples, at time (s)
-    more_samples_lost,     // args: places beyond those told one by one
-    offset,                // args: channel, offset, per cent of the amplitude
-    mains,                 // args: frequency (Hz), per cent of the carrier
-    start_transient,       // args: seconds
-    gaps_inserted,         // args: samples, places. On the engineer's wish.
-    lost_counted,          // args: samples, places. Counted in the time of an identification.
-    strike_left_out,       // args: seconds from the start of the range. No free decay there yet.
-    frequency_drifts,      // args: run, Hz per s, its sd. Fitted.
+    missing_samples,     // args: count of NaN and infinite samples. Windows over them are flagged.
+    file_ends_early,     // args: frames promised, frames present
+    filter_transients,   // args: seconds lost at each end
+    context_missing,     // args: samples that the algorithm needs beyond the window
+    not_converged,       // args: windows, of
+    leakage,             // args: windows, of. The closed form is off by more than its deviation.
+    wave_moves,          // args: windows, of. Inside a window or between two.
+    text_lines_ignored,  // args: count; header and comment lines
+    clipped,             // args: channel, samples at the rail, its level
+    samples_lost,        // args: samples, at time (s). A phase step common to both channels.
+    samples_doubled,     // args: samples, at time (s)
+    more_samples_lost,   // args: places beyond those told one by one
+    offset,              // args: channel, offset, per cent of the amplitude
+    mains,               // args: frequency (Hz), per cent of the carrier
+    start_transient,     // args: seconds
+    gaps_inserted,       // args: samples, places. On the engineer's wish.
+    lost_counted,        // args: samples, places. Counted in the time of an identification.
+    strike_left_out,     // args: seconds from the start of the range. No free decay there yet.
+    frequency_drifts,    // args: run, Hz per s, its sd. Fitted.
     frequency_follows_amplitude,  // args: Hz per squared unit of amplitude, its sd. Fitted.
     q_disagrees,                  // args: run, Q from the envelope, Q from the coherent fit
     decay_of_one_direction,       // tau is refused: the decay of the direction is given

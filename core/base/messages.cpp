@@ -95,7 +95,8 @@ const char* message_template(ErrorCode code) {
             return VYBEG_MESSAGE(
                 "Message",
                 "%1: the window of %2 samples is too short; at this carrier it needs at "
-                "least %3 (5 samples and three quarters of a period).");
+                "least %3 (5 samples, and three quarters of a period of the carrier and of its "
+                "distance from half the sample rate).");
         case ErrorCode::range_empty:
             return VYBEG_MESSAGE(
                 "Message", "%1: nothing lies between %2 s and %3 s; the recording is %4 s long.");
@@ -168,10 +169,6 @@ const char* message_template(DiagnosticKind kind) {
                 "Message",
                 "The band-pass takes %1 s at each end for its transient; those windows "
                 "are flagged.");
-        case DiagnosticKind::filter_colours_noise:
-            return VYBEG_MESSAGE("Message",
-                                 "Behind the band-pass the noise is no longer white: the standard "
-                                 "deviations are only indicative.");
         case DiagnosticKind::context_missing:
             return VYBEG_MESSAGE(
                 "Message",
@@ -179,6 +176,17 @@ const char* message_template(DiagnosticKind kind) {
                 "without them are flagged.");
         case DiagnosticKind::not_converged:
             return VYBEG_MESSAGE("Message", "%1 of %2 windows did not converge; they are flagged.");
+        case DiagnosticKind::leakage:
+            return VYBEG_MESSAGE(
+                "Message",
+                "In %1 of %2 windows the algorithm is off by more than one standard deviation, by "
+                "leakage; they are flagged. A window of whole half-periods (Snap) makes it "
+                "smallest; conjugate gradient and maximum likelihood have none.");
+        case DiagnosticKind::wave_moves:
+            return VYBEG_MESSAGE(
+                "Message",
+                "In %1 of %2 windows the wave moves inside the window, or turns too far from one "
+                "window to the next; they are flagged. Choose a shorter window or a smaller hop.");
         case DiagnosticKind::text_lines_ignored:
             return VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.");
         case DiagnosticKind::clipped:
@@ -277,9 +285,10 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::missing_samples: return "missing-samples";
         case DiagnosticKind::file_ends_early: return "file-ends-early";
         case DiagnosticKind::filter_transients: return "filter-transients";
-        case DiagnosticKind::filter_colours_noise: return "filter-colours-noise";
         case DiagnosticKind::context_missing: return "context-missing";
         case DiagnosticKind::not_converged: return "not-converged";
+        case DiagnosticKind::leakage: return "leakage";
+        case DiagnosticKind::wave_moves: return "wave-moves";
         case DiagnosticKind::text_lines_ignored: return "text-lines-ignored";
         case DiagnosticKind::clipped: return "clipped";
         case DiagnosticKind::samples_lost: return "samples-lost";
