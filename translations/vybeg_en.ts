@@ -85,4 +85,14 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>vybeg::ui::RunList</name>
+        <message numerus="yes">
+            <source>The frequency of %n window(s) lies at the bound of the search; the mean's deviation allows for them.</source>
+            <translation>
+                <numerusform>The frequency of %n window lies at the bound of the search; the mean's deviation allows for it.</numerusform>
+                <numerusform>The frequency of %n windows lies at the bound of the search; the mean's deviation allows for them.</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -305,6 +305,18 @@
             <translation>Нет сходимости, %1 с</translation>
         </message>
         <message>
+            <source>Transient of the band-pass, %1 s</source>
+            <translation>Переходный процесс фильтра, %1 с</translation>
+        </message>
+        <message>
+            <source>The delay reaches beyond the samples, %1 s</source>
+            <translation>Задержка выходит за край записи, %1 с</translation>
+        </message>
+        <message>
+            <source>The wave moves inside its windows, %1 s</source>
+            <translation>Волна меняется внутри окон, %1 с</translation>
+        </message>
+        <message>
             <source>Clipped, %1 s</source>
             <translation>Ограничение, %1 с</translation>
         </message>
@@ -322,6 +334,22 @@
         <message>
             <source>samples are missing</source>
             <translation>нет отсчётов</translation>
+        </message>
+        <message>
+            <source>transient of the band-pass</source>
+            <translation>переходный процесс фильтра</translation>
+        </message>
+        <message>
+            <source>the delay reaches beyond the samples</source>
+            <translation>задержка выходит за край записи</translation>
+        </message>
+        <message>
+            <source>leakage above one standard deviation</source>
+            <translation>утечка больше одного СКО</translation>
+        </message>
+        <message>
+            <source>the wave moves inside the window</source>
+            <translation>волна меняется внутри окна</translation>
         </message>
         <message>
             <source>not converged</source>
@@ -498,8 +526,8 @@
             <translation>%1: окно из %2 отсчётов длиннее обрабатываемого участка (отсчётов: %3). Выберите более короткое окно или более длинный участок.</translation>
         </message>
         <message>
-            <source>%1: the window of %2 samples is too short; at this carrier it needs at least %3 (5 samples and three quarters of a period).</source>
-            <translation>%1: окно из %2 отсчётов слишком короткое; при этой несущей частоте нужно не менее %3 (5 отсчётов и три четверти периода).</translation>
+            <source>%1: the window of %2 samples is too short; at this carrier it needs at least %3 (5 samples, and three quarters of a period of the carrier and of its distance from half the sample rate).</source>
+            <translation>%1: окно из %2 отсчётов слишком короткое; при этой несущей частоте нужно не менее %3 (5 отсчётов и три четверти периода — как несущей, так и её расстояния до половины частоты дискретизации).</translation>
         </message>
         <message>
             <source>%1: nothing lies between %2 s and %3 s; the recording is %4 s long.</source>
@@ -582,16 +610,20 @@
             <translation>Переходный процесс полосового фильтра занимает %1 с на каждом конце; эти окна помечены.</translation>
         </message>
         <message>
-            <source>Behind the band-pass the noise is no longer white: the standard deviations are only indicative.</source>
-            <translation>После полосового фильтра шум уже не белый: среднеквадратические отклонения лишь ориентировочны.</translation>
-        </message>
-        <message>
             <source>This algorithm needs %1 samples on both sides of a window; windows without them are flagged.</source>
             <translation>Этому алгоритму нужно %1 отсчётов по обе стороны окна; окна без них помечены.</translation>
         </message>
         <message>
             <source>%1 of %2 windows did not converge; they are flagged.</source>
             <translation>Окон без сходимости: %1 из %2; они помечены.</translation>
+        </message>
+        <message>
+            <source>In %1 of %2 windows the algorithm is off by more than one standard deviation, by leakage; they are flagged. A window of whole half-periods (Snap) makes it smallest; conjugate gradient and maximum likelihood have none.</source>
+            <translation>Окон, в которых из-за утечки ошибка алгоритма больше одного СКО: %1 из %2; они помечены. Меньше всего утечка в окне из целых полупериодов («Подогнать»); у сопряжённых градиентов и максимального правдоподобия её нет.</translation>
+        </message>
+        <message>
+            <source>In %1 of %2 windows the wave moves inside the window, or turns too far from one window to the next; they are flagged. Choose a shorter window or a smaller hop.</source>
+            <translation>Окон, в которых волна заметно меняется за время окна или слишком далеко поворачивается от окна к окну: %1 из %2; они помечены. Возьмите более короткое окно или меньший шаг.</translation>
         </message>
         <message>
             <source>%1 header or comment lines were passed over.</source>
@@ -1254,6 +1286,10 @@
         <message>
             <source>phase of the standing waves</source>
             <translation>фаза стоячих волн</translation>
+        </message>
+        <message>
+            <source>noise per sample and channel, of the residual</source>
+            <translation>шум на отсчёт и канал, по остатку</translation>
         </message>
         <message>
             <source>root of the error functional F</source>
@@ -2489,20 +2525,44 @@
             <translation>Средняя f, Гц</translation>
         </message>
         <message>
-            <source>rms</source>
-            <translation>СКО</translation>
+            <source>Noise</source>
+            <translation>Шум</translation>
         </message>
         <message>
             <source>Time, ms</source>
             <translation>Время, мс</translation>
         </message>
         <message>
-            <source>Mean frequency f_cp over all windows ± standard deviation of the mean, from the scatter between windows</source>
-            <translation>Средняя частота f_cp по всем окнам ± СКО среднего, по разбросу между окнами</translation>
+            <source>Notes</source>
+            <translation>Замечания</translation>
         </message>
         <message>
-            <source>Root of the functional F (7), mean over all windows</source>
-            <translation>Корень из функционала F (7), в среднем по всем окнам</translation>
+            <source>Snap</source>
+            <translation>Подогнать</translation>
+        </message>
+        <message>
+            <source>Analyse again with a window of whole half-periods, which leaks least</source>
+            <translation>Рассчитать снова с окном из целых полупериодов: утечка в нём наименьшая</translation>
+        </message>
+        <message>
+            <source>Leakage of the window limits the mean frequency, by %1 Hz.</source>
+            <translation>Среднюю частоту ограничивает утечка окна: %1 Гц.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The frequency of %n window(s) lies at the bound of the search; the mean's deviation allows for them.</source>
+            <translation>
+                <numerusform>Частота %n окна лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+                <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+                <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Weighted mean of the frequency f_cp over all valid windows ± its standard deviation: scatter between windows, leakage of algorithms 1 to 4, bounds of the search</source>
+            <translation>Взвешенное среднее частоты f_cp по всем годным окнам ± его СКО: разброс между окнами, утечка алгоритмов 1–4, границы поиска</translation>
+        </message>
+        <message>
+            <source>Noise per sample and channel: residual of the windows, its degrees of freedom counted</source>
+            <translation>Шум на отсчёт и канал: остаток в окнах с учётом числа степеней свободы</translation>
         </message>
         <message>
             <source>Time in the estimators alone</source>

@@ -22,6 +22,8 @@ namespace vybeg::ui {
 
 namespace {
 
+constexpr int shown_count = static_cast<int>(shown_slow_variables.size());
+
 struct Reading {
     double value = std::numeric_limits<double>::quiet_NaN();
     double sd = std::numeric_limits<double>::quiet_NaN();
@@ -69,7 +71,7 @@ CursorPanel::CursorPanel(Document& document, QWidget* parent)
     time_->setContentsMargins(6, 2, 6, 2);
     time_->setWordWrap(true);
     time_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    table_->setRowCount(slow_variable_count + 1);
+    table_->setRowCount(shown_count + 1);
     table_->setItemDelegate(new IndexDelegate(table_));
     table_->verticalHeader()->hide();
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -125,16 +127,16 @@ void CursorPanel::refresh() {
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             table_->setItem(line, column, item);
         };
-        for (int line = 0; line < slow_variable_count; ++line) {
+        for (int line = 0; line < shown_count; ++line) {
             const Reading reading = readingAt(
-                analysis, all_slow_variables[static_cast<std::size_t>(line)], row, units_);
+                analysis, shown_slow_variables[static_cast<std::size_t>(line)], row, units_);
             set(line, valueText(reading.value, reading.sd));
         }
         const QString reason = flagsText(analysis.track.flags()[row]);
-        set(slow_variable_count, reason);
+        set(shown_count, reason);
         any_flag = any_flag || !reason.isEmpty();
     }
-    table_->setRowHidden(slow_variable_count, !any_flag);
+    table_->setRowHidden(shown_count, !any_flag);
 }
 
 QString CursorPanel::tableText() const {
@@ -154,7 +156,7 @@ QString CursorPanel::tableText() const {
         head << entry->run.name << tr("sd");
     }
     lines << head.join(QLatin1Char('\t'));
-    for (const SlowVariable variable : all_slow_variables) {
+    for (const SlowVariable variable : shown_slow_variables) {
         const QString unit = displayUnit(variable, units_);
         const QString symbol = displaySymbol(variable, units_);
         QStringList cells{unit.isEmpty() ? symbol : QStringLiteral("%1, %2").arg(symbol, unit)};
@@ -180,8 +182,8 @@ void CursorPanel::retranslate() {
     table_->setAccessibleName(tr("Values at the cursor"));
     table_->setColumnCount(std::max(1, table_->columnCount()));
     table_->setHorizontalHeaderItem(0, new QTableWidgetItem);
-    for (int line = 0; line < slow_variable_count; ++line) {
-        const SlowVariable variable = all_slow_variables[static_cast<std::size_t>(line)];
+    for (int line = 0; line < shown_count; ++line) {
+        const SlowVariable variable = shown_slow_variables[static_cast<std::size_t>(line)];
         const QString unit = displayUnit(variable, units_);
         const QString symbol = displaySymbol(variable, units_);
         auto* item = new QTableWidgetItem(
@@ -189,7 +191,7 @@ void CursorPanel::retranslate() {
         item->setToolTip(displayMeaning(variable));
         table_->setItem(line, 0, item);
     }
-    table_->setItem(slow_variable_count, 0, new QTableWidgetItem(tr("Reason")));
+    table_->setItem(shown_count, 0, new QTableWidgetItem(tr("Reason")));
     refresh();
 }
 

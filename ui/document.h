@@ -100,6 +100,7 @@ public:
     // Analyses, in the background.
     void analyse();
     void rerun(int run_id);
+    void rerunSnapped(int run_id);  // with the window moved to whole half-periods
     // One run of the current recording per window length; comparisonReady() when all are done.
     void compareWindows(const std::vector<std::int64_t>& lengths);
     // Live: each recording has a run that follows the settings, with its name and colour, as soon
@@ -200,6 +201,7 @@ private:
     void readEnvelope(int id);
     void hashFile(int id);
     void ask(int recording_id, const Settings& settings, int batch);
+    void runAgain(int recording_id, const Settings& requested);
     void enter(int key, const Request& request);
     static void showOutcome(RunEntry& entry, const Settings& requested, AnalysisOutcome outcome);
     RunEntry newRun(const RecordingEntry& recording, const QString& name);

@@ -15,12 +15,20 @@ void Document::analyse() {
 }
 
 void Document::rerun(int run_id) {
-    const RunEntry* entry = run(run_id);
-    if (!entry) {
-        return;
+    if (const RunEntry* entry = run(run_id)) {
+        runAgain(entry->recording_id, entry->requested);
     }
-    const int recording_id = entry->recording_id;
-    const Settings requested = entry->requested;
+}
+
+void Document::rerunSnapped(int run_id) {
+    if (const RunEntry* entry = run(run_id)) {
+        Settings snapped = entry->requested;
+        snapped.snap = true;
+        runAgain(entry->recording_id, snapped);
+    }
+}
+
+void Document::runAgain(int recording_id, const Settings& requested) {
     setCurrentRecording(recording_id);
     setSettings(requested);
     ask(recording_id, requested, 0);

@@ -61,6 +61,11 @@ QString flagsText(Flags flags) {
     add(Flag::circular, QCoreApplication::translate("Flag", "circular wave: no angle"));
     add(Flag::gap, QCoreApplication::translate("Flag", "samples are missing"));
     add(Flag::clipped, QCoreApplication::translate("Flag", "samples at the rail"));
+    add(Flag::filter_transient, QCoreApplication::translate("Flag", "transient of the band-pass"));
+    add(Flag::delay_reach,
+        QCoreApplication::translate("Flag", "the delay reaches beyond the samples"));
+    add(Flag::leakage, QCoreApplication::translate("Flag", "leakage above one standard deviation"));
+    add(Flag::moving, QCoreApplication::translate("Flag", "the wave moves inside the window"));
     add(Flag::not_converged, QCoreApplication::translate("Flag", "not converged"));
     add(Flag::at_bound, QCoreApplication::translate("Flag", "frequency at its bound"));
     return reasons.join(QStringLiteral("; "));
@@ -126,6 +131,16 @@ QString eventText(const Event& event) {
             return QCoreApplication::translate("Event", "Clipped, %1 s").arg(seconds());
         case EventKind::not_converged:
             return QCoreApplication::translate("Event", "Not converged, %1 s").arg(seconds());
+        case EventKind::filter_transient:
+            return QCoreApplication::translate("Event", "Transient of the band-pass, %1 s")
+                .arg(seconds());
+        case EventKind::delay_reach:
+            return QCoreApplication::translate("Event",
+                                               "The delay reaches beyond the samples, %1 s")
+                .arg(seconds());
+        case EventKind::moving:
+            return QCoreApplication::translate("Event", "The wave moves inside its windows, %1 s")
+                .arg(seconds());
     }
     return {};
 }

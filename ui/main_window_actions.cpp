@@ -157,7 +157,7 @@ void MainWindow::buildMenus() {
     view->addSeparator();
     QMenu* variables = view->addMenu(QString());
     menus_[variables] = QT_TR_NOOP("&Plots");
-    for (const SlowVariable variable : all_slow_variables) {
+    for (const SlowVariable variable : shown_slow_variables) {
         QAction* shown = variables->addAction(QString());
         shown->setCheckable(true);
         shown->setData(static_cast<int>(variable));

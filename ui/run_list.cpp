@@ -8,10 +8,14 @@
 #include <QAction>
 #include <QEvent>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLocale>
 #include <QPainter>
+#include <QPushButton>
 #include <QSignalBlocker>
+#include <QStyle>
 
 namespace vybeg::ui {
 
@@ -41,7 +45,8 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
     setIconSize({28, 14});
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setContextMenuPolicy(Qt::ActionsContextMenu);
-    header()->setStretchLastSection(true);
+    header()->setStretchLastSection(false);
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 
     rename_ = new QAction(this);
@@ -94,7 +99,7 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
     });
     retranslate();
     const int digit = fontMetrics().averageCharWidth();
-    const int widths[column_count] = {27, 14, 25, 7, 23, 25, 12, 8};
+    const int widths[column_count] = {27, 14, 25, 7, 23, 25, 12, 10, 40};
     for (int column = 0; column < column_count; ++column) {
         setColumnWidth(column, widths[column] * digit);
     }
@@ -104,7 +109,7 @@ int RunList::currentRun() const {
     return currentItem() ? currentItem()->data(name, Qt::UserRole).toInt() : 0;
 }
 
-void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) const {
+void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) {
     const QLocale locale;
     const Analysis& analysis = *entry.run.analysis;
     item.setData(name, Qt::UserRole, entry.run.id);
@@ -126,23 +131,70 @@ void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) const {
             ? tr("%1 of %2").arg(count, locale.toString(static_cast<qint64>(analysis.plan.count)))
             : flagged);
     item.setText(frequency, valueText(entry.summary.mean_f_hz, entry.summary.sd_mean_f_hz));
-    item.setText(rms, locale.toString(entry.summary.rms, 'g', 4));
+    item.setText(noise, locale.toString(entry.summary.noise, 'g', 4));
     const double ms = 1e3 * entry.run.seconds_taken;
     item.setText(time, entry.partial() ? QString() : locale.toString(ms, 'f', ms < 10 ? 2 : 0));
-    QStringList notes;
+    for (int column = 0; column < column_count; ++column) {
+        item.setToolTip(column, item.text(column));
+    }
     if (entry.live && document_.live()) {
         QFont font = this->font();
         font.setItalic(true);
         item.setFont(name, font);
-        notes << tr("Follows the settings while Live is on; Run keeps a run as it is");
+        item.setToolTip(name,
+                        tr("Follows the settings while Live is on; Run keeps a run as it is"));
     }
-    for (const Diagnostic& diagnostic : analysis.diagnostics) {
-        notes << diagnosticText(diagnostic);
+    fillNotes(item, entry);
+}
+
+void RunList::fillNotes(QTreeWidgetItem& item, const RunEntry& entry) {
+    QStringList sentences;
+    const bool snaps = entry.summary.leakage_limits() && !entry.requested.snap;
+    if (entry.summary.leakage_limits()) {
+        sentences << tr("Leakage of the window limits the mean frequency, by %1 Hz.")
+                         .arg(QLocale().toString(entry.summary.leakage_f_hz, 'g', 2));
     }
-    for (int column = 0; column < column_count; ++column) {
-        item.setToolTip(column,
-                        notes.isEmpty() ? item.text(column) : notes.join(QLatin1Char('\n')));
+    if (entry.summary.at_bound > 0) {
+        sentences << tr(
+            "The frequency of %n window(s) lies at the bound of the search; the mean's "
+            "deviation allows for them.",
+            nullptr, static_cast<int>(entry.summary.at_bound));
     }
+    for (const Diagnostic& diagnostic : entry.run.analysis->diagnostics) {
+        sentences << diagnosticText(diagnostic);
+    }
+    if (sentences.isEmpty()) {
+        return;
+    }
+    const QString text = sentences.join(QLatin1Char(' '));
+    const QIcon mark = style()->standardIcon(QStyle::SP_MessageBoxWarning);
+    item.setToolTip(notes, sentences.join(QLatin1Char('\n')));
+    if (!snaps) {
+        item.setIcon(notes, mark);
+        item.setText(notes, text);
+        return;
+    }
+    auto* const sign = new QLabel(this);
+    sign->setPixmap(mark.pixmap(fontMetrics().height()));
+    auto* cell = new QWidget(this);
+    auto* snap = new QPushButton(tr("Snap"), cell);
+    snap->setObjectName(QStringLiteral("snapRun"));
+    snap->setToolTip(tr("Analyse again with a window of whole half-periods, which leaks least"));
+    snap->setFixedHeight(fontMetrics().height() + 2);
+    auto* layout = new QHBoxLayout(cell);
+    layout->setContentsMargins(2, 0, 2, 0);
+    layout->addWidget(sign);
+    layout->addWidget(snap);
+    auto* const note = new QLabel(text, cell);
+    note->setObjectName(QStringLiteral("note"));
+    layout->addWidget(note);
+    layout->addStretch(1);
+    setItemWidget(&item, notes, cell);
+    item.setSizeHint(notes, {cell->sizeHint().width(), fontMetrics().height() + 4});
+    // Queued: the new run rebuilds this list, and with it the button.
+    connect(
+        snap, &QPushButton::clicked, &document_,
+        [this, id = entry.run.id] { document_.rerunSnapped(id); }, Qt::QueuedConnection);
 }
 
 void RunList::rebuild() {
@@ -161,6 +213,7 @@ void RunList::rebuild() {
             setCurrentItem(topLevelItem(topLevelItemCount() - 1));
         }
     }
+    resizeColumnToContents(notes);
     for (QAction* action : {rename_, rerun_, remove_}) {
         action->setEnabled(currentItem() != nullptr);
     }
@@ -177,11 +230,13 @@ void RunList::changeEvent(QEvent* event) {
 void RunList::retranslate() {
     setAccessibleName(tr("Runs"));
     setHeaderLabels({tr("Run"), tr("Recording"), tr("Algorithm"), tr("n"), tr("Windows"),
-                     tr("Mean f, Hz"), tr("rms"), tr("Time, ms")});
-    headerItem()->setToolTip(frequency,
-                             tr("Mean frequency f_cp over all windows ± standard deviation of the "
-                                "mean, from the scatter between windows"));
-    headerItem()->setToolTip(rms, tr("Root of the functional F (7), mean over all windows"));
+                     tr("Mean f, Hz"), tr("Noise"), tr("Time, ms"), tr("Notes")});
+    headerItem()->setToolTip(
+        frequency,
+        tr("Weighted mean of the frequency f_cp over all valid windows ± its standard deviation: "
+           "scatter between windows, leakage of algorithms 1 to 4, bounds of the search"));
+    headerItem()->setToolTip(noise, tr("Noise per sample and channel: residual of the windows, its "
+                                       "degrees of freedom counted"));
     headerItem()->setToolTip(time, tr("Time in the estimators alone"));
     headerItem()->setToolTip(window, tr("Window, samples"));
     rename_->setText(tr("Rename"));

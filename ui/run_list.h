@@ -10,6 +10,8 @@ namespace vybeg::ui {
 
 // The runs: a row per analysis with its colour, where it comes from and what came out. The check
 // box shows it in the plots; F2 renames, Delete removes, Ctrl+R analyses again with its settings.
+// What speaks against a run stands in its row, behind a mark; where leakage limits its mean
+// frequency, the button that cures it stands there, too.
 class RunList : public QTreeWidget {
     Q_OBJECT
 
@@ -27,11 +29,23 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    enum Column { name, recording, algorithm, window, windows, frequency, rms, time, column_count };
+    enum Column {
+        name,
+        recording,
+        algorithm,
+        window,
+        windows,
+        frequency,
+        noise,
+        time,
+        notes,
+        column_count
+    };
 
     void rebuild();
     void retranslate();
-    void fill(QTreeWidgetItem& item, const RunEntry& entry) const;
+    void fill(QTreeWidgetItem& item, const RunEntry& entry);
+    void fillNotes(QTreeWidgetItem& item, const RunEntry& entry);
 
     Document& document_;
     QAction* rename_;

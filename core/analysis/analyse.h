@@ -4,6 +4,7 @@
 #include "core/base/job_control.h"
 #include "core/recording/recording.h"
 #include "core/track/flagged_rows.h"
+#include "core/track/track_summary.h"
 #include "core/windows/window_plan.h"
 
 #include <vector>
@@ -25,7 +26,8 @@ struct AnalysisSummary {
     WindowPlan plan;
     double residual = 0;                  // <cos 2wt> of the window (METHOD section 3)
     std::vector<Diagnostic> diagnostics;  // of the recording and of the analysis
-    std::vector<FlaggedRows> flagged;     // rows over faults that were known only at the end
+    std::vector<FlaggedRows> flagged;     // rows whose flag was known only after they were made
+    TrackSummary means;                   // before `flagged`
     Timing timing;
 
     double f0_hz() const { return *settings.f0_hz; }

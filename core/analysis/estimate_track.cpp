@@ -1,5 +1,7 @@
 #include "core/analysis/estimate_track.h"
 
+#include "core/analysis/band_noise.h"
+#include "core/track/motion.h"
 #include "core/track/unwrap.h"
 
 #include <tbb/blocked_range.h>
@@ -57,6 +59,7 @@ void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& 
     value(SlowVariable::alpha, estimate.state.alpha);
     value(SlowVariable::f, estimate.f_hz);
     value(SlowVariable::delta_phi_CD, estimate.delta_phi_CD);
+    value(SlowVariable::noise, estimate.noise);
     value(SlowVariable::rms, estimate.rms);
     value(SlowVariable::orthogonality, estimate.orthogonality);
     sd(SlowVariable::a_A, estimate.sd.a_A);
@@ -68,6 +71,7 @@ void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& 
                             : estimate.sd_f_hz);
     sd(SlowVariable::delta_phi_CD, estimate.sd_delta_phi_CD);
     track.flags()[row] = estimate.flags;
+    track.leakage_f_hz()[row] = estimate.leakage_f_hz;
 }
 
 // A chunk of samples, the windows in it, and their rows once they are estimated.
@@ -85,8 +89,17 @@ public:
     TrackEstimation(const Prepared& prepared, const WindowPlan& plan, const Settings& settings,
                     double rate_hz)
         : prepared_(prepared), plan_(plan), rate_hz_(rate_hz), algorithm_(settings.algorithm) {
-        options_ = {plan.length,    rate_hz,          prepared.f0_hz,
-                    settings.start, settings.initial, plan.centre_s(0, rate_hz)};
+        options_ = {plan.length,
+                    rate_hz,
+                    prepared.f0_hz,
+                    settings.start,
+                    settings.initial,
+                    plan.centre_s(0, rate_hz),
+                    {}};
+        if (settings.filter && prepared.noise_in_band) {
+            options_.noise = equivalent_noise(*prepared.noise_in_band, *settings.filter,
+                                              prepared.f0_hz, plan.length, rate_hz);
+        }
         sequential_ = make_estimator(algorithm_, options_);
     }
 
@@ -157,9 +170,22 @@ private:
         estimator.estimate({part(chunk.c), part(chunk.d), start - from, plan_.length, plan_.hop},
                            plan_.centre_s(first_window, rate_hz_), estimates);
         for (std::size_t k = 0; k < estimates.size(); ++k) {
+            name_transient(estimates[k], first_window + static_cast<std::int64_t>(k));
             fill_row(chunk.rows, static_cast<std::size_t>(first) + k,
                      plan_.centre_s(first_window + static_cast<std::int64_t>(k), rate_hz_),
                      estimates[k], prepared_.rate_relative_sd);
+        }
+    }
+
+    // What is missing where the band-pass reaches beyond the recording was not lost.
+    void name_transient(WaveEstimate& estimate, std::int64_t window) const {
+        if (!has(estimate.flags, Flag::gap)) {
+            return;
+        }
+        const std::int64_t start = plan_.start(window);
+        const std::int64_t reach = prepared_.filter_reach;
+        if (start < reach || start + plan_.length > prepared_.source->frames() - reach) {
+            estimate.flags = static_cast<Flags>(Flag::filter_transient);
         }
     }
 
@@ -196,8 +222,8 @@ private:
     std::optional<Error> error_;
 };
 
-std::int64_t count_not_converged(const Track& rows) {
-    return std::ranges::count_if(rows.flags(), [](Flags f) { return has(f, Flag::not_converged); });
+std::int64_t count_with(Flag flag, const Track& rows) {
+    return std::ranges::count_if(rows.flags(), [flag](Flags f) { return has(f, flag); });
 }
 
 }  // namespace
@@ -207,7 +233,11 @@ Result<EstimationSummary> estimate_track(const Prepared& prepared, const WindowP
                                          const TrackSink& sink, const JobControl& job) {
     TrackEstimation estimation(prepared, plan, settings, rate_hz);
     AngleUnwrapper angle(prepared.calibration.angle_zero_deg * std::numbers::pi / 90);
-    EstimationSummary summary{.context = estimation.context()};
+    MotionMarker motion(plan.length, plan.hop, rate_hz);
+    TrackSummariser tracks(static_cast<std::size_t>(plan.count),
+                           static_cast<double>(plan.hop) / static_cast<double>(plan.length));
+    EstimationSummary summary;
+    summary.context = estimation.context();
     FirstError error;
     const auto stopped = [&] { return job.cancelled() || error.get(); };
 
@@ -238,7 +268,10 @@ Result<EstimationSummary> estimate_track(const Prepared& prepared, const WindowP
             return;
         }
         angle.unwrap(chunk->rows);
-        summary.not_converged += count_not_converged(chunk->rows);
+        motion.take(chunk->rows);
+        tracks.take(chunk->rows);
+        summary.not_converged += count_with(Flag::not_converged, chunk->rows);
+        summary.leaking += count_with(Flag::leakage, chunk->rows);
         if (error.take(sink(chunk->rows))) {
             job.report(static_cast<double>(chunk->first_window + chunk->windows) /
                        static_cast<double>(plan.count));
@@ -257,6 +290,8 @@ Result<EstimationSummary> estimate_track(const Prepared& prepared, const WindowP
     if (job.cancelled()) {
         return Error{ErrorCode::interrupted, "", {}};
     }
+    summary.moving = motion.finish();
+    summary.track = tracks.summary();
     return summary;
 }
 

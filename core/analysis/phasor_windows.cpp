@@ -351,10 +351,6 @@ Result<PhasorWindows> phasor_windows(const WindowChoice& choice, double rate_hz,
     found.read_s = pass->read_s;
     found.estimate_s = pass->estimate_s;
     found.diagnostics = prepared.diagnostics;
-    // The windows' deviations take it in.
-    std::erase_if(found.diagnostics, [](const Diagnostic& told) {
-        return told.kind == DiagnosticKind::filter_colours_noise;
-    });
     const SampleFaults faults = prepared.check->finish();
     add_findings(faults.findings, found.diagnostics);
     add_findings(prepared.check->offsets(), found.diagnostics);

@@ -19,6 +19,20 @@ void add_diagnostics(const EstimationSummary& estimation, AnalysisSummary& analy
             {DiagnosticKind::not_converged,
              {integer_text(estimation.not_converged), integer_text(analysis.plan.count)}});
     }
+    if (estimation.leaking > 0) {
+        analysis.diagnostics.push_back(
+            {DiagnosticKind::leakage,
+             {integer_text(estimation.leaking), integer_text(analysis.plan.count)}});
+    }
+    if (!estimation.moving.empty()) {
+        std::size_t moving = 0;
+        for (const FlaggedRows& rows : estimation.moving) {
+            moving += rows.count;
+        }
+        analysis.diagnostics.push_back(
+            {DiagnosticKind::wave_moves,
+             {integer_text(static_cast<std::int64_t>(moving)), integer_text(analysis.plan.count)}});
+    }
     if (estimation.context > 0) {
         analysis.diagnostics.push_back(
             {DiagnosticKind::context_missing, {integer_text(estimation.context)}});
@@ -99,6 +113,10 @@ Result<AnalysisSummary> analyse_planned(const Recording& recording, const Settin
     const SampleFaults faults = planned.check->finish();
     add_findings(faults.findings, analysis.diagnostics);
     analysis.flagged = windows_over(faults, planned.plan);
+    analysis.flagged.insert(analysis.flagged.end(), estimation->moving.begin(),
+                            estimation->moving.end());
+    std::ranges::stable_sort(analysis.flagged, {}, &FlaggedRows::first);
+    analysis.means = estimation->track;
     add_diagnostics(*estimation, analysis);
     analysis.timing = {estimation->read_s, planned.carrier_s, estimation->estimate_s, threads};
     return analysis;

@@ -1,5 +1,6 @@
 #include "core/analysis/prepare.h"
 
+#include "core/analysis/band_noise.h"
 #include "core/base/number_text.h"
 #include "core/recording/calibrated_source.h"
 #include "core/recording/filtered_source.h"
@@ -146,14 +147,15 @@ Result<std::shared_ptr<const SampleSource>> with_gaps_for_lost(const Recording& 
     return with_gaps(recording.source, faults->steps);
 }
 
-// The source behind calibration and band-pass.
+// The source behind calibration and band-pass, whose gain is 1 at the carrier where that is known.
 Result<std::shared_ptr<const SampleSource>> condition(std::shared_ptr<const SampleSource> source,
                                                       const Calibration& calibration,
                                                       const std::optional<Band>& filter,
-                                                      double rate_hz) {
+                                                      double rate_hz,
+                                                      std::optional<double> f0_hz = {}) {
     source = calibrated(std::move(source), calibration, rate_hz);
     if (filter) {
-        return band_passed(std::move(source), filter->low_hz, filter->high_hz, rate_hz);
+        return band_passed(std::move(source), filter->low_hz, filter->high_hz, rate_hz, f0_hz);
     }
     return source;
 }
@@ -217,14 +219,21 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
     // What is read from here on goes into the windows, and past the check on its way.
     prepared.check = std::make_shared<FaultCheck>(*f0, rate);
     const auto watched = std::make_shared<WatchedSource>(raw, prepared.check);
-    prepared.source = *condition(watched, prepared.calibration, settings.filter, rate);
+    prepared.source = *condition(watched, prepared.calibration, settings.filter, rate, *f0);
     if (settings.filter) {
         const auto [low, high] = *settings.filter;
         prepared.filter = settings.filter;
         prepared.filter_reach = band_pass_reach(low, high, rate);
         const double lost = static_cast<double>(prepared.filter_reach) / rate;
         prepared.diagnostics.push_back({DiagnosticKind::filter_transients, {short_text(lost, 3)}});
-        prepared.diagnostics.push_back({DiagnosticKind::filter_colours_noise, {}});
+        const Result<double> noise = noise_in_band(**conditioned, prepared.first, prepared.end,
+                                                   *settings.filter, rate, job.silent());
+        if (!noise) {
+            return named(noise.error());
+        }
+        if (std::isfinite(*noise)) {
+            prepared.noise_in_band = *noise;
+        }
     }
     prepared.carrier_s = job.now() - begun;
     return prepared;

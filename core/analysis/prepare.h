@@ -23,10 +23,11 @@ struct Prepared {
     std::int64_t end = 0;
     double f0_hz = 0;
     std::optional<Band> filter;
-    double rate_relative_sd = 0;        // of the recording
-    std::int64_t filter_reach = 0;      // frames to each side of which the band-pass takes in
-    Calibration calibration;            // with the offsets that were found
-    std::shared_ptr<FaultCheck> check;  // sees the samples of `source` as they are read
+    double rate_relative_sd = 0;          // of the recording
+    std::int64_t filter_reach = 0;        // frames to each side of which the band-pass takes in
+    std::optional<double> noise_in_band;  // sd per sample, behind a band-pass (band_noise.h)
+    Calibration calibration;              // with the offsets that were found
+    std::shared_ptr<FaultCheck> check;    // sees the samples of `source` as they are read
     std::vector<Diagnostic> diagnostics;
     double carrier_s = 0;  // seconds that the search for the carrier took, reading included
 };

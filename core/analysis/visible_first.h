@@ -22,10 +22,10 @@ using EarlySink = std::function<void(Analysis)>;
 // single windows spread over the whole range and over the visible part of it, then all windows of
 // the visible part between the spread ones; at once the latter, where they do not take long. Their
 // values are those of the result to 1e-9, flags of
-// clipped and lost samples excepted; 2theta_A modulo pi, where the wave turns by more than pi/2
-// between two spread windows, and windows that start from the one before (StartRule::previous) as
-// far as that start decides what they find. The result itself is that of analyse(), to the bit.
-// Errors as of analyse().
+// clipped and lost samples and of motion excepted; 2theta_A modulo pi, where the wave turns by more
+// than pi/2 between two spread windows, and windows that start from the one before
+// (StartRule::previous) as far as that start decides what they find. The result itself is that of
+// analyse(), to the bit. Errors as of analyse().
 Result<Analysis> analyse_visible_first(const Recording& recording, const Settings& settings,
                                        const TimeRange& visible, const EarlySink& early,
                                        const JobControl& job);

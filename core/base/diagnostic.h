@@ -10,17 +10,18 @@ namespace vybeg {
 enum class DiagnosticKind {
     time_uneven,  // args: largest deviation (s), the same in samples. Resampled to a uniform grid.
     time_gap,     // args: missing samples, at time (s)
-    missing_samples,    // args: count of NaN and infinite samples. Windows over them are flagged.
-    file_ends_early,    // args: frames promised, frames present
-    file_not_closed,    // args: frames present. Nothing says how many there were to be.
-    channels_unequal,   // args: C's name, its samples, D's name, its samples
-    filter_transients,  // args: seconds lost at each end
-    filter_colours_noise,  // standard deviations assume white noise
-    context_missing,       // args: samples that the algorithm needs beyond the window
-    not_converged,         // args: windows, of
-    over_range,            // args: channel, samples. Of the missing ones, those beyond its range.
-    unit_converted,        // args: channel, its unit, the unit of C, in which it is read
+    missing_samples,     // args: count of NaN and infinite samples. Windows over them are flagged.
+    file_ends_early,     // args: frames promised, frames present
+    file_not_closed,     // args: frames present. Nothing says how many there were to be.
+    channels_unequal,    // args: C's name, its samples, D's name, its samples
+    filter_transients,   // args: seconds lost at each end
+    context_missing,     // args: samples that the algorithm needs beyond the window
+    not_converged,       // args: windows, of
+    over_range,          // args: channel, samples. Of the missing ones, those beyond its range.
+    unit_converted,      // args: channel, its unit, the unit of C, in which it is read
     units_differ,        // args: channel C, its unit, channel D, its unit. No factor between them.
+    leakage,             // args: windows, of. The closed form is off by more than its deviation.
+    wave_moves,          // args: windows, of. Inside a window or between two.
     text_lines_ignored,  // args: count; header and comment lines
     clipped,             // args: channel, samples at the rail, its level
     samples_lost,        // args: samples, at time (s). A phase step common to both channels.

@@ -97,7 +97,8 @@ const char* message_template(ErrorCode code) {
             return VYBEG_MESSAGE(
                 "Message",
                 "%1: the window of %2 samples is too short; at this carrier it needs at "
-                "least %3 (5 samples and three quarters of a period).");
+                "least %3 (5 samples, and three quarters of a period of the carrier and of its "
+                "distance from half the sample rate).");
         case ErrorCode::range_empty:
             return VYBEG_MESSAGE(
                 "Message", "%1: nothing lies between %2 s and %3 s; the recording is %4 s long.");
@@ -200,10 +201,6 @@ const char* message_template(DiagnosticKind kind) {
                 "Message",
                 "The band-pass takes %1 s at each end for its transient; those windows "
                 "are flagged.");
-        case DiagnosticKind::filter_colours_noise:
-            return VYBEG_MESSAGE("Message",
-                                 "Behind the band-pass the noise is no longer white: the standard "
-                                 "deviations are only indicative.");
         case DiagnosticKind::context_missing:
             return VYBEG_MESSAGE(
                 "Message",
@@ -224,6 +221,17 @@ const char* message_template(DiagnosticKind kind) {
                                  "Channel %1 is in %2 and channel %3 in %4, units without a known "
                                  "ratio: amplitudes and angles are wrong. Choose channels of one "
                                  "unit with --channels, or give the gain ratio with --kappa.");
+        case DiagnosticKind::leakage:
+            return VYBEG_MESSAGE(
+                "Message",
+                "In %1 of %2 windows the algorithm is off by more than one standard deviation, by "
+                "leakage; they are flagged. A window of whole half-periods (Snap) makes it "
+                "smallest; conjugate gradient and maximum likelihood have none.");
+        case DiagnosticKind::wave_moves:
+            return VYBEG_MESSAGE(
+                "Message",
+                "In %1 of %2 windows the wave moves inside the window, or turns too far from one "
+                "window to the next; they are flagged. Choose a shorter window or a smaller hop.");
         case DiagnosticKind::text_lines_ignored:
             return VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.");
         case DiagnosticKind::clipped:
@@ -344,12 +352,13 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::file_not_closed: return "file-not-closed";
         case DiagnosticKind::channels_unequal: return "channels-unequal";
         case DiagnosticKind::filter_transients: return "filter-transients";
-        case DiagnosticKind::filter_colours_noise: return "filter-colours-noise";
         case DiagnosticKind::context_missing: return "context-missing";
         case DiagnosticKind::not_converged: return "not-converged";
         case DiagnosticKind::over_range: return "over-range";
         case DiagnosticKind::unit_converted: return "unit-converted";
         case DiagnosticKind::units_differ: return "units-differ";
+        case DiagnosticKind::leakage: return "leakage";
+        case DiagnosticKind::wave_moves: return "wave-moves";
         case DiagnosticKind::text_lines_ignored: return "text-lines-ignored";
         case DiagnosticKind::clipped: return "clipped";
         case DiagnosticKind::samples_lost: return "samples-lost";

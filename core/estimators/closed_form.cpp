@@ -69,14 +69,17 @@ void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<W
         for (std::size_t lane = 0; lane < count; ++lane) {
             const Window window = window_of(block, first + lane);
             const double power = batch.cc[lane] + batch.dd[lane];
-            if (!std::isfinite(power + batch.cq[lane])) {
+            if (!std::isfinite(power)) {
                 // A missing sample makes its whole sum one.
                 out[first + lane] = no_estimate(Flag::gap);
+            } else if (!std::isfinite(batch.cq[lane])) {
+                out[first + lane] = no_estimate(Flag::delay_reach);
             } else if (series.arrived[lane] > 0) {
                 out[first + lane] =
                     estimate_of_lane(series.waves, lane, window,
-                                     {power, series.residual[lane], parameter_count(), own_flags()},
-                                     options_.rate_hz);
+                                     {power, series.residual[lane], parameter_count(), own_flags(),
+                                      best_of_lane(series, lane)},
+                                     options_);
             } else {
                 const auto n = static_cast<double>(block.length);
                 const WindowPowers powers{batch.cc[lane] / n, batch.dd[lane] / n,
@@ -85,6 +88,13 @@ void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<W
             }
         }
     }
+}
+
+BestWave ClosedFormEstimator::best_of_lane(const ClosedSeries& series, std::size_t lane) const {
+    return {{series.best_a_A[lane], series.best_a_B[lane], series.best_two_theta_A[lane],
+             series.best_alpha[lane]},
+            series.best_w[lane] / (2 * std::numbers::pi) * options_.rate_hz,
+            series.best_delta_phi_CD[lane]};
 }
 
 Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double w) const {
@@ -112,13 +122,21 @@ WaveEstimate ClosedFormEstimator::estimate_window(const SummedWindow& summed) co
     // The closed forms' J has its minimum near the profile's, within the window's leakage: start
     // there.
     const auto count = static_cast<double>(n);
-    const double start = maximise_profile(summed.window, bracket_).w;
-    const double lobe = 2 * std::numbers::pi / count;
+    const ProfileMaximum best = maximise_profile(summed.window, bracket_);
+    const double start = best.w;
+    const double turn = 2 * std::numbers::pi;
+    const double lobe = turn / count;
     const Minimum minimum =
         minimise(functional, bracket_.low, start, bracket_.high, 1e-3 * lobe, 1e-9 * lobe);
 
     const ClosedForm closed = closed_form(powers, demodulated(summed, minimum.at), minimum.at);
-    FoundWave found{closed.state, closed.phasors, minimum.at, parameter_count(), own_flags()};
+    FoundWave found{closed.state,
+                    closed.phasors,
+                    minimum.at,
+                    parameter_count(),
+                    own_flags(),
+                    BestWave{to_wave_state(best.phasors), best.w / turn * options_.rate_hz,
+                             phase_difference(best.phasors)}};
     if (minimum.at_bound) {
         set(found.flags, Flag::at_bound);
     }
@@ -126,7 +144,7 @@ WaveEstimate ClosedFormEstimator::estimate_window(const SummedWindow& summed) co
                                         summed.window, {found.phasors.c, found.phasors.d}, found.w);
     return complete_estimate(found, residual,
                              {count * powers.cc, count * powers.dd, count * powers.cd},
-                             kernel(found.w), n, options_.rate_hz);
+                             kernel(found.w), options_);
 }
 
 }  // namespace vybeg

@@ -66,6 +66,7 @@ private:
 
     // Where Newton's steps on the series do not arrive: J by a search over the main lobe.
     WaveEstimate estimate_window(const SummedWindow& summed) const;
+    BestWave best_of_lane(const ClosedSeries& series, std::size_t lane) const;
     // demodulate() and window_kernel(), by the series where it reaches.
     Projections demodulated(const SummedWindow& summed, double w) const;
     WindowKernel kernel(double w) const;

@@ -12,6 +12,13 @@ struct ClosedSeries {
     SeriesEstimates waves;
     Lanes residual;  // n J at the minimum
     Lanes arrived;   // 1; or 0 where the steps leave the series' reach or meet no convexity
+    // The best wave of the same samples.
+    Lanes best_w;
+    Lanes best_a_A;
+    Lanes best_a_B;
+    Lanes best_two_theta_A;
+    Lanes best_alpha;
+    Lanes best_delta_phi_CD;
 };
 
 // Largest |x| of the series at which J is evaluated by it: right to 6e-11 there.

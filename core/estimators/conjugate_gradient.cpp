@@ -131,7 +131,7 @@ public:
                     out[k] = no_estimate(Flag::gap);
                 } else if (descent.arrived[lane] > 0) {
                     out[k] = estimate_of_lane(descent.waves, lane, window,
-                                              {power, descent.residual[lane]}, options_.rate_hz);
+                                              {power, descent.residual[lane]}, options_);
                 } else {
                     out[k] =
                         estimate_window(window, start_values(window, centre_of(block, k, centre_s)))
@@ -193,7 +193,7 @@ private:
         }
         const Phasors phasors = to_phasors(found.state);
         return {complete_estimate({canonical(found.state), phasors, found.w, 5, flags}, window,
-                                  options_.rate_hz),
+                                  options_),
                 descent};
     }
 

@@ -38,16 +38,27 @@ struct StartValues {
     friend bool operator==(const StartValues&, const StartValues&) = default;
 };
 
+// White noise, sd per sample and channel in recording units, under which the phasors and the
+// frequency of a window would be as uncertain as they are.
+struct EquivalentNoise {
+    double phasors = 0;
+    double frequency = 0;
+
+    friend bool operator==(const EquivalentNoise&, const EquivalentNoise&) = default;
+};
+
 // What is found in one window. NaN where a value does not exist; `flags` says why.
 struct WaveEstimate {
-    WaveState state;           // alpha at the window's centre
-    double f_hz = 0;           // omega / 2 pi, the mean frequency f_cp
-    double delta_phi_CD = 0;   // rad, in (-pi, pi]
-    double rms = 0;            // sqrt(F), recording units
+    WaveState state;          // alpha at the window's centre
+    double f_hz = 0;          // omega / 2 pi, the mean frequency f_cp
+    double delta_phi_CD = 0;  // rad, in (-pi, pi]
+    double rms = 0;           // sqrt(F), recording units
+    double noise = 0;  // per sample and channel, recording units: sqrt(n F/(2n - parameters))
     double orthogonality = 0;  // <S_A S_B> / (<S_A^2> + <S_B^2>), the check of (30)
     WaveState sd;              // one standard deviation each
     double sd_f_hz = 0;
     double sd_delta_phi_CD = 0;
+    double leakage_f_hz = 0;  // algorithms 1 to 4: f_hz less that of the best wave; else 0
     Flags flags = 0;
 };
 
@@ -71,6 +82,8 @@ struct EstimatorOptions {
     StartRule start = StartRule::first;  // conjugate gradient only
     std::optional<StartValues> initial;  // conjugate gradient only
     double first_centre_s = 0;           // where initial->state.alpha holds
+    // Known where the noise is not white; else the residual of each window tells it.
+    std::optional<EquivalentNoise> noise = std::nullopt;
 };
 
 class Estimator {

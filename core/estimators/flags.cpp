@@ -6,12 +6,18 @@
 namespace vybeg {
 namespace {
 
-constexpr std::array<std::pair<Flag, const char*>, 6> names{{{Flag::no_quadrature, "no-quadrature"},
-                                                             {Flag::circular, "circular"},
-                                                             {Flag::gap, "gap"},
-                                                             {Flag::clipped, "clipped"},
-                                                             {Flag::not_converged, "not-converged"},
-                                                             {Flag::at_bound, "at-bound"}}};
+constexpr std::array<std::pair<Flag, const char*>, 10> names{{
+    {Flag::no_quadrature, "no-quadrature"},
+    {Flag::circular, "circular"},
+    {Flag::gap, "gap"},
+    {Flag::clipped, "clipped"},
+    {Flag::not_converged, "not-converged"},
+    {Flag::at_bound, "at-bound"},
+    {Flag::filter_transient, "filter-transient"},
+    {Flag::delay_reach, "delay-reach"},
+    {Flag::leakage, "leakage"},
+    {Flag::moving, "moving"},
+}};
 
 }  // namespace
 

@@ -7,18 +7,25 @@
 namespace vybeg {
 
 // Why a window's value is missing or doubtful. A window may have several reasons.
-enum class Flag : std::uint8_t {
+enum class Flag : std::uint16_t {
     no_quadrature = 1,  // the algorithm does not estimate a_B
     circular = 2,       // a_A = |a_B| within the noise: the angle is undefined
     // Samples are missing inside the window or around it where they are needed (no values), or were
     // lost inside it without a trace (values that mix the times before and after).
     gap = 4,
     not_converged = 8,
-    at_bound = 16,  // the frequency ran to the edge of the main lobe
-    clipped = 32,   // samples inside the window lie at the rail of the converter
+    at_bound = 16,          // the frequency ran to the edge of the main lobe
+    clipped = 32,           // samples inside the window lie at the rail of the converter
+    filter_transient = 64,  // the band-pass at the window reaches beyond an end of the recording
+    delay_reach = 128,      // the quarter-period delay reaches beyond the samples (algorithm 2)
+    // The closed form lies more than one standard deviation from the best wave of its window.
+    leakage = 256,
+    // A slow variable bends inside the window by more than its standard deviation, or the wave
+    // turns so far between windows that the branch of its angle is unknown.
+    moving = 512,
 };
 
-using Flags = std::uint8_t;  // any number of Flag, or-ed
+using Flags = std::uint16_t;  // any number of Flag, or-ed
 
 inline constexpr Flags operator|(Flag a, Flag b) {
     return static_cast<Flags>(static_cast<Flags>(a) | static_cast<Flags>(b));

@@ -15,7 +15,7 @@ namespace {
 class MaximumLikelihood final : public Estimator {
 public:
     explicit MaximumLikelihood(const EstimatorOptions& options)
-        : rate_hz_(options.rate_hz),
+        : options_(options),
           bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)),
           basis_(options.length, bracket_.centre) {}
 
@@ -48,7 +48,7 @@ private:
             return estimate_window(window);
         }
         return estimate_of_lane(waves, lane, window, {power, power - maximum.power[lane]},
-                                rate_hz_);
+                                options_);
     }
 
     // Far from the carrier the series does not reach: the window by itself, at its own frequency.
@@ -61,10 +61,10 @@ private:
         if (!maximum.converged) {
             set(found.flags, Flag::not_converged);
         }
-        return complete_estimate(found, window, rate_hz_);
+        return complete_estimate(found, window, options_);
     }
 
-    double rate_hz_;
+    EstimatorOptions options_;
     FrequencyBracket bracket_;
     SeriesBasis basis_;
     SeriesSums sums_{basis_};

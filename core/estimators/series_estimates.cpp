@@ -25,15 +25,17 @@ void series_estimates(const SeriesBatch& __restrict batch, const SeriesMaximum& 
 }
 
 WaveEstimate estimate_of_lane(const SeriesEstimates& waves, std::size_t lane, const Window& window,
-                              const LaneResidual& residual, double rate_hz) {
+                              const LaneResidual& residual, const EstimatorOptions& options) {
     const double sum =
         residual_of(residual.difference, residual.power, window,
                     {{waves.c_re[lane], waves.c_im[lane]}, {waves.d_re[lane], waves.d_im[lane]}},
                     waves.w[lane]);
     const auto n = static_cast<double>(window.length());
-    const double noise = std::sqrt(sum / (2 * n - residual.parameters));
-    const double hertz = rate_hz / (2 * std::numbers::pi);
+    const double hertz = options.rate_hz / (2 * std::numbers::pi);
     WaveEstimate estimate;
+    estimate.noise = std::sqrt(sum / (2 * n - residual.parameters));
+    const EquivalentNoise noises = noise_of(estimate.noise, options);
+    const double noise = noises.phasors;
     estimate.state = {waves.a_A[lane], waves.a_B[lane], waves.two_theta_A[lane], waves.alpha[lane]};
     estimate.f_hz = waves.w[lane] * hertz;
     estimate.delta_phi_CD = waves.delta_phi_CD[lane];
@@ -41,10 +43,13 @@ WaveEstimate estimate_of_lane(const SeriesEstimates& waves, std::size_t lane, co
     estimate.orthogonality = waves.orthogonality[lane];
     estimate.sd = {noise * waves.sd_a_A[lane], noise * waves.sd_a_B[lane],
                    noise * waves.sd_two_theta_A[lane], noise * waves.sd_alpha[lane]};
-    estimate.sd_f_hz = noise * waves.sd_w[lane] * hertz;
+    estimate.sd_f_hz = noises.frequency * waves.sd_w[lane] * hertz;
     estimate.sd_delta_phi_CD = noise * waves.sd_delta_phi_CD[lane];
     estimate.flags = residual.flags;
-    drop_what_is_not(estimate, sum, residual.parameters, window.length());
+    if (residual.best) {
+        add_leakage(estimate, *residual.best);
+    }
+    drop_what_is_not(estimate, noise, window.length());
     return estimate;
 }
 

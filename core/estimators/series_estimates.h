@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/estimators/estimator.h"
+#include "core/estimators/window_estimate.h"
 #include "core/estimators/window_series.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace vybeg {
 
@@ -40,11 +42,12 @@ struct LaneResidual {
     double difference = 0;  // the power less what the wave takes of it
     int parameters = 5;     // that were fitted
     Flags flags = 0;
+    std::optional<BestWave> best = std::nullopt;  // algorithms 1 to 4
 };
 
 // One lane as an estimate: noise and standard deviations from the residual, and without what does
 // not exist (window_estimate.h).
 WaveEstimate estimate_of_lane(const SeriesEstimates& waves, std::size_t lane, const Window& window,
-                              const LaneResidual& residual, double rate_hz);
+                              const LaneResidual& residual, const EstimatorOptions& options);
 
 }  // namespace vybeg

@@ -10,6 +10,7 @@
 #include <complex>
 #include <limits>
 #include <mutex>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,16 @@ double transition_hz(double low_hz, double high_hz, double rate_hz) {
 
 KaiserDesign design(double low_hz, double high_hz, double rate_hz) {
     return kaiser_design(attenuation_db, transition_hz(low_hz, high_hz, rate_hz) / rate_hz);
+}
+
+// Response of a symmetric filter h[-M] .. h[M] at a frequency, cycles per sample.
+double gain_at(const std::vector<double>& taps, double frequency) {
+    double gain = taps[0];
+    for (std::size_t m = 1; m < taps.size(); ++m) {
+        const double turns = std::remainder(frequency * static_cast<double>(m), 1.0);
+        gain += 2 * taps[m] * std::cos(2 * std::numbers::pi * turns);
+    }
+    return gain;
 }
 
 // Frames of output, from index * length on.
@@ -179,7 +190,8 @@ private:
 
 Result<std::shared_ptr<const SampleSource>> band_passed(std::shared_ptr<const SampleSource> source,
                                                         double low_hz, double high_hz,
-                                                        double rate_hz) {
+                                                        double rate_hz,
+                                                        std::optional<double> unit_hz) {
     if (!possible(low_hz, high_hz, rate_hz)) {
         return Error{.code = ErrorCode::band_invalid,
                      .where = "",
@@ -191,8 +203,15 @@ Result<std::shared_ptr<const SampleSource>> band_passed(std::shared_ptr<const Sa
                      .where = "",
                      .args = {integer_text(kaiser.half_length), integer_text(source->frames())}};
     }
-    return std::shared_ptr<const SampleSource>(std::make_shared<FilteredSource>(
-        std::move(source), band_pass_response(low_hz, high_hz, rate_hz)));
+    std::vector<double> taps = band_pass_response(low_hz, high_hz, rate_hz);
+    if (unit_hz && low_hz <= *unit_hz && *unit_hz <= high_hz) {
+        const double gain = gain_at(taps, *unit_hz / rate_hz);
+        for (double& tap : taps) {
+            tap /= gain;
+        }
+    }
+    return std::shared_ptr<const SampleSource>(
+        std::make_shared<FilteredSource>(std::move(source), taps));
 }
 
 std::int64_t band_pass_reach(double low_hz, double high_hz, double rate_hz) {

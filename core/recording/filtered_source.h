@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vybeg {
@@ -15,9 +16,13 @@ namespace vybeg {
 // applied by FFT overlap-save while reading. A channel is NaN where the filter's half-length
 // reaches beyond an end or to a missing sample of it. Errors: band_invalid, filter_too_long
 // (`where` is left to the caller).
+//
+// The gain at unit_hz is exactly 1 where that lies in the passband: a carrier keeps its amplitude,
+// which windows know better than the passband's ripple. Without it the gain is 1 within the ripple.
 Result<std::shared_ptr<const SampleSource>> band_passed(std::shared_ptr<const SampleSource> source,
                                                         double low_hz, double high_hz,
-                                                        double rate_hz);
+                                                        double rate_hz,
+                                                        std::optional<double> unit_hz = {});
 
 // The filter's half-length in samples: what it takes at each end. Precondition: 0 < low_hz <
 // high_hz < rate_hz / 2.

@@ -157,6 +157,11 @@ std::vector<std::string> track_header(const std::string& program, const Recordin
     }
     lines.push_back("f0_Hz: " + round_trip_text(analysis.f0_hz()));
     lines.push_back("residual: " + round_trip_text(analysis.residual));
+    if (analysis.means.windows > 0) {
+        lines.push_back("mean_f_Hz: " + round_trip_text(analysis.means.mean_f_hz));
+        lines.push_back("sd_mean_f_Hz: " + round_trip_text(analysis.means.sd_mean_f_hz));
+        lines.push_back("noise: " + round_trip_text(analysis.means.noise));
+    }
     for (const Diagnostic& diagnostic : analysis.diagnostics) {
         lines.push_back("warning: " + english(diagnostic));
     }

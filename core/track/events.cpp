@@ -54,6 +54,10 @@ void find_crossings(const Track& track, std::vector<Event>& events) {
     bool known = false;
     std::size_t last = 0;  // the last window that was clear of every axis
     for (std::size_t k = 0; k < track.rows(); ++k) {
+        if (has(track.flags()[k], Flag::moving)) {
+            known = false;
+            continue;
+        }
         const double position = angle[k] / half_pi;
         const double clear = std::min(6 * sd[k] / half_pi, 0.4);
         if (std::isnan(position) || std::abs(position - std::round(position)) <= clear) {
@@ -100,6 +104,9 @@ std::vector<Event> find_events(const Track& track) {
     find_stretches(track, Flag::gap, EventKind::gap, events);
     find_stretches(track, Flag::clipped, EventKind::clipped, events);
     find_stretches(track, Flag::not_converged, EventKind::not_converged, events);
+    find_stretches(track, Flag::filter_transient, EventKind::filter_transient, events);
+    find_stretches(track, Flag::delay_reach, EventKind::delay_reach, events);
+    find_stretches(track, Flag::moving, EventKind::moving, events);
     std::stable_sort(events.begin(), events.end(),
                      [](const Event& a, const Event& b) { return a.time_s < b.time_s; });
     return events;

@@ -6,14 +6,31 @@ namespace vybeg {
 
 // The slow variables of a track: the single list that the plots, the tables and the files go
 // through.
-enum class SlowVariable { a_A, a_B, two_theta_A, f, delta_phi_CD, alpha, rms, orthogonality };
+enum class SlowVariable {
+    a_A,
+    a_B,
+    two_theta_A,
+    f,
+    delta_phi_CD,
+    alpha,
+    noise,
+    rms,
+    orthogonality
+};
 
-inline constexpr int slow_variable_count = 8;
+inline constexpr int slow_variable_count = 9;
 
 inline constexpr std::array<SlowVariable, slow_variable_count> all_slow_variables{
-    SlowVariable::a_A, SlowVariable::a_B,          SlowVariable::two_theta_A,
-    SlowVariable::f,   SlowVariable::delta_phi_CD, SlowVariable::alpha,
-    SlowVariable::rms, SlowVariable::orthogonality};
+    SlowVariable::a_A,   SlowVariable::a_B,          SlowVariable::two_theta_A,
+    SlowVariable::f,     SlowVariable::delta_phi_CD, SlowVariable::alpha,
+    SlowVariable::noise, SlowVariable::rms,          SlowVariable::orthogonality};
+
+// Those that people are shown: rms, which falls with the window's length because fewer samples hold
+// less noise against five parameters, is in files only, and noise stands in its place.
+inline constexpr std::array<SlowVariable, slow_variable_count - 1> shown_slow_variables{
+    SlowVariable::a_A,   SlowVariable::a_B,          SlowVariable::two_theta_A,
+    SlowVariable::f,     SlowVariable::delta_phi_CD, SlowVariable::alpha,
+    SlowVariable::noise, SlowVariable::orthogonality};
 
 // The five that are always plotted, from top to bottom.
 inline constexpr std::array<SlowVariable, 5> main_slow_variables{

@@ -12,7 +12,7 @@ void append_all(std::vector<Value>& values, const std::vector<Value>& more) {
 
 }  // namespace
 
-Track::Track(std::size_t rows) : time_s_(rows), flags_(rows) {
+Track::Track(std::size_t rows) : time_s_(rows), flags_(rows), leakage_f_hz_(rows) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const SlowVariable variable : all_slow_variables) {
         values_[index(variable)].assign(rows, nan);
@@ -25,6 +25,7 @@ Track::Track(std::size_t rows) : time_s_(rows), flags_(rows) {
 void Track::append(const Track& rows) {
     append_all(time_s_, rows.time_s_);
     append_all(flags_, rows.flags_);
+    append_all(leakage_f_hz_, rows.leakage_f_hz_);
     for (std::size_t i = 0; i < slow_variable_count; ++i) {
         append_all(values_[i], rows.values_[i]);
         append_all(sds_[i], rows.sds_[i]);

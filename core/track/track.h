@@ -30,12 +30,16 @@ public:
     // Standard deviations; empty where the variable has none (slow_variables.h).
     std::span<const double> sds(SlowVariable variable) const { return sds_[index(variable)]; }
     std::span<const Flags> flags() const { return flags_; }
+    // By how much the frequency of a closed form (algorithms 1 to 4) differs from that of the best
+    // wave of its window, Hz; 0 for the others. Its square is in the frequency's variance.
+    std::span<const double> leakage_f_hz() const { return leakage_f_hz_; }
 
     // For those who fill the track.
     std::span<double> time_s() { return time_s_; }
     std::span<double> values(SlowVariable variable) { return values_[index(variable)]; }
     std::span<double> sds(SlowVariable variable) { return sds_[index(variable)]; }
     std::span<Flags> flags() { return flags_; }
+    std::span<double> leakage_f_hz() { return leakage_f_hz_; }
     void append(const Track& rows);
 
 private:
@@ -45,6 +49,7 @@ private:
     std::array<std::vector<double>, slow_variable_count> values_;
     std::array<std::vector<double>, slow_variable_count> sds_;
     std::vector<Flags> flags_;
+    std::vector<double> leakage_f_hz_;
 };
 
 // Takes the rows of a track while it is made, some thousand at a time, in their order, from any

@@ -3,6 +3,7 @@
 #include "core/track/track.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace vybeg {
 
@@ -10,13 +11,72 @@ namespace vybeg {
 struct TrackSummary {
     std::size_t windows = 0;
     std::size_t flagged = 0;  // windows with a reason other than no_quadrature
-    double mean_f_hz = 0;     // of the windows without Flag::gap; NaN where none has a frequency
-    double sd_mean_f_hz = 0;  // from the scatter between windows; NaN for fewer than two windows
-    double rms = 0;           // root of the mean of F over the windows, recording units; NaN: none
+    std::size_t at_bound = 0;
+    std::size_t leaking = 0;  // with Flag::leakage
+    std::size_t moving = 0;   // with Flag::moving
+    double mean_f_hz = 0;     // weighted mean of the valid windows; NaN where there is none
+    double sd_mean_f_hz = 0;  // all of what is known of it; NaN for fewer than two windows
+    double leakage_f_hz = 0;  // what of that is leakage of a closed form: |its weighted mean|
+    double scatter_f_hz = 0;  // what of that is the scatter of the windows
+    double noise = 0;         // per sample and channel, root of the mean square; NaN: none
+
+    // Leakage says more about the mean's error than the noise does: a window of whole half-periods
+    // would cure it.
+    bool leakage_limits() const { return leakage_f_hz > scatter_f_hz; }
 };
 
-// `independent` is the fraction of a window's samples that the next one does not share, hop /
-// length and at most 1: overlapping windows tell less about their mean than their number promises.
+// Summarises a track that comes in pieces.
+//
+// The mean of f is weighted with 1/sd^2, averaged over a block of windows, because the deviation of
+// a single short window is itself known to no more than a third. Windows without a value, over
+// faults, not converged or at the bound of the search have no part in it. Its variance is the sum
+// of
+//   - the scatter of the block means: half of their mean squared step from block to block, so that
+//   a
+//     frequency that drifts is no scatter, while windows that overlap, or noise that is correlated
+//     over some windows, is told for what it is; with fewer than 20 blocks that of the windows
+//     about the mean, but no less than their own deviations;
+//   - the squared mean of the leakage, which is common to all windows;
+//   - what the windows at the bound hide: the squared sum of their distances from the mean, by the
+//     number of windows.
+class TrackSummariser {
+public:
+    // `rows`: how many will come. `independent`: the fraction of a window's samples that the next
+    // one does not share, hop / length and at most 1: overlapping windows tell less about their
+    // mean than their number promises.
+    TrackSummariser(std::size_t rows, double independent);
+
+    void take(const Track& next_rows);
+    TrackSummary summary() const;
+
+private:
+    struct Block {
+        double count = 0;
+        double mean = 0;      // of f
+        double variance = 0;  // sum of sd^2
+        double leakage = 0;   // sum
+    };
+    struct Beyond {  // windows at the bound on one side
+        double count = 0;
+        double sum = 0;  // of f
+    };
+
+    void take_frequency(double f, double sd, double leakage);
+
+    double independent_;
+    double block_length_;
+    TrackSummary counts_;
+    std::vector<Block> blocks_;
+    double count_ = 0;  // Welford's recurrence over all windows
+    double mean_ = 0;
+    double spread_ = 0;
+    Beyond below_;
+    Beyond above_;
+    double noises_ = 0;
+    double noise_squares_ = 0;
+};
+
+// A whole track at once.
 TrackSummary summarise(const Track& track, double independent);
 
 }  // namespace vybeg

@@ -24,7 +24,12 @@ double orthogonality_residual(std::int64_t n, double f_hz, double rate_hz) {
 }
 
 std::int64_t least_window(double f_hz, double rate_hz) {
-    return std::max<std::int64_t>(5, static_cast<std::int64_t>(std::ceil(0.75 * rate_hz / f_hz)));
+    // cos and sin at f and at its images 0 and half the rate away become one.
+    const double nearest_hz = std::min(f_hz, rate_hz / 2 - f_hz);
+    constexpr double longest = 1e15;  // of any recording; a carrier at half the rate has no window
+    const double samples =
+        nearest_hz > 0 ? std::min(std::ceil(0.75 * rate_hz / nearest_hz), longest) : longest;
+    return std::max<std::int64_t>(5, static_cast<std::int64_t>(samples));
 }
 
 std::int64_t snap_window(std::int64_t n, double f_hz, double rate_hz) {

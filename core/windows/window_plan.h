@@ -33,9 +33,11 @@ double orthogonality_residual(std::int64_t n, double f_hz, double rate_hz);
 // METHOD section 3.
 std::int64_t snap_window(std::int64_t n, double f_hz, double rate_hz);
 
-// The shortest window that is let in: 5 samples and three quarters of a period. Five parameters
-// need 5 samples of two channels; the article's "one period" of 6 samples is 0.95 of one at 5300
-// Hz, and below about half a period cos and sin cannot be told apart.
+// The shortest window that is let in: 5 samples and three quarters of a period, of the carrier and
+// of its distance from half the sample rate. Five parameters need 5 samples of two channels; the
+// article's "one period" of 6 samples is 0.95 of one at 5300 Hz, and below about half a period cos
+// and sin cannot be told apart. The same holds near half the rate, where the sampled carrier is the
+// image of one at rate/2 - f.
 std::int64_t least_window(double f_hz, double rate_hz);
 
 // Samples nearest to a number of periods of the carrier.

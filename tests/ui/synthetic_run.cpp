@@ -52,6 +52,7 @@ Run syntheticRun(int index, const SyntheticRun& what) {
         for (const SlowVariable wrapped : {SlowVariable::delta_phi_CD, SlowVariable::alpha}) {
             track.values(wrapped)[row] = wrap(track.values(wrapped)[row]);
         }
+        put(SlowVariable::noise, row, what.noise, 0.1 * what.noise);
         put(SlowVariable::rms, row, std::numbers::sqrt2 * what.noise, 0.1 * what.noise);
         put(SlowVariable::orthogonality, row, 0, 0.5 * sd / a_A);
     }

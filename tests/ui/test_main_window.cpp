@@ -22,6 +22,8 @@
 #include <QTextBrowser>
 #include <qcustomplot.h>
 
+#include <cmath>
+
 using namespace vybeg;
 using namespace vybeg::ui;
 
@@ -82,6 +84,44 @@ private slots:
         QVERIFY(idle(2));
         QCOMPARE(the<TrackView>().runs().size(), std::size_t(2));
         QCOMPARE(the<TrackView>().shownVariables().size(), std::size_t(5));
+    }
+
+    void leakage_that_limits_the_mean_stands_in_the_row_with_its_cure() {
+        openOne();
+        auto& list = the<RunList>();
+        const auto notes_of = [&list](int row) {
+            const int column = list.columnCount() - 1;
+            const auto* item = list.topLevelItem(row);
+            QWidget* cell = list.itemWidget(list.topLevelItem(row), column);
+            return cell ? cell->findChild<QLabel*>(QStringLiteral("note"))->text()
+                        : item->text(column);
+        };
+        // 60 samples are 15 half-periods.
+        QCOMPARE(list.topLevelItemCount(), 1);
+        QVERIFY2(notes_of(0).isEmpty(), qPrintable(notes_of(0)));
+        QCOMPARE(list.headerItem()->text(6), QString("Noise"));
+        const double noise = QLocale().toDouble(list.topLevelItem(0)->text(6));
+        QVERIFY2(std::abs(noise / 1e-3 - 1) < 0.05, qPrintable(list.topLevelItem(0)->text(6)));
+
+        Settings settings = document().settings();
+        settings.window = 62;
+        settings.algorithm = Algorithm::demodulation;
+        document().setSettings(settings);
+        document().analyse();
+        QVERIFY(idle(2));
+        const RunEntry& entry = document().runs().back();
+        QVERIFY(entry.summary.leakage_limits());
+        QVERIFY(std::abs(entry.summary.mean_f_hz - 1000) < 4 * entry.summary.sd_mean_f_hz);
+        QVERIFY2(notes_of(1).contains("Leakage"), qPrintable(notes_of(1)));
+        auto* snap = list.findChild<QPushButton*>(QStringLiteral("snapRun"));
+        QVERIFY(snap && snap->isVisible());
+        QTest::mouseClick(snap, Qt::LeftButton);
+        QVERIFY(idle(3));
+        const RunEntry& snapped = document().runs().back();
+        QCOMPARE(snapped.run.analysis->plan.length % 4, 0);
+        QVERIFY(snapped.requested.snap && document().settings().snap);
+        QVERIFY(!snapped.summary.leakage_limits());
+        QVERIFY2(!notes_of(2).contains("Leakage"), qPrintable(notes_of(2)));
     }
 
     void text_that_is_no_file_cannot_be_dropped() {
@@ -201,7 +241,7 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return tracks.tracker().has_value(); }));
         window_->action(Command::copy_table)->trigger();
         const QStringList lines = QApplication::clipboard()->text().split('\n');
-        QCOMPARE(lines.size(), 1 + slow_variable_count + 1);
+        QCOMPARE(lines.size(), 1 + static_cast<int>(shown_slow_variables.size()) + 1);
         QVERIFY(lines.first().startsWith("t = "));
         // a_A = 1 and a_B = 0.1 were simulated with a noise of 1e-3: window of 60, 10 sigma.
         QVERIFY(std::abs(lines.at(1).split('\t').at(1).toDouble() - 1) < 2e-3);

@@ -236,7 +236,6 @@ private slots:
             QVERIFY2(std::abs(errors.neighbours / errors.square - expected) < 0.12,
                      QByteArray::number(errors.neighbours / errors.square) + " for " +
                          QByteArray::number(expected));
-            QVERIFY(!tells(found.diagnostics, DiagnosticKind::filter_colours_noise));
         }
     }
 

@@ -98,7 +98,7 @@ private slots:
             if (!maximum.converged) {
                 set(wave.flags, Flag::not_converged);
             }
-            const WaveEstimate one = complete_estimate(wave, window, rate);
+            const WaveEstimate one = complete_estimate(wave, window, options);
             QCOMPARE(found[k].flags, one.flags);
             // Short noisy windows with no clear maximum may climb another hill of the same lobe
             // from another step; those that have one agree.

@@ -34,6 +34,7 @@ private slots:
     void everyAxisIsCrossedOnceInEitherDirection();
     void aWaveThatRestsOnAnAxisCrossesNothing();
     void stretchesOfFlagsAreGathered();
+    void wavesThatMoveCrossNothing();
 };
 
 void TestEvents::everyAxisIsCrossedOnceInEitherDirection() {
@@ -83,6 +84,18 @@ void TestEvents::stretchesOfFlagsAreGathered() {
     QVERIFY(events[1].kind == EventKind::not_converged);
     QVERIFY(events[2].kind == EventKind::gap);
     QCOMPARE(events[2].time_s, 0.99);
+}
+
+void TestEvents::wavesThatMoveCrossNothing() {
+    Track track = turning(101, -0.5, 0.5, 0, 1);
+    QCOMPARE(find_events(track).size(), std::size_t{1});
+    for (const std::size_t k : {49UL, 50UL, 51UL}) {
+        set(track.flags()[k], Flag::moving);
+    }
+    const std::vector<Event> events = find_events(track);
+    QCOMPARE(events.size(), std::size_t{1});
+    QVERIFY(events[0].kind == EventKind::moving);
+    QVERIFY(std::abs(events[0].seconds - 0.02) < 1e-12);
 }
 
 QTEST_GUILESS_MAIN(TestEvents)

@@ -14,6 +14,7 @@ private slots:
     void residualsAreThoseOfTheMethod();
     void snapFindsTheWindowsOfTheMethod();
     void snapNeverMakesTheResidualWorseNorMovesFartherThanHalfAPeriod();
+    void leastWindowIsThatOfTheCarrierAndOfItsImage();
     void planHoldsEveryWindowThatFits();
 };
 
@@ -57,6 +58,19 @@ void TestWindowPlan::snapNeverMakesTheResidualWorseNorMovesFartherThanHalfAPerio
             QVERIFY(snapped >= least_window(f, 33333));
         }
     }
+}
+
+void TestWindowPlan::leastWindowIsThatOfTheCarrierAndOfItsImage() {
+    QCOMPARE(least_window(5300, 33333), 5);
+    QCOMPARE(least_window(1000, 33333), 25);
+    QCOMPARE(least_window(0.4914 * 33333, 33333), 88);
+    for (const double share : {0.4003, 0.4507, 0.4811, 0.4914, 0.4991, 0.49997}) {
+        const std::int64_t least = least_window(share * 48000, 48000);
+        QCOMPARE(least, least_window((0.5 - share) * 48000, 48000));
+        QVERIFY(static_cast<double>(least) > 1 / (2 * (0.5 - share)));
+        QVERIFY(snap_window(5, share * 48000, 48000) >= least);
+    }
+    QVERIFY(least_window(24000, 48000) > std::int64_t{1} << 40);
 }
 
 void TestWindowPlan::planHoldsEveryWindowThatFits() {

@@ -1,0 +1,163 @@
+#include "core/track/motion.h"
+
+#include "core/numerics/phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vybeg {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double quarter = pi / 4;
+// Rounding of an estimate without noise.
+constexpr double rounding = 1e-9;
+// Share of a half turn within which alpha has to be foretold, one standard deviation, before its
+// step says anything.
+constexpr double foretold = 0.08;
+
+// Adds rows [first, end) to stretches in order of their ends.
+void add(std::size_t first, std::size_t end, std::vector<FlaggedRows>& stretches) {
+    if (!stretches.empty()) {
+        FlaggedRows& last = stretches.back();
+        if (first <= last.first + last.count) {
+            last.count = std::max(end, last.first + last.count) - last.first;
+            return;
+        }
+    }
+    stretches.push_back({first, end - first, Flag::moving});
+}
+
+double turned(double from, double to) {
+    return std::remainder(to - from, pi);
+}
+
+}  // namespace
+
+MotionMarker::MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz)
+    : apart_(static_cast<std::size_t>(
+          std::max<std::int64_t>(1, (length + hop / 2) / std::max<std::int64_t>(hop, 1)))),
+      lengths_apart_(static_cast<double>(apart_) * static_cast<double>(hop) /
+                     static_cast<double>(length)),
+      hop_s_(static_cast<double>(hop) / rate_hz) {}
+
+MotionMarker::Row MotionMarker::row_of(const Track& track, std::size_t k) {
+    const auto value = [&](SlowVariable v) { return track.values(v)[k]; };
+    const auto variance = [&](SlowVariable v) { return track.sds(v)[k] * track.sds(v)[k]; };
+    using enum SlowVariable;
+    return {value(a_A),   value(a_B),    value(two_theta_A), value(alpha),          value(f),
+            value(noise), variance(a_A), variance(a_B),      variance(two_theta_A), variance(alpha),
+            variance(f)};
+}
+
+void MotionMarker::take(const Track& next_rows) {
+    for (std::size_t k = 0; k < next_rows.rows(); ++k) {
+        const Row row = row_of(next_rows, k);
+        step_to(row);
+        held_.push_back(row);
+        ++rows_;
+        while (judged_ + apart_ < rows_) {
+            judge_next();
+        }
+    }
+    // A few chunks of rows at a time, so that each row is moved about once.
+    const std::size_t needed = judged_ - std::min(judged_, apart_);
+    if (needed - first_held_ > held_.size() / 2) {
+        held_.erase(held_.begin(),
+                    held_.begin() + static_cast<std::ptrdiff_t>(needed - first_held_));
+        first_held_ = needed;
+    }
+}
+
+void MotionMarker::judge_next() {
+    const std::size_t row = judged_++;
+    if (row < apart_) {
+        return;
+    }
+    const Row* const at = held_.data() + (row - first_held_);
+    if (bends(*(at - apart_), *at, *(at + apart_))) {
+        add(row - apart_, row + apart_ + 1, inside_);
+    }
+}
+
+bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) const {
+    const double share = 1 / (24 * lengths_apart_ * lengths_apart_);
+    const auto beyond = [share](double second, double b, double a, double c, double scale) {
+        const double bias = std::abs(second) * share;
+        return bias * bias > (b + a + c) / 3 && bias > rounding * scale;
+    };
+    const double forward = turned(at.two_theta_A, after.two_theta_A);
+    const double back = turned(before.two_theta_A, at.two_theta_A);
+    if (lengths_apart_ > 1.2 && at.noise * at.noise > 0.5 * at.a_A * std::sqrt(at.var_a_A)) {
+        const auto differs = [](double second, double b, double a, double c) {
+            return second * second > 36 * (b + 4 * a + c);
+        };
+        if (differs(after.a_A - 2 * at.a_A + before.a_A, before.var_a_A, at.var_a_A,
+                    after.var_a_A) ||
+            differs(after.a_B - 2 * at.a_B + before.a_B, before.var_a_B, at.var_a_B,
+                    after.var_a_B) ||
+            differs(forward - back, before.var_two_theta_A, at.var_two_theta_A,
+                    after.var_two_theta_A)) {
+            return true;
+        }
+    }
+    return beyond(after.a_A - 2 * at.a_A + before.a_A, before.var_a_A, at.var_a_A, after.var_a_A,
+                  at.a_A) ||
+           beyond(after.a_B - 2 * at.a_B + before.a_B, before.var_a_B, at.var_a_B, after.var_a_B,
+                  at.a_A) ||
+           beyond(forward - back, before.var_two_theta_A, at.var_two_theta_A, after.var_two_theta_A,
+                  1) ||
+           beyond(after.f_hz - 2 * at.f_hz + before.f_hz, before.var_f, at.var_f, after.var_f,
+                  at.f_hz) ||
+           std::abs(forward + back) > 2 * quarter * lengths_apart_;
+}
+
+void MotionMarker::step_to(const Row& row) {
+    if (std::isnan(row.two_theta_A)) {
+        return;
+    }
+    if (any_valid_ &&
+        loses_branch(last_valid_, row, static_cast<double>(rows_ - last_valid_row_))) {
+        add(last_valid_row_, rows_ + 1, between_);
+    }
+    last_valid_ = row;
+    last_valid_row_ = rows_;
+    any_valid_ = true;
+}
+
+bool MotionMarker::loses_branch(const Row& from, const Row& to, double hops) const {
+    const double step = to.two_theta_A - from.two_theta_A;
+    if (std::abs(step) > quarter + 4 * std::sqrt(from.var_two_theta_A + to.var_two_theta_A)) {
+        return true;
+    }
+    // The frequency of a window is the mean rate of u+ and u- by their powers: a turn of the angle
+    // adds to it where there is a quadrature.
+    const double seconds = hops * hop_s_;
+    const double b = std::isnan(to.a_B) ? 0 : to.a_B;
+    const double share = 2 * to.a_A * b / (to.a_A * to.a_A + b * b);
+    const double rate = 2 * pi * seconds;  // rad per Hz
+    const double variance =
+        from.var_alpha + to.var_alpha + 0.25 * rate * rate * (from.var_f + to.var_f);
+    if (!(variance < foretold * foretold * pi * pi) || std::abs(share) > 0.5) {
+        return false;
+    }
+    // In turns, of which only the fraction counts.
+    const double turns = 0.5 * (from.f_hz + to.f_hz) * seconds;
+    const double missed =
+        wrap(from.alpha - to.alpha - 2 * pi * std::remainder(turns, 1.0) + step * share);
+    return std::abs(missed) > pi / 2;
+}
+
+std::vector<FlaggedRows> MotionMarker::finish() {
+    std::vector<FlaggedRows> both = inside_;
+    both.insert(both.end(), between_.begin(), between_.end());
+    std::ranges::sort(both, {}, &FlaggedRows::first);
+    std::vector<FlaggedRows> found;
+    for (const FlaggedRows& rows : both) {
+        add(rows.first, rows.first + rows.count, found);
+    }
+    return found;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,161 @@
+#include "tests/statistical/simulated_recording.h"
+#include "tests/statistical/track_errors.h"
+
+#include <QtTest>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+TrackSummary summary_of(const Analysis& analysis) {
+    return summarise(analysis.track, static_cast<double>(analysis.plan.hop) /
+                                         static_cast<double>(analysis.plan.length));
+}
+
+}  // namespace
+
+class MeanFrequency : public QObject {
+    Q_OBJECT
+
+private slots:
+    // The demonstration's frequency swings with its beat by less than 1e-3 Hz about 5300.0011.
+    void the_demonstration_s_mean_is_right_for_every_algorithm_and_window() {
+        FreeDecay decay = demo_decay();
+        const Recording recording = simulated_recording(decay);
+        const Result<Track> truth = true_track(decay, 60);
+        QVERIFY(truth);
+        double low = 1e9;
+        double high = 0;
+        for (const double f : truth->values(SlowVariable::f)) {
+            low = std::min(low, f);
+            high = std::max(high, f);
+        }
+        for (const Algorithm algorithm :
+             {Algorithm::in_phase, Algorithm::phase_shift, Algorithm::moving_axes,
+              Algorithm::demodulation, Algorithm::conjugate_gradient,
+              Algorithm::maximum_likelihood}) {
+            for (const int n : {6, 22, 60, 63, 600}) {
+                Settings settings;
+                settings.algorithm = algorithm;
+                settings.window = n;
+                const Result<Analysis> analysis = analyse(recording, settings, {});
+                QVERIFY(analysis);
+                const TrackSummary summary = summary_of(*analysis);
+                const double off =
+                    std::max({low - summary.mean_f_hz, summary.mean_f_hz - high, 0.0});
+                const QString found = QString("%1, n %2: %3 +- %4 (leakage %5), true %6 to %7")
+                                          .arg(algorithm_name(algorithm).data())
+                                          .arg(n)
+                                          .arg(summary.mean_f_hz, 0, 'f', 6)
+                                          .arg(summary.sd_mean_f_hz)
+                                          .arg(summary.leakage_f_hz)
+                                          .arg(low, 0, 'f', 6)
+                                          .arg(high, 0, 'f', 6);
+                qInfo("%s", qPrintable(found));
+                QVERIFY2(off < 4 * summary.sd_mean_f_hz, qPrintable(found));
+                // Leakage is a share of the main lobe; without it the noise is what is left.
+                const bool closed = algorithm != Algorithm::conjugate_gradient &&
+                                    algorithm != Algorithm::maximum_likelihood;
+                QVERIFY2(summary.sd_mean_f_hz < (closed ? 0.02 * decay.rate_hz / n : 0.02),
+                         qPrintable(found));
+            }
+        }
+    }
+
+    void its_deviation_is_that_of_repeated_recordings_data() {
+        QTest::addColumn<int>("n");
+        QTest::addColumn<int>("hop");
+        QTest::addColumn<bool>("filter");
+        QTest::addColumn<double>("tau");
+        QTest::newRow("short windows") << 6 << 6 << false << 1e300;
+        QTest::newRow("the default") << 60 << 60 << false << 1e300;
+        QTest::newRow("few windows") << 6000 << 6000 << false << 1e300;
+        QTest::newRow("overlapping windows") << 60 << 15 << false << 1e300;
+        QTest::newRow("windows apart") << 60 << 240 << false << 1e300;
+        QTest::newRow("a decay of one time constant") << 60 << 60 << false << 2.0;
+        QTest::newRow("behind a band-pass") << 60 << 60 << true << 1e300;
+    }
+    void its_deviation_is_that_of_repeated_recordings() {
+        QFETCH(int, n);
+        QFETCH(int, hop);
+        QFETCH(bool, filter);
+        QFETCH(double, tau);
+        constexpr int runs = 150;  // a deviation over them is known to 6 %
+        double squares = 0;
+        for (int run = 1; run <= runs; ++run) {
+            FreeDecay wave;
+            wave.seconds = 2;
+            wave.a_B = run % 2 == 0 ? 0.2 : -0.2;
+            wave.two_theta_A = 0.1 * run;
+            wave.tau_s = tau;
+            wave.noise = 1e-2;
+            wave.seed = static_cast<std::uint64_t>(run + 1000 * n + 7 * hop);
+            Settings settings;
+            settings.window = n;
+            settings.hop = hop;
+            settings.threads = 1;
+            settings.f0_hz = wave.f0_hz;
+            if (filter) {
+                settings.filter = Band{5100, 5500};
+            }
+            const Result<Analysis> analysis = analyse(simulated_recording(wave), settings, {});
+            QVERIFY(analysis);
+            const TrackSummary summary = summary_of(*analysis);
+            const double pull = (summary.mean_f_hz - wave.f0_hz) / summary.sd_mean_f_hz;
+            squares += pull * pull;
+        }
+        const double rms = std::sqrt(squares / runs);
+        qInfo("rms pull %g", rms);
+        // Behind a band-pass the errors of windows shorter than the inverse of its width cancel
+        // each other from window to window, which the deviation does not count on.
+        QVERIFY2(rms > (filter ? 0.02 : 0.75) && rms < 1.25,
+                 qPrintable(QString("rms pull %1").arg(rms)));
+    }
+
+    // A carrier that is told 400 Hz off: windows of 60 samples search within 555 Hz of it, and many
+    // end at that bound where the noise is large.
+    void windows_at_the_bound_of_the_search_widen_it() {
+        for (const double off : {-500.0, 400.0, 540.0}) {
+            for (const double noise : {1e-3, 0.3, 1.0}) {
+                FreeDecay wave;
+                wave.seconds = 2;
+                wave.noise = noise;
+                Settings settings;
+                settings.f0_hz = wave.f0_hz + off;
+                const Result<Analysis> analysis = analyse(simulated_recording(wave), settings, {});
+                QVERIFY(analysis);
+                const TrackSummary summary = summary_of(*analysis);
+                const double pull = (summary.mean_f_hz - wave.f0_hz) / summary.sd_mean_f_hz;
+                QVERIFY2(std::abs(pull) < 4, qPrintable(QString("%1 Hz off, noise %2: %3 +- %4, %5 "
+                                                                "windows at the bound")
+                                                            .arg(off)
+                                                            .arg(noise)
+                                                            .arg(summary.mean_f_hz)
+                                                            .arg(summary.sd_mean_f_hz)
+                                                            .arg(summary.at_bound)));
+            }
+        }
+    }
+
+    void noise_per_channel_is_the_same_for_every_window() {
+        FreeDecay wave;
+        wave.seconds = 2;
+        wave.a_B = 0.3;
+        wave.noise = 1e-3;
+        const Recording recording = simulated_recording(wave);
+        for (const int n : {6, 7, 22, 60, 600}) {
+            Settings settings;
+            settings.window = n;
+            const Result<Analysis> analysis = analyse(recording, settings, {});
+            QVERIFY(analysis);
+            const double noise = summary_of(*analysis).noise;
+            // 130,000 samples in all, of which at n = 6 seven of twelve are left.
+            QVERIFY2(std::abs(noise / wave.noise - 1) < 0.015,
+                     qPrintable(QString("n %1: %2").arg(n).arg(noise)));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(MeanFrequency)
+#include "test_mean_frequency.moc"
