@@ -1,5 +1,6 @@
 // Everything that goes in or out: opening, dropping, exporting, and the windows beside the main
 // one.
+#include "core/report/same_file.h"
 #include "ui/compare_dialog.h"
 #include "ui/error_text.h"
 #include "ui/help_view.h"
@@ -28,6 +29,16 @@ namespace vybeg::ui {
 namespace {
 
 const QString folder_key = QStringLiteral("folder");
+
+// Whether a file would take the place of an open recording.
+Status stayAsTheyAre(const Document& document, const QString& path) {
+    for (const RecordingEntry& entry : document.recordings()) {
+        if (same_file(entry.path.toStdU16String(), path.toStdU16String())) {
+            return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
+        }
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -119,10 +130,15 @@ void MainWindow::told(const Status& status, const QString& path) {
 }
 
 void MainWindow::exportPlotsTo(const QString& path) {
-    told(exportPlots(tracks_->content(), tracks_->size(), path), path);
+    const Status possible = stayAsTheyAre(document_, path);
+    told(possible ? exportPlots(tracks_->content(), tracks_->size(), path) : possible, path);
 }
 
 void MainWindow::exportTrackTo(const QString& path) {
+    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+        told(possible, path);
+        return;
+    }
     document_.exportTrack(runs_->currentRun(), path,
                           [this, path](const Status& status) { told(status, path); });
 }
@@ -131,11 +147,16 @@ void MainWindow::exportFigureTo(const QString& path) {
     if (compare_) {
         FigureOptions options;
         options.units = tracks_->units();
-        told(renderFigure(compare_->columns(), path, options), path);
+        const Status possible = stayAsTheyAre(document_, path);
+        told(possible ? renderFigure(compare_->columns(), path, options) : possible, path);
     }
 }
 
 void MainWindow::savePassportTo(const QString& path) {
+    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+        told(possible, path);
+        return;
+    }
     document_.savePassport(path, [this, path](const Status& status) { told(status, path); });
 }
 
@@ -154,10 +175,12 @@ void MainWindow::askForPassport() {
 }
 
 void MainWindow::exportResonatorPlot(const XYPlot& plot, QSize size) {
-    askWhereTo(
-        tr("Export plot"), QStringLiteral("resonator.png"),
-        {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
-        [this, plot, size](const QString& path) { told(exportXYPlot(plot, size, path), path); });
+    askWhereTo(tr("Export plot"), QStringLiteral("resonator.png"),
+               {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
+               [this, plot, size](const QString& path) {
+                   const Status possible = stayAsTheyAre(document_, path);
+                   told(possible ? exportXYPlot(plot, size, path) : possible, path);
+               });
 }
 
 void MainWindow::openCompare() {

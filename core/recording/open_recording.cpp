@@ -92,6 +92,7 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
     }
     auto recording = open_by_content(*file, options, job);
     if (recording) {
+        recording->file = *file;
         recording->read_with = options_text(options);
         if (!options.unit.empty()) {
             for (Channel& channel : recording->channels) {
