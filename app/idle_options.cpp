@@ -1,6 +1,9 @@
 #include "app/analysis_options.h"
 #include "core/recording/file_kind.h"
 
+#include <utility>
+#include <vector>
+
 namespace vybeg::cli {
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>

@@ -266,6 +266,31 @@ private slots:
         QCOMPARE(lines.size() - header - 1, qsizetype(16000 / 60));
     }
 
+    void no_export_takes_the_place_of_an_open_recording() {
+        openOne();
+        const QString recording = window_->document().currentRecording()->path;
+        const QString link = home_.path("link.svg");
+        QVERIFY(QFile::link(recording, link));
+        const auto bytes = [&] {
+            QFile file(recording);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QByteArray before = bytes();
+        QVERIFY(!before.isEmpty());
+        const QString around =
+            QFileInfo(recording).path() + "/./" + QFileInfo(recording).fileName();
+        for (const QString& path : {recording, around, link}) {
+            window_->exportTrackTo(path);
+            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+            window_->exportPlotsTo(path);
+            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+            window_->savePassportTo(path);
+            QTest::qWait(100);
+            QVERIFY(bytes() == before);
+        }
+        QVERIFY(QFile::remove(link));
+    }
+
     void windows_are_compared_and_the_figure_exported() {
         openOne();
         window_->action(Command::compare)->trigger();

@@ -80,9 +80,9 @@ private slots:
         // No process has such a number: the system's largest is 2^22.
         const QStringList gone{".vybeg-4194305-7-0.part", ".vybeg-4194305-0.part",
                                ".vybeg-1-999999999999-0.part"};
-        const QStringList others{".vybeg-4194305-7-0.csv",  ".vybeg-4194305-7-x.part",
-                                 ".vybeg-.part",            ".vybeg--1-2-3.part",
-                                 "vybeg-4194305-7-0.part",  ".vybeg-4194305-7-0-1.part",
+        const QStringList others{".vybeg-4194305-7-0.csv", ".vybeg-4194305-7-x.part",
+                                 ".vybeg-.part",           ".vybeg--1-2-3.part",
+                                 "vybeg-4194305-7-0.part", ".vybeg-4194305-7-0-1.part",
                                  ".vybeg-1-0.part"};
         for (const QString& name : gone + others) {
             put(name);
@@ -111,8 +111,8 @@ private slots:
 
     void a_link_is_not_followed() {
         put("precious");
-        QVERIFY(QFile::link(folder_.filePath("precious"),
-                            folder_.filePath(".vybeg-4194305-7-0.part")));
+        QVERIFY(
+            QFile::link(folder_.filePath("precious"), folder_.filePath(".vybeg-4194305-7-0.part")));
         remove_abandoned(folder());
         QVERIFY(entries().contains("precious"));
     }
