@@ -98,7 +98,9 @@ std::vector<Diagnostic> without_effect(const SimulateRequest& request) {
     check(decay.full_scale != 0 && decay.bits == 0, "--full-scale", "it is that of --bits");
     check(request.window != SimulateRequest{}.window && request.truth.empty(), "--window",
           "it is that of --truth");
-    check(decay.seed != usual.seed && decay.noise == 0, "--seed", "there is no --noise");
+    const bool noisy = decay.noise != 0 || decay.carrier_noise != 0 ||
+                       decay.modulation_noise != 0 || decay.phase_noise_rad != 0;
+    check(decay.seed != usual.seed && !noisy, "--seed", "there is no noise");
     check(decay.bryan != usual.bryan && decay.omega_rad_s == 0, "--bryan", "there is no --omega");
     check(decay.theta_w != usual.theta_w && decay.split_hz == 0, "--theta-w",
           "there is no --split");

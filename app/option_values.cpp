@@ -77,9 +77,19 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
                      });
 }
 
+namespace {
+
+// Positional ones, and those that take every occurrence.
+bool may_repeat(const CLI::Option& option) {
+    return option.get_positional() ||
+           option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+}
+
+}  // namespace
+
 void let_repeated_options_parse(CLI::App& app) {
     for (CLI::Option* option : app.get_options()) {
-        if (!option->get_positional() && option->get_expected_max() <= 1) {
+        if (!may_repeat(*option)) {
             option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
         }
     }
@@ -90,7 +100,7 @@ void let_repeated_options_parse(CLI::App& app) {
 
 std::string usage_fault(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options()) {
-        if (option->get_positional()) {
+        if (may_repeat(*option)) {
             continue;
         }
         if (option->count() > 1) {
