@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <vector>
+
 namespace vybeg::cli {
 
 // The options that say how a recording is opened: --rate, --channels, --raw and --delimiter with
@@ -24,5 +26,10 @@ void add_identify_options(CLI::App& app, IdentifySettings& settings);
 
 // Those of a comparison: --f-limit. `options` must outlive the parse.
 void add_compare_options(CLI::App& app, CompareOptions& options);
+
+// Options that change nothing beside the others: option_without_effect for each.
+std::vector<Diagnostic> without_effect(const Settings& settings);
+// Of those that say how the recording is opened, beside what the file itself says.
+std::vector<Diagnostic> without_effect(const OpenOptions& options, const Recording& recording);
 
 }  // namespace vybeg::cli

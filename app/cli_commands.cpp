@@ -1,7 +1,9 @@
 #include "app/cli_commands.h"
 
+#include "app/analysis_options.h"
 #include "app/cli_simulate_options.h"
 #include "app/cli_support.h"
+#include "app/output_paths.h"
 #include "core/analysis/analyse.h"
 #include "core/analysis/inspect.h"
 #include "core/base/messages.h"
@@ -14,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -72,8 +75,8 @@ void scale_amplitudes(Track& track, double factor) {
     }
 }
 
-Status write_truth(OutputFile& file, const SimulateRequest& request, double full_scale,
-                   bool fractions_of_full_scale, const JobControl& job) {
+Status fill_truth(OutputFile& file, const SimulateRequest& request, double full_scale,
+                  bool fractions_of_full_scale, const JobControl& job) {
     Result<Track> truth = true_track(request.decay, request.window);
     if (!truth) {
         return truth.error();
@@ -87,10 +90,31 @@ Status write_truth(OutputFile& file, const SimulateRequest& request, double full
         scale_amplitudes(*truth, 1 / full_scale);
         header.push_back("amplitudes: fractions of the full scale " + round_trip_text(full_scale));
     }
-    if (const Status written = write_track_csv(file, *truth, header, job); !written) {
-        return written;
-    }
-    return file.commit();
+    return write_track_csv(file, *truth, header, job);
+}
+
+// Options that change nothing beside the others.
+std::vector<Diagnostic> without_effect(const SimulateRequest& request) {
+    const FreeDecay& decay = request.decay;
+    const FreeDecay usual;
+    std::vector<Diagnostic> found;
+    const auto check = [&found](bool idle, const char* option, const char* why) {
+        if (idle) {
+            found.push_back({DiagnosticKind::option_without_effect, {option, why}});
+        }
+    };
+    check(decay.full_scale != 0 && decay.bits == 0, "--full-scale", "it is that of --bits");
+    check(request.window != SimulateRequest{}.window && request.truth.empty(), "--window",
+          "it is that of --truth");
+    const bool noisy = decay.noise != 0 || decay.carrier_noise != 0 ||
+                       decay.modulation_noise != 0 || decay.phase_noise_rad != 0;
+    check(decay.seed != usual.seed && !noisy, "--seed", "there is no noise");
+    check(decay.bryan != usual.bryan && decay.omega_rad_s == 0, "--bryan", "there is no --omega");
+    check(decay.theta_w != usual.theta_w && decay.split_hz == 0, "--theta-w",
+          "there is no --split");
+    check(decay.theta_tau != usual.theta_tau && decay.damping_anisotropy_per_s == 0, "--theta-tau",
+          "there is no --damping-anisotropy");
+    return found;
 }
 
 }  // namespace
@@ -101,7 +125,7 @@ int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     if (!recording) {
         return log.fail(recording.error());
     }
-    const Result<std::string> sha256 = file_sha256(request.input, silent_job(stop));
+    const Result<std::string> sha256 = recording_sha256(*recording, silent_job(stop));
     if (!sha256) {
         return log.fail(sha256.error());
     }
@@ -109,6 +133,10 @@ int run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     if (!faults) {
         return log.fail(faults.error());
     }
+    if (const Status still = unchanged(*recording); !still) {
+        return log.fail(still.error());
+    }
+    log.warnings(without_effect(request.open, *recording));
     const Status written =
         write_text(request.json ? recording_json(*recording, *sha256, faults->findings)
                                 : described(*recording, *sha256, faults->findings),
@@ -126,13 +154,14 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     if (!recording) {
         return log.fail(recording.error());
     }
-    const Result<std::string> sha256 = file_sha256(request.input, silent_job(stop));
+    const Result<std::string> sha256 = recording_sha256(*recording, silent_job(stop));
     if (!sha256) {
         return log.fail(sha256.error());
     }
-    if (same_file(request.input, request.output)) {
-        return log.fail(
-            {ErrorCode::setting_invalid, "", {"-o", request.output, "it is the recording itself"}});
+    if (const Status possible = check_outputs({{"-o", request.output, ""}},
+                                              {{request.input, "it is the recording itself"}});
+        !possible) {
+        return log.fail(possible.error());
     }
     const double opened = seconds_now();
     Result<OutputFile> output = open_output(request.output, silent_job(stop));
@@ -149,10 +178,13 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     };
     const Result<AnalysisSummary> analysis =
         analyse(*recording, request.settings, sink, job_of(stop, log));
-    if (!analysis) {
+    const Status still = unchanged(*recording);
+    if (!analysis || !still) {
         log.warnings(recording->diagnostics);
-        return log.fail(analysis.error());
+        return log.fail(output->as_it_stands(still ? analysis.error() : still.error()));
     }
+    log.warnings(without_effect(request.settings));
+    log.warnings(without_effect(request.open, *recording));
     log.warnings(analysis->diagnostics);
     const double analysed = seconds_now();
     Status written =
@@ -161,7 +193,7 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
         written = output->commit();
     }
     if (!written) {
-        return log.fail(written.error());
+        return log.fail(output->as_it_stands(written.error()));
     }
     write_s += seconds_now() - analysed;
     if (request.timing) {
@@ -171,10 +203,12 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
 }
 
 int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop) {
-    if (request.truth == request.output) {
-        return log.fail({ErrorCode::setting_invalid,
-                         "",
-                         {"--truth", request.truth, "the samples go there already"}});
+    if (const Status possible =
+            check_outputs({{"-o", request.output, "the samples go there already"},
+                           {"--truth", request.truth, ""}},
+                          {});
+        !possible) {
+        return log.fail(possible.error());
     }
     const Result<SampleFormat> format =
         request.output == "-" ? SampleFormat::csv : sample_format(request.output);
@@ -184,6 +218,14 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
     Result<OutputFile> output = open_output(request.output, silent_job(stop));
     if (!output) {
         return log.fail(output.error());
+    }
+    std::optional<OutputFile> truth;
+    if (!request.truth.empty()) {
+        Result<OutputFile> file = open_output(request.truth, silent_job(stop));
+        if (!file) {
+            return log.fail(file.error());
+        }
+        truth.emplace(std::move(*file));
     }
     const FreeDecay& decay = request.decay;
     // The signals are made anew for each time that they are gone through.
@@ -205,18 +247,25 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
     };
     Status written = write_stream(
         *output, *format, {frame_count(decay), decay.rate_hz, decay.bits, *full_scale, run});
+    if (written && truth) {
+        written = fill_truth(*truth, request, *full_scale, pcm, silent_job(stop));
+    }
+    std::vector<OutputFile*> outputs{&*output};
+    if (truth) {
+        outputs.push_back(&*truth);
+    }
     if (written) {
-        written = output->flush();  // a full disk shows before the truth is put in place
+        written = OutputFile::commit_together(outputs);
     }
-    if (written && !request.truth.empty()) {
-        Result<OutputFile> truth = open_output(request.truth, silent_job(stop));
-        written = truth ? write_truth(*truth, request, *full_scale, pcm, silent_job(stop))
-                        : Status(truth.error());
+    if (!written) {
+        Error error = written.error();
+        for (const OutputFile* file : outputs) {
+            error = file->as_it_stands(error);
+        }
+        return log.fail(error);
     }
-    if (written) {
-        written = output->commit();
-    }
-    return written ? 0 : log.fail(written.error());
+    log.warnings(without_effect(request));
+    return 0;
 }
 
 }  // namespace vybeg::cli

@@ -1,6 +1,8 @@
+#include "app/analysis_options.h"
 #include "app/cli_commands.h"
 #include "app/cli_identify_text.h"
 #include "app/cli_support.h"
+#include "app/output_paths.h"
 #include "core/report/identify_json.h"
 #include "core/report/passport_json.h"
 
@@ -16,6 +18,7 @@ namespace {
 struct Inputs {
     std::vector<Recording> recordings;
     std::vector<IdentifiedInput> told;
+    std::vector<std::string> hashes;
 };
 
 Result<Inputs> open_inputs(const IdentifyRequest& request, const JobControl& job) {
@@ -25,10 +28,11 @@ Result<Inputs> open_inputs(const IdentifyRequest& request, const JobControl& job
         if (!recording) {
             return recording.error();
         }
-        const Result<std::string> sha256 = file_sha256(name, job);
+        const Result<std::string> sha256 = recording_sha256(*recording, job);
         if (!sha256) {
             return sha256.error();
         }
+        inputs.hashes.push_back(*sha256);
         inputs.told.push_back({recording->path.filename().string(), *sha256, recording->start,
                                recording->seconds(), recording->rate_hz, 0});
         inputs.recordings.push_back(std::move(*recording));
@@ -36,30 +40,17 @@ Result<Inputs> open_inputs(const IdentifyRequest& request, const JobControl& job
     return inputs;
 }
 
-// An output must replace neither an input nor the other output.
-Status check_outputs(const IdentifyRequest& request) {
-    const auto refused = [](const char* option, const std::string& value, const char* reason) {
-        return Error{ErrorCode::setting_invalid, "", {option, value, reason}};
-    };
-    for (const auto& [option, output] :
-         {std::pair{"-o", &request.output}, std::pair{"--passport", &request.new_passport}}) {
-        if (output->empty()) {
-            continue;
-        }
-        for (const std::string& input : request.inputs) {
-            if (same_file(input, *output)) {
-                return refused(option, *output, "it is one of the recordings");
-            }
-        }
-        if (same_file(request.old_passport, *output)) {
-            return refused(option, *output, "it is the passport to compare with");
-        }
+Status check_paths(const IdentifyRequest& request) {
+    std::vector<InputPath> inputs{{request.old_passport, "it is the passport to compare with"}};
+    for (const std::string& input : request.inputs) {
+        inputs.push_back({input, "it is one of the recordings"});
     }
-    if (!request.new_passport.empty() && (request.new_passport == request.output ||
-                                          same_file(request.output, request.new_passport))) {
-        return refused("--passport", request.new_passport, "the result goes there already");
-    }
-    return {};
+    const bool summary = request.output.empty();
+    return check_outputs(
+        {{"-o", summary ? "-" : request.output,
+          summary ? "the summary goes there already" : "the result goes there already"},
+         {"--passport", request.new_passport, ""}},
+        inputs);
 }
 
 // What was asked for, opened before the work is done: a missing folder shows at once.
@@ -81,24 +72,19 @@ Status open_into(const std::string& name, std::optional<OutputFile>& output,
     return {};
 }
 
-// Both files are whole on the disk before the first takes its place.
+// All of them appear, or none.
 Status write_outputs(Outputs& outputs, const std::string& result, const std::string& passport) {
-    Status status;
+    std::vector<OutputFile*> files;
     for (const auto& [output, text] :
          {std::pair{&outputs.result, &result}, std::pair{&outputs.passport, &passport}}) {
-        if (status && *output) {
-            status = (*output)->write(*text);
-        }
-        if (status && *output) {
-            status = (*output)->flush();
-        }
-    }
-    for (std::optional<OutputFile>* output : {&outputs.result, &outputs.passport}) {
-        if (status && *output) {
-            status = (*output)->commit();
+        if (*output) {
+            if (const Status written = (*output)->write(*text); !written) {
+                return written;
+            }
+            files.push_back(&**output);
         }
     }
-    return status;
+    return OutputFile::commit_together(files);
 }
 
 std::string timing_line(const Identification& identification, double open_s, double write_s) {
@@ -143,6 +129,15 @@ void warn_of(const std::vector<Recording>& recordings, Log& log) {
     }
 }
 
+Status all_unchanged(const std::vector<Recording>& recordings) {
+    for (const Recording& recording : recordings) {
+        if (Status still = unchanged(recording); !still) {
+            return still;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop) {
@@ -159,22 +154,32 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
     if (!inputs) {
         return log.fail(inputs.error());
     }
-    if (const Status possible = check_outputs(request); !possible) {
+    if (const Status distinct = check_distinct(inputs->recordings, inputs->hashes); !distinct) {
+        return log.fail(distinct.error());
+    }
+    if (const Status possible = check_paths(request); !possible) {
         return log.fail(possible.error());
     }
     Outputs outputs;
-    for (const auto& [name, output] : {std::pair{&request.output, &outputs.result},
-                                       std::pair{&request.new_passport, &outputs.passport}}) {
-        if (const Status opened = open_into(*name, *output, silent_job(stop)); !opened) {
+    const bool summary = request.output.empty();
+    for (const auto& [name, output] :
+         {std::pair{summary ? std::string("-") : request.output, &outputs.result},
+          std::pair{request.new_passport, &outputs.passport}}) {
+        if (const Status opened = open_into(name, *output, silent_job(stop)); !opened) {
             return log.fail(opened.error());
         }
     }
     const double opened = seconds_now();
     const Result<Identification> found =
         identify(inputs->recordings, request.settings, job_of(stop, log));
-    if (!found) {
+    const Status still = all_unchanged(inputs->recordings);
+    if (!found || !still) {
         warn_of(inputs->recordings, log);
-        return log.fail(found.error());
+        return log.fail(still ? found.error() : still.error());
+    }
+    log.warnings(without_effect(request.settings.signal));
+    for (const Recording& recording : inputs->recordings) {
+        log.warnings(without_effect(request.open, recording), recording.path.filename().string());
     }
     for (std::size_t k = 0; k < found->runs.size(); ++k) {
         inputs->told[k].f0_hz = found->runs[k].f0_hz;
@@ -186,12 +191,11 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
     if (compared != nullptr) {
         compared->differences = compare(*passport, found->fit, request.compare);
     }
-    Status written = write_outputs(
-        outputs, identify_json(program, inputs->told, *found, compared),
+    const Status written = write_outputs(
+        outputs,
+        summary ? identify_text(inputs->told, *found, compared)
+                : identify_json(program, inputs->told, *found, compared),
         outputs.passport ? passport_json(passport_of(program, inputs->told, *found)) : "");
-    if (written && request.output.empty()) {
-        written = write_text(identify_text(inputs->told, *found, compared), silent_job(stop));
-    }
     if (!written) {
         return log.fail(written.error());
     }

@@ -1,5 +1,7 @@
 #include "app/cli_interrupt.h"
 
+#include "app/process_guard.h"
+
 #include <csignal>
 #include <pthread.h>
 
@@ -25,8 +27,7 @@ sigset_t awaited_signals() {
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);
+    make_write_signals_errors();
     const sigset_t signals = awaited_signals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     waiter_ = std::thread([this, signals] {

@@ -3,12 +3,18 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_log.h"
 #include "app/cli_simulate_options.h"
+#include "app/option_values.h"
+#include "app/process_guard.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <exception>
+#include <iostream>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -65,10 +71,28 @@ std::string sentence(const CLI::ParseError& error, std::span<char*> words) {
     return text.ends_with('.') ? text : text + ".";
 }
 
-}  // namespace
+bool asks_for_json(std::span<char*> words) {
+    return std::ranges::find(words, std::string_view("--json-log"), [](const char* word) {
+               return std::string_view(word);
+           }) != words.end();
+}
 
-int main(int argc, char** argv) {
+// --help and --version, which may be read by something that ends before they do.
+int printed(const CLI::App& app, const CLI::ParseError& asked) {
+    const int status = app.exit(asked);
+    std::cout.flush();
+    if (!std::cout) {
+        return Log(false, true)
+            .fail({ErrorCode::output_failed,
+                   "standard output",
+                   {std::generic_category().message(errno)}});
+    }
+    return status;
+}
+
+int run(int argc, char** argv) {
     const InterruptGuard interrupt;
+    const std::span words(argv, static_cast<std::size_t>(argc));
 
     CLI::App app("Vybeg: standing waves in the free decay of a hemispherical resonator gyroscope.");
     app.name("vybeg-cli");
@@ -130,22 +154,29 @@ int main(int argc, char** argv) {
     add_simulate_options(*simulate_command, simulation);
     add_log_options(*simulate_command, log_options);
 
+    let_repeated_options_parse(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help, --version
-            return app.exit(error);
+            return printed(app, error);
         }
         // The parse has failed, and with it perhaps its knowledge of --json-log.
-        const std::span words(argv, static_cast<std::size_t>(argc));
-        const bool json =
-            std::ranges::find(words, std::string_view("--json-log"), [](const char* word) {
-                return std::string_view(word);
-            }) != words.end();
-        return Log(json, false).fail_usage(sentence(error, words));
+        return Log(asks_for_json(words), false).fail_usage(sentence(error, words));
     }
 
     Log log(log_options.json, log_options.quiet);
+    if (const std::string fault = usage_fault(app); !fault.empty()) {
+        return log.fail_usage(fault);
+    }
+    if (simulate_command->parsed()) {
+        return run_simulate(simulation, log, interrupt.token());
+    }
+    const int threads = std::max({analyze.settings.threads, identification.settings.signal.threads,
+                                  comparison.settings.signal.threads});
+    if (const Status enough = check_threads(threads); !enough) {
+        return log.fail(enough.error());
+    }
     if (info_command->parsed()) {
         return run_info(info, log, interrupt.token());
     }
@@ -155,8 +186,18 @@ int main(int argc, char** argv) {
     if (identify_command->parsed()) {
         return run_identify(identification, log, interrupt.token());
     }
-    if (compare_command->parsed()) {
-        return run_identify(comparison, log, interrupt.token());
+    return run_identify(comparison, log, interrupt.token());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    open_missing_descriptors();
+    end_with_a_sentence();
+    try {
+        return run(argc, argv);
+    } catch (...) {
+        const bool json = asks_for_json(std::span(argv, static_cast<std::size_t>(argc)));
+        return Log(json, false).fail(error_of(std::current_exception()));
     }
-    return run_simulate(simulation, log, interrupt.token());
 }

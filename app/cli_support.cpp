@@ -1,8 +1,6 @@
 #include "app/cli_support.h"
 
 #include <chrono>
-#include <filesystem>
-#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -35,11 +33,6 @@ Status write_text(const std::string& text, const JobControl& job) {
         return written;
     }
     return output.commit();
-}
-
-bool same_file(const std::string& input, const std::string& output) {
-    std::error_code missing;
-    return output != "-" && std::filesystem::equivalent(input, output, missing) && !missing;
 }
 
 }  // namespace vybeg::cli

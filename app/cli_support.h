@@ -24,7 +24,4 @@ Result<OutputFile> open_output(const std::string& name, const JobControl& job);
 // Text to standard output.
 Status write_text(const std::string& text, const JobControl& job);
 
-// Whether an output would replace an input: never a recording by its own result.
-bool same_file(const std::string& input, const std::string& output);
-
 }  // namespace vybeg::cli

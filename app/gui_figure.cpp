@@ -1,5 +1,8 @@
 #include "app/gui_figure.h"
 
+#include "app/analysis_options.h"
+#include "app/output_paths.h"
+#include "app/process_guard.h"
 #include "core/analysis/analyse.h"
 #include "core/base/messages.h"
 #include "ui/figure.h"
@@ -40,12 +43,29 @@ ui::FigureColumn column_of(const Recording& recording, Analysis analysis, bool n
 }  // namespace
 
 int draw_figure(const FigureRequest& request, std::stop_token stop) {
+    std::vector<InputPath> inputs;
+    for (const std::string& input : request.inputs) {
+        inputs.push_back({input, "it is one of the recordings"});
+    }
+    if (const Status possible = check_outputs({{"--figure", request.figure, ""}}, inputs);
+        !possible) {
+        return fail(possible.error());
+    }
+    if (const Status enough = check_threads(request.settings.threads); !enough) {
+        return fail(enough.error());
+    }
+    for (const Diagnostic& diagnostic : without_effect(request.settings)) {
+        warn(diagnostic);
+    }
     const JobControl job(stop);
     std::vector<ui::FigureColumn> columns;
     for (const std::string& input : request.inputs) {
         const Result<Recording> recording = open_recording(input, request.open, job);
         if (!recording) {
             return fail(recording.error());
+        }
+        for (const Diagnostic& diagnostic : without_effect(request.open, *recording)) {
+            warn(diagnostic);
         }
         std::vector<Settings> wanted{request.settings};
         if (!request.windows.empty()) {
@@ -59,6 +79,9 @@ int draw_figure(const FigureRequest& request, std::stop_token stop) {
         }
         for (const Settings& settings : wanted) {
             Result<Analysis> analysis = analyse(*recording, settings, job);
+            if (const Status still = unchanged(*recording); !still) {
+                return fail(still.error());
+            }
             if (!analysis) {
                 return fail(analysis.error());
             }

@@ -2,6 +2,7 @@
 #include "app/cli_interrupt.h"
 #include "app/gui_figure.h"
 #include "app/option_values.h"
+#include "app/process_guard.h"
 #include "core/base/messages.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
@@ -12,8 +13,15 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <system_error>
+#include <utility>
 
 namespace {
 
@@ -47,11 +55,18 @@ void describe(CLI::App& app, FigureRequest& request) {
               "With --figure: one column for each of these window lengths, samples",
               [&request](const std::string& option, const std::string& text) {
                   request.windows = window_list(option, text);
-              });
+              })
+        ->excludes(app.get_option("--window"))
+        ->excludes(app.get_option("--periods"));
     app.footer(
         "Without --figure the window opens, on the recordings named.\n"
         "Exit status: 0 done, 2 wrong usage, 3 the input cannot be read, 4 the analysis is "
         "impossible,\n5 the output cannot be written, 130 interrupted.");
+}
+
+int fail(const Error& error) {
+    std::fprintf(stderr, "vybeg: %s\n", english(error).c_str());
+    return exit_status(error.code);
 }
 
 int usage(std::string text) {
@@ -59,6 +74,9 @@ int usage(std::string text) {
     std::fprintf(stderr, "vybeg: %s\n", text.c_str());
     return 2;
 }
+
+constexpr const char* no_display =
+    "There is no display to open a window on. Draw with --figure, or use vybeg-cli.";
 
 bool platform_chosen() {
     return qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
@@ -77,12 +95,38 @@ void name_application() {
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.vybeg.Vybeg"));
 }
 
+// While Qt looks for its platform it warns of each one that does not work, and then aborts: of both
+// the program makes one sentence and a status.
+class PlatformSearch {
+public:
+    explicit PlatformSearch(bool window) {
+        qInstallMessageHandler(window ? no_window : no_platform);
+    }
+    PlatformSearch(const PlatformSearch&) = delete;
+    PlatformSearch& operator=(const PlatformSearch&) = delete;
+    ~PlatformSearch() { qInstallMessageHandler(nullptr); }
+
+private:
+    static void no_window(QtMsgType type, const QMessageLogContext&, const QString&) {
+        if (type == QtFatalMsg) {
+            std::_Exit(usage(no_display));
+        }
+    }
+    static void no_platform(QtMsgType type, const QMessageLogContext&, const QString&) {
+        if (type == QtFatalMsg) {
+            std::_Exit(usage("Qt cannot start the platform that QT_QPA_PLATFORM names. Unset it."));
+        }
+    }
+};
+
 int figure_mode(int argc, char** argv, const FigureRequest& request) {
     const InterruptGuard interrupt;
     if (!platform_chosen()) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
+    std::optional<PlatformSearch> search(std::in_place, false);
     QApplication application(argc, argv);
+    search.reset();
     name_application();
     ui::Language language;
     language.use(ui::Language::ofTheSystem());
@@ -90,7 +134,9 @@ int figure_mode(int argc, char** argv, const FigureRequest& request) {
 }
 
 int window_mode(int argc, char** argv, const FigureRequest& request) {
+    std::optional<PlatformSearch> search(std::in_place, true);
     QApplication application(argc, argv);
+    search.reset();
     name_application();
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/io.github.vybeg.Vybeg.svg")));
     ui::MainWindow window;
@@ -104,16 +150,27 @@ int window_mode(int argc, char** argv, const FigureRequest& request) {
     return QApplication::exec();
 }
 
-}  // namespace
+int printed(const CLI::App& app, const CLI::ParseError& asked) {
+    const int status = app.exit(asked);
+    std::cout.flush();
+    return std::cout ? status
+                     : fail({ErrorCode::output_failed,
+                             "standard output",
+                             {std::generic_category().message(errno)}});
+}
 
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
     FigureRequest request;
     CLI::App app("Vybeg: standing waves in the free decay of a hemispherical resonator gyroscope.");
     describe(app, request);
+    let_repeated_options_parse(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return error.get_exit_code() == 0 ? app.exit(error) : usage(error.what());
+        return error.get_exit_code() == 0 ? printed(app, error) : usage(error.what());
+    }
+    if (const std::string fault = usage_fault(app); !fault.empty()) {
+        return usage(fault);
     }
     if (const Status valid = validate(request.settings); !valid) {
         return usage(english(valid.error()));
@@ -125,9 +182,18 @@ int main(int argc, char** argv) {
     if (!request.windows.empty()) {
         return usage("--windows needs --figure.");
     }
-    if (!has_display()) {
-        return usage(
-            "There is no display to open a window on. Draw with --figure, or use vybeg-cli.");
+    return has_display() ? window_mode(argc, argv, request) : usage(no_display);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    open_missing_descriptors();
+    make_write_signals_errors();
+    end_with_a_sentence();
+    try {
+        return run(argc, argv);
+    } catch (...) {
+        return fail(error_of(std::current_exception()));
     }
-    return window_mode(argc, argv, request);
 }

@@ -77,4 +77,46 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
                      });
 }
 
+namespace {
+
+// Positional ones, and those that take every occurrence.
+bool may_repeat(const CLI::Option& option) {
+    return option.get_positional() ||
+           option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+}
+
+}  // namespace
+
+void let_repeated_options_parse(CLI::App& app) {
+    for (CLI::Option* option : app.get_options()) {
+        if (!may_repeat(*option)) {
+            option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+        }
+    }
+    for (CLI::App* command : app.get_subcommands({})) {
+        let_repeated_options_parse(*command);
+    }
+}
+
+std::string usage_fault(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        if (may_repeat(*option)) {
+            continue;
+        }
+        if (option->count() > 1) {
+            return option->get_name() + " is given twice.";
+        }
+        if (option->count() == 1 && option->get_expected_max() > 0 &&
+            option->results().front().empty()) {
+            return option->get_name() + " needs a value.";
+        }
+    }
+    for (const CLI::App* command : app.get_subcommands()) {
+        if (const std::string fault = usage_fault(*command); !fault.empty()) {
+            return fault;
+        }
+    }
+    return {};
+}
+
 }  // namespace vybeg::cli

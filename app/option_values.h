@@ -34,4 +34,12 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& target,
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                         const std::string& placeholder, const std::string& help);
 
+// To be called when all options are defined: an option of one value, or of none, that is given
+// twice parses, so that usage_fault() can name it.
+void let_repeated_options_parse(CLI::App& app);
+
+// What is wrong with a command line that parses: an option given twice, or with an empty value. A
+// sentence; empty where nothing is.
+std::string usage_fault(const CLI::App& app);
+
 }  // namespace vybeg::cli

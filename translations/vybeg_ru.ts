@@ -522,6 +522,10 @@
             <translation>%1: в файле не указана частота дискретизации. Задайте её в герцах (--rate).</translation>
         </message>
         <message>
+            <source>%1 changed while it was read: its size or the time of its last change is another. Wait until it is complete, and open it again.</source>
+            <translation>%1: файл изменился во время чтения (размер или время последнего изменения). Дождитесь окончания записи и откройте его снова.</translation>
+        </message>
+        <message>
             <source>%1: the window of %2 samples is longer than the %3 samples to analyse. Choose a shorter window or a longer range.</source>
             <translation>%1: окно из %2 отсчётов длиннее обрабатываемого участка (отсчётов: %3). Выберите более короткое окно или более длинный участок.</translation>
         </message>
@@ -570,12 +574,44 @@
             <translation>%1: окно из %2 отсчётов слишком коротко для подгонки резонатора; при такой несущей нужно не меньше %3 (16 отсчётов и два периода).</translation>
         </message>
         <message>
+            <source>%1 and %2 hold the same samples (SHA-256): a recording that is counted twice is no new evidence. Name each recording once.</source>
+            <translation>%1 и %2 содержат одни и те же отсчёты (SHA-256): запись, учтённая дважды, новых данных не даёт. Укажите каждую запись один раз.</translation>
+        </message>
+        <message>
+            <source>%1: the band from %2 Hz to %3 Hz is too narrow for the search for the carrier; at this length it needs at least %4 Hz. Give the carrier with --f0, or a wider band.</source>
+            <translation>%1: полоса от %2 до %3 Гц слишком узка для поиска несущей; при такой длине нужно не меньше %4 Гц. Задайте несущую параметром --f0 или более широкую полосу.</translation>
+        </message>
+        <message>
+            <source>%1: channel %2 has no samples in the range: every one is missing (NaN). Choose other channels or another range.</source>
+            <translation>%1: в канале %2 на этом участке нет отсчётов: все пропущены (NaN). Выберите другие каналы или другой участок.</translation>
+        </message>
+        <message>
+            <source>There is not enough memory. Choose a shorter range, or end other programs.</source>
+            <translation>Не хватает памяти. Выберите участок короче или закройте другие программы.</translation>
+        </message>
+        <message>
+            <source>The system starts no more threads. Raise the limit of processes, or give a smaller number with --threads.</source>
+            <translation>Система больше не запускает потоков. Увеличьте ограничение на число процессов или задайте меньшее число параметром --threads.</translation>
+        </message>
+        <message>
             <source>%1 cannot be written: %2. Nothing was changed there.</source>
             <translation>Не удалось записать %1: %2. Прежнее содержимое не изменено.</translation>
         </message>
         <message>
             <source>%1: the ending &quot;%2&quot; is not one that can be written here.</source>
             <translation>%1: запись в файл с окончанием «%2» здесь невозможна.</translation>
+        </message>
+        <message>
+            <source>%1 is one of the open recordings, and stays as it is. Choose another name.</source>
+            <translation>%1 — одна из открытых записей; она не изменена. Выберите другое имя.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written: %2. What has gone out there is incomplete.</source>
+            <translation>Не удалось записать %1: %2. Уже переданное туда неполно.</translation>
+        </message>
+        <message>
+            <source>Interrupted; what has gone out to %1 is incomplete.</source>
+            <translation>Прервано; переданное в %1 неполно.</translation>
         </message>
         <message>
             <source>Interrupted; nothing was written.</source>
@@ -780,6 +816,10 @@
         <message>
             <source>The noise about the carrier is as narrow as the residual can show. Noise narrower than %1 Hz looks like the wave itself: the standard deviations may be too small. Record longer, or repeat the recording.</source>
             <translation>Шум около несущей настолько узок, насколько это видно по невязке. Шум уже %1 Гц неотличим от самой волны: СКО могут быть занижены. Нужна более длинная запись или повторная.</translation>
+        </message>
+        <message>
+            <source>%1 has no effect: %2.</source>
+            <translation>%1 ни на что не влияет: %2.</translation>
         </message>
     </context>
     <context>

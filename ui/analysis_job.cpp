@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 
 namespace vybeg::ui {
 
@@ -96,9 +97,14 @@ void AnalysisJob::start(QThreadPool& pool, TaskId id,
     task = Task{++generation_, std::stop_source{}};
     pool.start([this, ticket = Ticket{id, task.generation, task.stop.get_token()},
                 work = std::move(work), done = std::move(done)] {
-        Result<Value> result = ticket.stop.stop_requested()
-                                   ? Result<Value>(Error{ErrorCode::interrupted, {}, {}})
-                                   : work(ticket);
+        Result<Value> result = Error{ErrorCode::interrupted, {}, {}};
+        try {
+            if (!ticket.stop.stop_requested()) {
+                result = work(ticket);
+            }
+        } catch (const std::bad_alloc&) {
+            result = Error{ErrorCode::out_of_memory, {}, {}};
+        }
         auto deliver = [this, ticket, result = std::move(result), done]() mutable {
             if (isStale(ticket)) {
                 return;  // a newer job of its kind and key has taken its place
@@ -167,12 +173,12 @@ void AnalysisJob::buildEnvelope(int key, const Recording& recording, EnvelopeSin
         std::move(done));
 }
 
-void AnalysisJob::hash(int key, const QString& path,
+void AnalysisJob::hash(int key, const Recording& recording,
                        std::function<void(Result<std::string>)> done) {
     start<std::string>(
         others_, {Kind::hash, key},
-        [path = toPath(path)](const Ticket& ticket) {
-            return file_sha256(path, JobControl(ticket.stop));
+        [recording](const Ticket& ticket) {
+            return recording_sha256(recording, JobControl(ticket.stop));
         },
         std::move(done));
 }
@@ -222,6 +228,9 @@ void AnalysisJob::analyse(int key, const Recording& recording, const Settings& s
                 this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
             Result<Analysis> found =
                 vybeg::analyse(recording, settings, reporting(key, ticket.stop));
+            if (const Status still = unchanged(recording); !still) {
+                return still.error();
+            }
             return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
         },
         std::move(done));
@@ -239,6 +248,9 @@ void AnalysisJob::analyseLive(int key, const Recording& recording, const Setting
             };
             Result<Analysis> found = analyse_visible_first(recording, settings, visible, show,
                                                            reporting(key, ticket.stop));
+            if (const Status still = unchanged(recording); !still) {
+                return still.error();
+            }
             return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
         },
         std::move(done));
@@ -256,19 +268,28 @@ void AnalysisJob::identify(int key, const std::vector<Recording>& recordings,
             const JobControl job = reporting(key, ticket.stop);
             ResonatorOutcome outcome;
             outcome.inputs = inputs;
+            std::vector<std::string> hashes;
             for (std::size_t k = 0; k < recordings.size(); ++k) {
                 IdentifiedInput& input = outcome.inputs[k];
-                if (!input.sha256.empty()) {
-                    continue;
+                if (input.sha256.empty()) {
+                    Result<std::string> hash = recording_sha256(recordings[k], job.silent());
+                    if (!hash) {
+                        return hash.error();
+                    }
+                    input.sha256 = std::move(*hash);
                 }
-                Result<std::string> hash = file_sha256(recordings[k].path, job.silent());
-                if (!hash) {
-                    return hash.error();
-                }
-                input.sha256 = std::move(*hash);
+                hashes.push_back(input.sha256);
+            }
+            if (const Status distinct = check_distinct(recordings, hashes); !distinct) {
+                return distinct.error();
             }
             const double begun = job.now();
             Result<Identification> found = vybeg::identify(recordings, settings, job);
+            for (const Recording& recording : recordings) {
+                if (const Status still = unchanged(recording); !still) {
+                    return still.error();
+                }
+            }
             if (!found) {
                 return found.error();
             }
@@ -296,15 +317,8 @@ void AnalysisJob::writePassport(int key, std::shared_ptr<const ResonatorOutcome>
         key,
         [outcome = std::move(outcome), name = program.toStdString(),
          path = toPath(path)](const JobControl& job) -> Status {
-            Result<OutputFile> file = OutputFile::create(path, job);
-            if (!file) {
-                return file.error();
-            }
             const Passport passport = passport_of(name, outcome->inputs, outcome->identification);
-            if (Status written = file->write(passport_json(passport)); !written) {
-                return written;
-            }
-            return file->commit();
+            return write_file(path, passport_json(passport), job);
         },
         std::move(done));
 }
@@ -316,7 +330,7 @@ void AnalysisJob::writeTrack(int key, const Recording& recording,
         key,
         [recording, analysis = std::move(analysis), name = program.toStdString(),
          path = toPath(path)](const JobControl& job) -> Status {
-            const Result<std::string> hash = file_sha256(recording.path, job);
+            const Result<std::string> hash = recording_sha256(recording, job);
             if (!hash) {
                 return hash.error();
             }

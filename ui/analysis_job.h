@@ -56,7 +56,7 @@ public:
     // `grown` gets pictures of the envelope while it grows, some ten a second.
     void buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
                        std::function<void(Result<std::shared_ptr<const Envelope>>)> done);
-    void hash(int key, const QString& path, std::function<void(Result<std::string>)> done);
+    void hash(int key, const Recording& recording, std::function<void(Result<std::string>)> done);
     void findCarrier(int key, const Recording& recording, const Settings& settings,
                      std::function<void(Result<double>)> done);
     // The recording check over the whole recording.

@@ -218,8 +218,8 @@ void Document::readEnvelope(int id) {
 }
 
 void Document::hashFile(int id) {
-    if (const RecordingEntry* entry = find(id)) {
-        job_.hash(id, entry->path, [this, id](Result<std::string> hash) {
+    if (const RecordingEntry* entry = find(id); entry && entry->recording) {
+        job_.hash(id, *entry->recording, [this, id](Result<std::string> hash) {
             RecordingEntry* hashed = find(id);
             if (hashed && hash) {
                 hashed->sha256 = QString::fromStdString(*hash);

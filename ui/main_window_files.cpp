@@ -1,5 +1,6 @@
 // Everything that goes in or out: opening, dropping, exporting, and the windows beside the main
 // one.
+#include "core/report/same_file.h"
 #include "ui/compare_dialog.h"
 #include "ui/error_text.h"
 #include "ui/help_view.h"
@@ -12,9 +13,11 @@
 
 #include <QApplication>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
@@ -28,6 +31,38 @@ namespace vybeg::ui {
 namespace {
 
 const QString folder_key = QStringLiteral("folder");
+
+// The window's dialog for files, empty and as `title` asks for it, with no connection to the
+// window. There is one for all questions: Qt keeps a third of a megabyte of every one that was
+// opened.
+QFileDialog& fileDialog(QWidget& window, const QString& title) {
+    const QString name = QStringLiteral("files");
+    auto* dialog = window.findChild<QFileDialog*>(name, Qt::FindDirectChildrenOnly);
+    if (!dialog) {
+        dialog = new QFileDialog(&window);
+        dialog->setObjectName(name);
+    }
+    QObject::disconnect(dialog, nullptr, &window, nullptr);
+    dialog->setWindowTitle(title);
+    dialog->setAcceptMode(QFileDialog::AcceptOpen);
+    dialog->setDefaultSuffix(QString());
+    const QString folder = QSettings().value(folder_key).toString();
+    dialog->setDirectory(folder.isEmpty() ? QDir::currentPath() : folder);
+    if (auto* edit = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))) {
+        edit->clear();  // what an earlier question was answered with
+    }
+    return *dialog;
+}
+
+// Whether a file would take the place of an open recording.
+Status stayAsTheyAre(const Document& document, const QString& path) {
+    for (const RecordingEntry& entry : document.recordings()) {
+        if (same_file(entry.path.toStdU16String(), path.toStdU16String())) {
+            return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
+        }
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -43,9 +78,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::askForFiles() {
-    auto* dialog =
-        new QFileDialog(this, tr("Open recordings"), QSettings().value(folder_key).toString());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QFileDialog* const dialog = &fileDialog(*this, tr("Open recordings"));
     dialog->setFileMode(QFileDialog::ExistingFiles);
     const QString audio = QStringLiteral("*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf");
     const QString tables = QStringLiteral("*.csv *.tsv *.txt *.dat");
@@ -63,9 +96,7 @@ void MainWindow::askForFiles() {
 
 void MainWindow::askForImport() {
     const RecordingEntry* current = document_.currentRecording();
-    auto* dialog =
-        new QFileDialog(this, tr("Import a recording"), QSettings().value(folder_key).toString());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QFileDialog* const dialog = &fileDialog(*this, tr("Import a recording"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilter(tr("All files (*)"));
     if (current) {
@@ -97,13 +128,13 @@ void MainWindow::openImport(const QString& path, const OpenOptions& options) {
 
 void MainWindow::askWhereTo(const QString& title, const QString& name, const QStringList& filters,
                             const std::function<void(const QString&)>& save) {
-    auto* dialog = new QFileDialog(this, title, QSettings().value(folder_key).toString());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QFileDialog* const dialog = &fileDialog(*this, title);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setFileMode(QFileDialog::AnyFile);
     dialog->setNameFilters(filters);
     dialog->selectFile(name);
     dialog->setDefaultSuffix(QFileInfo(name).suffix());
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+    connect(dialog, &QFileDialog::filterSelected, this, [dialog](const QString& filter) {
         dialog->setDefaultSuffix(filter.section(QStringLiteral("*."), 1).chopped(1));
     });
     connect(dialog, &QFileDialog::fileSelected, this, save);
@@ -119,10 +150,15 @@ void MainWindow::told(const Status& status, const QString& path) {
 }
 
 void MainWindow::exportPlotsTo(const QString& path) {
-    told(exportPlots(tracks_->content(), tracks_->size(), path), path);
+    const Status possible = stayAsTheyAre(document_, path);
+    told(possible ? exportPlots(tracks_->content(), tracks_->size(), path) : possible, path);
 }
 
 void MainWindow::exportTrackTo(const QString& path) {
+    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+        told(possible, path);
+        return;
+    }
     document_.exportTrack(runs_->currentRun(), path,
                           [this, path](const Status& status) { told(status, path); });
 }
@@ -131,11 +167,16 @@ void MainWindow::exportFigureTo(const QString& path) {
     if (compare_) {
         FigureOptions options;
         options.units = tracks_->units();
-        told(renderFigure(compare_->columns(), path, options), path);
+        const Status possible = stayAsTheyAre(document_, path);
+        told(possible ? renderFigure(compare_->columns(), path, options) : possible, path);
     }
 }
 
 void MainWindow::savePassportTo(const QString& path) {
+    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+        told(possible, path);
+        return;
+    }
     document_.savePassport(path, [this, path](const Status& status) { told(status, path); });
 }
 
@@ -144,9 +185,7 @@ void MainWindow::comparePassport(const QString& path) {
 }
 
 void MainWindow::askForPassport() {
-    auto* dialog = new QFileDialog(this, tr("Compare with passport"),
-                                   QSettings().value(folder_key).toString());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QFileDialog* const dialog = &fileDialog(*this, tr("Compare with passport"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters({tr("Passport (*.json)"), tr("All files (*)")});
     connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::comparePassport);
@@ -154,10 +193,12 @@ void MainWindow::askForPassport() {
 }
 
 void MainWindow::exportResonatorPlot(const XYPlot& plot, QSize size) {
-    askWhereTo(
-        tr("Export plot"), QStringLiteral("resonator.png"),
-        {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
-        [this, plot, size](const QString& path) { told(exportXYPlot(plot, size, path), path); });
+    askWhereTo(tr("Export plot"), QStringLiteral("resonator.png"),
+               {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
+               [this, plot, size](const QString& path) {
+                   const Status possible = stayAsTheyAre(document_, path);
+                   told(possible ? exportXYPlot(plot, size, path) : possible, path);
+               });
 }
 
 void MainWindow::openCompare() {

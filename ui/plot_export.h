@@ -18,8 +18,8 @@ QImage plotImage(const PlotContent& content, QSize size, double scale = 2);
 // As drawing commands, for a page that is being painted: painter.drawPicture() after scaling.
 QPicture plotPicture(const PlotContent& content, QSize size);
 
-// To a file by its ending: .png (scale 2), .svg or .pdf (vectors). Written to a temporary file and
-// renamed when complete. Errors: output_format_unknown, output_failed.
+// To a file by its ending: .png (scale 2), .svg or .pdf (vectors). Drawn in memory, written
+// once and renamed when complete. Errors: output_format_unknown, output_failed.
 Status exportPlots(const PlotContent& content, QSize size, const QString& path);
 
 // The same with one plot alone.

@@ -1,13 +1,16 @@
 #include "ui/plot_file.h"
 
+#include "core/report/output_file.h"
+
+#include <QBuffer>
 #include <QFileInfo>
 #include <QPageSize>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 #include <qcustomplot.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace vybeg::ui {
 namespace {
@@ -72,23 +75,23 @@ Status writePlot(QCustomPlot& plot, QSize size, const QString& path) {
         ending != QStringLiteral("pdf")) {
         return Error{ErrorCode::output_format_unknown, path.toStdString(), {ending.toStdString()}};
     }
-    QSaveFile file(path);
-    bool written = file.open(QIODevice::WriteOnly);
-    if (written) {
-        if (ending == QStringLiteral("png")) {
-            written = toImage(plot, size, file_scale).save(&file, "PNG");
-        } else if (ending == QStringLiteral("svg")) {
-            writeSvg(plot, size, file);
-        } else {
-            writePdf(plot, size, file);
-        }
-        written = written && file.commit();
+    // The writers of SVG and PDF pass over what a disk refuses: they draw into memory.
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    bool drawn = true;
+    if (ending == QStringLiteral("png")) {
+        drawn = toImage(plot, size, file_scale).save(&buffer, "PNG");
+    } else if (ending == QStringLiteral("svg")) {
+        writeSvg(plot, size, buffer);
+    } else {
+        writePdf(plot, size, buffer);
     }
-    if (!written) {
-        return Error{
-            ErrorCode::output_failed, path.toStdString(), {file.errorString().toStdString()}};
+    if (!drawn || bytes.isEmpty()) {
+        return Error{ErrorCode::out_of_memory, {}, {}};
     }
-    return {};
+    return write_file(std::filesystem::path(path.toStdU16String()),
+                      {bytes.constData(), static_cast<std::size_t>(bytes.size())}, JobControl());
 }
 
 }  // namespace vybeg::ui

@@ -15,8 +15,8 @@ namespace vybeg::ui {
 QImage toImage(QCustomPlot& plot, QSize size, double scale);
 QPicture toPicture(QCustomPlot& plot, QSize size);
 
-// By the ending of `path`: .png (scale 2), .svg or .pdf (vectors, text as text). Written to a
-// temporary file and renamed when complete. Errors: output_format_unknown, output_failed.
+// By the ending of `path`: .png (scale 2), .svg or .pdf (vectors, text as text). Drawn in memory
+// and written as write_file() does. Errors: output_format_unknown, output_failed, out_of_memory.
 Status writePlot(QCustomPlot& plot, QSize size, const QString& path);
 
 }  // namespace vybeg::ui

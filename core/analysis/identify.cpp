@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <numbers>
 #include <numeric>
@@ -117,7 +118,64 @@ void refer_to_recorded(double calibrated, ResonatorFit& fit) {
     }
 }
 
+// The error of a fit that lacks windows, about the recording that has the fewest.
+Error named(Error error, std::span<const PhasorRun> runs, std::span<const Recording> recordings) {
+    if (error.code == ErrorCode::fit_too_few_windows) {
+        const auto finite = [](const PhasorRun& run) {
+            std::int64_t count = 0;
+            for (std::size_t k = 0; k < run.c.size(); ++k) {
+                count += std::isfinite(std::abs(run.c[k]) + std::abs(run.d[k])) ? 1 : 0;
+            }
+            return count;
+        };
+        const auto fewest = std::ranges::min_element(runs, {}, finite);
+        error.where = recording_name(recordings[static_cast<std::size_t>(fewest - runs.begin())]);
+        error.args[0] = integer_text(finite(*fewest));
+    }
+    return error;
+}
+
+// Warnings about one recording name it by its file.
+void name_runs(std::span<const Recording> recordings, std::vector<Diagnostic>& warnings) {
+    for (Diagnostic& warning : warnings) {
+        if (warning.kind != DiagnosticKind::frequency_drifts &&
+            warning.kind != DiagnosticKind::q_disagrees) {
+            continue;
+        }
+        for (std::size_t k = 0; k < recordings.size(); ++k) {
+            if (warning.args[0] == integer_text(static_cast<std::int64_t>(k) + 1)) {
+                warning.args[0] = recording_name(recordings[k]);
+                break;
+            }
+        }
+    }
+}
+
 }  // namespace
+
+Status check_distinct(std::span<const Recording> recordings, std::span<const std::string> sha256) {
+    const auto signals = [](const Recording& recording) {
+        std::vector<std::string> names;
+        for (const int channel : {recording.channel_c, recording.channel_d}) {
+            const auto place = static_cast<std::size_t>(channel - 1);
+            names.push_back(integer_text(channel));
+            names.push_back(place < recording.channels.size() ? recording.channels[place].name
+                                                              : "");
+        }
+        return names;
+    };
+    for (std::size_t later = 1; later < recordings.size(); ++later) {
+        for (std::size_t k = 0; k < later; ++k) {
+            if (sha256[k] == sha256[later] &&
+                signals(recordings[k]) == signals(recordings[later])) {
+                return Error{ErrorCode::same_recording,
+                             recording_name(recordings[k]),
+                             {recording_name(recordings[later])}};
+            }
+        }
+    }
+    return {};
+}
 
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job) {
@@ -161,10 +219,11 @@ Result<Identification> identify(std::span<const Recording> recordings,
     options.tolerance = tolerance_of(settings, phasors);
     Result<ResonatorFit> fit = fit_resonator(phasors, options, job.silent());
     if (!fit) {
-        return fit.error();
+        return named(fit.error(), phasors, recordings);
     }
     found.fit = std::move(*fit);
     refer_to_recorded(settings.signal.calibration.kappa, found.fit);
+    name_runs(recordings, found.fit.warnings);
     if (found.fit.model == ResonatorModel::structured) {
         found.drift = drift_function(phasors, found.fit);
         for (std::size_t k = 0; k < phasors.size(); ++k) {

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vybeg {
@@ -58,6 +59,10 @@ struct Identification {
     std::vector<ChannelBalance> balance;  // of each run; empty for the free model
     IdentifyTiming timing;
 };
+
+// Whether each recording is evidence of its own: no two have the same file content and the same two
+// channels. `sha256` as the recordings. Errors: same_recording.
+Status check_distinct(std::span<const Recording> recordings, std::span<const std::string> sha256);
 
 // The whole road from the recordings of one resonator to the resonator (METHOD section 8): a set of
 // runs that differ in their start. The gain ratio that is found is the one of the recorded signals.

@@ -68,6 +68,15 @@ Result<double> carrier_of(const Stretch& stretch, const Settings& settings, doub
     if (settings.band) {
         band = *settings.band;
     }
+    // The spectrum of T seconds resolves 1/T.
+    const double least = rate_hz / static_cast<double>(stretch.c.size());
+    if (band.high_hz > band.low_hz && band.high_hz - band.low_hz < least &&
+        band.low_hz < rate_hz / 2) {
+        return Error{
+            ErrorCode::band_too_narrow,
+            "",
+            {round_trip_text(band.low_hz), round_trip_text(band.high_hz), short_text(least, 3)}};
+    }
     return find_carrier(stretch.c, stretch.d, rate_hz, band.low_hz, band.high_hz, job);
 }
 
@@ -115,6 +124,35 @@ Status find_range(const SampleSource& source, double rate_hz, const Settings& se
                      {short_text(from), short_text(to), short_text(frames / rate_hz)}};
     }
     return {};
+}
+
+// Whether both channels have samples in the range: read from its start until both have shown one.
+Status check_samples(const SampleSource& source, std::int64_t first, std::int64_t end,
+                     const JobControl& job) {
+    constexpr std::int64_t block = 4096;
+    std::vector<double> c(static_cast<std::size_t>(std::min(block, end - first)));
+    std::vector<double> d(c.size());
+    const auto is_number = [](double value) { return std::isfinite(value); };
+    bool in_c = false;
+    bool in_d = false;
+    for (std::int64_t at = first; at < end && !(in_c && in_d); at += block) {
+        if (job.cancelled()) {
+            return Error{ErrorCode::interrupted, "", {}};
+        }
+        const auto length = static_cast<std::size_t>(std::min(block, end - at));
+        c.resize(length);
+        d.resize(length);
+        if (Status read = source.read(at, c, d); !read) {
+            return read;
+        }
+        in_c = in_c || std::ranges::any_of(c, is_number);
+        in_d = in_d || std::ranges::any_of(d, is_number);
+    }
+    if (in_c && in_d) {
+        return {};
+    }
+    return in_c == in_d ? Error{ErrorCode::no_valid_samples, "", {}}
+                        : Error{ErrorCode::channel_without_samples, "", {in_c ? "D" : "C"}};
 }
 
 // The recording's samples with gaps where some were lost.
@@ -190,6 +228,9 @@ Result<Prepared> prepare(const Recording& recording, const Settings& settings,
     }
     if (const Status found = find_range(*raw, rate, settings, prepared); !found) {
         return named(found.error());
+    }
+    if (const Status some = check_samples(*raw, prepared.first, prepared.end, job); !some) {
+        return named(some.error());
     }
     if (settings.calibration.offset_auto) {
         const Result<Stretch> stretch = read_stretch(*raw, prepared.first, prepared.end, job);

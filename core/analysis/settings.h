@@ -38,8 +38,8 @@ struct Settings {
     friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-// Checks what can be checked without a recording: setting_invalid with the setting's command-line
-// name.
+// Checks what can be checked without a recording, and that no value is so large or small that what
+// is computed with it loses its digits: setting_invalid with the setting's command-line name.
 Status validate(const Settings& settings);
 
 }  // namespace vybeg

@@ -38,9 +38,9 @@ enum class DiagnosticKind {
     phase_unknown,       // args: places of a phase_step inside an identification
     carrier_elsewhere,   // args: carrier given, carrier found (Hz)
     strike_left_out,     // args: seconds from the start of the range. No free decay there yet.
-    frequency_drifts,    // args: run, Hz per s, its sd. Fitted.
+    frequency_drifts,    // args: recording, Hz per s, its sd. Fitted.
     frequency_follows_amplitude,  // args: Hz per squared unit of amplitude, its sd. Fitted.
-    q_disagrees,                  // args: run, Q from the envelope, Q from the coherent fit
+    q_disagrees,                  // args: recording, Q from the envelope, Q from the coherent fit
     decay_of_one_direction,       // tau is refused: the decay of the direction is given
     structured_refused,           // args: what speaks against it. The free model is taken.
     residual_above_noise,         // args: chi^2 per degree of freedom. Deviations enlarged.
@@ -48,6 +48,7 @@ enum class DiagnosticKind {
     residual_coloured,            // args: chi^2 per degree of freedom. Deviations hold its colour.
     noise_too_narrow,             // args: width (Hz) below which no residual shows a noise
     fit_not_converged,            // the fit stopped early
+    option_without_effect,        // args: option of the command line, why
 };
 
 // first_frame is -1 where the diagnostic has no place in the recording; count is in frames.

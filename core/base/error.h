@@ -31,6 +31,7 @@ enum class ErrorCode {
     passport_damaged,  // args: reason
     passport_schema,   // args: schema of the file, newest schema known here
     variable_missing,  // args: variable asked for, the variables that the file has
+    file_changed,      // after it was opened: its size, or the time of its last change
     // The analysis is impossible: exit status 4.
     window_too_long,          // args: window in samples, samples in the range
     window_too_short,         // args: window in samples, least window at this frequency
@@ -41,17 +42,25 @@ enum class ErrorCode {
     band_invalid,      // args: low, high (Hz), half the sample rate (Hz)
     filter_too_long,   // args: transient in samples, frames in the recording
     no_valid_samples,
-    every_window_clipped,   // args: channels, e.g. "C, D"
-    simulation_impossible,  // args: reason
-    fit_window_too_short,   // args: window in samples, least window at this carrier
-    fit_window_turns,       // args: window in samples, two lines (Hz), most samples
-    fit_beat_too_fast,      // args: two lines (Hz), least window at this carrier
-    fit_too_few_windows,    // args: usable windows, least number
-    fit_failed,             // args: reason
+    every_window_clipped,     // args: channels, e.g. "C, D"
+    simulation_impossible,    // args: reason
+    fit_window_too_short,     // args: window in samples, least window at this carrier
+    fit_window_turns,         // args: window in samples, two lines (Hz), most samples
+    fit_beat_too_fast,        // args: two lines (Hz), least window at this carrier
+    fit_too_few_windows,      // args: usable windows, least number
+    fit_failed,               // args: reason
+    same_recording,           // args: the other recording with the same samples
+    band_too_narrow,          // args: low, high, least width (Hz)
+    channel_without_samples,  // args: channel, C or D
+    out_of_memory,
+    out_of_threads,
     // The output cannot be written: exit status 5.
     output_failed,          // args: reason
     output_format_unknown,  // args: ending
+    output_is_recording,    // one of those that are open
+    output_incomplete,      // args: reason. A part has gone out to a device or a pipe.
     // Ctrl-C, SIGTERM or Cancel: exit status 130.
+    interrupted_partly,  // a part has gone out to a device or a pipe
     interrupted,
 };
 

@@ -88,6 +88,11 @@ const char* message_template(ErrorCode code) {
             return VYBEG_MESSAGE("Message",
                                  "%1: there is no variable \"%2\" to read; the file has %3. "
                                  "Choose others with --variables.");
+        case ErrorCode::file_changed:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 changed while it was read: its size or the time of its last "
+                                 "change is another. Wait until it is complete, and open it "
+                                 "again.");
         case ErrorCode::window_too_long:
             return VYBEG_MESSAGE(
                 "Message",
@@ -157,11 +162,43 @@ const char* message_template(ErrorCode code) {
                                  "%2. Use a longer recording or shorter windows.");
         case ErrorCode::fit_failed:
             return VYBEG_MESSAGE("Message", "The resonator cannot be fitted to %1: %2.");
+        case ErrorCode::same_recording:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 and %2 hold the same samples (SHA-256): a recording that is "
+                                 "counted twice is no new evidence. Name each recording once.");
+        case ErrorCode::band_too_narrow:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the band from %2 Hz to %3 Hz is too narrow for the search for the carrier; at "
+                "this length it needs at least %4 Hz. Give the carrier with --f0, or a wider "
+                "band.");
+        case ErrorCode::channel_without_samples:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: channel %2 has no samples in the range: every one is missing (NaN). Choose "
+                "other channels or another range.");
+        case ErrorCode::out_of_memory:
+            return VYBEG_MESSAGE("Message",
+                                 "There is not enough memory. Choose a shorter range, or end other "
+                                 "programs.");
+        case ErrorCode::out_of_threads:
+            return VYBEG_MESSAGE("Message",
+                                 "The system starts no more threads. Raise the limit of processes, "
+                                 "or give a smaller number with --threads.");
         case ErrorCode::output_failed:
             return VYBEG_MESSAGE("Message", "%1 cannot be written: %2. Nothing was changed there.");
         case ErrorCode::output_format_unknown:
             return VYBEG_MESSAGE("Message",
                                  "%1: the ending \"%2\" is not one that can be written here.");
+        case ErrorCode::output_is_recording:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 is one of the open recordings, and stays as it is. Choose "
+                                 "another name.");
+        case ErrorCode::output_incomplete:
+            return VYBEG_MESSAGE(
+                "Message", "%1 cannot be written: %2. What has gone out there is incomplete.");
+        case ErrorCode::interrupted_partly:
+            return VYBEG_MESSAGE("Message", "Interrupted; what has gone out to %1 is incomplete.");
         case ErrorCode::interrupted:
             return VYBEG_MESSAGE("Message", "Interrupted; nothing was written.");
     }
@@ -339,6 +376,8 @@ const char* message_template(DiagnosticKind kind) {
             return VYBEG_MESSAGE(
                 "Message",
                 "The fit of the resonator stopped before it converged; its values are doubtful.");
+        case DiagnosticKind::option_without_effect:
+            return VYBEG_MESSAGE("Message", "%1 has no effect: %2.");
     }
     return "";
 }
@@ -384,6 +423,7 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::residual_coloured: return "residual-coloured";
         case DiagnosticKind::noise_too_narrow: return "noise-too-narrow";
         case DiagnosticKind::fit_not_converged: return "fit-not-converged";
+        case DiagnosticKind::option_without_effect: return "option-without-effect";
     }
     return "";
 }
@@ -412,6 +452,7 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::passport_damaged: return "passport-damaged";
         case ErrorCode::passport_schema: return "passport-schema";
         case ErrorCode::variable_missing: return "variable-missing";
+        case ErrorCode::file_changed: return "file-changed";
         case ErrorCode::window_too_long: return "window-too-long";
         case ErrorCode::window_too_short: return "window-too-short";
         case ErrorCode::range_empty: return "range-empty";
@@ -428,15 +469,23 @@ std::string code_name(ErrorCode code) {
         case ErrorCode::fit_beat_too_fast: return "fit-beat-too-fast";
         case ErrorCode::fit_too_few_windows: return "fit-too-few-windows";
         case ErrorCode::fit_failed: return "fit-failed";
+        case ErrorCode::same_recording: return "same-recording";
+        case ErrorCode::band_too_narrow: return "band-too-narrow";
+        case ErrorCode::channel_without_samples: return "channel-without-samples";
+        case ErrorCode::out_of_memory: return "out-of-memory";
+        case ErrorCode::out_of_threads: return "out-of-threads";
         case ErrorCode::output_failed: return "output-failed";
         case ErrorCode::output_format_unknown: return "output-format-unknown";
+        case ErrorCode::output_is_recording: return "output-is-recording";
+        case ErrorCode::output_incomplete: return "output-incomplete";
+        case ErrorCode::interrupted_partly: return "interrupted-partly";
         case ErrorCode::interrupted: return "interrupted";
     }
     return "";
 }
 
 int exit_status(ErrorCode code) {
-    if (code == ErrorCode::interrupted) {
+    if (code >= ErrorCode::interrupted_partly) {
         return 130;
     }
     if (code >= ErrorCode::output_failed) {

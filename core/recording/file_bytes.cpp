@@ -34,7 +34,8 @@ Result<std::shared_ptr<const FileBytes>> FileBytes::open(const std::filesystem::
     struct stat status {};
     const int failed = ::fstat(descriptor, &status) == 0 ? 0 : errno;
     const std::shared_ptr<const FileBytes> file(
-        new FileBytes(path, descriptor, static_cast<std::int64_t>(status.st_size)));
+        new FileBytes(path, descriptor, static_cast<std::int64_t>(status.st_size),
+                      {status.st_mtim.tv_sec, status.st_mtim.tv_nsec}));
     if (failed != 0) {
         return failure(path, failed);
     }
@@ -50,11 +51,22 @@ Result<std::shared_ptr<const FileBytes>> FileBytes::open(const std::filesystem::
     return file;
 }
 
-FileBytes::FileBytes(std::filesystem::path path, int descriptor, std::int64_t size)
-    : path_(std::move(path)), descriptor_(descriptor), size_(size) {}
+FileBytes::FileBytes(std::filesystem::path path, int descriptor, std::int64_t size,
+                     ChangeTime changed)
+    : path_(std::move(path)), descriptor_(descriptor), size_(size), changed_(changed) {}
 
 FileBytes::~FileBytes() {
     ::close(descriptor_);
+}
+
+Status FileBytes::unchanged() const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) {
+        return failure(path_, errno);
+    }
+    const bool same = status.st_size == size_ &&
+                      ChangeTime{status.st_mtim.tv_sec, status.st_mtim.tv_nsec} == changed_;
+    return same ? Status{} : error(ErrorCode::file_changed);
 }
 
 Error FileBytes::error(ErrorCode code, std::vector<std::string> args) const {

@@ -25,6 +25,10 @@ public:
     std::int64_t size() const { return size_; }     // bytes, when it was opened
     int descriptor() const { return descriptor_; }  // to lend to another process; stays ours
 
+    // Whether the file is still what was opened: its size and the time of its last change. Errors:
+    // file_changed, file_read_failed.
+    Status unchanged() const;
+
     // An error about this file.
     Error error(ErrorCode code, std::vector<std::string> args = {}) const;
 
@@ -33,11 +37,20 @@ public:
     Result<std::int64_t> read(std::int64_t offset, std::span<char> out) const;
 
 private:
-    FileBytes(std::filesystem::path path, int descriptor, std::int64_t size);
+    // The time of the last change, s and ns.
+    struct ChangeTime {
+        std::int64_t s = 0;
+        std::int64_t ns = 0;
+
+        friend bool operator==(const ChangeTime&, const ChangeTime&) = default;
+    };
+
+    FileBytes(std::filesystem::path path, int descriptor, std::int64_t size, ChangeTime changed);
 
     std::filesystem::path path_;
     int descriptor_;
     std::int64_t size_;
+    ChangeTime changed_;
 };
 
 }  // namespace vybeg

@@ -98,6 +98,7 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
         for (Channel& channel : recording->channels) {
             channel = {plain_text(channel.name), plain_text(channel.unit)};
         }
+        recording->file = *file;
         recording->read_with = options_text(options);
         if (!options.unit.empty()) {
             for (Channel& channel : recording->channels) {

@@ -54,4 +54,12 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
 // Lower-case hexadecimal SHA-256 of a file's bytes.
 Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job);
 
+// The same of what a recording's samples come from, which its path need not name any more. Errors:
+// also file_changed.
+Result<std::string> recording_sha256(const Recording& recording, const JobControl& job);
+
+// Whether the file still is what was opened, size and time of its last change: to be asked after
+// its samples were read. Errors: file_changed, file_read_failed.
+Status unchanged(const Recording& recording);
+
 }  // namespace vybeg

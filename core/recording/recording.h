@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/recording/file_bytes.h"
 #include "core/recording/sample_source.h"
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct Recording {
     std::string read_with;  // options_text() of what it was opened with
     std::vector<Diagnostic> diagnostics;
     std::shared_ptr<const SampleSource> source;
+    std::shared_ptr<const FileBytes> file{};  // where the samples come from; none: not from a file
 
     std::int64_t frames() const { return source->frames(); }
     double seconds() const { return static_cast<double>(frames()) / rate_hz; }

@@ -8,22 +8,20 @@
 #include <vector>
 
 namespace vybeg {
+namespace {
 
-Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job) {
-    const auto file = FileBytes::open(path);
-    if (!file && file.error().code != ErrorCode::file_empty) {
-        return file.error();
-    }
+// `file`: none for an empty one, which has a hash too.
+Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path& path,
+                              const JobControl& job) {
     const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
                                                                           &EVP_MD_CTX_free);
     bool ok = EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
     std::vector<char> chunk(std::size_t{1} << 20);
-    // An empty file has a hash too: the loop just finds nothing to read.
-    for (std::int64_t offset = 0; ok && file && offset < (*file)->size();) {
+    for (std::int64_t offset = 0; ok && file != nullptr && offset < file->size();) {
         if (job.cancelled()) {
             return Error{ErrorCode::interrupted, path.string(), {}};
         }
-        const auto got = (*file)->read(offset, chunk);
+        const auto got = file->read(offset, chunk);
         if (!got) {
             return got.error();
         }
@@ -32,7 +30,7 @@ Result<std::string> file_sha256(const std::filesystem::path& path, const JobCont
         }
         ok = EVP_DigestUpdate(context.get(), chunk.data(), static_cast<std::size_t>(*got)) == 1;
         offset += *got;
-        job.report(static_cast<double>(offset) / static_cast<double>((*file)->size()));
+        job.report(static_cast<double>(offset) / static_cast<double>(file->size()));
     }
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned int length = 0;
@@ -46,6 +44,29 @@ Result<std::string> file_sha256(const std::filesystem::path& path, const JobCont
         text += "0123456789abcdef"[digest[i] & 15];
     }
     return text;
+}
+
+}  // namespace
+
+Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job) {
+    const auto file = FileBytes::open(path);
+    if (!file && file.error().code != ErrorCode::file_empty) {
+        return file.error();
+    }
+    return sha256_of(file ? file->get() : nullptr, path, job);
+}
+
+Result<std::string> recording_sha256(const Recording& recording, const JobControl& job) {
+    if (!recording.file) {
+        return file_sha256(recording.path, job);
+    }
+    Result<std::string> hash = sha256_of(recording.file.get(), recording.path, job);
+    const Status still = recording.file->unchanged();
+    return still ? hash : still.error();
+}
+
+Status unchanged(const Recording& recording) {
+    return recording.file ? recording.file->unchanged() : Status{};
 }
 
 }  // namespace vybeg

@@ -1,8 +1,9 @@
 #include "core/report/spool.h"
 
+#include "core/report/temporary_file.h"
+
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <fcntl.h>
 #include <system_error>
 #include <unistd.h>
@@ -32,11 +33,12 @@ Status Spool::create() {
     descriptor_ = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
     if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
         // A file system that knows no files without names.
-        std::string name = (folder / ".vybeg-XXXXXX").string();
-        descriptor_ = mkostemp(name.data(), O_CLOEXEC);
-        if (descriptor_ >= 0) {
-            unlink(name.c_str());
+        const TemporaryFile named = make_temporary(folder);
+        if (named.descriptor < 0) {
+            return failed(named.error);
         }
+        unlink(named.path.c_str());
+        descriptor_ = named.descriptor;
     }
     return descriptor_ >= 0 ? Status{} : failed(errno);
 }

@@ -22,6 +22,42 @@ double start_power(const FreeDecay& decay) {
     return decay.a_A * decay.a_A + decay.a_B * decay.a_B;
 }
 
+// Beyond these the motion is no number any more, or has lost its digits.
+Status check_sizes(const FreeDecay& decay) {
+    constexpr double most_amplitude = 1e30;
+    constexpr double most_angle = 1e6;
+    const auto beyond = [](double most) { return [most](double x) { return std::abs(x) > most; }; };
+    if (std::ranges::any_of(
+            std::array{decay.a_A, decay.a_B, decay.noise, decay.offset_c, decay.offset_d,
+                       decay.full_scale, decay.hum, decay.carrier_noise, decay.modulation_noise},
+            beyond(most_amplitude))) {
+        return impossible("amplitudes, noise, offsets and full scale must lie within +-1e30");
+    }
+    if (std::ranges::any_of(
+            std::array{decay.two_theta_A, decay.alpha, decay.theta_w, decay.theta_tau,
+                       decay.skew_deg, decay.phase_drift_rad, decay.hum_phase},
+            beyond(most_angle))) {
+        return impossible("angles must lie within +-1e6 rad");
+    }
+    if (std::ranges::any_of(std::array{decay.omega_rad_s, decay.bryan}, beyond(1e6))) {
+        return impossible("the rotation and Bryan's factor must lie within +-1e6");
+    }
+    if (decay.split_hz >= 2 * decay.f0_hz ||
+        decay.f0_hz + decay.split_hz / 2 >= decay.rate_hz / 2) {
+        return impossible(
+            "with a split of " + short_text(decay.split_hz) +
+            " Hz the modes' frequencies are not between 0 and half the sample rate, " +
+            short_text(decay.rate_hz / 2) + " Hz");
+    }
+    if (decay.tau_s < 1e-9) {
+        return impossible("the decay time must be at least 1e-9 s");
+    }
+    if (decay.kappa < 1e-6 || decay.kappa > 1e6) {
+        return impossible("the gain ratio kappa must lie between 1e-6 and 1e6");
+    }
+    return {};
+}
+
 Status check_motion(const FreeDecay& decay) {
     if (decay.settling_time_s <= 0) {
         return impossible("the settling time must be above 0");
@@ -189,7 +225,8 @@ Status check(const FreeDecay& decay) {
     if (decay.full_scale < 0) {
         return impossible("the full scale cannot be negative");
     }
-    for (const auto& part : {check_motion, check_channels, check_modes_beside, check_losses}) {
+    for (const auto& part :
+         {check_sizes, check_motion, check_channels, check_modes_beside, check_losses}) {
         if (const Status status = part(decay); !status) {
             return status;
         }

@@ -8,6 +8,9 @@
 #include <QStringList>
 #include <QTemporaryDir>
 
+#include <functional>
+#include <sys/resource.h>
+
 namespace vybeg::test {
 
 // What one run of vybeg-cli left behind.
@@ -23,10 +26,14 @@ struct Outcome {
     }
 };
 
+// `prepare` runs in the child before the program does.
 inline Outcome run_program(const QString& program, const QStringList& arguments,
-                           const QString& folder) {
+                           const QString& folder, const std::function<void()>& prepare = {}) {
     QProcess process;
     process.setWorkingDirectory(folder);
+    if (prepare) {
+        process.setChildProcessModifier(prepare);
+    }
     process.start(program, arguments);
     Outcome outcome;
     if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit) {
@@ -35,6 +42,14 @@ inline Outcome run_program(const QString& program, const QStringList& arguments,
     outcome.out = process.readAllStandardOutput();
     outcome.err = process.readAllStandardError();
     return outcome;
+}
+
+// A limit of the child, soft and hard.
+inline std::function<void()> limit(int resource, rlim_t most) {
+    return [resource, most] {
+        const rlimit both{most, most};
+        setrlimit(static_cast<__rlimit_resource>(resource), &both);
+    };
 }
 
 // Runs the built vybeg-cli in a folder.

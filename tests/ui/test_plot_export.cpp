@@ -10,6 +10,9 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
+#include <csignal>
+#include <sys/resource.h>
+
 using namespace vybeg;
 using namespace vybeg::ui;
 
@@ -186,6 +189,46 @@ private slots:
         const double own = blue(false);
         QVERIFY(common > 0);
         QVERIFY2(own > 2 * common, qPrintable(QString::number(own / common)));
+    }
+
+    void a_disk_that_fills_leaves_the_old_file_data() {
+        QTest::addColumn<QString>("ending");
+        for (const char* ending : {"png", "svg", "pdf"}) {
+            QTest::newRow(ending) << ending;
+        }
+    }
+
+    void a_disk_that_fills_leaves_the_old_file() {
+        QFETCH(QString, ending);
+        const QString path = dir_.filePath(QStringLiteral("full.") + ending);
+        QVERIFY(exportPlots(twoRuns(), {800, 600}, path));
+        const qint64 whole = QFileInfo(path).size();
+        constexpr int sizes = 15;
+        QVERIFY(whole > sizes);
+        // SIGXFSZ is ignored, as in both programs: write() fails where a file reaches the limit.
+        std::signal(SIGXFSZ, SIG_IGN);
+        rlimit before{};
+        QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+        for (int k = 0; k < sizes; ++k) {
+            QFile old(path);
+            QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+            old.close();
+            const rlimit now{static_cast<rlim_t>(whole * k / sizes), before.rlim_max};
+            QCOMPARE(setrlimit(RLIMIT_FSIZE, &now), 0);
+            const Status plots = exportPlots(twoRuns(), {800, 600}, path);
+            const Status figure = renderFigure(twoColumns(), path);
+            QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
+            const QByteArray about = QByteArray::number(qulonglong(now.rlim_cur));
+            QVERIFY2(!plots && plots.error().code == ErrorCode::output_failed, about);
+            QVERIFY2(!figure && figure.error().code == ErrorCode::output_failed, about);
+            QVERIFY2(bytesOf(path) == "old", about);
+            const QStringList left =
+                QDir(dir_.path())
+                    .entryList({QStringLiteral("*.part"), QStringLiteral("full.*.*")},
+                               QDir::AllEntries | QDir::Hidden);
+            QVERIFY2(left.isEmpty(), about + left.join(' ').toUtf8());
+        }
+        QVERIFY(QFile::remove(path));
     }
 
     void a_figure_without_columns_is_an_empty_page() {

@@ -1,11 +1,18 @@
 // The desktop program as a process: its command line and exit statuses (INTERFACE.md).
 #include "tests/ui/gui_test.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QImage>
+#include <QMap>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
+
+#include <functional>
+#include <sys/resource.h>
+#include <unistd.h>
 
 using namespace vybeg::ui;
 
@@ -20,15 +27,22 @@ class TestProgram : public QObject {
         QString err;
     };
 
-    // Without any display, as on a server.
-    Outcome run(const QStringList& arguments) {
+    // Without any display, as on a server, but for `variables`. `prepare` runs in the child first.
+    Outcome run(const QStringList& arguments, const QMap<QString, QString>& variables = {},
+                const std::function<void()>& prepare = {}) {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
             environment.remove(name);
         }
         environment.insert("XDG_RUNTIME_DIR", home_.path("."));
+        for (auto variable = variables.cbegin(); variable != variables.cend(); ++variable) {
+            environment.insert(variable.key(), variable.value());
+        }
         QProcess program;
         program.setProcessEnvironment(environment);
+        if (prepare) {
+            program.setChildProcessModifier(prepare);
+        }
         program.start(VYBEG_PROGRAM, arguments);
         if (!program.waitForFinished(60000) || program.exitStatus() != QProcess::NormalExit) {
             return {};
@@ -94,6 +108,15 @@ private slots:
         QTest::newRow("no recording") << QStringList{"--figure", figure} << 2;
         QTest::newRow("windows without figure") << QStringList{good, "--windows", "6"} << 2;
         QTest::newRow("no display") << QStringList{good} << 2;
+        QTest::newRow("figure without a name") << QStringList{good, "--figure", ""} << 2;
+        QTest::newRow("windows and window")
+            << QStringList{good, "--figure", figure, "--windows", "8,80", "--window", "80"} << 2;
+        QTest::newRow("windows and periods")
+            << QStringList{good, "--figure", figure, "--windows", "8", "--periods", "10"} << 2;
+        QTest::newRow("figure twice")
+            << QStringList{good, "--figure", figure, "--figure", figure} << 2;
+        QTest::newRow("far electrode")
+            << QStringList{good, "--figure", figure, "--angle-zero", "1e308"} << 2;
         QTest::newRow("missing") << QStringList{home_.path("none.wav"), "--figure", figure} << 3;
         QTest::newRow("empty") << QStringList{home_.file("empty.wav", ""), "--figure", figure} << 3;
         QTest::newRow("window too long")
@@ -109,6 +132,111 @@ private slots:
         QVERIFY2(outcome.err.startsWith("vybeg: "), qPrintable(outcome.err));
         QCOMPARE(outcome.err.count('\n'), 1);
         QVERIFY(!QFile::exists(home_.path("wrong.svg")));
+    }
+
+    void a_display_that_cannot_be_opened_is_a_sentence_data() {
+        QTest::addColumn<QString>("variable");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<bool>("figure");
+        QTest::newRow("X") << "DISPLAY"
+                           << ":77777" << false;
+        QTest::newRow("Wayland") << "WAYLAND_DISPLAY"
+                                 << "wayland-77777" << false;
+        QTest::newRow("platform") << "QT_QPA_PLATFORM"
+                                  << "nonsense" << false;
+        QTest::newRow("platform of a figure") << "QT_QPA_PLATFORM"
+                                              << "nonsense" << true;
+        QTest::newRow("X by name") << "QT_QPA_PLATFORM"
+                                   << "xcb" << false;
+    }
+    void a_display_that_cannot_be_opened_is_a_sentence() {
+        QFETCH(QString, variable);
+        QFETCH(QString, value);
+        QFETCH(bool, figure);
+        QStringList arguments{home_.recording("good.wav")};
+        if (figure) {
+            arguments << "--figure" << home_.path("wrong.svg");
+        }
+        const Outcome outcome = run(arguments, {{variable, value}});
+        QVERIFY2(outcome.status == 2, qPrintable(outcome.err));
+        QVERIFY2(outcome.err.startsWith("vybeg: "), qPrintable(outcome.err));
+        QCOMPARE(outcome.err.count('\n'), 1);
+    }
+
+    void a_figure_takes_no_recordings_place() {
+        const QString recording = home_.path("plot.png");
+        QVERIFY(QFile::copy(home_.recording("drawn.wav"), recording));
+        const QString link = home_.path("link.svg");
+        QVERIFY(QFile::link(recording, link));
+        const auto bytes = [&] {
+            QFile file(recording);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QByteArray before = bytes();
+        QVERIFY(!before.isEmpty());
+        for (const QString& figure : {recording, home_.path("./plot.png"), link}) {
+            const Outcome outcome =
+                run({home_.recording("other.wav"), recording, "--figure", figure});
+            QVERIFY2(outcome.status == 2, qPrintable(outcome.err));
+            QVERIFY2(outcome.err.contains("--figure cannot be"), qPrintable(outcome.err));
+            QVERIFY(bytes() == before);
+        }
+    }
+
+    void a_disk_that_fills_leaves_the_old_figure_data() {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"full.svg", "full.pdf", "full.png"}) {
+            QTest::newRow(name) << name;
+        }
+    }
+    void a_disk_that_fills_leaves_the_old_figure() {
+        QFETCH(QString, name);
+        const QString recording = home_.recording("full.wav", 0.2);
+        QVERIFY(QDir().mkpath(home_.path("figures")));
+        const QString figure = home_.path("figures/" + name);
+        QCOMPARE(run({recording, "--figure", figure}).status, 0);
+        const qint64 whole = QFileInfo(figure).size();
+        constexpr int sizes = 15;
+        QVERIFY(whole > sizes);
+        for (int k = 0; k < sizes; ++k) {
+            QFile old(figure);
+            QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+            old.close();
+            const auto most = static_cast<rlim_t>(whole * k / sizes);
+            const Outcome outcome = run({recording, "--figure", figure}, {}, [most] {
+                const rlimit both{most, most};
+                setrlimit(RLIMIT_FSIZE, &both);
+            });
+            const QString about = QString("%1 bytes: %2").arg(most).arg(outcome.err);
+            QVERIFY2(outcome.status == 5, qPrintable(about));
+            QVERIFY2(outcome.err.contains("cannot be written"), qPrintable(about));
+            QCOMPARE(outcome.err.count('\n'), 1);
+            QVERIFY(old.open(QIODevice::ReadOnly));
+            QVERIFY2(old.readAll() == "old", qPrintable(about));
+            QCOMPARE(QDir(home_.path("figures"))
+                         .entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+                     QStringList{name});
+        }
+        QVERIFY(QFile::remove(figure));
+    }
+
+    void closed_standard_descriptors_put_nothing_into_the_figure() {
+        const QString recording = home_.recording("closed.wav");
+        const auto bytes = [this](const QString& name) {
+            QFile file(home_.path(name));
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        // --rate has no effect here, which is warned of.
+        QCOMPARE(run({recording, "--figure", home_.path("usual.png")}).status, 0);
+        const Outcome closed =
+            run({recording, "--rate", "1", "--figure", home_.path("shut.png")}, {}, [] {
+                for (const int descriptor : {0, 1, 2}) {
+                    close(descriptor);
+                }
+            });
+        QCOMPARE(closed.status, 0);
+        QVERIFY(!bytes("usual.png").isEmpty());
+        QVERIFY(bytes("shut.png") == bytes("usual.png"));
     }
 
     void files_named_on_the_command_line_are_opened_and_the_window_closes_on_term() {

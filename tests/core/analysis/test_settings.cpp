@@ -13,6 +13,7 @@ class TestSettings : public QObject {
 
 private slots:
     void defaultsAreThoseOfTheCommandLine();
+    void whatLiesWithinItsBoundsIsAccepted();
     void whatCannotBeIsRefusedByName_data();
     void whatCannotBeIsRefusedByName();
 };
@@ -24,6 +25,23 @@ void TestSettings::defaultsAreThoseOfTheCommandLine() {
     QCOMPARE(settings.window, 60);
     QVERIFY(settings.start == StartRule::first);
     QCOMPARE(settings.calibration.kappa, 1.0);
+}
+
+void TestSettings::whatLiesWithinItsBoundsIsAccepted() {
+    Settings settings;
+    settings.window = 1'000'000'000'000'000;
+    settings.hop = settings.window;
+    settings.f0_hz = 1e-6;
+    settings.initial = StartValues{{1e30, -1e30, -1e6, 1e6}, 5300};
+    settings.calibration.kappa = 1e6;
+    settings.calibration.offset_c = -1e30;
+    settings.calibration.delay_d_s = -1;
+    settings.calibration.angle_zero_deg = -360;
+    QVERIFY(validate(settings));
+    settings.periods = 1e9;
+    settings.calibration.kappa = 1e-6;
+    settings.calibration.angle_zero_deg = 360;
+    QVERIFY(validate(settings));
 }
 
 void TestSettings::whatCannotBeIsRefusedByName_data() {
@@ -58,6 +76,23 @@ void TestSettings::whatCannotBeIsRefusedByName_data() {
     row("offset NaN", "--offset", [=](Settings& s) { s.calibration.offset_d = nan; });
     row("delay NaN", "--delay", [=](Settings& s) { s.calibration.delay_d_s = nan; });
     row("electrode NaN", "--angle-zero", [=](Settings& s) { s.calibration.angle_zero_deg = nan; });
+    row("huge window", "--window", [](Settings& s) { s.window = 1'000'000'000'000'001; });
+    row("huge hop", "--hop", [](Settings& s) { s.hop = 1'000'000'000'000'001; });
+    row("huge periods", "--periods", [](Settings& s) { s.periods = 1.1e9; });
+    row("carrier next to zero", "--f0", [](Settings& s) { s.f0_hz = 1e-7; });
+    row("huge start", "--initial", [](Settings& s) {
+        s.initial = StartValues{{1e31, 0, 0, 0}, 5300};
+    });
+    row("start that turned often", "--initial", [](Settings& s) {
+        s.initial = StartValues{{1, 0, 1e7, 0}, 5300};
+    });
+    row("huge gain", "--kappa", [](Settings& s) { s.calibration.kappa = 1.1e6; });
+    row("tiny gain", "--kappa", [](Settings& s) { s.calibration.kappa = 0.9e-6; });
+    row("huge offset", "--offset", [](Settings& s) { s.calibration.offset_c = -1e31; });
+    row("long delay", "--delay", [](Settings& s) { s.calibration.delay_d_s = 1.1; });
+    row("far electrode", "--angle-zero", [](Settings& s) { s.calibration.angle_zero_deg = 361; });
+    row("farthest electrode", "--angle-zero",
+        [](Settings& s) { s.calibration.angle_zero_deg = -1e308; });
     row("threads below zero", "--threads", [](Settings& s) { s.threads = -2; });
 }
 

@@ -41,6 +41,7 @@ const std::map<ErrorCode, Documented> documented{
     {ErrorCode::passport_damaged, {1, 3}},
     {ErrorCode::passport_schema, {2, 3}},
     {ErrorCode::variable_missing, {2, 3}},
+    {ErrorCode::file_changed, {0, 3}},
     {ErrorCode::window_too_long, {2, 4}},
     {ErrorCode::window_too_short, {2, 4}},
     {ErrorCode::range_empty, {3, 4}},
@@ -57,8 +58,16 @@ const std::map<ErrorCode, Documented> documented{
     {ErrorCode::fit_beat_too_fast, {3, 4}},
     {ErrorCode::fit_too_few_windows, {2, 4}},
     {ErrorCode::fit_failed, {1, 4}},
+    {ErrorCode::same_recording, {1, 4}},
+    {ErrorCode::band_too_narrow, {3, 4}},
+    {ErrorCode::channel_without_samples, {1, 4}},
+    {ErrorCode::out_of_memory, {0, 4}},
+    {ErrorCode::out_of_threads, {0, 4}},
     {ErrorCode::output_failed, {1, 5}},
     {ErrorCode::output_format_unknown, {1, 5}},
+    {ErrorCode::output_is_recording, {0, 5}},
+    {ErrorCode::output_incomplete, {1, 5}},
+    {ErrorCode::interrupted_partly, {0, 130}},
     {ErrorCode::interrupted, {0, 130}},
 };
 
@@ -103,6 +112,7 @@ const std::map<DiagnosticKind, std::size_t> documented_kinds{
     {DiagnosticKind::residual_coloured, 1},
     {DiagnosticKind::noise_too_narrow, 1},
     {DiagnosticKind::fit_not_converged, 0},
+    {DiagnosticKind::option_without_effect, 2},
 };
 
 // The n of every %n in a template.

@@ -2,6 +2,8 @@
 
 #include <QtTest>
 
+#include <array>
+#include <csignal>
 #include <fcntl.h>
 #include <stop_token>
 #include <sys/stat.h>
@@ -180,6 +182,129 @@ private slots:
         QCOMPARE(written.error().code, ErrorCode::interrupted);
         QVERIFY2(timer.elapsed() < 100 + 200, qPrintable(QString::number(timer.elapsed())));
         close(reader);
+    }
+
+    void files_of_a_group_appear_together() {
+        const QString other = folder_->filePath("other.csv");
+        put(target_, "old");
+        {
+            auto one = OutputFile::create(target_.toStdString(), {});
+            auto two = OutputFile::create(other.toStdString(), {});
+            QVERIFY(one && two);
+            QVERIFY(one->write("new"));
+            QVERIFY(two->write("new too"));
+            QVERIFY(OutputFile::commit_together(std::array{&*one, &*two}));
+        }
+        QCOMPARE(content(target_), QByteArray("new"));
+        QCOMPARE(content(other), QByteArray("new too"));
+        QCOMPARE(entries(folder_->path()).size(), 2);
+    }
+
+    void where_one_of_a_group_cannot_appear_none_does_data() {
+        QTest::addColumn<bool>("first_exists");
+        QTest::newRow("an old file") << true;
+        QTest::newRow("a new name") << false;
+    }
+
+    void where_one_of_a_group_cannot_appear_none_does() {
+        QFETCH(bool, first_exists);
+        const QString other = folder_->filePath("sub/other.csv");
+        QVERIFY(QDir(folder_->path()).mkdir("sub"));
+        if (first_exists) {
+            put(target_, "old");
+        }
+        {
+            auto one = OutputFile::create(target_.toStdString(), {});
+            auto two = OutputFile::create(other.toStdString(), {});
+            QVERIFY(one && two);
+            QVERIFY(one->write("new"));
+            QVERIFY(two->write("new too"));
+            QVERIFY(QDir(folder_->filePath("sub")).removeRecursively());
+            const Status committed = OutputFile::commit_together(std::array{&*one, &*two});
+            QVERIFY(!committed);
+            QCOMPARE(committed.error(), (Error{ErrorCode::output_failed,
+                                               other.toStdString(),
+                                               {"No such file or directory"}}));
+        }
+        QCOMPARE(QFile::exists(target_), first_exists);
+        if (first_exists) {
+            QCOMPARE(content(target_), QByteArray("old"));
+        }
+        QCOMPARE(entries(folder_->path()), first_exists ? QStringList{"track.csv"} : QStringList());
+    }
+
+    void a_stop_request_leaves_the_whole_group() {
+        const QString other = folder_->filePath("other.csv");
+        put(target_, "old");
+        std::stop_source stop;
+        {
+            const JobControl job(stop.get_token());
+            auto one = OutputFile::create(target_.toStdString(), {});
+            auto two = OutputFile::create(other.toStdString(), job);
+            QVERIFY(one && two);
+            QVERIFY(one->write("new"));
+            stop.request_stop();
+            const Status committed = OutputFile::commit_together(std::array{&*one, &*two});
+            QVERIFY(!committed);
+            QCOMPARE(committed.error().code, ErrorCode::interrupted);
+        }
+        QCOMPARE(content(target_), QByteArray("old"));
+        QCOMPARE(entries(folder_->path()), QStringList{"track.csv"});
+    }
+
+    void what_the_disk_does_not_give_back_is_an_error() {
+        put(target_, "old");
+        {
+            auto file = OutputFile::create(target_.toStdString(), {});
+            QVERIFY(file);
+            const std::string bytes(3 << 20, 'x');
+            QVERIFY(file->write(bytes));
+            QVERIFY(file->flush());
+            QVERIFY(file->compare(bytes));
+            QVERIFY(!file->compare(bytes + "x"));
+            QVERIFY(!file->compare(std::string_view(bytes).substr(1)));
+            QCOMPARE(pwrite(file->descriptor(), "y", 1, 2 << 20), ssize_t{1});
+            const Status compared = file->compare(bytes);
+            QVERIFY(!compared);
+            QCOMPARE(compared.error().code, ErrorCode::output_failed);
+        }
+        QCOMPARE(content(target_), QByteArray("old"));
+    }
+
+    void a_file_is_written_whole() {
+        put(target_, "old");
+        const std::string bytes(5 << 20, 'x');
+        QVERIFY(write_file(target_.toStdString(), bytes, {}));
+        QVERIFY(content(target_) == QByteArray::fromStdString(bytes));
+        QVERIFY(write_file(target_.toStdString(), "", {}));
+        QCOMPARE(content(target_), QByteArray());
+        QVERIFY(!write_file(folder_->filePath("no/file").toStdString(), bytes, {}));
+        const Status full = write_file("/dev/full", bytes, {});
+        QVERIFY(!full);
+        QCOMPARE(full.error().code, ErrorCode::output_failed);
+    }
+
+    void what_went_out_to_a_pipe_is_not_called_unchanged() {
+        int ends[2];
+        QCOMPARE(pipe(ends), 0);
+        std::signal(SIGPIPE, SIG_IGN);
+        std::stop_source stop;
+        auto file = OutputFile::onto(ends[1], "pipe", JobControl(stop.get_token()));
+        const Error interrupted{ErrorCode::interrupted, "", {}};
+        QCOMPARE(file.as_it_stands(interrupted), interrupted);
+        QVERIFY(file.write("some"));
+        QCOMPARE(file.as_it_stands(interrupted), interrupted);
+        QVERIFY(file.flush());
+        QCOMPARE(file.as_it_stands(interrupted),
+                 (Error{ErrorCode::interrupted_partly, "pipe", {}}));
+        const Error other{ErrorCode::carrier_not_found, "a", {}};
+        QCOMPARE(file.as_it_stands(other), other);
+        QVERIFY(file.write("more"));
+        close(ends[0]);
+        const Status broken = file.commit();
+        QVERIFY(!broken);
+        QCOMPARE(broken.error(), (Error{ErrorCode::output_incomplete, "pipe", {"Broken pipe"}}));
+        close(ends[1]);
     }
 
 private:

@@ -1,0 +1,119 @@
+#include "app/process_guard.h"
+
+#include "core/base/messages.h"
+
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <condition_variable>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <fcntl.h>
+#include <mutex>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <typeinfo>
+#include <unistd.h>
+#include <vector>
+
+namespace vybeg::cli {
+namespace {
+
+void say(const char* text) {
+    // Nothing can be done about a standard error that takes no more.
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
+}
+
+[[noreturn]] void last_words() {
+    ErrorCode code = ErrorCode::out_of_memory;
+    try {
+        if (const auto exception = std::current_exception()) {
+            code = error_of(exception).code;
+        }
+    } catch (...) {
+        std::abort();  // a defect of the program: its core file tells more than a sentence
+    }
+    say(program_invocation_short_name);
+    say(": ");
+    say(message_template(code));
+    say("\n");
+    std::_Exit(exit_status(code));
+}
+
+}  // namespace
+
+void open_missing_descriptors() {
+    const std::array modes{O_WRONLY, O_RDONLY, O_RDONLY};
+    for (int descriptor = 0; descriptor < 3; ++descriptor) {
+        if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) {
+            // The lowest free number is this one: those below it are open.
+            open("/dev/null", modes[static_cast<std::size_t>(descriptor)]);
+        }
+    }
+}
+
+void make_write_signals_errors() {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+Error error_of(const std::exception_ptr& exception) {
+    try {
+        std::rethrow_exception(exception);
+    } catch (const std::bad_alloc&) {
+        return {ErrorCode::out_of_memory, {}, {}};
+    } catch (const std::length_error&) {
+        return {ErrorCode::out_of_memory, {}, {}};  // more than the address space holds
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::resource_unavailable_try_again) {
+            return {ErrorCode::out_of_threads, {}, {}};
+        }
+        throw;
+    } catch (const std::runtime_error& error) {
+        if (typeid(error) == typeid(std::runtime_error)) {
+            return {ErrorCode::out_of_threads, {}, {}};  // oneTBB's, of pthread_create
+        }
+        throw;
+    }
+}
+
+Status check_threads(int threads) {
+    const int cores = tbb::info::default_concurrency();
+    const int workers = (threads > 0 ? std::min(threads, cores) : cores) - 1;
+    std::mutex mutex;
+    std::condition_variable all_there;
+    bool go = false;
+    std::vector<std::thread> trial;
+    Status status;
+    try {
+        for (int k = 0; k < workers; ++k) {
+            trial.emplace_back([&] {
+                std::unique_lock lock(mutex);
+                all_there.wait(lock, [&go] { return go; });
+            });
+        }
+    } catch (const std::system_error&) {
+        status = Error{ErrorCode::out_of_threads, {}, {}};
+    }
+    {
+        const std::lock_guard lock(mutex);
+        go = true;
+    }
+    all_there.notify_all();
+    for (std::thread& thread : trial) {
+        thread.join();
+    }
+    return status;
+}
+
+void end_with_a_sentence() {
+    std::set_terminate(last_words);
+}
+
+}  // namespace vybeg::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/result.h"
+
+#include <exception>
+
+namespace vybeg::cli {
+
+// What both programs do around their work, so that whatever happens has a sentence and a status.
+
+// Puts something that refuses to be written to (or, for standard input, read from) in the place of
+// standard descriptors that are closed: else the next file that is opened takes the number, and
+// warnings land in it. To be called before anything is opened.
+void open_missing_descriptors();
+
+// SIGPIPE and SIGXFSZ become errors of write().
+void make_write_signals_errors();
+
+// The error behind an exception that no part of the program expects: out_of_memory or
+// out_of_threads. Other exceptions are thrown on.
+Error error_of(const std::exception_ptr& exception);
+
+// Whether the system starts the threads of an analysis: out_of_threads. `threads` as in Settings.
+// oneTBB starts its threads from within others, where a failure would end the program.
+Status check_threads(int threads);
+
+// Where such an exception meets no handler: its sentence and exit status instead of an abort.
+void end_with_a_sentence();
+
+}  // namespace vybeg::cli

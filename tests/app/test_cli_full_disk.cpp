@@ -1,0 +1,142 @@
+// A disk that is full at any size: exit status 5, the old files as they were, nothing left. Every
+// output of vybeg-cli, with a limit of the file's size and on a real disk of that size.
+#include "tests/app/cli_run.h"
+
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace vybeg::test;
+
+namespace {
+
+constexpr int sizes = 15;
+
+}  // namespace
+
+class TestCliFullDisk : public QObject, private CliFolder {
+    Q_OBJECT
+
+    // What the outputs of a command are called in its line, in the folder `out`.
+    void rows() {
+        QTest::addColumn<QString>("command");
+        QTest::addColumn<QStringList>("outputs");
+        const auto row = [](const char* name, const QString& command, const QStringList& outputs) {
+            QTest::newRow(name) << command << outputs;
+        };
+        row("track", "analyze a.wav -o out/track.csv", {"track.csv"});
+        row("result", "identify a.wav b.wav -o out/result.json", {"result.json"});
+        row("passport", "identify a.wav b.wav --passport out/passport.json", {"passport.json"});
+        row("result and passport",
+            "identify a.wav b.wav -o out/result.json --passport out/passport.json",
+            {"result.json", "passport.json"});
+        row("comparison", "compare passport.json a.wav b.wav -o out/result.json", {"result.json"});
+        for (const char* name : {"decay.wav", "decay.csv", "decay.npy", "decay.mat"}) {
+            row(name, QString("simulate --demo --seconds 1 -o out/%1").arg(name), {name});
+        }
+        row("samples and truth",
+            "simulate --demo --seconds 1 --window 5 -o out/decay.wav --truth out/truth.csv",
+            {"decay.wav", "truth.csv"});
+    }
+
+    // Size of the largest output where nothing limits it; 0: the command failed.
+    qint64 whole_size(const QString& command, const QStringList& outputs) {
+        QDir(path("out")).removeRecursively();
+        QDir(folder_.path()).mkdir("out");
+        if (run(command.split(' ')).status != 0) {
+            return 0;
+        }
+        qint64 largest = 0;
+        for (const QString& output : outputs) {
+            largest = std::max(largest, QFileInfo(path("out/" + output)).size());
+        }
+        return largest;
+    }
+
+private slots:
+    void initTestCase() {
+        QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "a.wav"}).status, 0);
+        QCOMPARE(
+            run({"simulate", "--demo", "--seconds", "2", "--two-theta-A", "1.2", "-o", "b.wav"})
+                .status,
+            0);
+        QCOMPARE(run({"identify", "a.wav", "b.wav", "--passport", "passport.json"}).status, 0);
+    }
+
+    void a_file_that_may_not_grow_leaves_the_old_ones_data() { rows(); }
+
+    void a_file_that_may_not_grow_leaves_the_old_ones() {
+        QFETCH(QString, command);
+        QFETCH(QStringList, outputs);
+        const qint64 whole = whole_size(command, outputs);
+        QVERIFY2(whole > sizes, qPrintable(QString::number(whole)));
+        for (int k = 0; k < sizes; ++k) {
+            const qint64 most = whole * k / sizes;
+            for (const QString& output : outputs) {
+                QVERIFY(put(path("out/" + output), "old"));
+            }
+            const Outcome outcome = run_program(VYBEG_CLI, command.split(' '), folder_.path(),
+                                                limit(RLIMIT_FSIZE, static_cast<rlim_t>(most)));
+            const QByteArray about = QByteArray::number(most) + " bytes: " + outcome.err;
+            QVERIFY2(outcome.status == 5, about);
+            QVERIFY2(outcome.err_lines().last().contains("cannot be written"), about);
+            for (const QString& output : outputs) {
+                QVERIFY2(file("out/" + output) == "old", about + output.toUtf8());
+            }
+            const QStringList left =
+                QDir(path("out")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+            QVERIFY2(left.size() == outputs.size(), about + left.join(' ').toUtf8());
+        }
+    }
+
+    void a_full_disk_leaves_the_old_files_data() { rows(); }
+
+    // A disk in memory, mounted where only the child sees it. Its room comes in pages.
+    void a_full_disk_leaves_the_old_files() {
+        QFETCH(QString, command);
+        QFETCH(QStringList, outputs);
+        const qint64 page = 4096;
+        qint64 whole = 0;
+        QVERIFY(whole_size(command, outputs) > 0);
+        if (run_program("unshare", {"-rm", "mount", "-t", "tmpfs", "none", path("out")},
+                        folder_.path())
+                .status != 0) {
+            QSKIP(
+                "NOT TESTED: this system lets no disk of a chosen size be mounted (unshare -rm). "
+                "The limit of the file's size was tested instead.");
+        }
+        for (const QString& output : outputs) {
+            whole += (QFileInfo(path("out/" + output)).size() + page - 1) / page;
+        }
+        for (int k = 0; k < sizes; ++k) {
+            // A page for each old file, and fewer than the new ones need.
+            const qint64 room = outputs.size() + std::min((whole - 1) * k / (sizes - 1), whole - 1);
+            const QString script =
+                QString(
+                    "mount -t tmpfs -o size=%1 none out && for f in %2; do printf old > "
+                    "out/$f; done; %3 %4 2> err > /dev/null; echo $?; cd out; ls -A; cat *")
+                    .arg(room * page)
+                    .arg(outputs.join(' '), VYBEG_CLI, command);
+            const Outcome outcome =
+                run_program("unshare", {"-rm", "sh", "-c", script}, folder_.path());
+            QStringList sorted = outputs;
+            sorted.sort();
+            const QByteArray expected = "5\n" + sorted.join('\n').toUtf8() + "\n" +
+                                        QByteArray("old").repeated(int(outputs.size()));
+            QVERIFY2(outcome.out == expected,
+                     QByteArray::number(room) + " pages: " + outcome.out.left(200) + file("err"));
+            QVERIFY2(file("err").contains("No space left on device"), file("err"));
+        }
+    }
+
+    void room_for_everything_is_enough() {
+        const qint64 whole = whole_size("analyze a.wav -o out/track.csv", {"track.csv"});
+        const Outcome outcome =
+            run_program(VYBEG_CLI, {"analyze", "a.wav", "-o", "out/track.csv"}, folder_.path(),
+                        limit(RLIMIT_FSIZE, static_cast<rlim_t>(whole)));
+        QCOMPARE(outcome.status, 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliFullDisk)
+#include "test_cli_full_disk.moc"
