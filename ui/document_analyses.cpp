@@ -214,4 +214,56 @@ std::optional<double> Document::secondsLeft() const {
     return elapsed * (1 - share) / share;
 }
 
+std::vector<Run> Document::plottedRuns() const {
+    std::vector<Run> plotted;
+    plotted.reserve(runs_.size());
+    for (const RunEntry& entry : runs_) {
+        if (!(entry.live && live_)) {
+            plotted.push_back(entry.run);
+        }
+    }
+    for (const RunEntry& entry : runs_) {
+        if (entry.live && live_) {
+            plotted.push_back(entry.run);
+        }
+    }
+    return plotted;
+}
+
+void Document::setRunVisible(int id, bool visible) {
+    for (RunEntry& entry : runs_) {
+        if (entry.run.id == id && entry.run.visible != visible) {
+            entry.run.visible = visible;
+            emit runsChanged();
+        }
+    }
+}
+
+void Document::renameRun(int id, const QString& name) {
+    for (RunEntry& entry : runs_) {
+        if (entry.run.id == id && entry.run.name != name && !name.trimmed().isEmpty()) {
+            entry.run.name = name.trimmed();
+            emit runsChanged();
+        }
+    }
+}
+
+void Document::removeRun(int id) {
+    if (const RunEntry* entry = run(id); entry && entry->live) {
+        forgetLive(entry->recording_id);  // it would come back
+    }
+    if (std::erase_if(runs_, [id](const RunEntry& entry) { return entry.run.id == id; }) > 0) {
+        emit runsChanged();
+    }
+}
+
+void Document::exportTrack(int id, const QString& path, std::function<void(const Status&)> done) {
+    const RunEntry* entry = run(id);
+    if (entry && !entry->partial()) {
+        job_.writeTrack(id, *recording(entry->recording_id)->recording, entry->run.analysis,
+                        QStringLiteral("vybeg ") + QCoreApplication::applicationVersion(), path,
+                        std::move(done));
+    }
+}
+
 }  // namespace vybeg::ui

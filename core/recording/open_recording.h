@@ -45,9 +45,9 @@ struct OpenOptions {
 // nothing.
 std::string options_text(const OpenOptions& options);
 
-// Opens a recording by its content, never by its name. What its file says about it is plain_text(). Text is looked through whole (progress and
-// cancellation through `job`); samples are read on demand. Errors: every ErrorCode of the input
-// group, setting_invalid, interrupted.
+// Opens a recording by its content, never by its name. What its file says about it is plain_text().
+// Text is looked through whole (progress and cancellation through `job`); samples are read on
+// demand. Errors: every ErrorCode of the input group, setting_invalid, interrupted.
 Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
                                  const JobControl& job);
 

@@ -37,7 +37,7 @@ inline std::string of_scale(int index, const std::string& rest) {
 inline constexpr std::uint32_t raw_numbers = 0xFFFFFFFF;
 
 inline Properties linear(const Tdms& t, int index, double slope, double intercept,
-                  std::uint32_t input = raw_numbers) {
+                         std::uint32_t input = raw_numbers) {
     return {t.words(of_scale(index, "Scale_Type"), "Linear"),
             t.real(of_scale(index, "Linear_Slope"), slope),
             t.real(of_scale(index, "Linear_Y_Intercept"), intercept),
@@ -45,7 +45,7 @@ inline Properties linear(const Tdms& t, int index, double slope, double intercep
 }
 
 inline Properties polynomial(const Tdms& t, int index, const Values& coefficients,
-                      std::uint32_t input = raw_numbers, bool with_size = true) {
+                             std::uint32_t input = raw_numbers, bool with_size = true) {
     Properties all{t.words(of_scale(index, "Scale_Type"), "Polynomial"),
                    t.count(of_scale(index, "Polynomial_Input_Source"), input)};
     if (with_size) {
@@ -60,7 +60,7 @@ inline Properties polynomial(const Tdms& t, int index, const Values& coefficient
 }
 
 inline Properties table(const Tdms& t, int index, const Values& in, const Values& out,
-                 std::uint32_t input = raw_numbers) {
+                        std::uint32_t input = raw_numbers) {
     Properties all{t.words(of_scale(index, "Scale_Type"), "Table"),
                    t.count(of_scale(index, "Table_Input_Source"), input)};
     // What comes in is called scaled, and what goes out pre-scaled.

@@ -148,8 +148,8 @@ void TestDamagedTdms::wrong_lengths_are_damage_data() {
     const std::string scaler = t.number(std::uint32_t{0x1269}) + t.number(~std::uint32_t{0}) +
                                t.number(std::uint32_t{1}) + t.number(std::uint64_t{5});
     const std::string lines = t.number(std::uint32_t{0x126A}) + scaler.substr(4);
-    for (const auto& [name, index] :
-         {std::pair("scalers of DAQmx cut off", scaler), std::pair("lines of DAQmx cut off", lines)}) {
+    for (const auto& [name, index] : {std::pair("scalers of DAQmx cut off", scaler),
+                                      std::pair("lines of DAQmx cut off", lines)}) {
         add(name, t.segment(first_segment | toc_daqmx, t.metadata({t.object(path_c, index)}), raw));
     }
     add("different lengths interleaved",

@@ -1,0 +1,186 @@
+// The sentences of diagnostics.
+#include "core/base/messages.h"
+
+// Marks a text for lupdate, as in core/base/messages.cpp.
+#define VYBEG_MESSAGE(context, text) text
+
+namespace vybeg {
+
+const char* message_template(DiagnosticKind kind) {
+    switch (kind) {
+        case DiagnosticKind::time_uneven:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The time column is uneven, by up to %1 s (%2 samples); the signals were "
+                "resampled to a uniform grid by local cubic interpolation.");
+        case DiagnosticKind::time_gap:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 samples are missing at %2 s; windows over them are flagged.");
+        case DiagnosticKind::missing_samples:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 samples are NaN or infinite; windows over them are flagged.");
+        case DiagnosticKind::file_ends_early:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The file ends early: its header promises %1 frames, %2 are there. Those "
+                "are used.");
+        case DiagnosticKind::file_not_closed:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The file is still being written, was never closed or has been cut off: nothing "
+                "in it says how many frames there are to be. The %1 that are there are used.");
+        case DiagnosticKind::channels_unequal:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The channels differ in length: %1 has %2 samples, %3 has %4. Both are counted "
+                "from their first sample, and the end of the longer one is left out.");
+        case DiagnosticKind::filter_transients:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The band-pass takes %1 s at each end for its transient; those windows "
+                "are flagged.");
+        case DiagnosticKind::context_missing:
+            return VYBEG_MESSAGE(
+                "Message",
+                "This algorithm needs %1 samples on both sides of a window; windows "
+                "without them are flagged.");
+        case DiagnosticKind::not_converged:
+            return VYBEG_MESSAGE("Message", "%1 of %2 windows did not converge; they are flagged.");
+        case DiagnosticKind::over_range:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1: %2 samples lie beyond its range and are missing. "
+                                 "Record with a larger range.");
+        case DiagnosticKind::unit_converted:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1 is in %2 in the file; it was converted to %3, the "
+                                 "unit of channel C.");
+        case DiagnosticKind::units_differ:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1 is in %2 and channel %3 in %4, units without a known "
+                                 "ratio: amplitudes and angles are wrong. Choose channels of one "
+                                 "unit with --channels, or give the gain ratio with --kappa.");
+        case DiagnosticKind::leakage:
+            return VYBEG_MESSAGE(
+                "Message",
+                "In %1 of %2 windows the algorithm is off by more than one standard deviation, by "
+                "leakage; they are flagged. A window of whole half-periods (Snap) makes it "
+                "smallest; conjugate gradient and maximum likelihood have none.");
+        case DiagnosticKind::wave_moves:
+            return VYBEG_MESSAGE(
+                "Message",
+                "In %1 of %2 windows the wave moves inside the window, or turns too far from one "
+                "window to the next; they are flagged. Choose a shorter window or a smaller hop.");
+        case DiagnosticKind::text_lines_ignored:
+            return VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.");
+        case DiagnosticKind::clipped:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1 is clipped: %2 samples at its rail, %3. Windows over "
+                                 "them are flagged.");
+        case DiagnosticKind::samples_lost:
+            return VYBEG_MESSAGE("Message",
+                                 "Samples lost: %1 at %2 s. Windows over the place are flagged.");
+        case DiagnosticKind::samples_doubled:
+            return VYBEG_MESSAGE(
+                "Message", "Samples doubled: %1 at %2 s. Windows over the place are flagged.");
+        case DiagnosticKind::phase_step:
+            return VYBEG_MESSAGE(
+                "Message",
+                "A step of %1 rad in the phase of both channels at %2 s. Samples doubled: %3, or "
+                "lost: %4; the phase shows them only modulo the period. Windows over the place "
+                "are flagged.");
+        case DiagnosticKind::more_samples_lost:
+            return VYBEG_MESSAGE("Message", "Samples were lost or doubled at %1 more places.");
+        case DiagnosticKind::below_one_bit:
+            return VYBEG_MESSAGE(
+                "Message",
+                "Channel %1 stays within %2 levels of the converter: its signal is below "
+                "one bit.");
+        case DiagnosticKind::offset:
+            return VYBEG_MESSAGE("Message",
+                                 "Channel %1 has an offset of %2, %3 % of the amplitude. The "
+                                 "calibration takes it out (--offset auto).");
+        case DiagnosticKind::mains:
+            return VYBEG_MESSAGE(
+                "Message",
+                "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out "
+                "(--filter).");
+        case DiagnosticKind::start_transient:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The first %1 s do not decay as what follows. The range can leave them out "
+                "(--from).");
+        case DiagnosticKind::gaps_inserted:
+            return VYBEG_MESSAGE("Message",
+                                 "%1 lost samples at %2 places were made gaps, as asked for; "
+                                 "windows over them have no values.");
+        case DiagnosticKind::lost_counted:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1 lost samples at %2 places are counted in the time behind them, "
+                "so that the phase runs on.");
+        case DiagnosticKind::phase_unknown:
+            return VYBEG_MESSAGE(
+                "Message",
+                "At %1 places an unknown number of samples was lost or doubled: the phase after "
+                "each is a parameter of its own. Time moves by the smallest possible number.");
+        case DiagnosticKind::carrier_elsewhere:
+            return VYBEG_MESSAGE("Message",
+                                 "The carrier given is %1 Hz, and the signal is at %2 Hz: that is "
+                                 "used.");
+        case DiagnosticKind::strike_left_out:
+            return VYBEG_MESSAGE("Message",
+                                 "The first %1 s are left out of the fit: the strike and what the "
+                                 "band-pass makes of it are no free decay.");
+        case DiagnosticKind::frequency_drifts:
+            return VYBEG_MESSAGE("Message",
+                                 "Recording %1: the frequency drifts by %2 Hz per second (standard "
+                                 "deviation %3); the drift is fitted, and Q is free of it.");
+        case DiagnosticKind::frequency_follows_amplitude:
+            return VYBEG_MESSAGE("Message",
+                                 "The frequency depends on the amplitude: %1 Hz per squared "
+                                 "recording unit (standard deviation %2); this is fitted.");
+        case DiagnosticKind::q_disagrees:
+            return VYBEG_MESSAGE("Message",
+                                 "Recording %1: Q from the envelope, %2, and from the coherent "
+                                 "fit, %3, differ by more than three standard deviations: the "
+                                 "motion is not that of a resonator with constant parameters.");
+        case DiagnosticKind::decay_of_one_direction:
+            return VYBEG_MESSAGE("Message",
+                                 "The damping was seen in one direction only: the recording's own "
+                                 "decay time is given, not the resonator's.");
+        case DiagnosticKind::structured_refused:
+            return VYBEG_MESSAGE("Message",
+                                 "The channels are no calibrated pair of pick-offs (%1): the free "
+                                 "model gives the modes, and the resonator has no axes.");
+        case DiagnosticKind::residual_above_noise:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is above the noise of the windows (chi square per degree of freedom "
+                "%1); the standard deviations are enlarged to match.");
+        case DiagnosticKind::residual_below_noise:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is below the noise of the windows (chi square per degree of freedom "
+                "%1): the standard deviations are too large.");
+        case DiagnosticKind::residual_coloured:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is not white (chi square per degree of freedom %1); the standard "
+                "deviations follow its spectrum.");
+        case DiagnosticKind::noise_too_narrow:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The noise about the carrier is as narrow as the residual can show. Noise narrower "
+                "than %1 Hz looks like the wave itself: the standard deviations may be too small. "
+                "Record longer, or repeat the recording.");
+        case DiagnosticKind::fit_not_converged:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The fit of the resonator stopped before it converged; its values are doubtful.");
+        case DiagnosticKind::option_without_effect:
+            return VYBEG_MESSAGE("Message", "%1 has no effect: %2.");
+    }
+    return "";
+}
+
+}  // namespace vybeg

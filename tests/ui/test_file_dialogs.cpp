@@ -1,0 +1,121 @@
+// The questions for a file, and what may not be written over.
+#include "tests/ui/gui_test.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QTest>
+
+#include <array>
+#include <malloc.h>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestFileDialogs : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+
+    template <class Widget>
+    Widget& the(const QString& name = {}) {
+        return childOf<Widget>(*window_, name);
+    }
+
+    void openOne() {
+        document().open({home_.recording("demo.wav")});
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && document().runs().size() == 1; },
+                                20000));
+        QVERIFY(QTest::qWaitFor([&] { return document().carrier().has_value(); }));
+    }
+
+private slots:
+    void init() { window_ = shownWindow(); }
+    void cleanup() { window_.reset(); }
+
+    void a_question_for_a_file_keeps_no_memory() {
+        openOne();
+        const auto ask = [this](Command command) {
+            window_->action(command)->trigger();
+            auto* dialog = window_->findChild<QFileDialog*>();
+            QVERIFY(dialog && dialog->isVisible());
+            QTest::qWait(20);  // its list of files is read in the background
+            dialog->reject();
+            QTest::qWait(5);
+        };
+        const std::array commands{Command::open, Command::import_file, Command::export_plots,
+                                  Command::export_track, Command::compare_passport};
+        std::size_t before = 0;
+        constexpr int warm = 4;
+        constexpr int rounds = 12;
+        for (int round = 0; round < rounds; ++round) {
+            for (const Command command : commands) {
+                if (window_->action(command)->isEnabled()) {
+                    ask(command);
+                }
+            }
+            before = round == warm - 1 ? mallinfo2().uordblks : before;
+        }
+        const auto kept = static_cast<double>(mallinfo2().uordblks) - static_cast<double>(before);
+        const double each = kept / (rounds - warm) / static_cast<double>(commands.size()) / 1e6;
+        qInfo("%.3f MB kept by each opening", each);
+        QVERIFY2(each < 0.05, qPrintable(QString::number(each)));
+    }
+
+    void a_file_dialog_asks_each_question_anew() {
+        openOne();
+        window_->action(Command::export_track)->trigger();
+        auto& dialog = childOf<QFileDialog>(*window_);
+        QCOMPARE(dialog.acceptMode(), QFileDialog::AcceptSave);
+        QCOMPARE(dialog.defaultSuffix(), QStringLiteral("csv"));
+        dialog.reject();
+        window_->action(Command::export_plots)->trigger();
+        QCOMPARE(dialog.defaultSuffix(), QStringLiteral("png"));
+        QVERIFY(dialog.selectedFiles().value(0).endsWith(".png"));
+        dialog.reject();
+        window_->action(Command::open)->trigger();
+        QCOMPARE(dialog.acceptMode(), QFileDialog::AcceptOpen);
+        QCOMPARE(dialog.fileMode(), QFileDialog::ExistingFiles);
+        QCOMPARE(childOf<QLineEdit>(dialog, "fileNameEdit").text(), QString());
+        // What is chosen now is opened, and written nowhere.
+        const qsizetype recordings = qsizetype(document().recordings().size());
+        const QString chosen = home_.recording("chosen.wav");
+        emit dialog.filesSelected({chosen});
+        dialog.reject();
+        QVERIFY(QTest::qWaitFor(
+            [&] { return qsizetype(document().recordings().size()) == recordings + 1; }));
+    }
+
+    void no_export_takes_the_place_of_an_open_recording() {
+        openOne();
+        const QString recording = window_->document().currentRecording()->path;
+        const QString link = home_.path("link.svg");
+        QVERIFY(QFile::link(recording, link));
+        const auto bytes = [&] {
+            QFile file(recording);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QByteArray before = bytes();
+        QVERIFY(!before.isEmpty());
+        const QString around =
+            QFileInfo(recording).path() + "/./" + QFileInfo(recording).fileName();
+        for (const QString& path : {recording, around, link}) {
+            window_->exportTrackTo(path);
+            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+            window_->exportPlotsTo(path);
+            QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
+            window_->savePassportTo(path);
+            QTest::qWait(100);
+            QVERIFY(bytes() == before);
+        }
+        QVERIFY(QFile::remove(link));
+    }
+};
+
+QTEST_MAIN(TestFileDialogs)
+#include "test_file_dialogs.moc"
