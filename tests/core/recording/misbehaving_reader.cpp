@@ -66,7 +66,9 @@ bool done(std::string_view deed) {
 
 void misbehave(std::string_view deed) {
     if (deed == "spin") {
-        for (volatile unsigned turns = 0;; turns = turns + 1) {
+        volatile unsigned turns = 0;
+        for (;;) {
+            turns = turns + 1;
         }
     }
     if (done(deed)) {

@@ -116,7 +116,7 @@ void TestUffReader::binary_numbers_are_read_in_place() {
     const Samples read = read_all(recording);
     const auto kept = [&](std::vector<double> values) {
         for (double& value : values) {
-            value = doubles ? value : static_cast<float>(value);
+            value = doubles ? value : static_cast<double>(static_cast<float>(value));
         }
         return values;
     };
