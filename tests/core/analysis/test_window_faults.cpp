@@ -46,7 +46,7 @@ private slots:
             at = 0;
             for (std::int64_t k = any(0, 4); k > 0; --k) {
                 at += any(1, 300);
-                faults.steps.push_back({at, 1.0, 1});
+                faults.steps.push_back({at, 1.0, 1, {}});
             }
             Track found(static_cast<std::size_t>(plan.count));
             const std::vector<FlaggedRows> flagged = windows_over(faults, plan);
