@@ -46,7 +46,11 @@ private slots:
             at = 0;
             for (std::int64_t k = any(0, 4); k > 0; --k) {
                 at += any(1, 300);
-                faults.steps.push_back({at, 1.0, 1, {}});
+                PhaseStep step;
+                step.frame = at;
+                step.phase_rad = 1;
+                step.lost = 1;
+                faults.steps.push_back(step);
             }
             Track found(static_cast<std::size_t>(plan.count));
             const std::vector<FlaggedRows> flagged = windows_over(faults, plan);
