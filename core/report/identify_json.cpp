@@ -134,26 +134,31 @@ Json runs_json(const Identification& identification, std::span<const IdentifiedI
     return list;
 }
 
-// What the residual holds beside white noise, a line each for lines and 1/f of both channels and of
-// the phase alone: variance in units of the windows' white noise, half width weighted with it.
+const char* shape_name(const NoiseShape& shape) {
+    if (std::isinf(shape.half_width_hz)) {
+        return "white";
+    }
+    return shape.half_width_hz == 0 ? "1/f" : "line";
+}
+
+// What the residual holds beside the noise of the windows, one entry for each shape in both
+// channels and in the phase alone: variance in units of that noise, half width weighted with it.
 Json noise_json(const ResidualNoise& noise) {
     struct Sum {
         double variance = 0;
         double width = 0;
     };
-    std::map<std::pair<bool, bool>, Sum> sums;  // by of_phase and 1/f
+    std::map<std::pair<std::string, std::string>, Sum> sums;
     for (const ResidualNoise::Part& part : noise.parts) {
-        Sum& sum = sums[{part.shape.of_phase, part.shape.half_width_hz == 0}];
+        Sum& sum = sums[{part.shape.of_phase ? "phase" : "signal", shape_name(part.shape)}];
         sum.variance += part.variance;
         sum.width += part.variance * part.shape.half_width_hz;
     }
     Json parts = Json::array();
     for (const auto& [kind, sum] : sums) {
-        const auto& [of_phase, one_over_f] = kind;
-        Json part{{"of", of_phase ? "phase" : "signal"},
-                  {"shape", one_over_f ? "1/f" : "line"},
-                  {"variance", number_json(sum.variance)}};
-        if (!one_over_f) {
+        const auto& [of, shape] = kind;
+        Json part{{"of", of}, {"shape", shape}, {"variance", number_json(sum.variance)}};
+        if (shape == "line") {
             part["half_width_hz"] = number_json(sum.width / sum.variance);
         }
         parts.push_back(part);
