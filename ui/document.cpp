@@ -54,21 +54,6 @@ private:
     int gesture_;
 };
 
-// One change of a tolerance.
-class ToleranceCommand : public QUndoCommand {
-public:
-    ToleranceCommand(Document& document, const Tolerance& after)
-        : document_(document), before_(document.tolerance_), after_(after) {}
-
-    void undo() override { document_.apply(before_); }
-    void redo() override { document_.apply(after_); }
-
-private:
-    Document& document_;
-    Tolerance before_;
-    Tolerance after_;
-};
-
 Document::Document(QObject* parent) : QObject(parent) {
     undo_.setUndoLimit(200);
     connect(&job_, &AnalysisJob::analysisProgress, this, [this](int key, double fraction) {
@@ -329,18 +314,6 @@ void Document::setSettings(const Settings& settings, int gesture) {
     if (!(settings == settings_)) {
         undo_.push(new SettingsCommand(*this, settings, gesture));
     }
-}
-
-void Document::setTolerance(const Tolerance& tolerance) {
-    if (!(tolerance == tolerance_)) {
-        undo_.push(new ToleranceCommand(*this, tolerance));
-    }
-}
-
-void Document::apply(const Tolerance& tolerance) {
-    tolerance_ = tolerance;
-    emit settingsChanged();
-    emit setsChanged();  // what was found with other tolerances is out of date
 }
 
 void Document::startWith(const Settings& settings) {

@@ -19,6 +19,21 @@ bool sameRecordings(const std::vector<int>& a, const std::vector<int>& b) {
 
 }  // namespace
 
+// One change of a tolerance.
+class ToleranceCommand : public QUndoCommand {
+public:
+    ToleranceCommand(Document& document, const Tolerance& after)
+        : document_(document), before_(document.tolerance_), after_(after) {}
+
+    void undo() override { document_.apply(before_); }
+    void redo() override { document_.apply(after_); }
+
+private:
+    Document& document_;
+    Tolerance before_;
+    Tolerance after_;
+};
+
 RunSet* Document::findSet(int id) {
     const auto found = std::ranges::find(sets_, id, &RunSet::id);
     return found == sets_.end() ? nullptr : &*found;
@@ -125,6 +140,18 @@ void Document::openIntoSet(const QStringList& paths) {
         }
     }
     addToSet(ids);
+}
+
+void Document::setTolerance(const Tolerance& tolerance) {
+    if (!(tolerance == tolerance_)) {
+        undo_.push(new ToleranceCommand(*this, tolerance));
+    }
+}
+
+void Document::apply(const Tolerance& tolerance) {
+    tolerance_ = tolerance;
+    emit settingsChanged();
+    emit setsChanged();  // what was found with other tolerances is out of date
 }
 
 // The window is the identification's own: that of the tracks has another purpose.
