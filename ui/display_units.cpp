@@ -7,6 +7,7 @@
 #include <QLocale>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vybeg::ui {
