@@ -134,7 +134,7 @@ private slots:
             const QStringList unit = QString(units).split(',');
             const std::string text =
                 QString("t [s],C [%1],D [%2]\n").arg(unit[0], unit[1]).toStdString() +
-                rows("%1,%2,%3\n");
+                rows("T,C,D\n");
             const Recording recording = opened(folder.write("run.csv", text));
             QCOMPARE(read_all(recording).d[3], 2.5 * 3);
             const Diagnostic* differ = find(recording, DiagnosticKind::units_differ);
@@ -146,7 +146,7 @@ private slots:
 
     void d_is_converted_to_the_unit_of_c_whichever_channels_they_are() {
         const Folder folder;
-        const std::string text = "t [s],C [V],D [mV]\n" + rows("%1,%2,%3\n");
+        const std::string text = "t [s],C [V],D [mV]\n" + rows("T,C,D\n");
         OpenOptions swapped;
         swapped.channel_c = 2;
         swapped.channel_d = 1;
@@ -183,14 +183,13 @@ private slots:
         QVERIFY(std::abs(opened(path, options).rate_hz - 500) < 0.5);
     }
 
-    void
-    a_header_that_contradicts_itself_tells_no_rate_and_one_that_contradicts_the_times_neither() {
+    void a_header_that_contradicts_itself_or_the_times_gives_no_rate() {
         const Folder folder;
-        const std::string two = "# sample rate: 1000 Hz\n# dt: 0.002 s\nC,D\n" + rows("%2,%3\n");
+        const std::string two = "# sample rate: 1000 Hz\n# dt: 0.002 s\nC,D\n" + rows("C,D\n");
         const auto wrong = open(folder.write("two.csv", two));
         QVERIFY(!wrong);
         QCOMPARE(wrong.error().code, ErrorCode::rate_unknown);
-        const std::string times = "# sample rate: 2000 Hz\nt,C,D\n" + rows("%1,%2,%3\n");
+        const std::string times = "# sample rate: 2000 Hz\nt,C,D\n" + rows("T,C,D\n");
         const Recording recording = opened(folder.write("times.csv", times));
         QCOMPARE(recording.rate_from, RateOrigin::time_column);
         QVERIFY(std::abs(recording.rate_hz - 1000) < 1e-6);
@@ -281,11 +280,16 @@ private slots:
 
 private:
     // Twelve rows: time in steps of 1 ms, C = 1.5 k and D = 2.5 k of a k that rises and falls.
+    // `form`: a row with T, C and D for the numbers.
     static std::string rows(const char* form) {
         std::string text;
         for (int i = 0; i < 12; ++i) {
             const int k = i < 6 ? i : 12 - i;
-            text += QString(form).arg(i * 1e-3).arg(1.5 * k).arg(2.5 * k).toStdString();
+            text += QString(form)
+                        .replace('T', QString::number(i * 1e-3))
+                        .replace('C', QString::number(1.5 * k))
+                        .replace('D', QString::number(2.5 * k))
+                        .toStdString();
         }
         return text;
     }
