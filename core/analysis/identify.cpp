@@ -63,11 +63,11 @@ Result<Windows> windows_of(const Recording& recording, const IdentifySettings& s
 
 IdentifiedRun run_of(Windows& from) {
     const PhasorWindows& windows = from.windows;
-    return {windows.run.f_ref_hz,   windows.plan.length,
-            windows.plan.count,     static_cast<std::int64_t>(windows.run.time_s.size()),
-            windows.noise_sd,       from.calibration,
-            windows.diagnostics,    run_track(windows.run, track_points),
-            wave_rates(windows.run)};
+    return {windows.run.f_ref_hz,    windows.plan.length,
+            windows.plan.count,      static_cast<std::int64_t>(windows.run.time_s.size()),
+            windows.noise_sd,        from.calibration,
+            windows.diagnostics,     run_track(windows.run, track_points),
+            wave_motion(windows.run)};
 }
 
 // The recordings' phasors, several recordings at a time.

@@ -8,7 +8,7 @@
 #include "core/resonator/drift_function.h"
 #include "core/resonator/resonator_fit.h"
 #include "core/resonator/run_track.h"
-#include "core/resonator/wave_rates.h"
+#include "core/resonator/wave_motion.h"
 
 #include <cstdint>
 #include <optional>
@@ -39,7 +39,7 @@ struct IdentifiedRun {
     Calibration calibration;        // offsets resolved
     std::vector<Diagnostic> diagnostics;
     RunTrack track;
-    WaveRates wave;
+    WaveMotion wave;
 };
 
 struct IdentifyTiming {

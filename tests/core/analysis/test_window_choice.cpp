@@ -3,7 +3,7 @@
 // Statistical model: the errors of the four real parts of N phasors are Gaussian with the deviation
 // told; the mean of their squares in units of it is 1 within sqrt(2/(4 N)).
 #include "core/analysis/phasor_windows.h"
-#include "core/resonator/wave_rates.h"
+#include "core/resonator/wave_motion.h"
 #include "core/simulation/gaussian_noise.h"
 #include "core/simulation/slow_motion.h"
 #include "tests/statistical/simulated_recording.h"
@@ -267,7 +267,7 @@ private slots:
                 }
             }
             const PhasorWindows found = found_in({c, d, 0}, rate, {});
-            const WaveRates wave = wave_rates(found.run);
+            const WaveMotion wave = wave_motion(found.run);
             // The bent phase has no slope but by the same line, weights |z|^2.
             double weights = 0;
             double mean_s = 0;

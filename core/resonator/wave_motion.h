@@ -20,7 +20,7 @@ namespace vybeg {
 // Standard deviations: the windows' own noise, and what the scatter about a smooth trend (a
 // parabola) shows beyond it, as noise of one correlation time (restricted maximum likelihood). A
 // motion that bends more than the trend has a wider deviation, never a narrower one.
-struct WaveRates {
+struct WaveMotion {
     Estimate f_hz;                   // mean rate of phase of both channels by power, absolute, Hz
     Estimate tau_s;                  // decay time of sqrt(a_A^2 + a_B^2), s
     Estimate theta_rate_rad_s;       // d theta_A / dt, rad/s
@@ -31,6 +31,6 @@ struct WaveRates {
 // Reasons: too_few_windows (fewer than eight windows count), circular_wave (angle and quadrature),
 // those of decay_time(). Precondition: the vectors of a run have one
 // length.
-WaveRates wave_rates(const PhasorRun& run);
+WaveMotion wave_motion(const PhasorRun& run);
 
 }  // namespace vybeg

@@ -2,7 +2,7 @@
 //
 // Statistical model: a pull is the error over the deviation told; over N independent runs the mean
 // of its squares is 1 within sqrt(2/N).
-#include "core/resonator/wave_rates.h"
+#include "core/resonator/wave_motion.h"
 #include "tests/core/resonator/known_resonator.h"
 
 #include <array>
@@ -17,7 +17,7 @@ constexpr std::int64_t window = 500;
 
 using Numbers = std::array<Estimate, 4>;
 
-Numbers numbers(const WaveRates& wave) {
+Numbers numbers(const WaveMotion& wave) {
     return {wave.f_hz, wave.decay_per_s, wave.theta_rate_rad_s, wave.quadrature_rate_per_s};
 }
 
@@ -55,7 +55,7 @@ struct Pulls {
     std::array<double, 4> squares{};
     int runs = 0;
 
-    void add(const WaveRates& found, const WaveRates& truth) {
+    void add(const WaveMotion& found, const WaveMotion& truth) {
         const Numbers is = numbers(found);
         const Numbers should = numbers(truth);
         for (std::size_t i = 0; i < 4; ++i) {
@@ -97,7 +97,7 @@ FreeDecay wave(double split_hz, double theta_deg, double a_B) {
 
 }  // namespace
 
-class TestWaveRates : public QObject {
+class TestWaveMotion : public QObject {
     Q_OBJECT
 
 private slots:
@@ -106,7 +106,7 @@ private slots:
         decay.tau_s = 40;
         decay.omega_rad_s = 0.02;
         decay.noise = 1e-4;
-        const WaveRates found = wave_rates(simulated_phasors(decay, window, 3, 0.7));
+        const WaveMotion found = wave_motion(simulated_phasors(decay, window, 3, 0.7));
         VYBEG_NEAR(found.f_hz, decay.f0_hz + 0.7, 4, 1e-5);
         VYBEG_NEAR(found.tau_s, 40, 4, 1e-2);
         VYBEG_NEAR(found.decay_per_s, 1.0 / 40, 4, 1e-5);
@@ -116,7 +116,7 @@ private slots:
         FreeDecay split = reference();
         split.split_hz = 1e-4;
         split.noise = 1e-4;
-        const WaveRates grown = wave_rates(simulated_phasors(split, window, 3));
+        const WaveMotion grown = wave_motion(simulated_phasors(split, window, 3));
         VYBEG_NEAR(grown.quadrature_rate_per_s, std::numbers::pi * 1e-4 * std::sin(0.6), 4, 1e-5);
     }
 
@@ -124,10 +124,10 @@ private slots:
         for (const auto& [split, angle, a_B] :
              {std::array{1e-6, 10.0, 0.0}, {1e-4, 40.0, 0.1}, {1e-3, -70.0, -0.3}}) {
             const FreeDecay decay = wave(split, angle, a_B);
-            const WaveRates truth = wave_rates(silent(decay, 0.3));
+            const WaveMotion truth = wave_motion(silent(decay, 0.3));
             Pulls pulls;
             for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-                pulls.add(wave_rates(simulated_phasors(decay, window, seed, 0.3)), truth);
+                pulls.add(wave_motion(simulated_phasors(decay, window, seed, 0.3)), truth);
             }
             QVERIFY2(pulls.within(0.75, 1.25), qPrintable(pulls.text()));
         }
@@ -136,10 +136,10 @@ private slots:
     void a_curved_motion_has_no_smaller_deviation() {
         for (const double split : {0.01, 0.03, 0.2}) {
             const FreeDecay decay = wave(split, 10, 0.1);
-            const WaveRates truth = wave_rates(silent(decay, 0));
+            const WaveMotion truth = wave_motion(silent(decay, 0));
             Pulls pulls;
             for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-                pulls.add(wave_rates(simulated_phasors(decay, window, seed)), truth);
+                pulls.add(wave_motion(simulated_phasors(decay, window, seed)), truth);
             }
             QVERIFY2(pulls.within(0, 1.4), qPrintable(pulls.text()));
         }
@@ -160,12 +160,12 @@ private slots:
         QFETCH(double, size);
         FreeDecay decay = wave(1e-4, 30, 0.05);
         decay.noise = 1e-3;
-        const WaveRates truth = wave_rates(silent(decay, 0));
+        const WaveMotion truth = wave_motion(silent(decay, 0));
         Pulls pulls;
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {
             PhasorRun run = simulated_phasors(decay, window, seed);
             add_noise_about_the_carrier(run, half_width_hz, size, 500 + seed);
-            pulls.add(wave_rates(run), truth);
+            pulls.add(wave_motion(run), truth);
         }
         QVERIFY2(pulls.within(0.4, 1.5), qPrintable(pulls.text()));
     }
@@ -174,7 +174,7 @@ private slots:
         const FreeDecay decay = wave(1e-4, 25, 0.05);
         PhasorRun silence = silent(decay, 0);
         silence.phase_breaks_s = {9.3, 17.1};
-        const WaveRates truth = wave_rates(silence);
+        const WaveMotion truth = wave_motion(silence);
         Pulls pulls;
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {
             PhasorRun run = simulated_phasors(decay, window, seed);
@@ -186,14 +186,14 @@ private slots:
                 run.c[k] *= turn;
                 run.d[k] *= turn;
             }
-            pulls.add(wave_rates(run), truth);
+            pulls.add(wave_motion(run), truth);
         }
         QVERIFY2(pulls.within(0.7, 1.3), qPrintable(pulls.text()));
     }
 
     void outliers_are_left_out() {
         const FreeDecay decay = wave(1e-4, 25, 0.05);
-        const WaveRates truth = wave_rates(silent(decay, 0));
+        const WaveMotion truth = wave_motion(silent(decay, 0));
         Pulls pulls;
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {
             PhasorRun run = simulated_phasors(decay, window, seed);
@@ -201,7 +201,7 @@ private slots:
                 run.c[k] *= 1.2;
                 run.d[k] += std::complex(0.1, -0.3);
             }
-            pulls.add(wave_rates(run), truth);
+            pulls.add(wave_motion(run), truth);
         }
         QVERIFY2(pulls.within(0.7, 1.3), qPrintable(pulls.text()));
     }
@@ -209,7 +209,7 @@ private slots:
     void what_is_not_there_has_its_reason() {
         FreeDecay decay = reference();
         decay.tau_s = 1e300;
-        const WaveRates undamped = wave_rates(simulated_phasors(decay, window, 1));
+        const WaveMotion undamped = wave_motion(simulated_phasors(decay, window, 1));
         QCOMPARE(undamped.tau_s.reason.code, ReasonCode::no_decay);
         QVERIFY(undamped.decay_per_s.given());
         PhasorRun growing = simulated_phasors(reference(), window, 1);
@@ -217,17 +217,17 @@ private slots:
             growing.c[k] *= std::exp(growing.time_s[k] / 100);
             growing.d[k] *= std::exp(growing.time_s[k] / 100);
         }
-        QCOMPARE(wave_rates(growing).tau_s.reason.code, ReasonCode::grows);
+        QCOMPARE(wave_motion(growing).tau_s.reason.code, ReasonCode::grows);
         decay.a_B = 1;
-        const WaveRates circular = wave_rates(simulated_phasors(decay, window, 1));
+        const WaveMotion circular = wave_motion(simulated_phasors(decay, window, 1));
         QCOMPARE(circular.theta_rate_rad_s.reason.code, ReasonCode::circular_wave);
         QCOMPARE(circular.quadrature_rate_per_s.reason.code, ReasonCode::circular_wave);
         QVERIFY(circular.f_hz.given());
         decay.seconds = 0.08;
-        QCOMPARE(wave_rates(simulated_phasors(decay, window, 1)).f_hz.reason.code,
+        QCOMPARE(wave_motion(simulated_phasors(decay, window, 1)).f_hz.reason.code,
                  ReasonCode::too_few_windows);
     }
 };
 
-QTEST_GUILESS_MAIN(TestWaveRates)
-#include "test_wave_rates.moc"
+QTEST_GUILESS_MAIN(TestWaveMotion)
+#include "test_wave_motion.moc"

@@ -1,4 +1,4 @@
-#include "core/resonator/wave_rates.h"
+#include "core/resonator/wave_motion.h"
 
 #include "core/estimators/wave_state.h"
 #include "core/numerics/phase.h"
@@ -188,9 +188,9 @@ Estimate given(double value, double sd) {
 
 }  // namespace
 
-WaveRates wave_rates(const PhasorRun& run) {
+WaveMotion wave_motion(const PhasorRun& run) {
     const Motion motion = motion_without_outliers(run);
-    WaveRates found;
+    WaveMotion found;
     if (motion.phase.value.size() < least_windows) {
         found.f_hz = found.tau_s = found.theta_rate_rad_s = found.quadrature_rate_per_s =
             found.decay_per_s = missing(ReasonCode::too_few_windows);
