@@ -15,8 +15,8 @@ struct PhaseStep {
     // Whether another number may be the true one: there is another candidate, or one of this size
     // goes with any phase by chance. The phase after the step is then unknown against that before.
     bool is_ambiguous = false;
-    double phase_sd = 0;          // of phase_rad
-    std::vector<int> candidates;  // in the order of their sizes
+    double phase_sd = 0;               // of phase_rad
+    std::vector<int> candidates = {};  // in the order of their sizes
 };
 
 }  // namespace vybeg
