@@ -884,8 +884,8 @@
             <translation>Принято за нуль, так как допуск не задан; что изменилось бы, показывают чувствительности.</translation>
         </message>
         <message>
-            <source>The phasors need no dependence on the amplitude: it is at most %1 %2.</source>
-            <translation>Зависимость от амплитуды по записям не нужна: она не больше %1 %2.</translation>
+            <source>The phasors need no dependence on the amplitude: it is at most %1 Hz per squared recording unit.</source>
+            <translation>Зависимость от амплитуды по записям не нужна: она не больше %1 Гц на квадрат единицы записи.</translation>
         </message>
         <message>
             <source>A drift of the frequency looks like the motion itself in this recording.</source>

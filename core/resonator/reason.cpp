@@ -57,7 +57,7 @@ const char* message_template(ReasonCode code) {
         case ReasonCode::not_nonlinear:
             return VYBEG_MESSAGE("Reason",
                                  "The phasors need no dependence on the amplitude: it is at most "
-                                 "%1 %2.");
+                                 "%1 Hz per squared recording unit.");
         case ReasonCode::drift_not_seen:
             return VYBEG_MESSAGE("Reason",
                                  "A drift of the frequency looks like the motion itself in this "

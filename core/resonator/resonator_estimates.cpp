@@ -189,9 +189,8 @@ private:
         } else {
             const Estimate& limit = set_.cubic_limit;
             const double most = std::abs(limit.value) + limit_sd * limit.sd;
-            out.frequency_per_power.reason = {
-                ReasonCode::not_nonlinear,
-                {short_text(most * power_unit, 3), "Hz per squared unit"}};
+            out.frequency_per_power.reason = {ReasonCode::not_nonlinear,
+                                              {short_text(most * power_unit, 3)}};
         }
         if (!out.tau_s.given() && out.tau_s.reason.code == ReasonCode::one_direction) {
             fit_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
