@@ -3,18 +3,17 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_log.h"
 #include "app/cli_simulate_options.h"
+#include "app/cli_support.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <exception>
-#include <iostream>
 #include <span>
+#include <sstream>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace {
@@ -79,15 +78,10 @@ bool asks_for_json(std::span<char*> words) {
 
 // --help and --version, which may be read by something that ends before they do.
 int printed(const CLI::App& app, const CLI::ParseError& asked) {
-    const int status = app.exit(asked);
-    std::cout.flush();
-    if (!std::cout) {
-        return Log(false, true)
-            .fail({ErrorCode::output_failed,
-                   "standard output",
-                   {std::generic_category().message(errno)}});
-    }
-    return status;
+    std::ostringstream out;
+    const int status = app.exit(asked, out, out);
+    const Status written = write_text(out.str(), JobControl());
+    return written ? status : Log(false, true).fail(written.error());
 }
 
 int run(int argc, char** argv) {

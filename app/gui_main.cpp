@@ -4,6 +4,7 @@
 #include "app/option_values.h"
 #include "app/process_guard.h"
 #include "core/base/messages.h"
+#include "core/report/output_file.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 
@@ -13,14 +14,13 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <iostream>
 #include <optional>
-#include <system_error>
+#include <sstream>
+#include <unistd.h>
 #include <utility>
 
 namespace {
@@ -151,12 +151,12 @@ int window_mode(int argc, char** argv, const FigureRequest& request) {
 }
 
 int printed(const CLI::App& app, const CLI::ParseError& asked) {
-    const int status = app.exit(asked);
-    std::cout.flush();
-    return std::cout ? status
-                     : fail({ErrorCode::output_failed,
-                             "standard output",
-                             {std::generic_category().message(errno)}});
+    std::ostringstream text;
+    const int status = app.exit(asked, text, text);
+    OutputFile output = OutputFile::onto(STDOUT_FILENO, "standard output", JobControl());
+    Status written = output.write(text.str());
+    written = written ? output.commit() : written;
+    return written ? status : fail(written.error());
 }
 
 int run(int argc, char** argv) {

@@ -21,9 +21,25 @@ fftw_complex* as_fftw(std::span<std::complex<double>> data) {
     return reinterpret_cast<fftw_complex*>(data.data());  // the same layout, by both standards
 }
 
+// FFTW ends the program where it gets no memory. What it may need, and a little for its many small
+// pieces, is asked for before: that throws std::bad_alloc. The memory is never touched.
+void ask_for_memory(std::size_t elements) {
+    std::allocator<std::complex<double>> memory;
+    const std::size_t count = elements + (std::size_t{1} << 16);
+    memory.deallocate(memory.allocate(count), count);
+}
+
+// Shorter transforms have no buffers of their own that count.
+void ask_for_buffers(std::size_t size) {
+    if (size >= std::size_t{1} << 16) {
+        ask_for_memory(size);
+    }
+}
+
 }  // namespace
 
 Fft::Fft(std::size_t size) : size_(size) {
+    ask_for_memory(4 * size);
     // An estimated plan looks at the array's place alone: its memory is never touched.
     const std::unique_ptr<double[]> scratch(new double[2 * size]);
     auto* const array = reinterpret_cast<fftw_complex*>(scratch.get());
@@ -43,10 +59,12 @@ Fft::~Fft() {
 }
 
 void Fft::forward(std::span<std::complex<double>> data) const {
+    ask_for_buffers(size_);
     fftw_execute_dft(forward_, as_fftw(data), as_fftw(data));
 }
 
 void Fft::inverse(std::span<std::complex<double>> data) const {
+    ask_for_buffers(size_);
     fftw_execute_dft(inverse_, as_fftw(data), as_fftw(data));
 }
 
