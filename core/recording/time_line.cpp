@@ -219,71 +219,102 @@ TimeLine::Line TimeLine::fit_line(const std::vector<RowStretch>& stretches) cons
     return line;
 }
 
-// Rounded times leave an interval of slopes open: those of the lines that pass each time within
-// half of its last digit. Brings the slope into it, and gives its standard deviation as that of a
-// slope that may lie anywhere in there. Where no line passes all of them, the largest deviation
-// from this one stands for that of each time.
-void TimeLine::narrow_slope(const std::vector<RowStretch>& stretches,
-                            const TimeResolution& resolution, Line& line) const {
-    std::vector<Bound> most;
-    std::vector<Bound> least;
-    double largest_s = 0;  // deviation from the line
+// The bounds that rounding by half of the last digit sets to a straight line.
+TimeLine::Bounds TimeLine::bounds(const std::vector<RowStretch>& stretches,
+                                  const TimeResolution& resolution, const Line& line) const {
+    Bounds result;
     const double reach_s =
         std::max(std::abs(stretches_.front().first_s), std::abs(stretches_.back().last_s));
     for (std::size_t s = 0; s < stretches.size(); ++s) {
         const auto first = static_cast<double>(stretches[s].first_frame);
         for (const Hull& hull : stretches_[s].hulls) {
+            // Well inside of the decade, whatever way its edges are rounded.
             const double time_s = hull.decade == no_decade ? 0 : 2 * std::pow(10.0, hull.decade);
             const double half_s = 0.5 * resolution.at(time_s) + arithmetic_error * reach_s;
-            const auto add = [&](const Chain& chain, double allowance, std::vector<Bound>& bounds) {
-                for (const Point& point : chain.points) {
-                    const double frame = first + point.row;
-                    const double late_s = line.offsets[s] + point.late_s;
-                    bounds.push_back({frame, late_s + allowance});
-                    const double expected =
-                        line.mean_late_s + line.slope * (frame - line.mean_frame);
-                    largest_s = std::max(largest_s, std::abs(late_s - expected));
-                }
-            };
-            add(hull.early, half_s, most);
-            add(hull.late, -half_s, least);
+            for (const Point& point : hull.early.points) {
+                result.most.push_back(
+                    {first + point.row, line.offsets[s] + point.late_s + half_s});
+            }
+            for (const Point& point : hull.late.points) {
+                result.least.push_back(
+                    {first + point.row, line.offsets[s] + point.late_s - half_s});
+            }
         }
+        // The last row, which the hulls may leave out, has the longest lever.
+        const Stretch& stretch = stretches_[s];
+        const auto last = static_cast<double>(stretch.rows - 1);
+        const double late_s =
+            line.offsets[s] + stretch.last_s - stretch.first_s - step_s_ * last;
+        const double half_s = 0.5 * resolution.at(stretch.last_s) + arithmetic_error * reach_s;
+        result.most.push_back({first + last, late_s + half_s});
+        result.least.push_back({first + last, late_s - half_s});
     }
+    return result;
+}
+
+// Rounded times leave an interval of slopes open: those of the lines that pass each time within
+// half of its last digit. Takes the slope from there, with the standard deviation of one that may lie
+// anywhere in it. Returns false and leaves the line where no line passes all of them.
+bool TimeLine::pass_all(const Bounds& bounds, Line& line) const {
     double lowest = -std::numeric_limits<double>::infinity();
     double highest = std::numeric_limits<double>::infinity();
     // Some of many bounds leave a wider interval open than all of them.
-    const auto stride = [](const std::vector<Bound>& bounds) {
-        return std::max<std::size_t>(bounds.size() / most_bounds, 1);
+    const auto stride = [](const std::vector<Bound>& all) {
+        return std::max<std::size_t>(all.size() / most_bounds, 1);
     };
-    for (std::size_t i = 0; i < most.size(); i += stride(most)) {
-        for (std::size_t j = 0; j < least.size(); j += stride(least)) {
-            const double frames = most[i].frame - least[j].frame;
-            const double slope = (most[i].late_s - least[j].late_s) / frames;
+    for (std::size_t i = 0; i < bounds.most.size(); i += stride(bounds.most)) {
+        for (std::size_t j = 0; j < bounds.least.size(); j += stride(bounds.least)) {
+            const Bound& most = bounds.most[i];
+            const Bound& least = bounds.least[j];
+            const double frames = most.frame - least.frame;
+            const double slope = (most.late_s - least.late_s) / frames;
             lowest = frames < 0 ? std::max(lowest, slope) : lowest;
             highest = frames > 0 ? std::min(highest, slope) : highest;
         }
     }
     if (!(lowest <= highest) || !std::isfinite(lowest) || !std::isfinite(highest)) {
-        line.slope_sd = largest_s / std::sqrt(line.squares);
-        return;
+        return false;
     }
-    line.slope = std::clamp(line.slope, lowest, highest);
-    const double off_centre = line.slope - 0.5 * (lowest + highest);
-    line.slope_sd = std::hypot((highest - lowest) / std::sqrt(12.0), off_centre);
+    const double middle = 0.5 * (lowest + highest);
+    const double middle_sd = (highest - lowest) / std::sqrt(12.0);
+    const double off_middle = line.slope - middle;
+    // Few steps of rounding pull the slope of least squares; many leave it right to the last digit.
+    const bool pulled = std::abs(off_middle) > middle_sd;
+    const double slope = pulled ? middle : line.slope;
+    double earliest = -std::numeric_limits<double>::infinity();  // late_s at the frame 0
+    double latest = std::numeric_limits<double>::infinity();
+    for (const Bound& bound : bounds.least) {
+        earliest = std::max(earliest, bound.late_s - slope * bound.frame);
+    }
+    for (const Bound& bound : bounds.most) {
+        latest = std::min(latest, bound.late_s - slope * bound.frame);
+    }
+    // The rows that the hulls leave out lie as much further outside as the line rises over them.
+    if (earliest > latest + 2 * rows_left_out * std::abs(slope)) {
+        return false;
+    }
+    line.slope = slope;
+    line.mean_late_s = 0.5 * (earliest + latest) + slope * line.mean_frame;
+    line.slope_sd = pulled ? middle_sd : std::hypot(middle_sd, off_middle);
+    return true;
 }
 
-bool TimeLine::explained(const std::vector<RowStretch>& stretches, const Line& line,
-                         const TimeResolution& resolution) const {
+// Whether no time lies further from the line than to_uniform_grid() allows. The largest deviation
+// then stands for that of each time in the slope's standard deviation.
+bool TimeLine::pass_nearly(const std::vector<RowStretch>& stretches,
+                           const TimeResolution& resolution, Line& line) const {
+    double largest_s = 0;
     for (std::size_t s = 0; s < stretches.size(); ++s) {
         for (const Hull& hull : stretches_[s].hulls) {
-            // Well inside of the decade, whatever way its edges are rounded.
             const double time_s = hull.decade == no_decade ? 0 : 2 * std::pow(10.0, hull.decade);
             const double allowed = allowed_deviation(step_s_ + line.slope, resolution, time_s) -
                                    rows_left_out * std::abs(line.slope);
             const auto fits = [&](const Point& point) {
                 const double frame = static_cast<double>(stretches[s].first_frame) + point.row;
                 const double expected = line.mean_late_s + line.slope * (frame - line.mean_frame);
-                return std::abs(line.offsets[s] + point.late_s - expected) <= allowed;
+                const double deviation_s = std::abs(line.offsets[s] + point.late_s - expected);
+                largest_s = std::max(largest_s, deviation_s);
+                return deviation_s <= allowed;
             };
             if (!std::ranges::all_of(hull.early.points, fits) ||
                 !std::ranges::all_of(hull.late.points, fits)) {
@@ -291,6 +322,7 @@ bool TimeLine::explained(const std::vector<RowStretch>& stretches, const Line& l
             }
         }
     }
+    line.slope_sd = largest_s / std::sqrt(line.squares);
     return true;
 }
 
@@ -309,10 +341,10 @@ std::optional<EvenTimes> TimeLine::judge(const TimeResolution& resolution) const
     }
     EvenTimes even{.stretches = number_rows(*step_s)};
     Line line = fit_line(even.stretches);
-    if (!explained(even.stretches, line, resolution)) {
+    if (!pass_all(bounds(even.stretches, resolution, line), line) &&
+        !pass_nearly(even.stretches, resolution, line)) {
         return std::nullopt;
     }
-    narrow_slope(even.stretches, resolution, line);
     even.rate_hz = 1 / (step_s_ + line.slope);
     even.rate_relative_sd = line.slope_sd * even.rate_hz;
     return even;

@@ -96,6 +96,11 @@ private:
         double late_s;
     };
 
+    struct Bounds {
+        std::vector<Bound> most;
+        std::vector<Bound> least;
+    };
+
     struct Line;  // of least squares through all rows
 
     bool continues(double time_s);
@@ -104,10 +109,11 @@ private:
     std::optional<double> fitted_step() const;
     std::vector<RowStretch> number_rows(double step_s) const;
     Line fit_line(const std::vector<RowStretch>& stretches) const;
-    bool explained(const std::vector<RowStretch>& stretches, const Line& line,
-                   const TimeResolution& resolution) const;
-    void narrow_slope(const std::vector<RowStretch>& stretches, const TimeResolution& resolution,
-                      Line& line) const;
+    Bounds bounds(const std::vector<RowStretch>& stretches, const TimeResolution& resolution,
+                  const Line& line) const;
+    bool pass_all(const Bounds& bounds, Line& line) const;
+    bool pass_nearly(const std::vector<RowStretch>& stretches, const TimeResolution& resolution,
+                     Line& line) const;
 
     double step_s_;
     TimeResolution expected_;

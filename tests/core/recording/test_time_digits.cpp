@@ -85,9 +85,11 @@ void TestTimeDigits::times_of_few_digits_give_the_rate_within_two_of_its_deviati
     QVERIFY(recording.diagnostics.empty());
     const double error = recording.rate_hz / rate_hz - 1;
     const double sd = recording.rate_relative_sd;
-    QVERIFY2(sd > 0 && std::abs(error) <= 2.001 * sd,
+    // Where rounding meets halves of the last digit (48000 Hz), the times tell the rate exactly.
+    QVERIFY2(std::abs(error) <= 2.001 * sd + 1e-15,
              qPrintable(QString("error %1, sd %2").arg(error).arg(sd)));
-    QVERIFY2(sd < 0.6 * coarsest / seconds, qPrintable(QString::number(sd)));
+    // No more than a slope that lies anywhere within a digit at either end.
+    QVERIFY2(sd < 0.82 * coarsest / seconds, qPrintable(QString::number(sd)));
 }
 
 void TestTimeDigits::lost_samples_are_found_where_the_digits_become_coarser() {

@@ -174,23 +174,28 @@ void TestTimeGrid::lost_samples_of_jittered_times_become_gaps_too() {
 }
 
 void TestTimeGrid::a_clock_as_coarse_as_the_sample_period_still_shows_lost_samples() {
-    const Folder folder;
-    std::string text = "t,C,D\n";
-    for (int i = 0; i < 500; ++i) {
-        if (i != 250) {
-            text += "0." + QString("%1").arg(i, 3, 10, QChar('0')).toStdString() + "," +
-                    std::to_string(i % 7) + ",1\n";
+    const auto thousand_per_second_without = [](int lost, int count) {
+        const Folder folder;
+        std::string text = "t,C,D\n";
+        for (int i = 0; i < 500; ++i) {
+            if (i < lost || i >= lost + count) {
+                text += "0." + QString("%1").arg(i, 3, 10, QChar('0')).toStdString() + "," +
+                        std::to_string(i % 7) + ",1\n";
+            }
         }
-    }
-    const Recording recording = opened(folder.write("run", text));
-    // As well as three digits of 500 times tell it.
-    const double off = std::abs(recording.rate_hz / 1000 - 1);
-    QVERIFY2(off <= 2 * recording.rate_relative_sd && off < 1e-4,
-             qPrintable(QString("%1, sd %2").arg(off).arg(recording.rate_relative_sd)));
-    QCOMPARE(recording.frames(), 500);
-    QCOMPARE(recording.diagnostics.size(), 1u);
-    QCOMPARE(recording.diagnostics[0].first_frame, 250);
-    QVERIFY(std::isnan(read_all(recording).c[250]));
+        return opened(folder.write("run", text));
+    };
+    const Recording two = thousand_per_second_without(250, 2);
+    QVERIFY(std::abs(two.rate_hz / 1000 - 1) < 1e-9);
+    QCOMPARE(two.frames(), 500);
+    QCOMPARE(two.diagnostics.size(), 1u);
+    QCOMPARE(two.diagnostics[0].first_frame, 250);
+    QCOMPARE(two.diagnostics[0].count, 2);
+    QVERIFY(std::isnan(read_all(two).c[250]));
+    // One long step of the last digit may as well be that of a rate of 998 Hz: the deviation of the
+    // rate leaves both open.
+    const Recording one = thousand_per_second_without(250, 1);
+    QVERIFY(std::abs(one.rate_hz - 1000) <= 2 * one.rate_relative_sd * one.rate_hz);
 }
 
 void TestTimeGrid::a_clock_coarser_than_half_a_period_makes_no_gaps_of_its_own() {
