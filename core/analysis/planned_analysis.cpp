@@ -24,11 +24,11 @@ void add_diagnostics(const EstimationSummary& estimation, AnalysisSummary& analy
             {DiagnosticKind::leakage,
              {integer_text(estimation.leaking), integer_text(analysis.plan.count)}});
     }
-    if (!estimation.moving.empty()) {
-        std::size_t moving = 0;
-        for (const FlaggedRows& rows : estimation.moving) {
-            moving += rows.count;
-        }
+    std::size_t moving = 0;
+    for (const FlaggedRows& rows : analysis.flagged) {
+        moving += rows.flag == Flag::moving ? rows.count : 0;
+    }
+    if (moving > 0) {
         analysis.diagnostics.push_back(
             {DiagnosticKind::wave_moves,
              {integer_text(static_cast<std::int64_t>(moving)), integer_text(analysis.plan.count)}});
@@ -113,8 +113,9 @@ Result<AnalysisSummary> analyse_planned(const Recording& recording, const Settin
     const SampleFaults faults = planned.check->finish();
     add_findings(faults.findings, analysis.diagnostics);
     analysis.flagged = windows_over(faults, planned.plan);
-    analysis.flagged.insert(analysis.flagged.end(), estimation->moving.begin(),
-                            estimation->moving.end());
+    const std::vector<FlaggedRows> moving =
+        moving_apart(estimation->moving, analysis.flagged, planned.plan);
+    analysis.flagged.insert(analysis.flagged.end(), moving.begin(), moving.end());
     std::ranges::stable_sort(analysis.flagged, {}, &FlaggedRows::first);
     analysis.means = estimation->track;
     add_diagnostics(*estimation, analysis);

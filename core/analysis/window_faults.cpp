@@ -47,4 +47,30 @@ std::vector<FlaggedRows> windows_over(const SampleFaults& faults, const WindowPl
     return flagged;
 }
 
+std::vector<FlaggedRows> moving_apart(const std::vector<FlaggedRows>& moving,
+                                      const std::vector<FlaggedRows>& over_faults,
+                                      const WindowPlan& plan) {
+    const auto reach = static_cast<std::size_t>((2 * plan.length + plan.hop - 1) / plan.hop);
+    std::vector<FlaggedRows> apart;
+    for (const FlaggedRows& rows : moving) {
+        std::size_t first = rows.first;
+        const std::size_t end = rows.first + rows.count;
+        for (const FlaggedRows& fault : over_faults) {
+            const std::size_t from = fault.first - std::min(fault.first, reach);
+            const std::size_t to = fault.first + fault.count + reach;
+            if (to <= first || from >= end) {
+                continue;
+            }
+            if (from > first) {
+                apart.push_back({first, from - first, rows.flag});
+            }
+            first = std::min(to, end);
+        }
+        if (first < end) {
+            apart.push_back({first, end - first, rows.flag});
+        }
+    }
+    return apart;
+}
+
 }  // namespace vybeg

@@ -13,4 +13,10 @@ namespace vybeg {
 // stretches of one flag do not overlap.
 std::vector<FlaggedRows> windows_over(const SampleFaults& faults, const WindowPlan& plan);
 
+// The rows of `moving` that no window over a fault explains: all but those within two
+// windows' lengths of `over_faults`, as far as motion is looked for.
+std::vector<FlaggedRows> moving_apart(const std::vector<FlaggedRows>& moving,
+                                      const std::vector<FlaggedRows>& over_faults,
+                                      const WindowPlan& plan);
+
 }  // namespace vybeg

@@ -25,8 +25,8 @@ Hdf5Handle access_to_file() {
     Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
     H5Pset_cache(access.get(), 0, chunk_slots, chunk_cache_bytes, 1.0);
     H5Pset_file_locking(access.get(), false, true);  // also where another program writes
-    // A part whose check sum is wrong may be in writing; each attempt waits twice as long as the one
-    // before, from 1 ns: 1 ms together, where the library's own 100 never end.
+    // A part whose check sum is wrong may be in writing; each attempt waits twice as long as the
+    // one before, from 1 ns: 1 ms together, where the library's own 100 never end.
     H5Pset_metadata_read_attempts(access.get(), 20);
     return access;
 }

@@ -232,8 +232,7 @@ TimeLine::Bounds TimeLine::bounds(const std::vector<RowStretch>& stretches,
             const double time_s = hull.decade == no_decade ? 0 : 2 * std::pow(10.0, hull.decade);
             const double half_s = 0.5 * resolution.at(time_s) + arithmetic_error * reach_s;
             for (const Point& point : hull.early.points) {
-                result.most.push_back(
-                    {first + point.row, line.offsets[s] + point.late_s + half_s});
+                result.most.push_back({first + point.row, line.offsets[s] + point.late_s + half_s});
             }
             for (const Point& point : hull.late.points) {
                 result.least.push_back(
@@ -243,8 +242,7 @@ TimeLine::Bounds TimeLine::bounds(const std::vector<RowStretch>& stretches,
         // The last row, which the hulls may leave out, has the longest lever.
         const Stretch& stretch = stretches_[s];
         const auto last = static_cast<double>(stretch.rows - 1);
-        const double late_s =
-            line.offsets[s] + stretch.last_s - stretch.first_s - step_s_ * last;
+        const double late_s = line.offsets[s] + stretch.last_s - stretch.first_s - step_s_ * last;
         const double half_s = 0.5 * resolution.at(stretch.last_s) + arithmetic_error * reach_s;
         result.most.push_back({first + last, late_s + half_s});
         result.least.push_back({first + last, late_s - half_s});
@@ -253,8 +251,8 @@ TimeLine::Bounds TimeLine::bounds(const std::vector<RowStretch>& stretches,
 }
 
 // Rounded times leave an interval of slopes open: those of the lines that pass each time within
-// half of its last digit. Takes the slope from there, with the standard deviation of one that may lie
-// anywhere in it. Returns false and leaves the line where no line passes all of them.
+// half of its last digit. Takes the slope from there, with the standard deviation of one that may
+// lie anywhere in it. Returns false and leaves the line where no line passes all of them.
 bool TimeLine::pass_all(const Bounds& bounds, Line& line) const {
     double lowest = -std::numeric_limits<double>::infinity();
     double highest = std::numeric_limits<double>::infinity();

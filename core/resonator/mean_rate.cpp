@@ -11,20 +11,21 @@ namespace {
 
 constexpr Eigen::Index most_blocks = 48;
 
-constexpr Eigen::Index trend_order = 2;
+constexpr Eigen::Index straight = 1;
+constexpr Eigen::Index parabola = 2;
 
 // The parts' constants and powers of time over the series, from -1 to 1, times the weights.
 Eigen::MatrixXd trend_functions(const Eigen::VectorXd& t, const Eigen::VectorXd& root_weight,
-                                const std::vector<std::size_t>& part) {
+                                const std::vector<std::size_t>& part, Eigen::Index order) {
     const auto parts = static_cast<Eigen::Index>(part.empty() ? 1 : part.back() + 1);
     const Eigen::ArrayXd from_middle = t.array() - (t.minCoeff() + t.maxCoeff()) / 2;
     const Eigen::VectorXd scaled = from_middle / from_middle.maxCoeff();
-    Eigen::MatrixXd functions = Eigen::MatrixXd::Zero(t.size(), parts + trend_order);
+    Eigen::MatrixXd functions = Eigen::MatrixXd::Zero(t.size(), parts + order);
     for (Eigen::Index k = 0; k < t.size(); ++k) {
         const std::size_t own = part.empty() ? 0 : part[static_cast<std::size_t>(k)];
         functions(k, static_cast<Eigen::Index>(own)) = root_weight[k];
     }
-    for (Eigen::Index k = 1; k <= trend_order; ++k) {
+    for (Eigen::Index k = 1; k <= order; ++k) {
         functions.col(parts + k - 1) =
             root_weight.array() * scaled.array().pow(static_cast<double>(k));
     }
@@ -35,6 +36,34 @@ Eigen::Map<const Eigen::VectorXd> view(const std::vector<double>& values) {
     return {values.data(), std::ssize(values)};
 }
 
+// A trend of least squares, and its last coefficient over that one's deviation in white noise.
+struct Trend {
+    Eigen::VectorXd value;
+    double last_over_sd = 0;
+};
+
+Trend fitted_trend(const RateSeries& series, Eigen::Index order) {
+    const Eigen::VectorXd root_weight = view(series.sd).cwiseInverse();
+    const Eigen::MatrixXd functions =
+        trend_functions(view(series.time_s), root_weight, series.part, order);
+    const Eigen::VectorXd weighted = view(series.value).cwiseProduct(root_weight);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(functions);
+    const Eigen::Index last = functions.cols() - 1;
+    // The last row of R belongs to the last coefficient alone.
+    const Eigen::VectorXd rotated = qr.householderQ().transpose() * weighted;
+    return {
+        (functions * functions.colPivHouseholderQr().solve(weighted)).cwiseQuotient(root_weight),
+        rotated[last]};
+}
+
+// A bend that noise about the carrier may have made is left to be judged as noise; one beyond this
+// many deviations is the wave's own.
+constexpr double own_bend = 8;
+
+Eigen::Index order_of(const RateSeries& series) {
+    return std::abs(fitted_trend(series, parabola).last_over_sd) > own_bend ? parabola : straight;
+}
+
 // Means over blocks of consecutive windows.
 struct Blocks {
     Eigen::VectorXd time_s;
@@ -43,11 +72,13 @@ struct Blocks {
     Eigen::VectorXd line;  // coefficients of the slope, times sd
     std::vector<std::size_t> part;
     double length_s = 0;
+    Eigen::Index order = straight;  // of the trend
 };
 
 Blocks blocks_of(const RateSeries& series, const Eigen::VectorXd& coefficients, double inflation) {
     const auto t = view(series.time_s);
-    const Eigen::VectorXd residual = view(series.value) - view(trend_of(series));
+    const Eigen::Index order = order_of(series);
+    const Eigen::VectorXd residual = view(series.value) - fitted_trend(series, order).value;
     const Eigen::VectorXd weight = view(series.sd).cwiseAbs2().cwiseInverse() / inflation;
     const Eigen::Index n = t.size();
     const Eigen::Index count = std::min(n, most_blocks);
@@ -57,7 +88,8 @@ Blocks blocks_of(const RateSeries& series, const Eigen::VectorXd& coefficients, 
                   Eigen::VectorXd(count),
                   {},
                   (t[n - 1] - t[0]) / static_cast<double>(std::max<Eigen::Index>(n - 1, 1)) *
-                      static_cast<double>(n) / static_cast<double>(count)};
+                      static_cast<double>(n) / static_cast<double>(count),
+                  order};
     for (Eigen::Index b = 0; b < count; ++b) {
         const Eigen::Index first = b * n / count;
         const Eigen::Index size = (b + 1) * n / count - first;
@@ -120,7 +152,7 @@ struct Evidence {
 Evidence evidence_of(const Blocks& blocks, const std::vector<double>& tried_widths) {
     const Eigen::Index n = blocks.time_s.size();
     const Eigen::MatrixXd absorbed =
-        trend_functions(blocks.time_s, blocks.sd.cwiseInverse(), blocks.part);
+        trend_functions(blocks.time_s, blocks.sd.cwiseInverse(), blocks.part, blocks.order);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(absorbed);
     const Eigen::MatrixXd all = qr.householderQ() * Eigen::MatrixXd::Identity(n, n);
     const Eigen::MatrixXd left = all.rightCols(n - qr.rank());
@@ -191,13 +223,8 @@ Eigen::VectorXd slope_coefficients(const RateSeries& series) {
 }  // namespace
 
 std::vector<double> trend_of(const RateSeries& series) {
-    const Eigen::VectorXd root_weight = view(series.sd).cwiseInverse();
-    const Eigen::MatrixXd functions =
-        trend_functions(view(series.time_s), root_weight, series.part);
-    const Eigen::VectorXd weighted = view(series.value).cwiseProduct(root_weight);
-    const Eigen::VectorXd fitted =
-        (functions * functions.colPivHouseholderQr().solve(weighted)).cwiseQuotient(root_weight);
-    return {fitted.begin(), fitted.end()};
+    const Eigen::VectorXd trend = fitted_trend(series, parabola).value;
+    return {trend.begin(), trend.end()};
 }
 
 std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation) {
@@ -212,17 +239,17 @@ std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double infl
     }
     std::vector<MeanRate> rates;
     for (std::size_t s = 0; s < series.size(); ++s) {
-        const Eigen::VectorXd& line = coefficients[s];
+        const Eigen::VectorXd& slope = coefficients[s];
         const auto sd = view(series[s].sd);
-        const double white = inflation * line.cwiseProduct(sd).squaredNorm();
+        const double white = inflation * slope.cwiseProduct(sd).squaredNorm();
         double added = 0;
-        double later = 0;  // the line's coefficients from here on
+        double later = 0;  // the slope's coefficients from here on
         for (Eigen::Index k = std::ssize(series[s].step_variance); k-- > 0;) {
-            later += line[k];
+            later += slope[k];
             added += later * later * series[s].step_variance[static_cast<std::size_t>(k)];
         }
         rates.push_back(
-            {line.dot(view(series[s].value)),
+            {slope.dot(view(series[s].value)),
              std::sqrt(white + added_by_colour(evidence, s) + inflation * std::max(added, 0.0))});
     }
     return rates;

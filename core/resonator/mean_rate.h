@@ -34,7 +34,8 @@ std::vector<double> trend_of(const RateSeries& series);
 // 0.28/T by factors of two; the deviation is the mean over the likelihood. Noise about the carrier
 // is common to all series: series that show little by themselves add to the likelihood of the
 // others. a is zero where the logarithm rises by less than 3. The slope of a bent motion is the
-// mean of its rate; what the trend does not follow of it counts as noise. `inflation` multiplies
+// mean of its rate; what a straight line does not follow of it counts as noise, or a parabola where
+// the bend is beyond eight deviations of white noise. `inflation` multiplies
 // the variances of means over many windows (noise that is correlated from window to window).
 // Precondition: at least eight values each, times rise.
 std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation);

@@ -236,7 +236,8 @@ private:
         }
     }
 
-    // Largest statistical deviations of the travelling waves u+- = c +- i d of a run's start.
+    // Largest statistical deviations of the travelling waves u+- = c +- i d of a run's start, but
+    // for the phase common to both: it turns along with frequencies that are not seen.
     struct TravellingSd {
         double plus = 0;
         double minus = 0;
@@ -246,7 +247,11 @@ private:
         const Posterior& p = set_.posterior;
         const Index first =
             std::ranges::find(p.active, set_.problem->layout.at(run, start_at)) - p.active.begin();
-        const Eigen::Matrix4d start = (p.data + p.nothing).block<4, 4>(first, first);
+        const Eigen::Vector4d wave = p.p.segment<4>(set_.problem->layout.at(run, start_at));
+        const Eigen::Vector4d turned =
+            Eigen::Vector4d(-wave[1], wave[0], -wave[3], wave[2]).normalized();
+        const Eigen::Matrix4d rest = Eigen::Matrix4d::Identity() - turned * turned.transpose();
+        const Eigen::Matrix4d start = rest * (p.data + p.nothing).block<4, 4>(first, first) * rest;
         const auto largest = [&](double sign) {
             Eigen::Matrix<double, 2, 4> of_start;
             of_start << 1, 0, 0, -sign, 0, 1, sign, 0;

@@ -35,7 +35,7 @@ const std::set<QString> anyLanguage{
     "WAV",   "FLAC",    "CSV", "PNG",         "SVG",   "PDF",     "NPZ",    "MAT",
     "HDF",   "SHA",     "NaN", "nan",         "rms",   "demo",    "wav",    "Home",
     "Ctrl",  "Shift",   "Alt", "Del",         "Space", "png",     "csv",    "bits",
-    "cos",   "sin",     "opt", "Return",      "json"};
+    "cos",   "sin",     "opt", "Return",      "json",  "ppm"};
 
 // All texts that a widget shows or tells a screen reader.
 QStringList textsOf(const QWidget& widget) {
@@ -186,8 +186,9 @@ private slots:
         lupdate.start(
             VYBEG_LUPDATE,
             {"-silent", "-I", ".", "-locations", "none", "-no-obsolete", "-tr-function-alias",
-             "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE", "ui", "app", "core/base/messages.cpp", "core/base/diagnostic_messages.cpp",
-             "core/resonator/reason.cpp", "core/resonator/passport.cpp", "core/track/slow_variables.cpp", "-ts", copy});
+             "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE", "ui", "app", "core/base/messages.cpp",
+             "core/base/diagnostic_messages.cpp", "core/resonator/reason.cpp",
+             "core/resonator/passport.cpp", "core/track/slow_variables.cpp", "-ts", copy});
         QVERIFY(lupdate.waitForFinished(60000));
         QCOMPARE(lupdate.exitCode(), 0);
 

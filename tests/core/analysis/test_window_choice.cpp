@@ -268,10 +268,13 @@ private slots:
             }
             const PhasorWindows found = found_in({c, d, 0}, rate, {});
             const WaveMotion wave = wave_motion(found.run);
-            // The bent phase has no slope but by the same line, weights |z|^2.
+            // The bent phase has no slope but by the same line, weights |z|^2, of the windows
+            // behind the outliers.
+            std::vector<double> times = found.run.time_s;
+            std::erase_if(times, [&](double t) { return t - found.run.window_s / 2 < 60; });
             double weights = 0;
             double mean_s = 0;
-            for (const double t : found.run.time_s) {
+            for (const double t : times) {
                 weights += std::exp(-2 * t / pendulum.tau_s);
                 mean_s += t * std::exp(-2 * t / pendulum.tau_s);
             }
@@ -279,7 +282,7 @@ private slots:
             double spread = 0;
             double rise = 0;
             double growth = 0;
-            for (const double t : found.run.time_s) {
+            for (const double t : times) {
                 const double lever = std::exp(-2 * t / pendulum.tau_s) * (t - mean_s);
                 spread += lever * t;
                 rise += lever * (pendulum.phase(t) + pendulum.turned_phase(t)) / two_pi;
