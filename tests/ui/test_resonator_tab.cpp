@@ -231,27 +231,23 @@ private slots:
         QVERIFY(!cell("resonator", "Decay time").contains("u "));
         auto& section = the<CalibrationFields>();
         const auto field = [&section](const QString& name) {
-            for (NumberField* each : section.findChildren<NumberField*>()) {
-                if (each->accessibleName() == name) {
-                    return each;
-                }
-            }
-            return static_cast<NumberField*>(nullptr);
+            const auto all = section.findChildren<NumberField*>();
+            return *std::ranges::find(all, name, &QWidget::accessibleName);
         };
         const auto type = [&](const QString& name, const QString& text) {
-            NumberField* found = field(name);
-            QVERIFY2(found, qPrintable(name));
-            found->setText(text);
-            found->setModified(true);  // as by the keyboard
-            found->commit();
+            field(name)->setText(text);
+            field(name)->setModified(true);  // as by the keyboard
+            field(name)->commit();
         };
         QCOMPARE(field("Tolerance of the gain ratio")->placeholderText(), QStringLiteral("0.01"));
-        type("Tolerance of the gain drift", "0.01");
-        type("Tolerance of the delay", "10");
-        type("Tolerance of the non-orthogonality", "0.5");
-        type("Tolerance of the phase drift", "0.001");
-        type("Tolerance of the crosstalk", "0.0001");
-        type("Tolerance of the gain ratio", "0.002");
+        for (const auto& [of, text] : {std::pair{"gain drift", "0.01"},
+                                       {"delay", "10"},
+                                       {"non-orthogonality", "0.5"},
+                                       {"phase drift", "0.001"},
+                                       {"crosstalk", "0.0001"},
+                                       {"gain ratio", "0.002"}}) {
+            type(QStringLiteral("Tolerance of the ") + of, text);
+        }
         const Tolerance wanted{0.002, 0.5, 10e-9, 1e-4, 1e-3, 0.01};
         QCOMPARE(QString::fromStdString(tolerance_text(document().tolerance())),
                  QString::fromStdString(tolerance_text(wanted)));
