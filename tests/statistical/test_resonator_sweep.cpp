@@ -158,16 +158,28 @@ void TestResonatorSweep::oneStillRunTellsWhatItKnows() {
     decay.split_hz = split;
     decay.theta_w = 0.2;
     Scores sine;
+    Scores direction;
     Scores size;
     int given = 0;
     for (const ResonatorFit& fit : fits_of(decay, {10}, 1000)) {
         sine.add(fit.runs[0].split_sin_hz, split * std::sin(4 * (10 * pi / 180 - decay.theta_w)));
+        // Half a split beside the mean, as much as the wave stands along the axis.
+        direction.add(fit.runs[0].direction_f_hz,
+                      decay.f0_hz + 0.5 * split * std::cos(4 * (10 * pi / 180 - decay.theta_w)));
         if (fit.identifiable.split) {
             size.add(fit.resonator.split_hz, split);
             ++given;
         }
     }
-    QCOMPARE(sine.fault(), QString());
+    // A quadrature that hardly grows leaves the second component of the split open; with one of
+    // hertz, the growth at the start is another than the mean (core/README.md).
+    QVERIFY2(sine.worst < 5, qPrintable(QString::number(sine.worst)));
+    if (split >= 1e-4) {
+        QCOMPARE(sine.fault(), QString());
+    }
+    QVERIFY2(direction.worst < 5, qPrintable(QString::number(direction.worst)));
+    QVERIFY2(split > 1e-6 || direction.given == seeds,
+             qPrintable(QString::number(direction.given)));
     QVERIFY2(size.worst < 5, qPrintable(QString::number(size.worst)));
     QVERIFY2(split > 1e-4 || given == 0, qPrintable(QString::number(given)));
     QVERIFY2(split < 1e-2 || given == seeds, qPrintable(QString::number(given)));
