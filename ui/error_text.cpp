@@ -1,6 +1,8 @@
 #include "ui/error_text.h"
 
 #include "core/base/messages.h"
+#include "ui/number_label.h"
+#include "ui/parameter_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -13,21 +15,32 @@ namespace vybeg::ui {
 
 namespace {
 
-// A decimal fraction with the interface's decimal sign; anything else as it is.
-QString localisedNumber(QString text) {
-    static const QRegularExpression fraction(QStringLiteral("^-?\\d+\\.\\d+(e[-+]?\\d+)?$"));
-    return fraction.match(text).hasMatch()
-               ? text.replace(QLatin1Char('.'), QLocale().decimalPoint())
-               : text;
+// A number as the interface writes it, with its decimal sign, a minus and a power of ten; a unit in
+// its language; anything else as it is.
+QString localised(const QString& text) {
+    static const QRegularExpression number(
+        QStringLiteral("^(-?)(\\d+(?:\\.\\d+)?)(?:e([-+]?\\d+))?$"));
+    if (text == QLatin1String("Hz") || text == QLatin1String("1/s")) {
+        return unitText(text.toLatin1().constData());
+    }
+    const QRegularExpressionMatch match = number.match(text);
+    if (!match.hasMatch()) {
+        return text;
+    }
+    const QString power = match.captured(3).isEmpty()
+                              ? QString()
+                              : QStringLiteral("·") + powerOfTen(match.captured(3).toInt());
+    return (match.captured(1).isEmpty() ? QString() : QStringLiteral("−")) +
+           match.captured(2).replace(QLatin1Char('.'), QLocale().decimalPoint()) + power;
 }
 
 QString filled(const char* context, const char* text, const std::vector<std::string>& args) {
     const QString translated = QCoreApplication::translate(context, text);
-    std::vector<std::string> localised;
+    std::vector<std::string> shown;
     for (const std::string& arg : args) {
-        localised.push_back(localisedNumber(QString::fromStdString(arg)).toStdString());
+        shown.push_back(localised(QString::fromStdString(arg)).toStdString());
     }
-    return QString::fromStdString(fill_template(translated.toStdString(), localised));
+    return QString::fromStdString(fill_template(translated.toStdString(), shown));
 }
 
 }  // namespace

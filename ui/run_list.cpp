@@ -213,6 +213,7 @@ void RunList::rebuild() {
             setCurrentItem(topLevelItem(topLevelItemCount() - 1));
         }
     }
+    resizeColumnToContents(time);
     resizeColumnToContents(notes);
     for (QAction* action : {rename_, rerun_, remove_}) {
         action->setEnabled(currentItem() != nullptr);

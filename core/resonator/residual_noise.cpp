@@ -29,6 +29,9 @@ constexpr double negligible_weight = 1e-4;
 constexpr double first_decade = -3;
 constexpr double last_decade = 8;
 constexpr double decade_step = 0.2;
+constexpr std::size_t coarse_step = 3;  // of decade_step, for a first look
+// Beside a first look so far below the best one, nothing has a weight.
+constexpr double hopeless = 13;
 
 // One series of one run, ready for the likelihood.
 struct Block {
@@ -142,7 +145,7 @@ private:
         double top = -std::numeric_limits<double>::infinity();
         ResidualNoise::Part part;
         struct Row {
-            double likelihood;
+            double likelihood = -std::numeric_limits<double>::infinity();
             ResidualNoise::Part part;
         };
         std::vector<Row> table;
@@ -244,22 +247,43 @@ private:
                 unconcerned += log_likelihood(plain(block, given), 0);
             }
         }
+        std::vector<std::vector<Spectrum>> spectra_of(shapes.size());
+        const auto row = [&](std::size_t k, std::size_t step) -> Trial::Row& {
+            return trial.table[k * steps + step];
+        };
+        const auto evaluate = [&](std::size_t k, std::size_t step) {
+            const double a = std::pow(10, first_decade + decade_step * static_cast<double>(step));
+            double sum = unconcerned;
+            for (const Spectrum& at : spectra_of[k]) {
+                sum += log_likelihood(at, a);
+            }
+            row(k, step) = {sum, {shapes[k], a}};
+        };
         tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
-            const std::vector<Spectrum> all = spectra(shapes[k], given);
-            for (std::size_t step = 0; step < steps; ++step) {
-                const double a =
-                    std::pow(10, first_decade + decade_step * static_cast<double>(step));
-                double sum = unconcerned;
-                for (const Spectrum& at : all) {
-                    sum += log_likelihood(at, a);
-                }
-                trial.table[k * steps + step] = {sum, {shapes[k], a}};
+            spectra_of[k] = spectra(shapes[k], given);
+            for (std::size_t step = 0; step < steps; step += coarse_step) {
+                evaluate(k, step);
             }
         });
-        for (const Trial::Row& row : trial.table) {
-            if (row.likelihood > trial.top) {
-                trial.top = row.likelihood;
-                trial.part = row.part;
+        double coarse_top = -std::numeric_limits<double>::infinity();
+        for (const Trial::Row& each : trial.table) {
+            coarse_top = std::max(coarse_top, each.likelihood);
+        }
+        tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
+            for (std::size_t step = 0; step < steps; ++step) {
+                const std::size_t before = step - step % coarse_step;
+                const std::size_t behind =
+                    std::min(before + coarse_step, (steps - 1) / coarse_step * coarse_step);
+                if (step != before && std::max(row(k, before).likelihood,
+                                               row(k, behind).likelihood) > coarse_top - hopeless) {
+                    evaluate(k, step);
+                }
+            }
+        });
+        for (const Trial::Row& each : trial.table) {
+            if (each.likelihood > trial.top) {
+                trial.top = each.likelihood;
+                trial.part = each.part;
             }
         }
         return trial;
