@@ -30,7 +30,7 @@ constexpr double first_decade = -3;
 constexpr double last_decade = 8;
 constexpr double decade_step = 0.2;
 constexpr std::size_t coarse_step = 3;  // of decade_step, for a first look
-// Beside a first look so far below the best one, nothing has a weight.
+// What lies so far below the best has no weight.
 constexpr double hopeless = 13;
 
 // One series of one run, ready for the likelihood.
@@ -258,27 +258,33 @@ private:
                 sum += log_likelihood(at, a);
             }
             row(k, step) = {sum, {shapes[k], a}};
+            return sum;
+        };
+        // A first look at some variances, then those around the best of them, as far as they count.
+        const auto scan = [&](std::size_t k) {
+            double best = -std::numeric_limits<double>::infinity();
+            for (std::size_t step = 0; step < steps; step += coarse_step) {
+                best = std::max(best, evaluate(k, step));
+            }
+            for (bool more = true; more;) {
+                more = false;
+                for (std::size_t step = 0; step < steps; ++step) {
+                    const std::size_t from = step - std::min(step, coarse_step - 1);
+                    const std::size_t to = std::min(step + coarse_step, steps);
+                    bool near = false;
+                    for (std::size_t other = from; other < to; ++other) {
+                        near = near || row(k, other).likelihood >= best - hopeless;
+                    }
+                    if (near && std::isinf(row(k, step).likelihood)) {
+                        best = std::max(best, evaluate(k, step));
+                        more = true;
+                    }
+                }
+            }
         };
         tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
             spectra_of[k] = spectra(shapes[k], given);
-            for (std::size_t step = 0; step < steps; step += coarse_step) {
-                evaluate(k, step);
-            }
-        });
-        double coarse_top = -std::numeric_limits<double>::infinity();
-        for (const Trial::Row& each : trial.table) {
-            coarse_top = std::max(coarse_top, each.likelihood);
-        }
-        tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
-            for (std::size_t step = 0; step < steps; ++step) {
-                const std::size_t before = step - step % coarse_step;
-                const std::size_t behind =
-                    std::min(before + coarse_step, (steps - 1) / coarse_step * coarse_step);
-                if (step != before && std::max(row(k, before).likelihood,
-                                               row(k, behind).likelihood) > coarse_top - hopeless) {
-                    evaluate(k, step);
-                }
-            }
+            scan(k);
         });
         for (const Trial::Row& each : trial.table) {
             if (each.likelihood > trial.top) {
