@@ -42,7 +42,8 @@ void QuantityTable::setContent(const QStringList& headers, const std::vector<Qua
     rows_ = rows;
     clear();
     setRowCount(static_cast<int>(rows.size()));
-    setColumnCount(1 + (rows.empty() ? 0 : static_cast<int>(rows.front().cells.size())));
+    setColumnCount(1 + static_cast<int>(rows.empty() ? static_cast<std::size_t>(headers.size())
+                                                     : rows.front().cells.size()));
     horizontalHeader()->setVisible(!headers.isEmpty());
     setHorizontalHeaderItem(0, new QTableWidgetItem);
     for (int column = 0; column < headers.size(); ++column) {

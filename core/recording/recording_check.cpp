@@ -45,7 +45,7 @@ std::string list_of(const std::vector<int>& candidates, int sign) {
         }
         list += integer_text(std::abs(lost)) + ", ";
     }
-    return list + "...";
+    return list.empty() ? "-" : list + "...";
 }
 
 Diagnostic finding_of(const PhaseStep& step, double rate_hz) {

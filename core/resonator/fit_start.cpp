@@ -176,9 +176,11 @@ MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
         try_start(lengthened.p);
     }
     // What a drift does to a still wave, rates that it does not see can do as well: from there the
-    // fit would not come back.
+    // fit would not come back. Where a small split as well keeps that start above the noise, it is
+    // tried if the other one has not come down to it.
     const Lengthened drifting = fit_lengthening(problem, FirstFit::drifting_wave, job);
-    if (drifting.at_noise) {
+    const double count = residuals(problem, longest(problem));
+    if (drifting.at_noise || best.cost > (1 + 6 * std::sqrt(2 / count)) * count) {
         try_start(drifting.p);
     }
     for (const Pencil kind : {Pencil::two_channels, Pencil::delayed}) {

@@ -28,6 +28,7 @@ constexpr double uneven_turn = 0.003;       // rad
 constexpr double cubic_fall = 25;
 // Of the last step: a tenth of a standard deviation. Along what is not seen a fit creeps for ever.
 constexpr double unfinished_gain = 0.01;
+constexpr int cubic_steps = 200;
 // Size of split and anisotropy from which on they are given, standard deviations.
 constexpr double vector_needs = 3;
 constexpr double vector_needs_coloured = 5;
@@ -108,6 +109,23 @@ private:
         if (main.chi2 - fit.chi2 > cubic_fall * scale) {
             main = std::move(fit);
             problem_.priors = with.priors;
+            polish_cubic(main);
+        }
+    }
+
+    // Without the cubic term the other parameters have stood in for it, far from where they belong:
+    // the way back is long, or begins anew at still waves.
+    void polish_cubic(MapFit& main) const {
+        if (main.converged) {
+            return;
+        }
+        Eigen::VectorXd anew = still_waves(problem_);
+        anew[cubic_at] = main.p[cubic_at];
+        for (const Eigen::VectorXd& start : {main.p, anew}) {
+            MapFit fit = minimise(problem_, start, cubic_steps, job_);
+            if (fit.cost < main.cost) {
+                main = std::move(fit);
+            }
         }
     }
 

@@ -22,12 +22,14 @@ constexpr double seen = 5;
 // An outlier stands this many deviations (robust ones of the scatter, at least the noise's) off.
 constexpr double outlier = 6;
 
-double power_of(const PhasorRun& run, std::size_t k) {
+template <class Windows>
+double power_of(const Windows& run, std::size_t k) {
     return std::norm(run.c[k]) + std::norm(run.d[k]);
 }
 
 // z_j^H z_k: its angle is the phase from window j to window k.
-std::complex<double> product(const PhasorRun& run, std::size_t j, std::size_t k) {
+template <class Windows>
+std::complex<double> product(const Windows& run, std::size_t j, std::size_t k) {
     return std::conj(run.c[j]) * run.c[k] + std::conj(run.d[j]) * run.d[k];
 }
 
@@ -44,6 +46,52 @@ void add(RateSeries& series, double time_s, double value, double sd) {
     series.time_s.push_back(time_s);
     series.value.push_back(value);
     series.sd.push_back(sd);
+}
+
+std::size_t breaks_before(const PhasorRun& run, double time_s) {
+    const auto behind = std::ranges::upper_bound(run.phase_breaks_s, time_s);
+    return static_cast<std::size_t>(behind - run.phase_breaks_s.begin());
+}
+
+// Whether three windows touch, without a break of the phase.
+bool in_a_row(const PhasorRun& run, std::size_t before, std::size_t at, std::size_t behind) {
+    constexpr double even = 0.01;
+    const auto touch = [&](std::size_t j, std::size_t k) {
+        return std::abs(run.time_s[k] - run.time_s[j] - run.window_s) < even * run.window_s;
+    };
+    return touch(before, at) && touch(at, behind) &&
+           breaks_before(run, run.time_s[before]) == breaks_before(run, run.time_s[behind]);
+}
+
+// Phasors at the middles of windows. A mean over w is z + (w^2/24) z'', which counts the mode that
+// lies further from the reference less than the other one: z'' by the neighbours is taken away. A
+// slope keeps its variance, because what is slow passes with a gain of one.
+struct Middles {
+    std::vector<std::complex<double>> c;
+    std::vector<std::complex<double>> d;
+    std::vector<double> noise_gain;  // of the variance of one window
+};
+
+Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
+    constexpr double share = 1.0 / 24;
+    Middles out{run.c, run.d, std::vector<double>(run.c.size(), 1)};
+    for (std::size_t i = 0; i < windows.size() && windows.size() > 2; ++i) {
+        const std::size_t centre = std::clamp<std::size_t>(i, 1, windows.size() - 2);
+        const std::size_t before = windows[centre - 1];
+        const std::size_t at = windows[centre];
+        const std::size_t behind = windows[centre + 1];
+        if (!in_a_row(run, before, at, behind)) {
+            continue;
+        }
+        const auto bend = [&](const std::vector<std::complex<double>>& z) {
+            return share * (z[before] - 2.0 * z[at] + z[behind]);
+        };
+        out.c[windows[i]] -= bend(run.c);
+        out.d[windows[i]] -= bend(run.d);
+        out.noise_gain[windows[i]] = i == centre ? std::pow(1 + 2 * share, 2) + 2 * share * share
+                                                 : std::pow(1 - share, 2) + 5 * share * share;
+    }
+    return out;
 }
 
 // What the noise of a window adds to the phase of all windows behind it: the wave moves on from z
@@ -74,6 +122,7 @@ double usual_rate(const PhasorRun& run, const std::vector<std::size_t>& windows)
 
 Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
     const double rate = usual_rate(run, windows);
+    const Middles z = middles_of(run, windows);
     Motion motion;
     double phase = 0;
     double two_theta = 0;
@@ -81,18 +130,22 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
     for (std::size_t i = 0; i < windows.size(); ++i) {
         const std::size_t k = windows[i];
         const double t = run.time_s[k];
-        std::size_t own = part;
-        while (own < run.phase_breaks_s.size() && run.phase_breaks_s[own] <= t) {
-            ++own;
-        }
+        const std::size_t own = breaks_before(run, t);
         if (i > 0) {
             // Beyond the usual rate, so that gaps are bridged on the right turn.
             const double usual = rate * (t - run.time_s[windows[i - 1]]);
-            const double beyond =
-                std::arg(product(run, windows[i - 1], k) * std::polar(1.0, -usual));
+            const double beyond = std::arg(product(z, windows[i - 1], k) * std::polar(1.0, -usual));
             phase += usual + (part == own ? beyond : 0);
         }
-        const double power = power_of(run, k);
+        // A step counts the mean rate less a sixth of what its cube makes of unequal modes; two
+        // steps at once show that eightfold.
+        if (i > 1 && in_a_row(run, windows[i - 2], windows[i - 1], k)) {
+            phase +=
+                std::arg(product(z, windows[i - 2], windows[i - 1]) *
+                         product(z, windows[i - 1], k) * std::conj(product(z, windows[i - 2], k))) /
+                6;
+        }
+        const double power = power_of(z, k);
         const double sd = run.sd[k];
         add(motion.phase, t, phase, sd / std::sqrt(power));
         part = own;
@@ -100,8 +153,9 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
         const bool inside = i > 0 && i + 1 < windows.size();
         motion.phase.step_variance.push_back(
             inside ? step_variance(run, windows[i - 1], k, windows[i + 1]) : 0);
-        add(motion.amplitude, t, std::log(power - 4 * sd * sd) / 2, sd / std::sqrt(power));
-        const WaveState state = to_wave_state({run.c[k], run.d[k]});
+        add(motion.amplitude, t, std::log(power - 4 * z.noise_gain[k] * sd * sd) / 2,
+            sd / std::sqrt(power));
+        const WaveState state = to_wave_state({z.c[k], z.d[k]});
         if (state.a_A - std::abs(state.a_B) < seen * std::numbers::sqrt2 * sd) {
             continue;
         }

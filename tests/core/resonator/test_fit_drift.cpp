@@ -1,8 +1,41 @@
+#include "core/simulation/decay_motion.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;
 using namespace vybeg::test;
 using std::numbers::pi;
+
+namespace {
+
+// As simulated_phasors(), of a motion that is not linear.
+PhasorRun moved_phasors(const FreeDecay& decay, std::int64_t window, std::uint64_t seed) {
+    DecayMotion motion(decay);
+    GaussianNoise noise(seed);
+    const auto n = static_cast<double>(window);
+    const double sd = decay.noise * std::sqrt(2 / n);
+    PhasorRun run;
+    run.f_ref_hz = decay.f0_hz;
+    run.window_s = n / decay.rate_hz;
+    for (std::int64_t first = 0; first + window <= frame_count(decay); first += window) {
+        Eigen::Vector2cd z = Eigen::Vector2cd::Zero();
+        for (std::int64_t frame = first; frame < first + window; ++frame) {
+            z += motion.next() *
+                 std::polar(1 / n, -2 * pi *
+                                       std::remainder(run.f_ref_hz * static_cast<double>(frame) /
+                                                          decay.rate_hz,
+                                                      1.0));
+        }
+        const auto [c_re, c_im] = noise.next();
+        const auto [d_re, d_im] = noise.next();
+        run.time_s.push_back((static_cast<double>(first) + (n - 1) / 2) / decay.rate_hz);
+        run.c.push_back(z[0] + sd * std::complex(c_re, c_im));
+        run.d.push_back(z[1] + sd * std::complex(d_re, d_im));
+        run.sd.push_back(sd);
+    }
+    return run;
+}
+
+}  // namespace
 
 class TestFitDrift : public QObject {
     Q_OBJECT
@@ -11,6 +44,8 @@ private slots:
     void aDriftIsFoundAndQIsFreeOfIt();
     void aSteadyFrequencyHasNoDrift();
     void aFrequencyThatFollowsTheAmplitudeIsToldFromADrift();
+    void aSmallSplitDoesNotHideADrift();
+    void unequalAmplitudesOfACubicSpringConverge();
     void aStrangePhaseLeavesTheEnvelopeAlone();
 };
 
@@ -67,6 +102,63 @@ void TestFitDrift::aFrequencyThatFollowsTheAmplitudeIsToldFromADrift() {
     VYBEG_NEAR(fit.resonator.frequency_per_power, 0.01, 4, 1e-4);
     VYBEG_NEAR(fit.resonator.tau_s, 30, 4, 0.01);
     QVERIFY(!warns(fit, DiagnosticKind::residual_above_noise));
+}
+
+// Rates that a still wave does not see feign the drift; a fit that begins with them ends at a
+// rotation of 0.26 rad/s.
+void TestFitDrift::aSmallSplitDoesNotHideADrift() {
+    FreeDecay decay = reference();
+    decay.seconds = 14;
+    decay.tau_s = 1659;
+    decay.split_hz = 1.2e-4;
+    decay.theta_w = -0.94;
+    for (const double drift : {-2e-3, -0.95e-3, -0.3e-3, 0.3e-3, 0.95e-3, 2e-3}) {
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            PhasorRun run = simulated_phasors(decay, 290, seed);
+            shift(run, 0, drift);
+            const ResonatorFit fit = fitted({run});
+            QVERIFY(!warns(fit, DiagnosticKind::fit_not_converged));
+            QVERIFY2(fit.chi2_per_dof < 1.25, qPrintable(QString::number(fit.chi2_per_dof)));
+            QVERIFY(!fit.resonator.angle_rate_rad_s.given());
+            VYBEG_NEAR(fit.runs[0].drift_hz_per_s, drift, 4, 1e-6);
+        }
+    }
+}
+
+void TestFitDrift::unequalAmplitudesOfACubicSpringConverge() {
+    FreeDecay gyro = reference();
+    gyro.rate_hz = 20024;
+    gyro.split_hz = 4.74176e-4;
+    gyro.theta_w = -1.30115;
+    gyro.tau_s = 1051;
+    gyro.damping_anisotropy_per_s = 1.627e-4;
+    gyro.theta_tau = -0.84266;
+    gyro.omega_rad_s = -4.4415e-4;
+    gyro.frequency_per_power_hz = -0.015607;
+    gyro.noise = 6.6e-4;
+    struct Start {
+        double seconds, two_theta_A, a_A, a_B;
+    };
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+        std::vector<PhasorRun> runs;
+        for (const Start& start : {Start{19.635, 1.19145, 1, 0},
+                                   {12.539, 2.77829, 0.78846, 0},
+                                   {12.539, 3.36711, 0.476477, -0.174768},
+                                   {12.539, 0.301535, 1, 0}}) {
+            FreeDecay decay = gyro;
+            decay.seconds = start.seconds;
+            decay.two_theta_A = start.two_theta_A;
+            decay.a_A = start.a_A;
+            decay.a_B = start.a_B;
+            runs.push_back(moved_phasors(decay, 300, 10 * seed + runs.size()));
+        }
+        const ResonatorFit fit = fitted(runs);
+        QVERIFY(!warns(fit, DiagnosticKind::fit_not_converged));
+        QVERIFY2(fit.chi2_per_dof < 1.1, qPrintable(QString::number(fit.chi2_per_dof)));
+        VYBEG_NEAR(fit.resonator.frequency_per_power, gyro.frequency_per_power_hz, 4, 3e-5);
+        VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4, 1e-6);
+        VYBEG_NEAR(fit.resonator.kappa, 1, 4, 1e-3);
+    }
 }
 
 void TestFitDrift::aStrangePhaseLeavesTheEnvelopeAlone() {

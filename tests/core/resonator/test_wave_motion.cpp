@@ -155,6 +155,27 @@ private slots:
         }
     }
 
+    void a_fast_beat_loses_nothing_in_the_windows() {
+        for (const double split : {0.5, 1.5, 2.58}) {
+            FreeDecay decay = wave(split, 17, 0);
+            decay.theta_w = 0.8664;
+            decay.damping_anisotropy_per_s = 0;
+            decay.tau_s = 1500;
+            decay.noise = 1e-3;
+            decay.seconds = 14;
+            // The modes' frequencies by their shares of the power, which stay; one of them is near
+            // the reference.
+            const double angle = 4 * (17 * std::numbers::pi / 180 - decay.theta_w);
+            const double offset = 0.4 * split;
+            const double truth = decay.f0_hz + offset + 0.5 * split * std::cos(angle);
+            for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+                const WaveMotion found =
+                    wave_motion(simulated_phasors(decay, window, seed, offset));
+                VYBEG_NEAR(found.f_hz, truth, 5, 1e-4);
+            }
+        }
+    }
+
     void noise_about_the_carrier_is_in_the_deviations_data() {
         QTest::addColumn<double>("half_width_hz");
         QTest::addColumn<double>("size");
