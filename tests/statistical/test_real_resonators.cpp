@@ -19,8 +19,12 @@ private slots:
         QTest::addColumn<double>("lower_hz");
         QTest::addColumn<double>("upper_tau_s");
         QTest::addColumn<double>("lower_tau_s");
-        QTest::newRow("kyoto bell") << "kyoto-bell.wav" << 1023.07 << 1017.81 << 0.86 << 0.86;
-        QTest::newRow("perc bell") << "perc-bell.flac" << 3620.97 << 3615.36 << 0.86 << 0.80;
+        QTest::addColumn<double>("within_hz");
+        QTest::newRow("kyoto bell")
+            << "kyoto-bell.wav" << 1023.07 << 1017.81 << 0.86 << 0.86 << 0.03;
+        // Its frequencies move by as much with the choice of the band.
+        QTest::newRow("perc bell")
+            << "perc-bell.flac" << 3620.97 << 3615.36 << 0.86 << 0.80 << 0.06;
     }
 
     void the_pair_of_a_bell_is_found() {
@@ -29,6 +33,7 @@ private slots:
         QFETCH(double, lower_hz);
         QFETCH(double, upper_tau_s);
         QFETCH(double, lower_tau_s);
+        QFETCH(double, within_hz);
         const QString folder = qEnvironmentVariable("VYBEG_REAL_DATA");
         if (folder.isEmpty()) {
             QSKIP("VYBEG_REAL_DATA is not set: THE REAL RECORDINGS ARE NOT TESTED");
@@ -52,8 +57,8 @@ private slots:
                                      .arg(lower.f_hz.value, 0, 'f', 4)
                                      .arg(lower.tau_s.value);
             qInfo("%s", qPrintable(text));
-            QVERIFY2(std::abs(upper.f_hz.value - upper_hz) < 0.03, qPrintable(text));
-            QVERIFY2(std::abs(lower.f_hz.value - lower_hz) < 0.03, qPrintable(text));
+            QVERIFY2(std::abs(upper.f_hz.value - upper_hz) < within_hz, qPrintable(text));
+            QVERIFY2(std::abs(lower.f_hz.value - lower_hz) < within_hz, qPrintable(text));
             QVERIFY2(std::abs(upper.tau_s.value / upper_tau_s - 1) < 0.1, qPrintable(text));
             QVERIFY2(std::abs(lower.tau_s.value / lower_tau_s - 1) < 0.1, qPrintable(text));
         }
