@@ -22,6 +22,11 @@ constexpr double arithmetic_error = 1e-15;  // of a time, relative to the larges
 
 constexpr int no_decade = std::numeric_limits<int>::min();  // of the time 0
 
+// A time well inside of a decade, whatever way its edges are rounded.
+double time_within(int decade) {
+    return decade == no_decade ? 0 : 2 * std::pow(10.0, decade);
+}
+
 // Sum of the squares of n whole numbers round their mean.
 double spread(double n) {
     return n * (n * n - 1) / 12;
@@ -228,8 +233,7 @@ TimeLine::Bounds TimeLine::bounds(const std::vector<RowStretch>& stretches,
     for (std::size_t s = 0; s < stretches.size(); ++s) {
         const auto first = static_cast<double>(stretches[s].first_frame);
         for (const Hull& hull : stretches_[s].hulls) {
-            // Well inside of the decade, whatever way its edges are rounded.
-            const double time_s = hull.decade == no_decade ? 0 : 2 * std::pow(10.0, hull.decade);
+            const double time_s = time_within(hull.decade);
             const double half_s = 0.5 * resolution.at(time_s) + arithmetic_error * reach_s;
             for (const Point& point : hull.early.points) {
                 result.most.push_back({first + point.row, line.offsets[s] + point.late_s + half_s});
@@ -304,7 +308,7 @@ bool TimeLine::pass_nearly(const std::vector<RowStretch>& stretches,
     double largest_s = 0;
     for (std::size_t s = 0; s < stretches.size(); ++s) {
         for (const Hull& hull : stretches_[s].hulls) {
-            const double time_s = hull.decade == no_decade ? 0 : 2 * std::pow(10.0, hull.decade);
+            const double time_s = time_within(hull.decade);
             const double allowed = allowed_deviation(step_s_ + line.slope, resolution, time_s) -
                                    rows_left_out * std::abs(line.slope);
             const auto fits = [&](const Point& point) {

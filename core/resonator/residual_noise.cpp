@@ -247,24 +247,25 @@ private:
                 unconcerned += log_likelihood(plain(block, given), 0);
             }
         }
-        std::vector<std::vector<Spectrum>> spectra_of(shapes.size());
         const auto row = [&](std::size_t k, std::size_t step) -> Trial::Row& {
             return trial.table[k * steps + step];
         };
-        const auto evaluate = [&](std::size_t k, std::size_t step) {
+        const auto evaluate = [&](std::size_t k, const std::vector<Spectrum>& all,
+                                  std::size_t step) {
             const double a = std::pow(10, first_decade + decade_step * static_cast<double>(step));
             double sum = unconcerned;
-            for (const Spectrum& at : spectra_of[k]) {
+            for (const Spectrum& at : all) {
                 sum += log_likelihood(at, a);
             }
             row(k, step) = {sum, {shapes[k], a}};
             return sum;
         };
         // A first look at some variances, then those around the best of them, as far as they count.
-        const auto scan = [&](std::size_t k) {
+        tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
+            const std::vector<Spectrum> all = spectra(shapes[k], given);
             double best = -std::numeric_limits<double>::infinity();
             for (std::size_t step = 0; step < steps; step += coarse_step) {
-                best = std::max(best, evaluate(k, step));
+                best = std::max(best, evaluate(k, all, step));
             }
             for (bool more = true; more;) {
                 more = false;
@@ -276,15 +277,11 @@ private:
                         near = near || row(k, other).likelihood >= best - hopeless;
                     }
                     if (near && std::isinf(row(k, step).likelihood)) {
-                        best = std::max(best, evaluate(k, step));
+                        best = std::max(best, evaluate(k, all, step));
                         more = true;
                     }
                 }
             }
-        };
-        tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
-            spectra_of[k] = spectra(shapes[k], given);
-            scan(k);
         });
         for (const Trial::Row& each : trial.table) {
             if (each.likelihood > trial.top) {

@@ -10,29 +10,15 @@ namespace {
 // As simulated_phasors(), of a motion that is not linear.
 PhasorRun moved_phasors(const FreeDecay& decay, std::int64_t window, std::uint64_t seed) {
     DecayMotion motion(decay);
-    GaussianNoise noise(seed);
-    const auto n = static_cast<double>(window);
-    const double sd = decay.noise * std::sqrt(2 / n);
-    PhasorRun run;
-    run.f_ref_hz = decay.f0_hz;
-    run.window_s = n / decay.rate_hz;
-    for (std::int64_t first = 0; first + window <= frame_count(decay); first += window) {
+    return noisy_phasors(decay, window, seed, [&](std::int64_t first, double) {
         Eigen::Vector2cd z = Eigen::Vector2cd::Zero();
         for (std::int64_t frame = first; frame < first + window; ++frame) {
+            const double turns = decay.f0_hz * static_cast<double>(frame) / decay.rate_hz;
             z += motion.next() *
-                 std::polar(1 / n, -2 * pi *
-                                       std::remainder(run.f_ref_hz * static_cast<double>(frame) /
-                                                          decay.rate_hz,
-                                                      1.0));
+                 std::polar(1 / static_cast<double>(window), -2 * pi * std::remainder(turns, 1.0));
         }
-        const auto [c_re, c_im] = noise.next();
-        const auto [d_re, d_im] = noise.next();
-        run.time_s.push_back((static_cast<double>(first) + (n - 1) / 2) / decay.rate_hz);
-        run.c.push_back(z[0] + sd * std::complex(c_re, c_im));
-        run.d.push_back(z[1] + sd * std::complex(d_re, d_im));
-        run.sd.push_back(sd);
-    }
-    return run;
+        return z;
+    });
 }
 
 }  // namespace
