@@ -710,7 +710,7 @@
             <translation>Скачок фазы на %1 рад в обоих каналах, на %2 с. Повторено отсчётов: %3, либо потеряно: %4; фаза показывает их число только с точностью до периода. Окна над этим местом помечены.</translation>
         </message>
         <message>
-            <source>Samples were lost or doubled at %1 more places.</source>
+            <source>Further places where samples were lost or doubled: %1.</source>
             <translation>Отсчёты потеряны или повторены ещё в стольких местах: %1.</translation>
         </message>
         <message>
@@ -730,15 +730,15 @@
             <translation>Первые %1 с затухают не так, как дальнейшее. Их можно исключить диапазоном (--from).</translation>
         </message>
         <message>
-            <source>%1 lost samples at %2 places were made gaps, as asked for; windows over them have no values.</source>
+            <source>Lost samples made gaps, as asked for: %1; places: %2. Windows over them have no values.</source>
             <translation>По запросу на месте потерянных отсчётов сделаны пропуски (отсчётов: %1, мест: %2); окна над ними без значений.</translation>
         </message>
         <message>
-            <source>%1 lost samples at %2 places are counted in the time behind them, so that the phase runs on.</source>
+            <source>Lost samples counted in the time behind them, so that the phase runs on: %1; places: %2.</source>
             <translation>Потерянные отсчёты (%1, мест: %2) учтены во времени после них, так что фаза идёт дальше.</translation>
         </message>
         <message>
-            <source>At %1 places an unknown number of samples was lost or doubled: the phase after each is a parameter of its own. Time moves by the smallest possible number.</source>
+            <source>Places where an unknown number of samples was lost or doubled: %1. The phase after each is a parameter of its own; time moves by the smallest possible number.</source>
             <translation>Мест, где потеряно или повторено неизвестное число отсчётов: %1. Фаза после каждого — отдельный параметр; время сдвинуто на наименьшее возможное число.</translation>
         </message>
         <message>
@@ -816,6 +816,22 @@
         <message>
             <source>The noise about the carrier is as narrow as the residual can show. Noise narrower than %1 Hz looks like the wave itself: the standard deviations may be too small. Record longer, or repeat the recording.</source>
             <translation>Шум около несущей настолько узок, насколько это видно по невязке. Шум уже %1 Гц неотличим от самой волны: СКО могут быть занижены. Нужна более длинная запись или повторная.</translation>
+        </message>
+        <message>
+            <source>The residual is that of a damping that follows the amplitude (about %1 1/s per squared recording unit), which the model does not hold: tau, the damping anisotropy and the modes&apos; decay may be off by more than their deviations. Fit later parts of the recordings, where the wave is smaller (--from).</source>
+            <translation>Невязка такая, как при затухании, зависящем от амплитуды (около %1 1/с на квадрат единицы записи); в модели этого нет: τ, анизотропия затухания и затухание мод могут быть ошибочны больше своих СКО. Возьмите более поздние части записей, где волна меньше (--from).</translation>
+        </message>
+        <message>
+            <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out (--from).</source>
+            <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды (--from).</translation>
+        </message>
+        <message>
+            <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, which the model does not hold. Split, axes and rotation may be off by more than their deviations. Take it out with a narrower band-pass (--filter).</source>
+            <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода, которой в модели нет. Разночастотность, оси и вращение могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром (--filter).</translation>
+        </message>
+        <message>
+            <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or tell its tolerance (--tolerance).</source>
+            <translation>Невязка такая, как при ошибке каналов, принятой за ноль: %1, около %2. Откалибруйте её или задайте её допуск (--tolerance).</translation>
         </message>
         <message>
             <source>%1 has no effect: %2.</source>
@@ -902,6 +918,10 @@
         <message>
             <source>It depends on parameters of the resonator that these recordings do not show.</source>
             <translation>Зависит от параметров резонатора, которых эти записи не показывают.</translation>
+        </message>
+        <message>
+            <source>The frequency changes while the amplitude falls: whether it follows the amplitude or settles in time, these recordings do not tell. Add one that starts at another amplitude.</source>
+            <translation>Частота меняется, пока падает амплитуда: зависит она от амплитуды или устанавливается со временем, эти записи не показывают. Добавьте запись с другой начальной амплитудой.</translation>
         </message>
         <message>
             <source>It belongs to one direction, and no recording of the other side starts within 3 degrees of it.</source>

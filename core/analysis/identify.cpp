@@ -4,6 +4,7 @@
 #include "core/analysis/prepare.h"
 #include "core/base/number_text.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/wave_uncertainty.h"
 
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -61,13 +62,30 @@ Result<Windows> windows_of(const Recording& recording, const IdentifySettings& s
     return Windows{std::move(*windows), choice->prepared.calibration, choice->prepared.carrier_s};
 }
 
-IdentifiedRun run_of(Windows& from) {
+// A delay of D is a phase at the carrier.
+ChannelTolerance tolerance_of(const IdentifySettings& settings, double f_hz) {
+    const Tolerance& tolerance = settings.tolerance;
+    constexpr double degree = std::numbers::pi / 180;
+    const bool told = settings.signal.calibration.kappa != 1;
+    return {.kappa = tolerance.kappa.value_or(told ? 0 : ChannelTolerance{}.kappa),
+            .skew_rad = tolerance.skew_deg * degree,
+            .phase_rad = 2 * std::numbers::pi * f_hz * tolerance.delay_s,
+            .crosstalk = tolerance.crosstalk,
+            .phase_drift = tolerance.phase_drift_rad,
+            .gain_drift = tolerance.gain_drift};
+}
+
+IdentifiedRun run_of(const Windows& from, const IdentifySettings& settings) {
     const PhasorWindows& windows = from.windows;
-    return {windows.run.f_ref_hz,    windows.plan.length,
-            windows.plan.count,      static_cast<std::int64_t>(windows.run.time_s.size()),
-            windows.noise_sd,        from.calibration,
-            windows.diagnostics,     run_track(windows.run, track_points),
-            wave_motion(windows.run)};
+    return {windows.run.f_ref_hz,
+            windows.plan.length,
+            windows.plan.count,
+            static_cast<std::int64_t>(windows.run.time_s.size()),
+            windows.noise_sd,
+            from.calibration,
+            windows.diagnostics,
+            run_track(windows.run, track_points),
+            wave_motion(windows.run, tolerance_of(settings, windows.run.f_ref_hz))};
 }
 
 // The recordings' phasors, several recordings at a time.
@@ -85,20 +103,6 @@ std::vector<Result<Windows>> all_windows(std::span<const Recording> recordings,
         });
     });
     return found;
-}
-
-// A delay of D is a phase at the carrier.
-ChannelTolerance tolerance_of(const IdentifySettings& settings,
-                              const std::vector<PhasorRun>& phasors) {
-    const Tolerance& tolerance = settings.tolerance;
-    constexpr double degree = std::numbers::pi / 180;
-    const bool told = settings.signal.calibration.kappa != 1;
-    return {.kappa = tolerance.kappa.value_or(told ? 0 : ChannelTolerance{}.kappa),
-            .skew_rad = tolerance.skew_deg * degree,
-            .phase_rad = 2 * std::numbers::pi * phasors.front().f_ref_hz * tolerance.delay_s,
-            .crosstalk = tolerance.crosstalk,
-            .phase_drift = tolerance.phase_drift_rad,
-            .gain_drift = tolerance.gain_drift};
 }
 
 // The fit sees D over the calibration's gain ratio.
@@ -206,7 +210,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
             return error;
         }
         Windows& of_run = *windows[k];
-        found.runs.push_back(run_of(of_run));
+        found.runs.push_back(run_of(of_run, settings));
         found.timing.read_s += of_run.windows.read_s;
         found.timing.carrier_s += of_run.carrier_s;
         found.timing.estimate_s += of_run.windows.estimate_s;
@@ -216,7 +220,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
     found.timing.windows_s = fitted_from - begun;
     FitOptions options;
     options.model = settings.model;
-    options.tolerance = tolerance_of(settings, phasors);
+    options.tolerance = tolerance_of(settings, phasors.front().f_ref_hz);
     Result<ResonatorFit> fit = fit_resonator(phasors, options, job.silent());
     if (!fit) {
         return named(fit.error(), phasors, recordings);

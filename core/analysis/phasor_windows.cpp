@@ -159,8 +159,25 @@ void leave_out_strike(const WindowPlan& plan, double rate_hz, std::int64_t filte
     }
 }
 
-// Median of the noise powers that exist, without its bias for chi^2 of few degrees of freedom (by
-// Wilson and Hilferty); NaN where there is none.
+// Degrees of freedom of a window's noise power: behind a band-pass only what noise the band leaves
+// to a window's length, less the two numbers of each channel that stand for the wave.
+double noise_freedom(const WindowMean& mean, const Prepared& prepared, double window_s) {
+    if (!prepared.filter) {
+        return mean.freedom();
+    }
+    const double width = prepared.filter->high_hz - prepared.filter->low_hz;
+    return std::clamp(4 * (width * window_s - 1), 1.0, mean.freedom());
+}
+
+// What a chi^2 over its mean takes at a number of deviations of a normal deviate (Wilson and
+// Hilferty).
+double chi2_ratio(double deviations, double freedom) {
+    const double variance = 2 / (9 * freedom);
+    return std::pow(std::max(1 - variance + deviations * std::sqrt(variance), 0.1), 3);
+}
+
+// Median of the noise powers that exist, without its bias for chi^2 of few degrees of freedom; NaN
+// where there is none.
 double median_power(const Estimates& estimates, double freedom) {
     std::vector<double> powers;
     for (const WindowMean::Estimate& estimate : estimates) {
@@ -173,7 +190,7 @@ double median_power(const Estimates& estimates, double freedom) {
     }
     const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
     std::ranges::nth_element(powers, middle);
-    return *middle / std::pow(1 - 2 / (9 * freedom), 3);
+    return *middle / chi2_ratio(0, freedom);
 }
 
 // Variance per sample of the white noise that has the density beside the carrier. The residual
@@ -243,13 +260,14 @@ Phasors moved(const Phasors& local, double cycles, double two_theta_zero) {
 struct Noise {
     double residual = 0;    // variance per sample, from the windows' residuals
     double at_carrier = 0;  // variance per sample of white noise of the density there
+    double freedom = 0;     // of a window's residual
 };
 
 // The windows that exist, with their times, phasors and deviations.
 PhasorRun collect(const Estimates& estimates, const Prepared& prepared, const WindowPlan& plan,
                   const std::vector<PhaseStep>& steps, double rate_hz, const WindowMean& mean,
                   const Noise& noise) {
-    const double limit = noise.residual * (1 + disturbed * std::sqrt(2 / mean.freedom()));
+    const double limit = noise.residual * chi2_ratio(disturbed, noise.freedom);
     const double two_theta_zero = prepared.calibration.angle_zero_deg * std::numbers::pi / 90;
     PhasorRun run;
     run.f_ref_hz = prepared.f0_hz;
@@ -359,7 +377,8 @@ Result<PhasorWindows> phasor_windows(const WindowChoice& choice, double rate_hz,
     leave_out(faults, plan, pass->estimates);
     leave_out_strike(plan, rate_hz, prepared.filter_reach, pass->estimates, found.diagnostics);
     Noise noise;
-    noise.residual = median_power(pass->estimates, mean.freedom());
+    noise.freedom = noise_freedom(mean, prepared, static_cast<double>(plan.length) / rate_hz);
+    noise.residual = median_power(pass->estimates, noise.freedom);
     if (!std::isfinite(noise.residual)) {
         return any_sample ? nothing_left(faults) : Error{ErrorCode::no_valid_samples, "", {}};
     }

@@ -47,6 +47,10 @@ enum class DiagnosticKind {
     residual_below_noise,         // args: chi^2 per degree of freedom. Deviations too large.
     residual_coloured,            // args: chi^2 per degree of freedom. Deviations hold its colour.
     noise_too_narrow,             // args: width (Hz) below which no residual shows a noise
+    misfit_damping,               // args: 1/s per squared unit. Damping that follows the amplitude.
+    misfit_settling,              // args: Hz, s. A frequency that settles.
+    misfit_neighbour,             // args: frequency (Hz), per cent of the wave. Another mode.
+    misfit_channel,               // args: error as --tolerance names it, its size. None is told.
     fit_not_converged,            // the fit stopped early
     option_without_effect,        // args: option of the command line, why
 };

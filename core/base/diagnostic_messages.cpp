@@ -89,7 +89,8 @@ const char* message_template(DiagnosticKind kind) {
                 "lost: %4; the phase shows them only modulo the period. Windows over the place "
                 "are flagged.");
         case DiagnosticKind::more_samples_lost:
-            return VYBEG_MESSAGE("Message", "Samples were lost or doubled at %1 more places.");
+            return VYBEG_MESSAGE("Message",
+                                 "Further places where samples were lost or doubled: %1.");
         case DiagnosticKind::below_one_bit:
             return VYBEG_MESSAGE(
                 "Message",
@@ -111,18 +112,19 @@ const char* message_template(DiagnosticKind kind) {
                 "(--from).");
         case DiagnosticKind::gaps_inserted:
             return VYBEG_MESSAGE("Message",
-                                 "%1 lost samples at %2 places were made gaps, as asked for; "
-                                 "windows over them have no values.");
+                                 "Lost samples made gaps, as asked for: %1; places: %2. Windows "
+                                 "over them have no values.");
         case DiagnosticKind::lost_counted:
             return VYBEG_MESSAGE(
                 "Message",
-                "%1 lost samples at %2 places are counted in the time behind them, "
-                "so that the phase runs on.");
+                "Lost samples counted in the time behind them, so that the phase runs on: %1; "
+                "places: %2.");
         case DiagnosticKind::phase_unknown:
             return VYBEG_MESSAGE(
                 "Message",
-                "At %1 places an unknown number of samples was lost or doubled: the phase after "
-                "each is a parameter of its own. Time moves by the smallest possible number.");
+                "Places where an unknown number of samples was lost or doubled: %1. The phase "
+                "after each is a parameter of its own; time moves by the smallest possible "
+                "number.");
         case DiagnosticKind::carrier_elsewhere:
             return VYBEG_MESSAGE("Message",
                                  "The carrier given is %1 Hz, and the signal is at %2 Hz: that is "
@@ -173,6 +175,30 @@ const char* message_template(DiagnosticKind kind) {
                 "The noise about the carrier is as narrow as the residual can show. Noise narrower "
                 "than %1 Hz looks like the wave itself: the standard deviations may be too small. "
                 "Record longer, or repeat the recording.");
+        case DiagnosticKind::misfit_damping:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is that of a damping that follows the amplitude (about %1 1/s per "
+                "squared recording unit), which the model does not hold: tau, the damping "
+                "anisotropy and the modes' decay may be off by more than their deviations. Fit "
+                "later parts of the recordings, where the wave is smaller (--from).");
+        case DiagnosticKind::misfit_settling:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is that of a frequency that settles by about %1 Hz in %2 s, which "
+                "the model does not hold: the resonator's numbers may be off by more than their "
+                "deviations. Leave the first seconds out (--from).");
+        case DiagnosticKind::misfit_neighbour:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, which "
+                "the model does not hold. Split, axes and rotation may be off by more than their "
+                "deviations. Take it out with a narrower band-pass (--filter).");
+        case DiagnosticKind::misfit_channel:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is that of an error of the channels that is taken as zero: %1, "
+                "about %2. Calibrate it, or tell its tolerance (--tolerance).");
         case DiagnosticKind::fit_not_converged:
             return VYBEG_MESSAGE(
                 "Message",

@@ -43,6 +43,10 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::residual_below_noise: return "residual-below-noise";
         case DiagnosticKind::residual_coloured: return "residual-coloured";
         case DiagnosticKind::noise_too_narrow: return "noise-too-narrow";
+        case DiagnosticKind::misfit_damping: return "misfit-damping";
+        case DiagnosticKind::misfit_settling: return "misfit-settling";
+        case DiagnosticKind::misfit_neighbour: return "misfit-neighbour";
+        case DiagnosticKind::misfit_channel: return "misfit-channel";
         case DiagnosticKind::fit_not_converged: return "fit-not-converged";
         case DiagnosticKind::option_without_effect: return "option-without-effect";
     }

@@ -20,7 +20,8 @@ constexpr std::size_t first_windows = 4;
 constexpr int short_steps = 12;  // of a fit to the first windows
 constexpr int all_steps = 60;
 constexpr int polish_steps = 200;  // of the best fit, where it did not converge
-constexpr double hopeless = 100;   // chi^2 over the number of residuals that is not polished
+constexpr double close_behind = 1.2;
+constexpr double hopeless = 100;  // chi^2 over the number of residuals that is not polished
 
 // 1/tau from the envelope: a straight line through log |z|, weighted with |z|.
 double envelope_decay(const ScaledRun& run) {
@@ -168,6 +169,10 @@ MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
     MapFit best{lengthened.p, std::numeric_limits<double>::infinity()};
     const auto try_start = [&](const Eigen::VectorXd& start) {
         MapFit fit = minimise(problem, start, all_steps, job);
+        // Close behind the best, and still on its way.
+        if (!fit.converged && fit.cost > best.cost && fit.cost < close_behind * best.cost) {
+            fit = minimise(problem, fit.p, polish_steps, job);
+        }
         if (fit.cost < best.cost) {
             best = std::move(fit);
         }

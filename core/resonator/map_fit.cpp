@@ -98,9 +98,9 @@ void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::
     const Eigen::Index first = layout.at(run, 0);
     sum.topLeftCorner(shared_count, shared_count) +=
         square.topLeftCorner(shared_count, shared_count);
-    sum.block(first, 0, own, shared_count) = square.bottomLeftCorner(own, shared_count);
-    sum.block(0, first, shared_count, own) = square.topRightCorner(shared_count, own);
-    sum.block(first, first, own, own) = square.bottomRightCorner(own, own);
+    sum.block(first, 0, own, shared_count) += square.bottomLeftCorner(own, shared_count);
+    sum.block(0, first, shared_count, own) += square.topRightCorner(shared_count, own);
+    sum.block(first, first, own, own) += square.bottomRightCorner(own, own);
 }
 
 Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, std::size_t run) {

@@ -12,4 +12,7 @@ namespace vybeg {
 // left out, at most a tenth of all. Not merged where the phasors would turn by more than 0.3 rad.
 PhasorRun merge_windows(const PhasorRun& run, std::size_t most);
 
+// The windows that are numbers with a deviation.
+PhasorRun usable_windows(const PhasorRun& run);
+
 }  // namespace vybeg

@@ -70,10 +70,13 @@ Posterior posterior(const FitProblem& problem, const MapFit& fit) {
     precision.diagonal() += wide + told;
     out.alone_sd = precision.diagonal().cwiseSqrt().cwiseInverse();
     out.root = inverse_root(precision);
-    const Eigen::MatrixXd& s = out.covariance = out.root * out.root.transpose();
-    out.data = s * score_covariance(problem, out)(out.active, out.active) * s;
-    out.known = s * told.asDiagonal() * s;
-    out.nothing = s * wide.asDiagonal() * s;
+    out.covariance = out.root * out.root.transpose();
+    const auto in_root = [&out](const Eigen::MatrixXd& precise) {
+        return Eigen::MatrixXd(out.root.transpose() * precise * out.root);
+    };
+    out.data = in_root(score_covariance(problem, out)(out.active, out.active));
+    out.known = in_root(told.asDiagonal());
+    out.nothing = in_root(wide.asDiagonal());
     return out;
 }
 

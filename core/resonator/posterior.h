@@ -19,9 +19,22 @@ struct Posterior {
     Eigen::MatrixXd covariance;        // S
     Eigen::MatrixXd root;              // R, S = R R^T
     Eigen::VectorXd alone_sd;          // of each parameter with all others known
-    Eigen::MatrixXd data;              // S F S, or S (sum X' V X) S where the residual is coloured
-    Eigen::MatrixXd known;             // S L S of the channels
-    Eigen::MatrixXd nothing;           // S L S of the physical priors
+    // The parts in the basis of R, a part P standing for R P R^T: parameters that are hardly told
+    // apart leave no digit of P R^T.
+    Eigen::MatrixXd data;     // S F S, or S (sum X' V X) S where the residual is coloured
+    Eigen::MatrixXd known;    // S L S of the channels
+    Eigen::MatrixXd nothing;  // S L S of the physical priors
+
+    // The covariance of quantities by their gradients (a row each) in the active parameters.
+    Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& gradient) const {
+        const Eigen::MatrixXd in_root = gradient * root;
+        return in_root * (data + known + nothing) * in_root.transpose();
+    }
+    // That of the active parameters from `first` on.
+    Eigen::MatrixXd covariance_of(Eigen::Index first, Eigen::Index count) const {
+        const auto rows = root.middleRows(first, count);
+        return rows * (data + known + nothing) * rows.transpose();
+    }
 };
 
 // With white noise.

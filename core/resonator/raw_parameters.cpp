@@ -50,7 +50,7 @@ RawParameters raw_parameters(const FittedSet& set, std::span<const PhasorRun> ru
         }
         origin[layout.at(run, frequency_at)] = runs[run].f_ref_hz;
     }
-    const Eigen::MatrixXd covariance = at.data + at.known + at.nothing;
+    const Eigen::MatrixXd covariance = at.covariance_of(0, at.root.rows());
     RawParameters raw;
     for (std::size_t row = 0; row < at.active.size(); ++row) {
         const Eigen::Index parameter = at.active[row];

@@ -69,6 +69,11 @@ const char* message_template(ReasonCode code) {
         case ReasonCode::grows:
             return VYBEG_MESSAGE("Reason",
                                  "The wave grows, at a rate of %1 1/s (standard deviation %2).");
+        case ReasonCode::amplitude_or_time:
+            return VYBEG_MESSAGE("Reason",
+                                 "The frequency changes while the amplitude falls: whether it "
+                                 "follows the amplitude or settles in time, these recordings do "
+                                 "not tell. Add one that starts at another amplitude.");
         case ReasonCode::rests_on_unseen:
             return VYBEG_MESSAGE("Reason",
                                  "It depends on parameters of the resonator that these recordings "
@@ -97,6 +102,7 @@ std::string reason_name(ReasonCode code) {
         case ReasonCode::drift_not_seen: return "drift-not-seen";
         case ReasonCode::decay_limits: return "decay-limits";
         case ReasonCode::grows: return "grows";
+        case ReasonCode::amplitude_or_time: return "amplitude-or-time";
         case ReasonCode::rests_on_unseen: return "rests-on-unseen";
         case ReasonCode::too_few_windows: return "too-few-windows";
     }

@@ -24,6 +24,7 @@ enum class ReasonCode {
     drift_not_seen,       // within this recording a drift looks like something else
     decay_limits,         // args: least and greatest tau (s)
     grows,                // args: rate of growth, its sd (1/s)
+    amplitude_or_time,    // a settling frequency explains the phasors as well
     rests_on_unseen,      // more than half of its variance is of parameters that are not seen
     too_few_windows,      // not enough windows for it in this run
 };

@@ -65,9 +65,9 @@ ReportedVariances reported_variances(const Posterior& posterior, const QuantityC
             out.gradient(q, k) = by_shorter_way(difference[q], period[q]) / near.step;
         }
     }
-    const auto variances = [&](const Eigen::MatrixXd& covariance) {
-        return Eigen::VectorXd(
-            (out.gradient * covariance).cwiseProduct(out.gradient).rowwise().sum());
+    const Eigen::MatrixXd in_root = out.gradient * posterior.root;
+    const auto variances = [&](const Eigen::MatrixXd& part) {
+        return Eigen::VectorXd((in_root * part).cwiseProduct(in_root).rowwise().sum());
     };
     out.data = variances(posterior.data);
     out.known = variances(posterior.known);

@@ -322,9 +322,9 @@ NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posteri
     noise_ = Search(series_, posterior.root, longest_s).find();
 }
 
-MatrixXd NoiseEstimate::covariance(const Posterior& posterior, const MatrixXd& white) const {
+MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
     if (noise_.as_expected()) {
-        return white;
+        return posterior.data;
     }
     const Index size = posterior.covariance.rows();
     MatrixXd sum = MatrixXd::Zero(size, size);
@@ -343,7 +343,7 @@ MatrixXd NoiseEstimate::covariance(const Posterior& posterior, const MatrixXd& w
             }
         }
     }
-    return white + posterior.covariance * sum * posterior.covariance;
+    return posterior.data + posterior.root.transpose() * sum * posterior.root;
 }
 
 }  // namespace vybeg

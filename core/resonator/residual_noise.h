@@ -19,9 +19,9 @@ public:
 
     const ResidualNoise& noise() const { return noise_; }
 
-    // S (sum X' V X) S: the data's part of the covariance under this noise. `white` is that of
-    // white noise.
-    Eigen::MatrixXd covariance(const Posterior& posterior, const Eigen::MatrixXd& white) const;
+    // The data's part of the covariance under this noise, in the basis of the posterior's root:
+    // that of the windows' own noise as it stands there, and R' (sum X'VX) R.
+    Eigen::MatrixXd covariance(const Posterior& posterior) const;
 
 private:
     std::vector<ResidualSeries> series_;

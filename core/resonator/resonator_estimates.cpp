@@ -78,7 +78,7 @@ private:
         const auto found = std::ranges::find(set_.posterior.active, Index{first});
         const Index k = found - set_.posterior.active.begin();
         const Posterior& p = set_.posterior;
-        return (p.data + p.known + p.nothing).block<2, 2>(k, k);
+        return p.covariance_of(k, 2);
     }
 
     // How far the wave of any run turns, degrees of theta_A.
@@ -183,9 +183,10 @@ private:
         out.delay_s = channel(phase_of, phase_at, -1 / (2 * pi * f_ref_hz_));
         const double power_unit = 1 / (set_.scale * set_.scale);
         if (set_.problem->priors.sd[cubic_at] > 0) {
-            out.frequency_per_power = unseen(cubic_of, own_share)
-                                          ? Estimate{.reason = {ReasonCode::drift_not_seen, {}}}
-                                          : number(cubic_of, power_unit);
+            out.frequency_per_power =
+                set_.amplitude_or_time ? Estimate{.reason = {ReasonCode::amplitude_or_time, {}}}
+                : unseen(cubic_of, own_share) ? Estimate{.reason = {ReasonCode::drift_not_seen, {}}}
+                                              : number(cubic_of, power_unit);
         } else {
             const Estimate& limit = set_.cubic_limit;
             const double most = std::abs(limit.value) + limit_sd * limit.sd;
@@ -217,7 +218,7 @@ private:
         const Eigen::VectorXcd gradient = square_gradient(p);
         Eigen::MatrixXd by(2, gradient.size());
         by << gradient.real().transpose(), gradient.imag().transpose();
-        const Eigen::Matrix2d spread = by * (p.data + p.known + p.nothing) * by.transpose();
+        const Eigen::Matrix2d spread = p.covariance_of(by);
         const double most =
             std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[1]);
         const bool apart = std::abs(square_half_difference(p.p)) > modes_need * most;
@@ -251,7 +252,8 @@ private:
         const Eigen::Vector4d turned =
             Eigen::Vector4d(-wave[1], wave[0], -wave[3], wave[2]).normalized();
         const Eigen::Matrix4d rest = Eigen::Matrix4d::Identity() - turned * turned.transpose();
-        const Eigen::Matrix4d start = rest * (p.data + p.nothing).block<4, 4>(first, first) * rest;
+        const Eigen::MatrixXd rows = rest * p.root.middleRows<4>(first);
+        const Eigen::Matrix4d start = rows * (p.data + p.nothing) * rows.transpose();
         const auto largest = [&](double sign) {
             Eigen::Matrix<double, 2, 4> of_start;
             of_start << 1, 0, 0, -sign, 0, 1, sign, 0;
@@ -362,7 +364,7 @@ private:
         terms.given = seen(out.damping_anisotropy_per_s) && out.angle_rate_rad_s.given();
         const std::array<Index, 3> parameters{rotation_at, damping_cos_at, damping_sin_at};
         const Posterior& p = set_.posterior;
-        const Eigen::MatrixXd covariance = p.data + p.known + p.nothing;
+        const Eigen::MatrixXd covariance = p.covariance_of(0, p.root.rows());
         for (std::size_t k = 0; k < 3; ++k) {
             terms.value[k] = p.p[parameters[k]];
             const Index row = std::ranges::find(p.active, parameters[k]) - p.active.begin();

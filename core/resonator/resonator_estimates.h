@@ -20,6 +20,7 @@ struct FittedSet {
     double scale = 1;        // recording units of a scaled unit
     double split_needs = 3;  // standard deviations, from which on a split or anisotropy is given
     Estimate cubic_limit;    // b and its sd where a fit with it was no better; scaled units
+    bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
 };
 
 // Fills in the modes, the resonator and the runs: each number with its deviation, or the reason why

@@ -5,9 +5,12 @@
 #include "core/resonator/envelope_decay.h"
 #include "core/resonator/fit_start.h"
 #include "core/resonator/merge_windows.h"
+#include "core/resonator/misfit_cause.h"
 #include "core/resonator/raw_parameters.h"
+#include "core/resonator/refit_in_phase.h"
 #include "core/resonator/residual_noise.h"
 #include "core/resonator/resonator_estimates.h"
+#include "core/resonator/score_test.h"
 #include "core/resonator/structured_test.h"
 
 #include <algorithm>
@@ -33,25 +36,6 @@ constexpr int cubic_steps = 200;
 constexpr double vector_needs = 3;
 constexpr double vector_needs_coloured = 5;
 
-// The windows that are numbers with a deviation.
-PhasorRun usable(const PhasorRun& run) {
-    PhasorRun good = run;
-    good.time_s.clear();
-    good.c.clear();
-    good.d.clear();
-    good.sd.clear();
-    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-        const double sum = run.time_s[k] + std::abs(run.c[k]) + std::abs(run.d[k]) + run.sd[k];
-        if (std::isfinite(sum) && run.sd[k] > 0) {
-            good.time_s.push_back(run.time_s[k]);
-            good.c.push_back(run.c[k]);
-            good.d.push_back(run.d[k]);
-            good.sd.push_back(run.sd[k]);
-        }
-    }
-    return good;
-}
-
 double largest_amplitude(std::span<const PhasorRun> runs) {
     double most = 0;
     for (const PhasorRun& run : runs) {
@@ -62,6 +46,14 @@ double largest_amplitude(std::span<const PhasorRun> runs) {
     return most;
 }
 
+std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale) {
+    std::vector<ScaledRun> scaled;
+    for (const PhasorRun& run : runs) {
+        scaled.push_back(scaled_run(run, scale));
+    }
+    return scaled;
+}
+
 std::string recording_number(std::size_t run) {
     return integer_text(static_cast<std::int64_t>(run) + 1);
 }
@@ -69,10 +61,12 @@ std::string recording_number(std::size_t run) {
 // The whole fit of one set, step by step.
 class SetFit {
 public:
-    SetFit(std::vector<PhasorRun> runs, std::vector<ScaledRun> scaled, double scale,
+    // `fine`: the runs before their windows were merged.
+    SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
            const FitOptions& options, const JobControl& job)
         : runs_(std::move(runs)),
-          scaled_(std::move(scaled)),
+          fine_(fine),
+          scaled_(scaled_runs(runs_, scale)),
           scale_(scale),
           options_(options),
           job_(job),
@@ -84,6 +78,7 @@ public:
         MapFit main = fit_from_nothing(problem_, job_);
         try_cubic(main);
         choose_model(main);
+        main = refit_in_phase(problem_, main, job_);
         describe(main);
         return std::move(fit_);
     }
@@ -100,17 +95,30 @@ private:
     // A dependence of the frequency on the amplitude is opened where the data ask for it: always
     // open it would cost elliptic waves their rotation.
     void try_cubic(MapFit& main) {
+        const Posterior at = posterior(problem_, main);
+        const Score score = cubic_score(problem_, at);
+        const double dof = degrees_of_freedom(problem_);
+        double scale = std::max(1.0, (main.chi2 - score.fall) / dof);
+        cubic_limit_ = {score.size[0], std::sqrt(score.inverse(0, 0) * scale), {}};
+        if (score.fall < cubic_fall * scale / 4) {
+            return;
+        }
         FitProblem with = problem_;
         open_cubic(with.priors, scaled_);
         MapFit fit = minimise(with, main.p, 60, job_);
-        const double scale = std::max(1.0, fit.chi2 / degrees_of_freedom(with));
-        const double sd = std::sqrt(cubic_variance(with, fit) * scale);
-        cubic_limit_ = {fit.p[cubic_at], sd, {}};
-        if (main.chi2 - fit.chi2 > cubic_fall * scale) {
-            main = std::move(fit);
-            problem_.priors = with.priors;
-            polish_cubic(main);
+        scale = std::max(1.0, fit.chi2 / degrees_of_freedom(with));
+        if (main.chi2 - fit.chi2 <= cubic_fall * scale) {
+            return;
         }
+        // A frequency that settles falls with the amplitude, too.
+        const double settling = main.chi2 - settling_score(problem_, at).fall;
+        if (settling < fit.chi2 - cubic_fall * scale) {
+            return;
+        }
+        amplitude_or_time_ = settling < fit.chi2 + cubic_fall * scale;
+        main = std::move(fit);
+        problem_.priors = with.priors;
+        polish_cubic(main);
     }
 
     // Without the cubic term the other parameters have stood in for it, far from where they belong:
@@ -127,12 +135,6 @@ private:
                 main = std::move(fit);
             }
         }
-    }
-
-    static double cubic_variance(const FitProblem& problem, const MapFit& fit) {
-        const Posterior at = posterior(problem, fit);
-        const auto place = std::ranges::find(at.active, Eigen::Index{cubic_at}) - at.active.begin();
-        return at.covariance(place, place);
     }
 
     void choose_model(MapFit& main) {
@@ -190,16 +192,17 @@ private:
         set.posterior = posterior(problem_, main);
         set.scale = scale_;
         set.cubic_limit = cubic_limit_;
+        set.amplitude_or_time = amplitude_or_time_;
         set.split_needs = vector_needs;
-        set_covariance(ratio, dof, set);
-        std::vector<ProfilePoint> beside;
-        if (fit_.model == ResonatorModel::structured) {
-            beside = unseen_directions(problem_, main, set.posterior, std::max(1.0, ratio), job_);
-        }
         set.context.layout = &problem_.layout;
         for (const PhasorRun& run : runs_) {
             set.context.f_ref_hz.push_back(run.f_ref_hz);
             set.context.window_s.push_back(run.window_s);
+        }
+        set_covariance(ratio, dof, set);
+        std::vector<ProfilePoint> beside;
+        if (fit_.model == ResonatorModel::structured) {
+            beside = unseen_directions(problem_, main, set.posterior, std::max(1.0, ratio), job_);
         }
         set.context.order = mode_order(set);
         set.variances = reported_variances(set.posterior, set.context, beside);
@@ -211,10 +214,16 @@ private:
     }
 
     void set_covariance(double ratio, double dof, FittedSet& set) {
+        const double scatter = 4 * std::sqrt(2 / dof);
+        if (ratio > 1 + scatter) {
+            if (const auto cause = misfit_cause(problem_, set.posterior, fine_, scale_)) {
+                fit_.warnings.push_back(*cause);
+            }
+        }
         const NoiseEstimate noise(problem_, set.posterior);
         fit_.noise = noise.noise();
         if (!noise.noise().white()) {
-            set.posterior.data = noise.covariance(set.posterior, set.posterior.data);
+            set.posterior.data = noise.covariance(set.posterior);
             set.split_needs = vector_needs_coloured;
             fit_.warnings.push_back({DiagnosticKind::residual_coloured, {short_text(ratio, 3)}});
             if (noise.noise().narrowest) {
@@ -227,7 +236,6 @@ private:
             }
             return;
         }
-        const double scatter = 4 * std::sqrt(2 / dof);
         if (ratio > 1 + scatter) {
             set.posterior.data *= ratio;
             fit_.warnings.push_back({DiagnosticKind::residual_above_noise, {short_text(ratio, 3)}});
@@ -240,8 +248,8 @@ private:
     ModeOrder mode_order(const FittedSet& set) const {
         const Posterior& at = set.posterior;
         const std::complex<double> s = std::sqrt(square_half_difference(at.p));
-        const Eigen::VectorXd by = (square_gradient(at) / (2.0 * s)).imag();
-        const double sd = std::sqrt(by.dot((at.data + at.known + at.nothing) * by));
+        const Eigen::RowVectorXd by = (square_gradient(at) / (2.0 * s)).imag().transpose();
+        const double sd = std::sqrt(at.covariance_of(by)(0, 0));
         return std::abs(s.imag()) < 5 * sd ? ModeOrder::decay : ModeOrder::frequency;
     }
 
@@ -312,31 +320,30 @@ private:
     }
 
     std::vector<PhasorRun> runs_;
+    std::span<const PhasorRun> fine_;
     std::vector<ScaledRun> scaled_;
     double scale_;
     const FitOptions& options_;
     const JobControl& job_;
     FitProblem problem_;
     Estimate cubic_limit_;
+    bool amplitude_or_time_ = false;
     ResonatorFit fit_;
 };
 
 // Fits the runs with about `windows` of them each. Precondition: no run has less than
 // least_windows.
-Result<ResonatorFit> fit_with(std::vector<PhasorRun> good, std::size_t windows,
+Result<ResonatorFit> fit_with(std::span<const PhasorRun> good, std::size_t windows,
                               const FitOptions& options, const JobControl& job) {
-    for (PhasorRun& run : good) {
-        run = merge_windows(run, windows);
+    std::vector<PhasorRun> merged;
+    for (const PhasorRun& run : good) {
+        merged.push_back(merge_windows(run, windows));
     }
-    const double scale = largest_amplitude(good);
-    if (good.empty() || scale <= 0) {
+    const double scale = largest_amplitude(merged);
+    if (merged.empty() || scale <= 0) {
         return Error{ErrorCode::fit_failed, "the recordings", {"there is no wave"}};
     }
-    std::vector<ScaledRun> scaled;
-    for (const PhasorRun& run : good) {
-        scaled.push_back(scaled_run(run, scale));
-    }
-    ResonatorFit fit = SetFit(std::move(good), std::move(scaled), scale, options, job).fit();
+    ResonatorFit fit = SetFit(std::move(merged), good, scale, options, job).fit();
     if (job.cancelled()) {
         return Error{ErrorCode::interrupted, {}, {}};
     }
@@ -362,7 +369,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
                                    const JobControl& job) {
     std::vector<PhasorRun> good;
     for (const PhasorRun& run : runs) {
-        good.push_back(usable(run));
+        good.push_back(usable_windows(run));
         if (good.back().time_s.size() < least_windows) {
             return Error{ErrorCode::fit_too_few_windows,
                          "recording " + std::to_string(good.size()),

@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/resonator/fit_start.h"
 #include "core/resonator/residual_noise.h"
+#include "core/resonator/score_test.h"
 
 #include <algorithm>
 #include <array>
@@ -41,12 +42,12 @@ constexpr std::array<Term, 5> terms{{{kappa_at, "kappa", 1, ""},
 // By how much the colour of the free fit's residual widens the variances of its rates, at most.
 double widening(const FitProblem& free_problem, const MapFit& free) {
     const Posterior white = posterior(free_problem, free);
-    const Eigen::MatrixXd coloured =
-        NoiseEstimate(free_problem, white).covariance(white, white.data);
+    const Eigen::MatrixXd coloured = NoiseEstimate(free_problem, white).covariance(white);
     double most = 1;
     for (std::size_t k = 0; k < white.active.size() && white.active[k] < rate_count; ++k) {
         const auto at = static_cast<Eigen::Index>(k);
-        most = std::max(most, coloured(at, at) / white.data(at, at));
+        const Eigen::RowVectorXd row = white.root.row(at);
+        most = std::max(most, (row * coloured).dot(row) / (row * white.data).dot(row));
     }
     return most;
 }
@@ -87,13 +88,28 @@ StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const Map
         StructuredVerdict verdict;
         verdict.penalty = std::max(fit.chi2 - main.chi2 / scale, 0.0);
         verdict.free_over_structured = fit.chi2 - free.chi2 / scale;
+        if (verdict.penalty >= most_penalty || verdict.free_over_structured >= most_rise) {
+            // A frequency that settles is no sign of the channels, but the free model and rates
+            // without bounds follow it better.
+            const double settling = settling_score(trial, posterior(trial, fit)).fall;
+            verdict.free_over_structured -= settling;
+            verdict.penalty =
+                std::max(verdict.penalty - settling +
+                             settling_score(problem, posterior(problem, main)).fall / scale,
+                         0.0);
+        }
+        const bool residual = verdict.free_over_structured >= most_rise;
         double most = verdict.penalty;
         verdict.reason = "chi^2 + " + short_text(verdict.penalty, 3);
+        if (residual) {
+            verdict.reason =
+                "chi^2 of the free model - " + short_text(verdict.free_over_structured, 3);
+        }
         for (const Term& term : terms) {
             const double value = fit.p[term.parameter];
             const double off = (value - priors.mean[term.parameter]) / priors.sd[term.parameter];
             verdict.penalty += off * off;
-            if (off * off > most) {
+            if (off * off > most && !residual) {
                 most = off * off;
                 verdict.reason = std::string(term.symbol) + " = " +
                                  short_text(value * term.unit, 3) + term.unit_name;

@@ -111,6 +111,10 @@ const std::map<DiagnosticKind, std::size_t> documented_kinds{
     {DiagnosticKind::residual_below_noise, 1},
     {DiagnosticKind::residual_coloured, 1},
     {DiagnosticKind::noise_too_narrow, 1},
+    {DiagnosticKind::misfit_damping, 1},
+    {DiagnosticKind::misfit_settling, 2},
+    {DiagnosticKind::misfit_neighbour, 2},
+    {DiagnosticKind::misfit_channel, 2},
     {DiagnosticKind::fit_not_converged, 0},
     {DiagnosticKind::option_without_effect, 2},
 };

@@ -148,7 +148,7 @@ private slots:
         start[kappa_at] = 1;
         start.segment<5>(skew_at).setZero();
         const Posterior at = posterior(problem, minimise(problem, start, 100, {}));
-        const Eigen::MatrixXd sum = at.data + at.known + at.nothing;
+        const Eigen::MatrixXd sum = at.covariance_of(0, at.root.rows());
         const double off = (sum - at.covariance).norm() / at.covariance.norm();
         QVERIFY2(off < 1e-8, qPrintable(QString::number(off)));
     }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/resonator/map_fit.h"
+
+namespace vybeg {
+
+// The fit once more to the phasors turned back by what is left of their phases, where that stands
+// above the windows' noise. A phase that no motion explains (a frequency that settles, phase noise)
+// takes its square from the amplitude, which spoils decay and anisotropy; to first order the second
+// fit changes nothing. chi2 stays that of the measured phasors.
+MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobControl& job);
+
+}  // namespace vybeg

@@ -1,0 +1,121 @@
+// The wave's own numbers under channel errors drawn from their tolerances: the truth, that of the
+// same noise without errors, lies within 2u (TRUTH principle 2).
+#include "core/resonator/wave_uncertainty.h"
+#include "tests/core/resonator/known_resonator.h"
+
+#include <array>
+#include <random>
+
+using namespace vybeg;
+using namespace vybeg::test;
+using std::numbers::pi;
+
+namespace {
+
+constexpr std::int64_t window = 3333;
+constexpr std::array members{&WaveMotion::f_hz, &WaveMotion::theta_rate_rad_s,
+                             &WaveMotion::quadrature_rate_per_s, &WaveMotion::decay_per_s};
+
+// A wave that moves: errors of the channels move all its numbers.
+FreeDecay moving_wave(double two_theta, double a_B) {
+    FreeDecay decay = reference();
+    decay.seconds = 14;
+    decay.split_hz = 0.01;
+    decay.theta_w = 0.2;
+    decay.omega_rad_s = 0.1;
+    decay.two_theta_A = two_theta;
+    decay.a_B = a_B;
+    decay.noise = 1e-4;
+    return decay;
+}
+
+double normal(std::mt19937_64& random) {
+    const double u = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
+    const double v = static_cast<double>(random() >> 11) * 0x1p-53;
+    return std::sqrt(-2 * std::log(u)) * std::cos(2 * pi * v);
+}
+
+}  // namespace
+
+class TestWaveUncertainty : public QObject {
+    Q_OBJECT
+
+private slots:
+    void the_truth_lies_within_u_data() {
+        QTest::addColumn<int>("error");
+        for (int error = 0; error < 7; ++error) {
+            QTest::addRow("%d", error) << error;
+        }
+    }
+
+    // One error at a time, then all of them.
+    void the_truth_lies_within_u() {
+        QFETCH(int, error);
+        const ChannelTolerance all{.kappa = 0.01,
+                                   .skew_rad = 2e-3,
+                                   .phase_rad = 2e-3,
+                                   .crosstalk = 1e-3,
+                                   .phase_drift = 1e-3,
+                                   .gain_drift = 1e-3};
+        constexpr std::array parts{&ChannelTolerance::kappa,       &ChannelTolerance::skew_rad,
+                                   &ChannelTolerance::phase_rad,   &ChannelTolerance::crosstalk,
+                                   &ChannelTolerance::phase_drift, &ChannelTolerance::gain_drift};
+        ChannelTolerance told = all;
+        if (error < 6) {
+            told = {.kappa = 0};
+            told.*parts[static_cast<std::size_t>(error)] =
+                all.*parts[static_cast<std::size_t>(error)];
+        }
+        std::array<int, 4> within{};
+        std::array<bool, 4> widened{};
+        int count = 0;
+        std::mt19937_64 random(static_cast<std::uint64_t>(error) + 1);
+        for (const double two_theta : {-2.5, -0.6, 0.3, 1.2, 2.9}) {
+            for (const double a_B : {-0.2, 0.05}) {
+                const FreeDecay decay = moving_wave(two_theta, a_B);
+                for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+                    PhasorRun run = simulated_phasors(decay, window, seed);
+                    const WaveMotion truth = wave_motion(run);
+                    const double gain = 1 / (1 + told.kappa * normal(random));
+                    const double phase = told.phase_rad * normal(random);
+                    const std::complex cross(told.skew_rad * normal(random),
+                                             told.crosstalk * normal(random));
+                    const double phase_drift = told.phase_drift * normal(random);
+                    const double gain_drift = told.gain_drift * normal(random);
+                    for (std::size_t k = 0; k < run.c.size(); ++k) {
+                        const double x = run.time_s[k] / 14;
+                        run.d[k] = run.d[k] * gain *
+                                       std::polar(1 + gain_drift * x, phase + phase_drift * x) +
+                                   cross * run.c[k];
+                    }
+                    const WaveMotion found = wave_motion(run, told);
+                    ++count;
+                    for (std::size_t k = 0; k < members.size(); ++k) {
+                        const Estimate& number = found.*members[k];
+                        QVERIFY(number.given() && number.u >= number.sd);
+                        const double off = std::abs(number.value - (truth.*members[k]).value);
+                        within[k] += off < 2 * number.u ? 1 : 0;
+                        widened[k] = widened[k] || number.u > 1.5 * number.sd;
+                    }
+                }
+            }
+        }
+        for (std::size_t k = 0; k < members.size(); ++k) {
+            const QString text = QString("number %1: %2 of %3").arg(k).arg(within[k]).arg(count);
+            QVERIFY2(within[k] > 0.9 * count, qPrintable(text));
+        }
+        QVERIFY(std::ranges::find(widened, true) != widened.end());
+    }
+
+    void no_tolerance_adds_nothing() {
+        const PhasorRun run = simulated_phasors(moving_wave(0.3, 0.1), window, 1);
+        const WaveMotion found = wave_motion(run, {.kappa = 0});
+        for (const auto member : members) {
+            QCOMPARE((found.*member).u, (found.*member).sd);
+        }
+        QCOMPARE(found.tau_s.u, found.tau_s.sd);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWaveUncertainty)
+#include "test_wave_uncertainty.moc"
