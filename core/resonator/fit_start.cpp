@@ -20,6 +20,7 @@ constexpr std::size_t first_windows = 4;
 constexpr int short_steps = 12;  // of a fit to the first windows
 constexpr int all_steps = 60;
 constexpr int polish_steps = 200;  // of the best fit, where it did not converge
+constexpr double same_cost = 1e-6;
 constexpr double close_behind = 1.2;
 constexpr double hopeless = 100;  // chi^2 over the number of residuals that is not polished
 
@@ -173,9 +174,11 @@ MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
         if (!fit.converged && fit.cost > best.cost && fit.cost < close_behind * best.cost) {
             fit = minimise(problem, fit.p, polish_steps, job);
         }
-        if (fit.cost < best.cost) {
+        const double cost = fit.cost;
+        if (cost < best.cost) {
             best = std::move(fit);
         }
+        return cost;
     };
     if (lengthened.at_noise) {
         try_start(lengthened.p);
@@ -188,19 +191,24 @@ MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
     if (drifting.at_noise || best.cost > (1 + 6 * std::sqrt(2 / count)) * count) {
         try_start(drifting.p);
     }
+    // A noise that is not white leaves the best start above the windows' noise: where two ways of
+    // their own come down to the same place, it is taken.
+    bool confirmed = false;
     for (const Pencil kind : {Pencil::two_channels, Pencil::delayed}) {
-        if (!above_noise(problem, best)) {
+        if (confirmed || !above_noise(problem, best)) {
             break;
         }
         if (const std::optional<Eigen::VectorXd> start = pencil_start(problem, kind)) {
-            try_start(*start);
+            const double before = best.cost;
+            const double found = try_start(*start);
+            confirmed = std::abs(found - before) < same_cost * before;
         }
     }
     // Lengthening that never came down to the noise is the last resort: it ends far from a minimum.
-    if (!lengthened.at_noise && above_noise(problem, best)) {
+    if (!confirmed && !lengthened.at_noise && above_noise(problem, best)) {
         try_start(lengthened.p);
     }
-    if (problem.runs.size() > 1 && above_noise(problem, best)) {
+    if (!confirmed && problem.runs.size() > 1 && above_noise(problem, best)) {
         try_alone(problem, job, best);
     }
     if (!best.converged && best.cost < hopeless * residuals(problem, longest(problem))) {

@@ -26,7 +26,7 @@ constexpr std::size_t least_windows = 8;
 // Of one run, where its motion within a window allows: the fit's time grows with their number.
 constexpr std::size_t enough_windows = 150;
 constexpr std::size_t many_windows = 1000;  // where the frequency changes on the way
-constexpr double uneven_turn = 0.003;       // rad
+constexpr double even_turn = 0.003;         // rad
 // Fall of chi^2 from which on a dependence of the frequency on the amplitude is fitted.
 constexpr double cubic_fall = 25;
 // Of the last step: a tenth of a standard deviation. Along what is not seen a fit creeps for ever.
@@ -350,17 +350,20 @@ Result<ResonatorFit> fit_with(std::span<const PhasorRun> good, std::size_t windo
     return fit;
 }
 
-// Whether the frequency changes so far on the way that long windows lose more amplitude at one end
-// than at the other: a mean loses (turn)^2/24 of it.
-bool loses_amplitude(const ResonatorFit& fit) {
-    if (fit.motion.shared[cubic_at] != 0) {
-        return true;
+// By how much more a window turns at one end of a run than at the other, rad: a mean loses
+// (turn)^2/24 of the amplitude.
+double uneven_turn(const ResonatorFit& fit) {
+    const Eigen::VectorXd& shared = fit.motion.shared;
+    double most = 0;
+    for (const FittedMotion::Run& run : fit.motion.runs) {
+        const double fallen = -std::expm1(-2 * shared[decay_at] * run.frame.duration_s);
+        const double by_power =
+            shared[cubic_at] * run.own.segment<4>(start_at).squaredNorm() * fallen;
+        const double change_hz =
+            std::abs(run.own[drift_at]) * run.frame.duration_s + std::abs(by_power);
+        most = std::max(most, 2 * std::numbers::pi * change_hz * run.frame.window_s);
     }
-    return std::ranges::any_of(fit.motion.runs, [](const FittedMotion::Run& run) {
-        const double turn = 2 * std::numbers::pi * std::abs(run.own[drift_at]) *
-                            run.frame.duration_s * run.frame.window_s;
-        return turn > uneven_turn;
-    });
+    return most;
 }
 
 }  // namespace
@@ -378,8 +381,11 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
         }
     }
     Result<ResonatorFit> fit = fit_with(good, enough_windows, options, job);
-    if (fit && loses_amplitude(*fit)) {
-        return fit_with(good, many_windows, options, job);
+    const double shorter = fit ? uneven_turn(*fit) / even_turn : 0;
+    if (shorter > 1) {
+        const double windows = static_cast<double>(enough_windows) * shorter;
+        return fit_with(good, std::min(many_windows, static_cast<std::size_t>(windows) + 1),
+                        options, job);
     }
     return fit;
 }
