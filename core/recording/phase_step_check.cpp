@@ -36,9 +36,21 @@ double smallest_step(double w) {
     return std::min({std::abs(wrap(w)), std::abs(wrap(2 * w)), std::abs(wrap(3 * w))});
 }
 
+// Two periods at least. Of lengths up to half as long again, the one nearest to whole half-periods:
+// there a block's sum is least moved by the image at -w, which hides small steps.
 std::size_t block_of(double w) {
     const double two_periods = 4 * std::numbers::pi / w;
-    return static_cast<std::size_t>(std::clamp(std::ceil(two_periods), 32.0, 4096.0));
+    const auto least = static_cast<std::size_t>(std::clamp(std::ceil(two_periods), 32.0, 4096.0));
+    std::size_t best = least;
+    for (std::size_t length = least; length <= least + least / 2; ++length) {
+        const auto image = [w](std::size_t n) {
+            return std::abs(std::sin(w * static_cast<double>(n)));
+        };
+        if (image(length) < image(best)) {
+            best = length;
+        }
+    }
+    return best;
 }
 
 // Twelve periods tell neighbouring modes apart; eight blocks, so that a step has room inside.

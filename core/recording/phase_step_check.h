@@ -13,13 +13,13 @@ namespace vybeg {
 // Finds phase steps common to both channels, as the samples come by: one lost sample of a 5300 Hz
 // carrier at 33333 Hz is a step of 57 degrees.
 //
-// A step is suspected in two ways, in blocks of 32 frames, two periods at least. The phase of the
-// carrier, demodulated in blocks, moves between the block before and the block after by more than
-// 0.25 rad and eight times the scatter around it. Where that scatter hides a step (neighbouring
-// modes, noise) the error of a linear prediction of the samples stands out of that of the other
-// blocks, as no sum of decaying modes makes it. A suspicion is believed only where judge_step()
-// finds that the samples go on with a number of them lost or doubled, in every strong line, as they
-// do not as they are. Blocks with missing samples are left out.
+// A step is suspected in two ways, in blocks of 32 to 48 frames, two periods at least. The phase of
+// the carrier, demodulated in blocks, moves between the block before and the block after by more
+// than 0.25 rad and eight times the scatter around it. Where that scatter hides a step
+// (neighbouring modes, noise) the error of a linear prediction of the samples stands out of that of
+// the other blocks, as no sum of decaying modes makes it. A suspicion is believed only where
+// judge_step() finds that the samples go on with a number of them lost or doubled, in every strong
+// line, as they do not as they are. Blocks with missing samples are left out.
 class PhaseStepCheck {
 public:
     PhaseStepCheck(double f0_hz, double rate_hz);

@@ -10,6 +10,9 @@ namespace {
 // parameter that depends on others would leave what is linear within its whole deviation.
 constexpr double difference_share = 0.03;
 
+// Of a variance: what a profile must add for the direction to count as unseen.
+constexpr double unseen_share = 0.25;
+
 double by_shorter_way(double difference, double period) {
     return period > 0 ? std::remainder(difference, period) : difference;
 }
@@ -78,7 +81,8 @@ ReportedVariances reported_variances(const Posterior& posterior, const QuantityC
             const double off = by_shorter_way(there[q] - out.value[q], period[q]);
             const double missing = off * off / point.rise - out.total(q);
             if (missing > 0) {
-                out.nothing[q] += missing;
+                // A little is the quantity's own bend along a direction that is seen.
+                (missing > unseen_share * out.total(q) ? out.nothing : out.data)[q] += missing;
             }
         }
     }

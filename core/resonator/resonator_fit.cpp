@@ -6,6 +6,7 @@
 #include "core/resonator/fit_start.h"
 #include "core/resonator/merge_windows.h"
 #include "core/resonator/misfit_cause.h"
+#include "core/resonator/needed_windows.h"
 #include "core/resonator/raw_parameters.h"
 #include "core/resonator/refit_in_phase.h"
 #include "core/resonator/residual_noise.h"
@@ -25,8 +26,6 @@ namespace {
 constexpr std::size_t least_windows = 8;
 // Of one run, where its motion within a window allows: the fit's time grows with their number.
 constexpr std::size_t enough_windows = 150;
-constexpr std::size_t many_windows = 1000;  // where the frequency changes on the way
-constexpr double even_turn = 0.003;         // rad
 // Fall of chi^2 from which on a dependence of the frequency on the amplitude is fitted.
 constexpr double cubic_fall = 25;
 // Of the last step: a tenth of a standard deviation. Along what is not seen a fit creeps for ever.
@@ -350,22 +349,6 @@ Result<ResonatorFit> fit_with(std::span<const PhasorRun> good, std::size_t windo
     return fit;
 }
 
-// By how much more a window turns at one end of a run than at the other, rad: a mean loses
-// (turn)^2/24 of the amplitude.
-double uneven_turn(const ResonatorFit& fit) {
-    const Eigen::VectorXd& shared = fit.motion.shared;
-    double most = 0;
-    for (const FittedMotion::Run& run : fit.motion.runs) {
-        const double fallen = -std::expm1(-2 * shared[decay_at] * run.frame.duration_s);
-        const double by_power =
-            shared[cubic_at] * run.own.segment<4>(start_at).squaredNorm() * fallen;
-        const double change_hz =
-            std::abs(run.own[drift_at]) * run.frame.duration_s + std::abs(by_power);
-        most = std::max(most, 2 * std::numbers::pi * change_hz * run.frame.window_s);
-    }
-    return most;
-}
-
 }  // namespace
 
 Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& options,
@@ -381,11 +364,13 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
         }
     }
     Result<ResonatorFit> fit = fit_with(good, enough_windows, options, job);
-    const double shorter = fit ? uneven_turn(*fit) / even_turn : 0;
-    if (shorter > 1) {
-        const double windows = static_cast<double>(enough_windows) * shorter;
-        return fit_with(good, std::min(many_windows, static_cast<std::size_t>(windows) + 1),
-                        options, job);
+    if (!fit) {
+        return fit;
+    }
+    // Fitted again where the fit shows that merged windows were too long for what it found.
+    const double windows = needed_windows(fit->motion, good);
+    if (windows > static_cast<double>(enough_windows)) {
+        return fit_with(good, static_cast<std::size_t>(windows) + 1, options, job);
     }
     return fit;
 }

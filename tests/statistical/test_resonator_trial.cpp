@@ -256,7 +256,9 @@ private slots:
         for (const auto& [sd, width] : {std::pair{1e-5, 0.05},
                                         {1e-5, 0.2},
                                         {1e-5, 1.0},
+                                        {1e-4, 0.05},
                                         {1e-4, 0.2},
+                                        {1e-4, 1.0},
                                         {1e-3, 0.05},
                                         {1e-3, 0.2},
                                         {1e-3, 1.0}}) {
@@ -267,7 +269,7 @@ private slots:
     void noise_about_the_carrier_is_in_the_deviations() {
         QFETCH(double, sd);
         QFETCH(double, half_width_hz);
-        constexpr int seeds = 10;
+        constexpr int seeds = 16;
         constexpr int parts = 8;  // of a window, over which the noise is averaged
         Pulls all;
         int free = 0;

@@ -215,6 +215,28 @@ private slots:
         QVERIFY2(found >= lost - 6, qPrintable(QString("%1 of %2").arg(found).arg(lost)));
     }
 
+    // Six periods and a bit: a step of 0.29 rad, beside which the image of a short block is large.
+    void a_small_step_of_the_phase_is_found_in_a_beat() {
+        for (const double split : {0.0, 0.03, 0.3, 1.3, 2.7}) {
+            for (const int count : {6, 7, 13, -6}) {
+                for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+                    std::mt19937_64 random(seed);
+                    std::vector<Line> lines{any_line(5300, 400, 1, random)};
+                    if (split > 0) {
+                        lines.push_back(any_line(5300 + split, 400, 0.3, random));
+                    }
+                    Signal signal = signal_of(lines, rate, 4, 1e-3, seed);
+                    const auto frame = static_cast<std::int64_t>(uniform(1e4, 1.2e5, random));
+                    count > 0 ? lose(signal, frame, count) : repeat(signal, frame, -count);
+                    const auto steps = steps_of(signal, 5300, rate);
+                    const QString what =
+                        QString("%1 Hz beside, %2 lost: ").arg(split).arg(count) + text(steps);
+                    QVERIFY2(steps.size() == 1 && steps[0].lost == count, qPrintable(what));
+                }
+            }
+        }
+    }
+
     void forty_lost_samples_are_not_certainly_four_doubled() {
         // 44 samples are seven periods less 0.025 rad.
         for (std::uint64_t seed = 1; seed <= 8; ++seed) {

@@ -47,6 +47,7 @@ private slots:
     void thePredictionIsWithinTheNoise();
     void theSameDataGiveTheSameBits();
     void excessResidualsEnlargeTheDeviations();
+    void aWeakModeIsNoAlias();
     void whatCannotBeFittedSaysSo();
 };
 
@@ -229,6 +230,32 @@ void TestResonatorFit::excessResidualsEnlargeTheDeviations() {
     QVERIFY(std::abs(after.chi2_per_dof - 9) < 0.5);
     QVERIFY(std::abs(after.resonator.split_hz.sd / before.resonator.split_hz.sd - 1) < 0.05);
     QVERIFY(after.model == ResonatorModel::structured);
+}
+
+// A wave near one mode's axis: merged windows of a fifth of a second would show the other mode at
+// its alias, 4.7 Hz at 0.43.
+void TestResonatorFit::aWeakModeIsNoAlias() {
+    int given = 0;
+    int sets = 0;
+    for (const double split : {2.3, 4.7, 5.3}) {
+        for (const double beside_deg : {-4.0, 2.5}) {
+            for (const double axis_deg : {0.0, 45.0}) {
+                FreeDecay gyro = reference();
+                gyro.split_hz = split;
+                gyro.theta_w = 0.2;
+                gyro.damping_anisotropy_per_s = 2e-4;
+                const double theta = 0.2 * 180 / std::numbers::pi + axis_deg + beside_deg;
+                const ResonatorFit fit =
+                    fitted(set_of(gyro, {theta}, 500, static_cast<std::uint64_t>(++sets)));
+                QVERIFY(fit.model == ResonatorModel::structured);
+                if (fit.resonator.split_hz.given()) {
+                    ++given;
+                    VYBEG_NEAR(fit.resonator.split_hz, split, 5, 1e-4);
+                }
+            }
+        }
+    }
+    QVERIFY2(given >= 0.9 * sets, qPrintable(QString("%1 of %2").arg(given).arg(sets)));
 }
 
 void TestResonatorFit::whatCannotBeFittedSaysSo() {
