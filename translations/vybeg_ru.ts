@@ -742,8 +742,8 @@
             <translation>Мест, где потеряно или повторено неизвестное число отсчётов: %1. Фаза после каждого — отдельный параметр; время сдвинуто на наименьшее возможное число.</translation>
         </message>
         <message>
-            <source>The first %1 s are left out of the fit: the strike and what the band-pass makes of it are no free decay.</source>
-            <translation>Первые %1 с в подгонку не взяты: удар и то, что делает с ним полосовой фильтр, — не свободный выбег.</translation>
+            <source>The first %1 s are left out of the fit: a strike, or what a band-pass makes of the beginning, is no free decay.</source>
+            <translation>Первые %1 с в подгонку не взяты: удар или то, что полосовой фильтр делает с началом записи, — не свободный выбег.</translation>
         </message>
         <message>
             <source>The carrier given is %1 Hz, and the signal is at %2 Hz: that is used.</source>

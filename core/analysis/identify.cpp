@@ -122,6 +122,35 @@ void refer_to_recorded(double calibrated, ResonatorFit& fit) {
     }
 }
 
+// Every absolute frequency is wrong by as much as the sample rates are, where the file's digits
+// leave them open.
+void add_clock(std::span<const Recording> recordings, Identification& found) {
+    double relative = 0;
+    for (std::size_t k = 0; k < recordings.size(); ++k) {
+        const double own = recordings[k].rate_relative_sd;
+        relative = std::max(relative, own);
+        Estimate& wave = found.runs[k].wave.f_hz;
+        wave.u = own > 0 ? std::hypot(wave.uncertainty(), own * wave.value) : wave.u;
+    }
+    if (relative == 0) {
+        return;
+    }
+    const auto widen = [relative](Estimate& f, double f_hz) {
+        f.u = std::hypot(f.uncertainty(), relative * f_hz);
+    };
+    ResonatorFit& fit = found.fit;
+    widen(fit.resonator.f_mean_hz, fit.resonator.f_mean_hz.value);
+    for (ModeEstimate& mode : fit.modes) {
+        widen(mode.f_hz, mode.f_hz.value);
+    }
+    for (std::size_t k = 0; k < fit.runs.size(); ++k) {
+        widen(fit.runs[k].direction_f_hz, fit.runs[k].direction_f_hz.value);
+        if (fit.runs.size() > 1) {
+            widen(fit.runs[k].f_offset_hz, found.runs[k].f0_hz);
+        }
+    }
+}
+
 // The error of a fit that lacks windows, about the recording that has the fewest.
 Error named(Error error, std::span<const PhasorRun> runs, std::span<const Recording> recordings) {
     if (error.code == ErrorCode::fit_too_few_windows) {
@@ -227,6 +256,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
     }
     found.fit = std::move(*fit);
     refer_to_recorded(settings.signal.calibration.kappa, found.fit);
+    add_clock(recordings, found);
     name_runs(recordings, found.fit.warnings);
     if (found.fit.model == ResonatorModel::structured) {
         found.drift = drift_function(phasors, found.fit);

@@ -131,8 +131,8 @@ const char* message_template(DiagnosticKind kind) {
                                  "used.");
         case DiagnosticKind::strike_left_out:
             return VYBEG_MESSAGE("Message",
-                                 "The first %1 s are left out of the fit: the strike and what the "
-                                 "band-pass makes of it are no free decay.");
+                                 "The first %1 s are left out of the fit: a strike, or what a "
+                                 "band-pass makes of the beginning, is no free decay.");
         case DiagnosticKind::frequency_drifts:
             return VYBEG_MESSAGE("Message",
                                  "Recording %1: the frequency drifts by %2 Hz per second (standard "

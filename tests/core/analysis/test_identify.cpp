@@ -1,0 +1,80 @@
+#include "core/analysis/identify.h"
+#include "tests/statistical/simulated_recording.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+std::vector<Recording> two_runs() {
+    std::vector<Recording> runs;
+    for (const double angle : {0.3, 1.4}) {
+        FreeDecay decay;
+        decay.seconds = 4;
+        decay.tau_s = 40;
+        decay.split_hz = 0.1;
+        decay.noise = 1e-3;
+        decay.two_theta_A = angle;
+        decay.seed = static_cast<std::uint64_t>(10 * angle);
+        runs.push_back(simulated_recording(decay));
+    }
+    return runs;
+}
+
+}  // namespace
+
+class TestIdentify : public QObject {
+    Q_OBJECT
+
+private slots:
+    // What a file's digits leave open of the sample rate is open of every frequency.
+    void a_clock_of_few_digits_widens_the_frequencies_alone() {
+        std::vector<Recording> runs = two_runs();
+        const Result<Identification> exact = identify(runs, {}, {});
+        runs[1].rate_relative_sd = 1e-5;
+        const Result<Identification> open = identify(runs, {}, {});
+        QVERIFY(exact && open);
+        const double wide = 1e-5 * 5300;
+        const auto near = [](double a, double b) { return std::abs(a / b - 1) < 0.01; };
+        QVERIFY(exact->fit.resonator.f_mean_hz.uncertainty() < 1e-4);
+        QVERIFY(near(open->fit.resonator.f_mean_hz.u, wide));
+        QCOMPARE(open->fit.modes.size(), std::size_t{2});
+        for (const ModeEstimate& mode : open->fit.modes) {
+            QVERIFY(near(mode.f_hz.u, wide));
+        }
+        for (std::size_t k = 0; k < 2; ++k) {
+            QVERIFY(near(open->fit.runs[k].f_offset_hz.u, wide));
+            QVERIFY(near(open->fit.runs[k].direction_f_hz.u, wide));
+        }
+        QCOMPARE(open->runs[0].wave.f_hz.u, exact->runs[0].wave.f_hz.u);
+        QVERIFY(near(open->runs[1].wave.f_hz.u, wide));
+        QCOMPARE(open->fit.resonator.split_hz.uncertainty(),
+                 exact->fit.resonator.split_hz.uncertainty());
+        QCOMPARE(open->fit.resonator.f_mean_hz.sd, exact->fit.resonator.f_mean_hz.sd);
+    }
+
+    // A gain ratio known to a per cent moves the decay of a wave that turns.
+    void the_waves_own_numbers_hold_the_tolerances() {
+        const std::vector<Recording> runs = two_runs();
+        IdentifySettings settings;
+        const Result<Identification> usual = identify(runs, settings, {});
+        settings.tolerance.kappa = 0;
+        const Result<Identification> exact = identify(runs, settings, {});
+        QVERIFY(usual && exact);
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            const WaveMotion& wide = usual->runs[k].wave;
+            const WaveMotion& narrow = exact->runs[k].wave;
+            QCOMPARE(narrow.decay_per_s.u, narrow.decay_per_s.sd);
+            QCOMPARE(wide.decay_per_s.sd, narrow.decay_per_s.sd);
+            QVERIFY(wide.decay_per_s.u > 2 * wide.decay_per_s.sd);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestIdentify)
+#include "test_identify.moc"
