@@ -123,8 +123,8 @@ private:
 // What a window's time, the channels and the run's frequency make of the motion.
 struct Channels {
     Complex phase;  // e^{i phi}
-    Complex gain;   // g/kappa of D
-    Complex cross;  // (sin skew + i crosstalk)/kappa
+    Complex gain;   // e^{i phi} g/kappa of D
+    Complex cross;  // e^{i phi} (sin skew + i crosstalk)/kappa
     double u = 0;
     double x = 0;
 };
@@ -143,13 +143,14 @@ Channels channels_at(const ScaledRun& run, const Eigen::VectorXd& shared,
     channels.phase = std::polar(1.0, phi);
     const double kappa = shared[kappa_at];
     channels.gain = std::polar((1 + shared[gain_drift_at] * channels.x) / kappa,
-                               shared[phase_at] + shared[phase_drift_at] * channels.x);
-    channels.cross = Complex(std::sin(shared[skew_at]), shared[crosstalk_at]) / kappa;
+                               phi + shared[phase_at] + shared[phase_drift_at] * channels.x);
+    channels.cross =
+        channels.phase * (Complex(std::sin(shared[skew_at]), shared[crosstalk_at]) / kappa);
     return channels;
 }
 
 Vector2cd seen(const Channels& channels, const Vector2cd& z) {
-    return channels.phase * Vector2cd(z[0], channels.gain * z[1] + channels.cross * z[0]);
+    return {channels.phase * z[0], channels.gain * z[1] + channels.cross * z[0]};
 }
 
 }  // namespace
@@ -218,7 +219,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& shared,
         if (with_cubic) {
             put(cubic_at, seen(channels, at.by.col(cubic_column)));
         }
-        const Complex d_gain = channels.phase * channels.gain * at.z[1];
+        const Complex d_gain = channels.gain * at.z[1];
         const Complex d_cross = channels.phase * at.z[0] / kappa;
         put(kappa_at, {0, -expected[1] / kappa});
         put(skew_at, {0, std::cos(shared[skew_at]) * d_cross});

@@ -71,7 +71,7 @@ private slots:
             const WaveMotion& narrow = exact->runs[k].wave;
             QCOMPARE(narrow.decay_per_s.u, narrow.decay_per_s.sd);
             QCOMPARE(wide.decay_per_s.sd, narrow.decay_per_s.sd);
-            QVERIFY(wide.decay_per_s.u > 2 * wide.decay_per_s.sd);
+            QVERIFY(wide.decay_per_s.u > wide.decay_per_s.sd);
         }
     }
 };
