@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -71,6 +72,23 @@ Motion kicked(const Motion& from, double cubic, double t, const ScaledRun& run) 
     return to;
 }
 
+// Where a product with exp(M h) leads from one window to the next: not over gaps, nor so often that
+// rounding adds up.
+class Walk {
+public:
+    bool step_to(double time_s, double step_s) {
+        constexpr int most_steps = 64;
+        const bool whole = std::abs(time_s - time_s_ - step_s) < 1e-10 * step_s;
+        steps_ = whole && steps_ < most_steps ? steps_ + 1 : 0;
+        time_s_ = time_s;
+        return steps_ > 0;
+    }
+
+private:
+    double time_s_ = -std::numeric_limits<double>::infinity();
+    int steps_ = 0;
+};
+
 // The motion z at the windows, without the run's own phase.
 class MotionSteps {
 public:
@@ -90,7 +108,16 @@ public:
     Motion at(std::size_t window) {
         const double t = run_.time_s[window];
         if (!steps_) {
-            return propagated(dynamics_.propagation(t), begin_);
+            // Whole steps from the window before, exactly from the start now and then.
+            if (walk_.step_to(t, run_.step_s)) {
+                if (!step_) {
+                    step_ = dynamics_.propagation(run_.step_s);
+                }
+                now_ = propagated(*step_, now_);
+            } else {
+                now_ = propagated(dynamics_.propagation(t), begin_);
+            }
+            return now_;
         }
         // A gap is crossed in steps of a window.
         const double length = t - time_s_;
@@ -115,6 +142,7 @@ private:
     bool steps_;
     Motion begin_;
     Motion now_;
+    Walk walk_;
     double time_s_ = 0;
     double h_ = 0;
     std::optional<SlowDynamics::Propagation> step_;
@@ -175,10 +203,13 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
     if (shared[cubic_at] == 0) {
         const SlowDynamics dynamics(rates_of(shared));
         const Vector2cd start = start_of(own);
+        const Eigen::Matrix2cd step = dynamics.propagator(run.step_s);
+        Walk walk;
+        Vector2cd z = start;
         for (std::size_t k = 0; k < windows; ++k) {
             const double t = run.time_s[k];
-            expected.push_back(
-                seen(channels_at(run, shared, own, t), dynamics.propagator(t) * start));
+            z = walk.step_to(t, run.step_s) ? Vector2cd(step * z) : dynamics.propagator(t) * start;
+            expected.push_back(seen(channels_at(run, shared, own, t), z));
         }
         return expected;
     }
