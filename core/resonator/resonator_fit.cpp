@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -73,12 +74,18 @@ public:
         problem_.priors = structured_priors(scaled_, problem_.layout, options.tolerance);
     }
 
-    ResonatorFit fit() {
-        MapFit main = fit_from_nothing(problem_, job_);
-        try_cubic(main);
-        choose_model(main);
-        main = refit_in_phase(problem_, main, job_);
-        describe(main);
+    // Finds the most likely parameters; the number of windows of a run that they ask for.
+    double solve() {
+        main_ = fit_from_nothing(problem_, job_);
+        try_cubic(main_);
+        choose_model(main_);
+        main_ = refit_in_phase(problem_, main_, job_);
+        return needed_windows(motion(main_), fine_);
+    }
+
+    // What they say of the resonator.
+    ResonatorFit described() {
+        describe(main_);
         return std::move(fit_);
     }
 
@@ -325,28 +332,19 @@ private:
     const FitOptions& options_;
     const JobControl& job_;
     FitProblem problem_;
+    MapFit main_;
     Estimate cubic_limit_;
     bool amplitude_or_time_ = false;
     ResonatorFit fit_;
 };
 
-// Fits the runs with about `windows` of them each. Precondition: no run has less than
-// least_windows.
-Result<ResonatorFit> fit_with(std::span<const PhasorRun> good, std::size_t windows,
-                              const FitOptions& options, const JobControl& job) {
+// The runs with about `windows` of them each.
+std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windows) {
     std::vector<PhasorRun> merged;
-    for (const PhasorRun& run : good) {
+    for (const PhasorRun& run : runs) {
         merged.push_back(merge_windows(run, windows));
     }
-    const double scale = largest_amplitude(merged);
-    if (merged.empty() || scale <= 0) {
-        return Error{ErrorCode::fit_failed, "the recordings", {"there is no wave"}};
-    }
-    ResonatorFit fit = SetFit(std::move(merged), good, scale, options, job).fit();
-    if (job.cancelled()) {
-        return Error{ErrorCode::interrupted, {}, {}};
-    }
-    return fit;
+    return merged;
 }
 
 }  // namespace
@@ -363,14 +361,21 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
                           integer_text(least_windows)}};
         }
     }
-    Result<ResonatorFit> fit = fit_with(good, enough_windows, options, job);
-    if (!fit) {
-        return fit;
+    const double scale = largest_amplitude(good);
+    if (good.empty() || scale <= 0) {
+        return Error{ErrorCode::fit_failed, "the recordings", {"there is no wave"}};
     }
-    // Fitted again where the fit shows that merged windows were too long for what it found.
-    const double windows = needed_windows(fit->motion, good);
+    auto set = std::make_unique<SetFit>(merged(good, enough_windows), good, scale, options, job);
+    // Solved again where merged windows were too long for what they gave.
+    const double windows = set->solve();
     if (windows > static_cast<double>(enough_windows)) {
-        return fit_with(good, static_cast<std::size_t>(windows) + 1, options, job);
+        set = std::make_unique<SetFit>(merged(good, static_cast<std::size_t>(windows) + 1), good,
+                                       scale, options, job);
+        set->solve();
+    }
+    ResonatorFit fit = set->described();
+    if (job.cancelled()) {
+        return Error{ErrorCode::interrupted, {}, {}};
     }
     return fit;
 }
