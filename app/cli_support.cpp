@@ -35,4 +35,11 @@ Status write_text(const std::string& text, const JobControl& job) {
     return output.commit();
 }
 
+HashBeside::HashBeside(const Recording& recording, int threads, std::stop_token stop)
+    : interrupted_(std::move(stop), [this] { given_up_.request_stop(); }),
+      hash_(std::async(threads == 1 ? std::launch::deferred : std::launch::async,
+                       [&recording, job = silent_job(given_up_.get_token())] {
+                           return recording_sha256(recording, job);
+                       })) {}
+
 }  // namespace vybeg::cli
