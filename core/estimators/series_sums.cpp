@@ -1,5 +1,7 @@
 #include "core/estimators/series_sums.h"
 
+#include "core/estimators/moved_runs.h"
+
 #include <algorithm>
 
 namespace vybeg {
@@ -18,7 +20,8 @@ SampleColumns columns_of(const WindowBlock& block, std::span<const double> delay
 
 SeriesCut SeriesSums::cut(std::int64_t first, std::int64_t length, double distance) const {
     SeriesCut cut{first, length, {}};
-    if (first + length > basis_.stretch()) {
+    // One stretch counts from where its rows of the basis do.
+    if (first + length > basis_.stretch() || distance != static_cast<double>(first)) {
         for (std::int64_t j = 0; j < length; j += basis_.stretch()) {
             cut.shifts.push_back(series_shift(basis_, distance + static_cast<double>(j)));
         }
@@ -34,8 +37,12 @@ void SeriesSums::prepare(std::int64_t hop) {
         whole_ = cut(0, n, 0.5 * static_cast<double>(basis_.stretch() - n));
     } else {
         const std::int64_t head = n % hop;
-        head_ = cut(0, head, 0);
-        rest_ = cut(head, hop - head, static_cast<double>(head));
+        // A hop of several stretches counts from its own middle, a shorter one from that of a
+        // stretch.
+        const double middle = 0.5 * static_cast<double>(basis_.stretch() - 1);
+        origin_ = hop > basis_.stretch() ? 0.5 * static_cast<double>(hop - 1) : middle;
+        head_ = cut(0, head, middle - origin_);
+        rest_ = cut(head, hop - head, static_cast<double>(head) + middle - origin_);
     }
 }
 
@@ -46,10 +53,38 @@ void SeriesSums::take(const WindowBlock& block, std::size_t count,
     if (block.hop != hop_) {
         prepare(block.hop);
     }
-    if (overlapping_) {
-        project_hops(count);
-        join_hops(count);
+    count_ = count;
+    state_ = Runs::none;
+}
+
+void SeriesSums::move(std::size_t first, std::size_t count, const SeriesFrame& frame) {
+    if (state_ != Runs::of_one_hop) {
+        project_hops(count_);
+        state_ = Runs::of_one_hop;
     }
+    const std::size_t whole = most_moved();
+    const auto hop = static_cast<double>(hop_);
+    const auto n = static_cast<double>(basis_.length());
+    // Everything to the middle of the windows' middle one.
+    const double to_first = static_cast<double>(first) * hop;
+    const double centre = to_first + 0.5 * (static_cast<double>(count - 1) * hop + n - 1);
+    const double x = 0.5 * n * (frame.w0() - basis_.w0());
+    const auto distance = [&](std::size_t run) {
+        return static_cast<double>(run) * hop + origin_ - centre;
+    };
+    terms_.reset(whole + count - 1);
+    move_runs(terms_, runs_, first, whole + count - 1, {n, frame.w0(), x, distance(first), hop});
+    if (head_.length > 0) {
+        ends_.reset(count);
+        move_runs(ends_, heads_, first + whole, count,
+                  {n, frame.w0(), x, distance(first + whole), hop});
+    }
+    sums_.reset(count);
+    sum_windows(sums_, terms_, ends_, head_.length > 0, whole, count);
+    windows_.reset(count);
+    move_runs(windows_, sums_, 0, count,
+              {n, frame.w0(), 0, centre - to_first - 0.5 * (n - 1), -hop});
+    in_windows_ = first;
 }
 
 // The block's hops as runs of one, and their heads.
@@ -91,8 +126,8 @@ void SeriesSums::join_hops(std::size_t count) {
     windows_.reset(count);
     std::fill(windows_.numbers.begin(), windows_.numbers.end(), 0.0);
     const auto hop = static_cast<double>(hop_);
-    // From the middle of a stretch that begins with a window to the window's.
-    const double to_centre = 0.5 * static_cast<double>(basis_.stretch() - basis_.length());
+    // From where a window's first hop counts to the window's middle.
+    const double to_centre = origin_ - 0.5 * static_cast<double>(basis_.length() - 1);
     const auto whole = static_cast<std::size_t>(basis_.length() / hop_);
     std::size_t runs = count + whole - 1;
     std::size_t done = 0;  // hops of the windows
@@ -116,15 +151,21 @@ void SeriesSums::join_hops(std::size_t count) {
     }
 }
 
-void SeriesSums::batch(std::size_t first, std::size_t count, SeriesBatch& batch) const {
+void SeriesSums::batch(std::size_t first, std::size_t count, SeriesBatch& batch) {
     if (!overlapping_) {
         const SampleColumns block = columns_of(block_, delayed_);
         sum_cuts(block.from(static_cast<std::int64_t>(first) * hop_), hop_, count, whole_, basis_,
                  batch);
         return;
     }
+    if (state_ == Runs::none) {
+        project_hops(count_);
+        join_hops(count_);
+        state_ = Runs::joined;
+        in_windows_ = 0;
+    }
     for_numbers(batch, [&](std::size_t kind, Lanes& lanes) {
-        const double* from = &windows_.numbers[kind * windows_.pitch + first];
+        const double* from = &windows_.numbers[kind * windows_.pitch + first - in_windows_];
         for (std::size_t lane = 0; lane < series_lanes; ++lane) {
             lanes[lane] = from[std::min(lane, count - 1)];
         }

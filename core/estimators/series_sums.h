@@ -29,7 +29,15 @@ public:
 
     // The sums of `count` windows of that block from window `first` on, count <= series_lanes; the
     // lanes beyond repeat the last one.
-    void batch(std::size_t first, std::size_t count, SeriesBatch& batch) const;
+    void batch(std::size_t first, std::size_t count, SeriesBatch& batch);
+
+    // Whether the windows are put together of hops; then they can be for another frequency, too:
+    // windows first .. first + count - 1 of the block, at the frame's, which lies near the basis'.
+    // Those of batch() are then these ones. Precondition: count <= most_moved(), and as far as the
+    // block goes.
+    bool overlapping() const { return overlapping_; }
+    std::size_t most_moved() const { return static_cast<std::size_t>(basis_.length() / hop_); }
+    void move(std::size_t first, std::size_t count, const SeriesFrame& frame);
 
 private:
     void prepare(std::int64_t hop);
@@ -48,6 +56,13 @@ private:
     RunTable runs_;
     RunTable heads_;
     RunTable windows_;
+    std::size_t count_ = 0;       // windows of the block
+    std::size_t in_windows_ = 0;  // the first window of windows_
+    enum class Runs { none, of_one_hop, joined } state_ = Runs::none;
+    double origin_ = 0;  // of a hop's series, from its first sample
+    RunTable terms_;     // of move()
+    RunTable ends_;
+    RunTable sums_;
 };
 
 }  // namespace vybeg
