@@ -29,6 +29,38 @@ constexpr std::int64_t least_probed = 128;
 // of the main lobe.
 constexpr std::int64_t least_sparse = 1024;
 
+// Power of the pieces of a window, `by_x` radians per x apart, at x.
+double power_of_pieces(std::span<const Projections> pieces, double turn, double by_x, double x) {
+    std::complex<double> c = 0;
+    std::complex<double> d = 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const auto back = std::polar(1.0, -(turn + by_x * x) * static_cast<double>(k));
+        c += back * pieces[k].c;
+        d += back * pieces[k].d;
+    }
+    return std::norm(c) + std::norm(d);
+}
+
+// A wave of its own in the main lobe, while a stronger one, at x, lies outside: where it is. What
+// the stronger one leaks into the lobe has less than 1/x^2 of its power.
+std::optional<double> wave_in_lobe(std::span<const Projections> pieces, double turn, double by_x,
+                                   double x) {
+    constexpr int points = 12;
+    constexpr double step = 0.25;
+    double highest = 0;
+    int place = 0;
+    for (int k = -points; k <= points; ++k) {
+        const double power = power_of_pieces(pieces, turn, by_x, step * k);
+        if (power > highest) {
+            highest = power;
+            place = k;
+        }
+    }
+    const bool is_peak = std::abs(place) < points;
+    const double leaks = 4 / (x * x) * power_of_pieces(pieces, turn, by_x, x);
+    return is_peak && highest > leaks ? std::optional(step * place) : std::nullopt;
+}
+
 }  // namespace
 
 CarrierSums::CarrierSums(std::int64_t n, double w0) : n_(n), w0_(w0) {
@@ -48,7 +80,7 @@ CarrierSums::Reference& CarrierSums::reference(double x) {
     std::unique_ptr<Reference>& found = references_[place];
     if (!found) {
         const double w = w0_ + 2 * grid * static_cast<double>(place) / static_cast<double>(n_);
-        found = std::make_unique<Reference>(n_, w);
+        found = std::make_unique<Reference>(n_, w, tables_);
     }
     return *found;
 }
@@ -81,6 +113,12 @@ std::optional<double> CarrierSums::probe(std::size_t window) const {
             return std::nullopt;
         }
         x += std::remainder(turned - by_x * x, 2 * pi) / by_x;
+    }
+    if (std::abs(x) > pi) {
+        const auto all_pieces = std::span<const Projections>(sums).first(pieces);
+        const double turn = w0_ * static_cast<double>(apart);
+        const double by_x = 2 * static_cast<double>(apart) / static_cast<double>(n_);
+        x = wave_in_lobe(all_pieces, turn, by_x, x).value_or(x);
     }
     const double farthest = sparse ? 8 * pi : pi;
     // As the main lobe of window_series.h keeps away from 0 and half the rate.

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace vybeg {
 
@@ -22,7 +23,8 @@ namespace vybeg {
 // pieces tell of the first and the last window. Windows that stand apart are projected at that
 // frequency; those that share their hops are brought to it from one reference for the block, some
 // of them at a time (SeriesSums::move()). A window in which the steps do not arrive all the same
-// moves the line.
+// moves the line. Beyond the carrier's main lobe the line follows a wave where the lobe holds none:
+// of two waves that the window tells apart, the carrier names the one that is meant.
 //
 // x is the distance from the carrier as in window_series.h, (w - w0) n/2.
 class CarrierSums {
@@ -43,8 +45,9 @@ private:
     // Sums by one basis.
     struct Reference {
         SeriesBasis basis;
-        SeriesSums sums{basis};
-        Reference(std::int64_t n, double w0) : basis(n, w0) {}
+        SeriesSums sums;
+        Reference(std::int64_t n, double w0, std::shared_ptr<SeriesSums::Tables> tables)
+            : basis(n, w0), sums(basis, std::move(tables)) {}
     };
 
     double x_at(double window) const;
@@ -58,6 +61,7 @@ private:
 
     std::int64_t n_;
     double w0_;
+    std::shared_ptr<SeriesSums::Tables> tables_ = std::make_shared<SeriesSums::Tables>();
     std::map<std::int64_t, std::unique_ptr<Reference>> references_;  // by x in steps
     WindowBlock block_;
     std::size_t count_ = 0;

@@ -72,17 +72,18 @@ void SeriesSums::move(std::size_t first, std::size_t count, const SeriesFrame& f
     const auto distance = [&](std::size_t run) {
         return static_cast<double>(run) * hop + origin_ - centre;
     };
-    terms_.reset(whole + count - 1);
-    move_runs(terms_, runs_, first, whole + count - 1, {n, frame.w0(), x, distance(first), hop});
+    tables_->terms.reset(whole + count - 1);
+    move_runs(tables_->terms, tables_->runs, first, whole + count - 1,
+              {n, frame.w0(), x, distance(first), hop});
     if (head_.length > 0) {
-        ends_.reset(count);
-        move_runs(ends_, heads_, first + whole, count,
+        tables_->ends.reset(count);
+        move_runs(tables_->ends, tables_->heads, first + whole, count,
                   {n, frame.w0(), x, distance(first + whole), hop});
     }
-    sums_.reset(count);
-    sum_windows(sums_, terms_, ends_, head_.length > 0, whole, count);
-    windows_.reset(count);
-    move_runs(windows_, sums_, 0, count,
+    tables_->sums.reset(count);
+    sum_windows(tables_->sums, tables_->terms, tables_->ends, head_.length > 0, whole, count);
+    tables_->windows.reset(count);
+    move_runs(tables_->windows, tables_->sums, 0, count,
               {n, frame.w0(), 0, centre - to_first - 0.5 * (n - 1), -hop});
     in_windows_ = first;
 }
@@ -92,8 +93,8 @@ void SeriesSums::project_hops(std::size_t count) {
     const auto in_window = static_cast<std::size_t>(basis_.length() / hop_);
     const std::size_t whole = count + in_window - 1;
     const std::size_t heads = head_.length > 0 ? whole + 1 : 0;
-    runs_.reset(whole);
-    heads_.reset(heads);
+    tables_->runs.reset(whole);
+    tables_->heads.reset(heads);
     const auto put = [](RunTable& table, std::size_t run, const SeriesBatch& batch) {
         for_numbers(batch, [&](std::size_t kind, const Lanes& lanes) {
             std::copy(lanes.begin(), lanes.end(), &table.numbers[kind * table.pitch + run]);
@@ -105,7 +106,7 @@ void SeriesSums::project_hops(std::size_t count) {
         SeriesBatch head;
         if (run < heads) {
             sum_cuts(samples, hop_, std::min(series_lanes, heads - run), head_, basis_, head);
-            put(heads_, run, head);
+            put(tables_->heads, run, head);
         }
         if (run < whole) {
             SeriesBatch hop;
@@ -113,18 +114,19 @@ void SeriesSums::project_hops(std::size_t count) {
             if (heads > 0) {
                 for_numbers(hop, [&](std::size_t kind, Lanes& lanes) {
                     for (std::size_t lane = 0; lane < series_lanes; ++lane) {
-                        lanes[lane] += heads_.numbers[kind * heads_.pitch + run + lane];
+                        lanes[lane] +=
+                            tables_->heads.numbers[kind * tables_->heads.pitch + run + lane];
                     }
                 });
             }
-            put(runs_, run, hop);
+            put(tables_->runs, run, hop);
         }
     }
 }
 
 void SeriesSums::join_hops(std::size_t count) {
-    windows_.reset(count);
-    std::fill(windows_.numbers.begin(), windows_.numbers.end(), 0.0);
+    tables_->windows.reset(count);
+    std::fill(tables_->windows.numbers.begin(), tables_->windows.numbers.end(), 0.0);
     const auto hop = static_cast<double>(hop_);
     // From where a window's first hop counts to the window's middle.
     const double to_centre = origin_ - 0.5 * static_cast<double>(basis_.length() - 1);
@@ -132,22 +134,22 @@ void SeriesSums::join_hops(std::size_t count) {
     std::size_t runs = count + whole - 1;
     std::size_t done = 0;  // hops of the windows
     const auto add = [&](const RunTable& from) {
-        add_shifted_runs(windows_, from, done, count,
+        add_shifted_runs(tables_->windows, from, done, count,
                          series_shift(basis_, static_cast<double>(done) * hop + to_centre));
     };
     for (std::size_t length = 1; length <= whole; length *= 2) {
         if ((whole & length) != 0) {
-            add(runs_);
+            add(tables_->runs);
             done += length;
         }
         if (2 * length <= whole) {
             runs -= length;
-            add_shifted_runs(runs_, runs_, length, runs,
+            add_shifted_runs(tables_->runs, tables_->runs, length, runs,
                              series_shift(basis_, static_cast<double>(length) * hop));
         }
     }
     if (head_.length > 0) {
-        add(heads_);
+        add(tables_->heads);
     }
 }
 
@@ -165,7 +167,8 @@ void SeriesSums::batch(std::size_t first, std::size_t count, SeriesBatch& batch)
         in_windows_ = 0;
     }
     for_numbers(batch, [&](std::size_t kind, Lanes& lanes) {
-        const double* from = &windows_.numbers[kind * windows_.pitch + first - in_windows_];
+        const double* from =
+            &tables_->windows.numbers[kind * tables_->windows.pitch + first - in_windows_];
         for (std::size_t lane = 0; lane < series_lanes; ++lane) {
             lanes[lane] = from[std::min(lane, count - 1)];
         }

@@ -6,7 +6,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 
 namespace vybeg {
 
@@ -19,8 +21,21 @@ namespace vybeg {
 // steps. Its sums are of its own samples alone, added in the same order wherever the block begins.
 class SeriesSums {
 public:
+    // What a block's sums take much room for; several that take up blocks in turn may share it.
+    struct Tables {
+        RunTable runs;
+        RunTable heads;
+        RunTable windows;
+        // Of move().
+        RunTable terms;
+        RunTable ends;
+        RunTable sums;
+    };
+
     // Keeps a reference to the basis.
-    explicit SeriesSums(const SeriesBasis& basis) : basis_(basis) {}
+    explicit SeriesSums(const SeriesBasis& basis,
+                        std::shared_ptr<Tables> tables = std::make_shared<Tables>())
+        : basis_(basis), tables_(std::move(tables)) {}
 
     // Takes up the first `count` windows of a block, whose samples must stay until the last
     // batch(). `delayed` are the block's d by a quarter period later, as many as d; empty where
@@ -53,16 +68,11 @@ private:
     SeriesCut rest_;   // of a hop
     WindowBlock block_;
     std::span<const double> delayed_;
-    RunTable runs_;
-    RunTable heads_;
-    RunTable windows_;
+    std::shared_ptr<Tables> tables_;
     std::size_t count_ = 0;       // windows of the block
     std::size_t in_windows_ = 0;  // the first window of windows_
     enum class Runs { none, of_one_hop, joined } state_ = Runs::none;
     double origin_ = 0;  // of a hop's series, from its first sample
-    RunTable terms_;     // of move()
-    RunTable ends_;
-    RunTable sums_;
 };
 
 }  // namespace vybeg

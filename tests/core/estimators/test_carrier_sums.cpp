@@ -123,6 +123,75 @@ private slots:
         }
         QVERIFY(looked_at >= std::min<std::size_t>(count, 30));
     }
+
+    // Two waves three hertz apart in windows of a second: the told one is estimated, not the
+    // stronger one.
+    void of_two_waves_the_told_one_is_meant() {
+        constexpr std::int64_t n = 33333;
+        constexpr std::int64_t hop = 500;
+        constexpr std::size_t count = 40;
+        Signal signal = drifting(n + hop * static_cast<std::int64_t>(count), 0);
+        for (std::size_t j = 0; j < signal.c.size(); ++j) {
+            const double phase = 2 * pi * (f0 + 3.1) / rate * static_cast<double>(j);
+            signal.c[j] += 2.5 * std::cos(phase);
+            signal.d[j] += 2 * std::cos(phase);
+        }
+        for (const Algorithm algorithm : {Algorithm::maximum_likelihood, Algorithm::demodulation}) {
+            EstimatorOptions options;
+            options.length = n;
+            options.rate_hz = rate;
+            for (const double told : {0.0, 0.3, 3.1}) {
+                options.f0_hz = f0 + told;
+                std::vector<WaveEstimate> found(count);
+                make_estimator(algorithm, options)
+                    ->estimate({signal.c, signal.d, 0, n, hop}, 0, found);
+                for (std::size_t k = 0; k < count; ++k) {
+                    const ProfileMaximum direct =
+                        maximise_profile(window_of({signal.c, signal.d, 0, n, hop}, k),
+                                         main_lobe(options.f0_hz, rate, n));
+                    const double f = direct.w * rate / (2 * pi);
+                    QVERIFY2(std::abs(found[k].f_hz - f) < 1e-3,
+                             qPrintable(QString("told %1, window %2: %3, %4 by itself")
+                                            .arg(told)
+                                            .arg(k)
+                                            .arg(found[k].f_hz, 0, 'f', 4)
+                                            .arg(f, 0, 'f', 4)));
+                }
+            }
+        }
+    }
+
+    // Far outside of the main lobe of the carrier that is told, windows are estimated as in it.
+    void estimates_follow_a_drift_out_of_the_lobe() {
+        constexpr std::int64_t n = 33333;
+        constexpr std::int64_t hop = 7000;
+        constexpr double drift = 0.2;
+        constexpr std::size_t count = 100;
+        const std::int64_t frames = n + hop * static_cast<std::int64_t>(count);
+        const Signal signal = drifting(frames, drift);
+        EstimatorOptions options;
+        options.length = n;
+        options.rate_hz = rate;
+        options.f0_hz = f0;
+        for (const Algorithm algorithm :
+             {Algorithm::in_phase, Algorithm::phase_shift, Algorithm::moving_axes,
+              Algorithm::demodulation, Algorithm::conjugate_gradient,
+              Algorithm::maximum_likelihood}) {
+            std::vector<WaveEstimate> found(count);
+            make_estimator(algorithm, options)
+                ->estimate({signal.c, signal.d, 100, n, hop}, 0, found);
+            for (std::size_t k = 0; k + 1 < count; ++k) {
+                const double centre = 100 + static_cast<double>(k) * hop + 0.5 * (n - 1) -
+                                      0.5 * static_cast<double>(frames);
+                QVERIFY2(std::abs(found[k].f_hz - (f0 + drift * centre / rate)) < 1e-3,
+                         qPrintable(QString("%1, window %2: %3 Hz off")
+                                        .arg(algorithm_name(algorithm).data())
+                                        .arg(k)
+                                        .arg(found[k].f_hz - f0 - drift * centre / rate)));
+                QVERIFY(!has(found[k].flags, Flag::at_bound));
+            }
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(TestCarrierSums)
