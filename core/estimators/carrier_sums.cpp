@@ -191,7 +191,9 @@ std::size_t CarrierSums::sum_up(std::size_t first, SeriesBatch& batch) {
         at_->sums.batch(first, count, batch);
         return count;
     }
-    const bool still = x_ == 0 && slope_ == 0;
+    const double here = 0.5 * static_cast<double>(n_) * (at_->basis.w0() - w0_);
+    const bool still = std::abs(x_at(0) - here) <= near &&
+                       std::abs(x_at(static_cast<double>(count_ - 1)) - here) <= near;
     if (!still && first >= zone_end_) {
         const std::size_t count = on_line(std::min(at_->sums.most_moved(), left));
         zone_.emplace(n_, w0_ + 2 * x_of_middle(count) / static_cast<double>(n_));

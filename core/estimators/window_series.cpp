@@ -73,8 +73,9 @@ SeriesBasis::SeriesBasis(std::int64_t n, double w0)
         const double u = static_cast<double>(j) - 0.5 * static_cast<double>(stretch_ - 1);
         const double v = 2 * u / count;
         // cos and sin of w0 u + k pi/2.
-        const std::array<double, 4> turned{std::cos(w0 * u), -std::sin(w0 * u), -std::cos(w0 * u),
-                                           std::sin(w0 * u)};
+        const double cosine = std::cos(w0 * u);
+        const double sine = std::sin(w0 * u);
+        const std::array<double, 4> turned{cosine, -sine, -cosine, sine};
         double factor = 1;
         double* row = rows_.data() + 2 * series_orders * static_cast<std::size_t>(j);
         for (std::size_t k = 0; k < series_orders; ++k) {
