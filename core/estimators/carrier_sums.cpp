@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <numbers>
 
 namespace vybeg {
@@ -16,10 +17,14 @@ constexpr double pi = std::numbers::pi;
 // Where no window of a block lies farther from the carrier than this, its reference does for all.
 constexpr double near = 0.04;
 // References lie on a grid of this step, so that blocks have them in common.
-constexpr double grid = 0.04;
+constexpr double grid = 0.06;
 constexpr std::size_t most_references = 64;
-// Farther apart the windows of one reference do not lie on the line.
+// Windows of many stretches have a reference nearly each where the carrier drifts.
+constexpr std::size_t most_of_long = 6;
+// Farther apart the windows of one reference do not lie on the line: where the reference is made
+// for them, and where it is one of the grid.
 constexpr double widest = 0.06;
+constexpr double widest_on_grid = 0.03;
 // Windows of a block in which the steps may fail to arrive before the rest is left as it is: noise
 // follows no line.
 constexpr int most_followed = 4;
@@ -73,9 +78,14 @@ double CarrierSums::x_at(double window) const {
 
 CarrierSums::Reference& CarrierSums::reference(double x) {
     const std::int64_t place = std::llround(x / grid);
-    if (references_.size() >= most_references && !references_.contains(place)) {
-        references_.clear();
-        at_ = nullptr;
+    const std::size_t most = n_ > longest_whole_window ? most_of_long : most_references;
+    if (references_.size() >= most && !references_.contains(place)) {
+        // The farthest one makes room, in memory that is in the caches already.
+        const bool is_first =
+            place - references_.begin()->first > references_.rbegin()->first - place;
+        const auto farthest = is_first ? references_.begin() : std::prev(references_.end());
+        at_ = at_ == farthest->second.get() ? nullptr : at_;
+        references_.erase(farthest);
     }
     std::unique_ptr<Reference>& found = references_[place];
     if (!found) {
@@ -173,8 +183,8 @@ void CarrierSums::take(const WindowBlock& block, std::size_t count,
 // Sums of windows from `first` on, at the line's frequency. Returns of how many.
 std::size_t CarrierSums::sum_up(std::size_t first, SeriesBatch& batch) {
     const double steep = std::abs(slope_);
-    const auto on_line = [steep](std::size_t most) {
-        const double windows = 1 + std::floor(steep > 0 ? widest / steep : 1e9);
+    const auto on_line = [steep](std::size_t most, double width) {
+        const double windows = 1 + std::floor(steep > 0 ? width / steep : 1e9);
         return std::min(most, static_cast<std::size_t>(std::min(windows, 1e9)));
     };
     const auto left = count_ - first;
@@ -182,7 +192,7 @@ std::size_t CarrierSums::sum_up(std::size_t first, SeriesBatch& batch) {
         return x_at(static_cast<double>(first) + 0.5 * static_cast<double>(count - 1));
     };
     if (!at_->sums.overlapping()) {
-        const std::size_t count = on_line(std::min(series_lanes, left));
+        const std::size_t count = on_line(std::min(series_lanes, left), widest_on_grid);
         Reference& wanted = reference(x_of_middle(count));
         if (&wanted != at_) {
             at_ = &wanted;
@@ -195,7 +205,7 @@ std::size_t CarrierSums::sum_up(std::size_t first, SeriesBatch& batch) {
     const bool still = std::abs(x_at(0) - here) <= near &&
                        std::abs(x_at(static_cast<double>(count_ - 1)) - here) <= near;
     if (!still && first >= zone_end_) {
-        const std::size_t count = on_line(std::min(at_->sums.most_moved(), left));
+        const std::size_t count = on_line(std::min(at_->sums.most_moved(), left), widest);
         zone_.emplace(n_, w0_ + 2 * x_of_middle(count) / static_cast<double>(n_));
         at_->sums.move(first, count, *zone_);
         zone_end_ = first + count;

@@ -22,6 +22,7 @@ SeriesCut SeriesSums::cut(std::int64_t first, std::int64_t length, double distan
     SeriesCut cut{first, length, {}};
     // One stretch counts from where its rows of the basis do.
     if (first + length > basis_.stretch() || distance != static_cast<double>(first)) {
+        cut.shifts.reserve(static_cast<std::size_t>(length / basis_.stretch() + 1));
         for (std::int64_t j = 0; j < length; j += basis_.stretch()) {
             cut.shifts.push_back(series_shift(basis_, distance + static_cast<double>(j)));
         }

@@ -69,18 +69,24 @@ SeriesBasis::SeriesBasis(std::int64_t n, double w0)
       stretch_(n <= longest_whole_window ? n : stretch_length),
       rows_(static_cast<std::size_t>(stretch_) * 2 * series_orders) {
     const auto count = static_cast<double>(n);
-    for (std::int64_t j = 0; j < stretch_; ++j) {
+    // Rows as far before the middle as behind it differ in signs alone: cos is even, sin odd, and
+    // order k has v^k and a turn by k quarters.
+    for (std::int64_t j = stretch_ / 2; j < stretch_; ++j) {
         const double u = static_cast<double>(j) - 0.5 * static_cast<double>(stretch_ - 1);
         const double v = 2 * u / count;
-        // cos and sin of w0 u + k pi/2.
         const double cosine = std::cos(w0 * u);
         const double sine = std::sin(w0 * u);
+        // cos and sin of w0 u + k pi/2.
         const std::array<double, 4> turned{cosine, -sine, -cosine, sine};
         double factor = 1;
         double* row = rows_.data() + 2 * series_orders * static_cast<std::size_t>(j);
+        double* mirrored =
+            rows_.data() + 2 * series_orders * static_cast<std::size_t>(stretch_ - 1 - j);
         for (std::size_t k = 0; k < series_orders; ++k) {
             row[k] = factor * turned[k % 4];
             row[series_orders + k] = factor * turned[(k + 3) % 4];
+            mirrored[k] = row[k];
+            mirrored[series_orders + k] = -row[series_orders + k];
             factor *= v / static_cast<double>(k + 1);
         }
     }
