@@ -154,10 +154,7 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     if (!recording) {
         return log.fail(recording.error());
     }
-    const Result<std::string> sha256 = recording_sha256(*recording, silent_job(stop));
-    if (!sha256) {
-        return log.fail(sha256.error());
-    }
+    HashBeside hash(*recording, request.settings.threads, stop);
     if (const Status possible = check_outputs({{"-o", request.output, ""}},
                                               {{request.input, "it is the recording itself"}});
         !possible) {
@@ -187,6 +184,10 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     log.warnings(without_effect(request.open, *recording));
     log.warnings(analysis->diagnostics);
     const double analysed = seconds_now();
+    const Result<std::string> sha256 = hash.get();
+    if (!sha256) {
+        return log.fail(output->as_it_stands(sha256.error()));
+    }
     Status written =
         rows.finish(track_header(program, *recording, *sha256, *analysis), analysis->flagged);
     if (written) {

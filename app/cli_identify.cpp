@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <list>
 #include <optional>
 #include <utility>
 
@@ -21,21 +22,29 @@ struct Inputs {
     std::vector<std::string> hashes;
 };
 
-Result<Inputs> open_inputs(const IdentifyRequest& request, const JobControl& job) {
+Result<Inputs> open_inputs(const IdentifyRequest& request, std::stop_token stop) {
     Inputs inputs;
     for (const std::string& name : request.inputs) {
-        Result<Recording> recording = open_recording(name, request.open, job);
+        Result<Recording> recording = open_recording(name, request.open, silent_job(stop));
         if (!recording) {
             return recording.error();
         }
-        const Result<std::string> sha256 = recording_sha256(*recording, job);
+        inputs.recordings.push_back(std::move(*recording));
+    }
+    // All hashes beside each other.
+    std::list<HashBeside> hashes;
+    for (const Recording& recording : inputs.recordings) {
+        hashes.emplace_back(recording, request.settings.signal.threads, stop);
+    }
+    for (const Recording& recording : inputs.recordings) {
+        Result<std::string> sha256 = hashes.front().get();
         if (!sha256) {
             return sha256.error();
         }
-        inputs.hashes.push_back(*sha256);
-        inputs.told.push_back({recording->path.filename().string(), *sha256, recording->start,
-                               recording->seconds(), recording->rate_hz, 0});
-        inputs.recordings.push_back(std::move(*recording));
+        hashes.pop_front();
+        inputs.told.push_back({recording.path.filename().string(), *sha256, recording.start,
+                               recording.seconds(), recording.rate_hz, 0});
+        inputs.hashes.push_back(std::move(*sha256));
     }
     return inputs;
 }
@@ -150,7 +159,7 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
     if (!comparison) {
         return log.fail(comparison.error());
     }
-    Result<Inputs> inputs = open_inputs(request, silent_job(stop));
+    Result<Inputs> inputs = open_inputs(request, stop);
     if (!inputs) {
         return log.fail(inputs.error());
     }

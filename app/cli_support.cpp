@@ -1,5 +1,7 @@
 #include "app/cli_support.h"
 
+#include "core/recording/sha256.h"
+
 #include <chrono>
 #include <unistd.h>
 #include <utility>
@@ -34,5 +36,22 @@ Status write_text(const std::string& text, const JobControl& job) {
     }
     return output.commit();
 }
+
+namespace {
+
+std::future<Result<std::string>> hash_of(const Recording& recording, int threads,
+                                         std::stop_token stop) {
+    prepare_sha256();
+    return std::async(threads == 1 ? std::launch::deferred : std::launch::async,
+                      [&recording, job = silent_job(std::move(stop))] {
+                          return recording_sha256(recording, job);
+                      });
+}
+
+}  // namespace
+
+HashBeside::HashBeside(const Recording& recording, int threads, std::stop_token stop)
+    : interrupted_(std::move(stop), [this] { given_up_.request_stop(); }),
+      hash_(hash_of(recording, threads, given_up_.get_token())) {}
 
 }  // namespace vybeg::cli

@@ -30,15 +30,7 @@ double median_of(std::vector<double> values) {
 }
 
 // Side lobes of -150 dB: those of -92 dB hold as much as noise 60 dB below the carrier.
-std::vector<double> kaiser(std::size_t size) {
-    constexpr double beta = 20;
-    std::vector<double> weights(size);
-    for (std::size_t j = 0; j < size; ++j) {
-        weights[j] =
-            kaiser_window(2 * (static_cast<double>(j) + 0.5) / static_cast<double>(size) - 1, beta);
-    }
-    return weights;
-}
+constexpr double kaiser_beta = 20;
 
 // Power of both channels in the bins [first, first + size), in units of the variance per sample and
 // channel of white noise.
@@ -67,7 +59,7 @@ Result<Spectrum> spectrum_of(const Prepared& prepared, std::size_t size, const R
                                 spectrum.first + 1, half);
     const auto bins = static_cast<std::size_t>(end - spectrum.first);
     spectrum.mean.assign(bins, 0);
-    const std::vector<double> weights = kaiser(size);
+    const std::vector<double> weights = kaiser_weights(size, kaiser_beta);
     double squares = 0;
     for (const double weight : weights) {
         squares += weight * weight;

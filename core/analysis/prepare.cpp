@@ -7,6 +7,7 @@
 #include "core/recording/gapped_source.h"
 #include "core/recording/watched_source.h"
 #include "core/windows/carrier.h"
+#include "core/windows/carrier_zoom.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,18 +50,10 @@ Result<Stretch> read_stretch(const SampleSource& source, std::int64_t first, std
     return stretch;
 }
 
-Result<double> carrier_of(const Stretch& stretch, const Settings& settings, double rate_hz,
-                          const JobControl& job) {
-    if (settings.f0_hz) {
-        if (*settings.f0_hz >= rate_hz / 2) {
-            return Error{ErrorCode::carrier_above_half_rate,
-                         "",
-                         {short_text(*settings.f0_hz), short_text(rate_hz / 2)}};
-        }
-        return *settings.f0_hz;
-    }
+// Where the carrier is looked for in so many samples.
+Result<Band> search_band(const Settings& settings, std::size_t count, double rate_hz) {
     // Without a band: everything above the few lowest bins, which belong to drifts of the offset.
-    const double lowest = 4 * rate_hz / static_cast<double>(stretch.c.size());
+    const double lowest = 4 * rate_hz / static_cast<double>(count);
     Band band{lowest, rate_hz / 2};
     if (settings.filter) {
         band = *settings.filter;
@@ -69,7 +62,7 @@ Result<double> carrier_of(const Stretch& stretch, const Settings& settings, doub
         band = *settings.band;
     }
     // The spectrum of T seconds resolves 1/T.
-    const double least = rate_hz / static_cast<double>(stretch.c.size());
+    const double least = rate_hz / static_cast<double>(count);
     if (band.high_hz > band.low_hz && band.high_hz - band.low_hz < least &&
         band.low_hz < rate_hz / 2) {
         return Error{
@@ -77,14 +70,47 @@ Result<double> carrier_of(const Stretch& stretch, const Settings& settings, doub
             "",
             {round_trip_text(band.low_hz), round_trip_text(band.high_hz), short_text(least, 3)}};
     }
-    return find_carrier(stretch.c, stretch.d, rate_hz, band.low_hz, band.high_hz, job);
+    return band;
 }
 
-// The carrier of the frames [first, end), which are read only where it is not known.
+Result<double> given_carrier(double f0_hz, double rate_hz) {
+    if (f0_hz >= rate_hz / 2) {
+        return Error{
+            ErrorCode::carrier_above_half_rate, "", {short_text(f0_hz), short_text(rate_hz / 2)}};
+    }
+    return f0_hz;
+}
+
+Result<double> carrier_of(const Stretch& stretch, const Settings& settings, double rate_hz,
+                          const JobControl& job) {
+    if (settings.f0_hz) {
+        return given_carrier(*settings.f0_hz, rate_hz);
+    }
+    const Result<Band> band = search_band(settings, stretch.c.size(), rate_hz);
+    return band ? find_carrier(stretch.c, stretch.d, rate_hz, band->low_hz, band->high_hz, job)
+                : band.error();
+}
+
+// The carrier of the frames [first, end), which are read only where it is not known, and held only
+// where a look at some of them after the other does not tell it.
 Result<double> carrier_in(const SampleSource& source, std::int64_t first, std::int64_t end,
                           const Settings& settings, double rate_hz, const JobControl& job) {
     if (settings.f0_hz) {
-        return carrier_of({}, settings, rate_hz, job);
+        return given_carrier(*settings.f0_hz, rate_hz);
+    }
+    const auto count = static_cast<std::size_t>(std::min(end - first, search_frames));
+    const Result<Band> band = search_band(settings, count, rate_hz);
+    if (band && source.seeks()) {
+        const SampleFeed read = [&](std::int64_t at, std::span<double> c, std::span<double> d) {
+            return source.read(first + at, c, d);
+        };
+        const auto found = zoom_carrier(read, count, rate_hz, band->low_hz, band->high_hz, job);
+        if (!found) {
+            return found.error();
+        }
+        if (*found) {
+            return **found;
+        }
     }
     const Result<Stretch> stretch = read_stretch(source, first, end, job);
     return stretch ? carrier_of(*stretch, settings, rate_hz, job) : stretch.error();

@@ -1,5 +1,6 @@
 #include "core/base/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -28,6 +29,14 @@ std::string round_trip_text(double value) {
 
 void append_round_trip(std::string& text, double value) {
     append(text, value);
+}
+
+char* write_round_trip(char* to, double value) {
+    if (std::isnan(value)) {
+        constexpr std::string_view nan = "nan";
+        return std::copy(nan.begin(), nan.end(), to);
+    }
+    return std::to_chars(to, to + longest_round_trip, value).ptr;
 }
 
 std::string short_text(double value, int digits) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,8 +13,12 @@ namespace vybeg {
 
 // Shortest text that reads back as the same double; "nan" where there is no value.
 std::string round_trip_text(double value);
-// The same, appended: for files of millions of numbers.
+// The same, appended.
 void append_round_trip(std::string& text, double value);
+// The same into `to`, which has room for longest_round_trip characters; returns where it ends. For
+// files of millions of numbers.
+inline constexpr std::size_t longest_round_trip = 32;
+char* write_round_trip(char* to, double value);
 // `digits` significant digits.
 std::string short_text(double value, int digits = 6);
 std::string integer_text(std::int64_t value);

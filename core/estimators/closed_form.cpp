@@ -51,7 +51,7 @@ double wave_phase(double two_theta_A, const Projections& mean) {
 ClosedFormEstimator::ClosedFormEstimator(const EstimatorOptions& options)
     : options_(options),
       bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)),
-      basis_(options.length, bracket_.centre) {}
+      sums_(options.length, bracket_.centre) {}
 
 std::vector<double> ClosedFormEstimator::quarter_delayed(const WindowBlock&) const {
     return {};
@@ -61,11 +61,11 @@ void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<W
     const std::vector<double> delayed = quarter_delayed(block);
     sums_.take(block, out.size(), delayed);
     SeriesBatch batch;
+    SeriesMaximum maximum;
     ClosedSeries series;
-    for (std::size_t first = 0; first < out.size(); first += series_lanes) {
-        const std::size_t count = std::min(series_lanes, out.size() - first);
-        sums_.batch(first, count, batch);
-        closed_series(batch, basis_, series);
+    for (std::size_t first = 0, count = 0; first < out.size(); first += count) {
+        count = sums_.next(first, batch, maximum);
+        closed_series(batch, sums_.frame(), series);
         for (std::size_t lane = 0; lane < count; ++lane) {
             const Window window = window_of(block, first + lane);
             const double power = batch.cc[lane] + batch.dd[lane];
@@ -84,7 +84,7 @@ void ClosedFormEstimator::estimate(const WindowBlock& block, double, std::span<W
                 const auto n = static_cast<double>(block.length);
                 const WindowPowers powers{batch.cc[lane] / n, batch.dd[lane] / n,
                                           batch.cd[lane] / n, batch.cq[lane] / n};
-                out[first + lane] = estimate_window({window, powers, batch, lane});
+                out[first + lane] = estimate_window({window, powers, batch, lane, sums_.frame()});
             }
         }
     }
@@ -98,8 +98,8 @@ BestWave ClosedFormEstimator::best_of_lane(const ClosedSeries& series, std::size
 }
 
 Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double w) const {
-    const auto n = static_cast<double>(basis_.length());
-    const double x = 0.5 * n * (w - basis_.w0());
+    const auto n = static_cast<double>(summed.frame.length());
+    const double x = 0.5 * n * (w - summed.frame.w0());
     if (std::abs(x) > closed_form_reach) {
         return demodulate(summed.window, w);
     }
@@ -107,17 +107,18 @@ Projections ClosedFormEstimator::demodulated(const SummedWindow& summed, double 
     return {2 / n * sum.c, 2 / n * sum.d};
 }
 
-WindowKernel ClosedFormEstimator::kernel(double w) const {
-    const double x = 0.5 * static_cast<double>(basis_.length()) * (w - basis_.w0());
-    return std::abs(x) <= closed_form_reach ? basis_.kernel(x) : window_kernel(basis_.length(), w);
+WindowKernel ClosedFormEstimator::kernel(const SeriesFrame& frame, double w) {
+    const double x = 0.5 * static_cast<double>(frame.length()) * (w - frame.w0());
+    return std::abs(x) <= closed_form_reach ? frame.kernel(x) : window_kernel(frame.length(), w);
 }
 
 WaveEstimate ClosedFormEstimator::estimate_window(const SummedWindow& summed) const {
-    const std::int64_t n = basis_.length();
+    const std::int64_t n = summed.frame.length();
     const WindowPowers& powers = summed.powers;
     const auto functional = [&](double w) {
         const Projections mean = demodulated(summed, w);
-        return error_functional(powers, mean, closed_form(powers, mean, w).phasors, kernel(w), n);
+        return error_functional(powers, mean, closed_form(powers, mean, w).phasors,
+                                kernel(summed.frame, w), n);
     };
     // The closed forms' J has its minimum near the profile's, within the window's leakage: start
     // there.
@@ -144,7 +145,7 @@ WaveEstimate ClosedFormEstimator::estimate_window(const SummedWindow& summed) co
                                         summed.window, {found.phasors.c, found.phasors.d}, found.w);
     return complete_estimate(found, residual,
                              {count * powers.cc, count * powers.dd, count * powers.cd},
-                             kernel(found.w), options_);
+                             kernel(summed.frame, found.w), options_);
 }
 
 }  // namespace vybeg

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/estimators/carrier_sums.h"
 #include "core/estimators/closed_series.h"
 #include "core/estimators/estimator.h"
 #include "core/estimators/frequency_bracket.h"
-#include "core/estimators/series_sums.h"
 #include "core/estimators/window_moments.h"
 #include "core/estimators/window_series.h"
 
@@ -45,7 +45,7 @@ protected:
     virtual ClosedForm closed_form(const WindowPowers& powers, const Projections& mean,
                                    double w) const = 0;
     // The same for windows side by side, at the minimum of J.
-    virtual void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+    virtual void closed_series(const SeriesBatch& batch, const SeriesFrame& frame,
                                ClosedSeries& found) const = 0;
     // S_D delayed by a quarter period, as many samples as the block has; empty where it is not
     // needed.
@@ -61,7 +61,8 @@ private:
         Window window;
         WindowPowers powers;
         const SeriesBatch& batch;
-        std::size_t lane = 0;
+        std::size_t lane;
+        const SeriesFrame& frame;
     };
 
     // Where Newton's steps on the series do not arrive: J by a search over the main lobe.
@@ -69,12 +70,11 @@ private:
     BestWave best_of_lane(const ClosedSeries& series, std::size_t lane) const;
     // demodulate() and window_kernel(), by the series where it reaches.
     Projections demodulated(const SummedWindow& summed, double w) const;
-    WindowKernel kernel(double w) const;
+    static WindowKernel kernel(const SeriesFrame& frame, double w);
 
     EstimatorOptions options_;
     FrequencyBracket bracket_;
-    SeriesBasis basis_;
-    SeriesSums sums_{basis_};
+    CarrierSums sums_;
 };
 
 // The in-phase closed forms (15), (18) of one window at a given frequency: the start values of

@@ -3,6 +3,9 @@
 #include "core/estimators/lanes.h"
 #include "core/estimators/series_waves.h"
 
+#include <cmath>
+#include <numbers>
+
 // As in lanes.h.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -10,6 +13,7 @@ namespace vybeg {
 namespace {
 
 constexpr int most_steps = 8;
+constexpr double pi = std::numbers::pi;
 
 // The projections at one frequency, with their derivatives by x. Of signal S: p = sum S cos wu and
 // q = sum S sin wu, hence 2<S e^{-iwu}> = 2/n (p - iq). g = sum cos^2 wu and h = sum sin^2 wu.
@@ -27,26 +31,26 @@ VYBEG_INLINED inline Spectra spectra(const Bent& pc, const Bent& qc, const Bent&
     return {pc, qc, pd, qd, g, {n - g.value, -g.slope, -g.bend}};
 }
 
-VYBEG_INLINED inline Spectra spectra_at(const SeriesBatch& batch, const SeriesBasis& basis,
+VYBEG_INLINED inline Spectra spectra_at(const SeriesBatch& batch, const SeriesFrame& frame,
                                         Eight x) {
     const auto at = [x](const std::array<Lanes, series_orders>& sums) VYBEG_INLINED {
         return series_at<series_orders>(x,
                                         [&](std::size_t k) VYBEG_INLINED { return load(sums[k]); });
     };
     return spectra(at(batch.c_cos), at(batch.c_sin), at(batch.d_cos), at(batch.d_sin),
-                   gram_at(basis, x), static_cast<double>(basis.length()));
+                   gram_at(frame, x), static_cast<double>(frame.length()));
 }
 
 // At x = 0 the series are their first coefficients.
 VYBEG_INLINED inline Spectra spectra_at_carrier(const SeriesBatch& batch,
-                                                const SeriesBasis& basis) {
+                                                const SeriesFrame& frame) {
     const auto at = [](const std::array<Lanes, series_orders>& sums) VYBEG_INLINED {
         return Bent{load(sums[0]), load(sums[1]), 2 * load(sums[2])};
     };
-    const auto& gram = basis.gram();
+    const auto& gram = frame.gram();
     return spectra(at(batch.c_cos), at(batch.c_sin), at(batch.d_cos), at(batch.d_sin),
                    {Eight{} + gram[0], Eight{} + gram[1], Eight{} + 2 * gram[2]},
-                   static_cast<double>(basis.length()));
+                   static_cast<double>(frame.length()));
 }
 
 // The signals along the wave's axes: A = C cos 2theta + D sin 2theta, B = D cos 2theta - C sin
@@ -158,13 +162,18 @@ struct PhaseShiftForm {
     Eight quarter;  // averages
     Eight cd;
     Eight power;
-    double excess_by_x;  // of the delay over pi/2
+    double excess;  // of the delay over pi/2, at the frame's frequency
+    double excess_by_x;
 
-    VYBEG_INLINED PhaseShiftForm(const SeriesBatch& batch, double n, double quarter_period)
+    VYBEG_INLINED PhaseShiftForm(const SeriesBatch& batch, const SeriesFrame& frame, double n,
+                                 double quarter_period)
         : axes(axes_of_powers(batch)),
           quarter(load(batch.cq) / n),
           cd(load(batch.cd) / n),
           power((load(batch.cc) + load(batch.dd)) / n),
+          excess(std::abs(frame.w0() * quarter_period - pi / 2) < 1e-15
+                     ? 0
+                     : frame.w0() * quarter_period - pi / 2),
           excess_by_x(2 * quarter_period / n) {}
 
     struct Amplitudes {
@@ -173,11 +182,11 @@ struct PhaseShiftForm {
     };
     // (23), (24) with the sine of dphi_CD from (quarter + cd sin excess)/cos excess.
     VYBEG_INLINED Amplitudes amplitudes(Eight x) const {
-        // |excess| < 0.14: by their power series.
-        const Eight excess = excess_by_x * x;
-        const Eight e2 = excess * excess;
+        // |excess| < 1: by their power series.
+        const Eight all = excess + excess_by_x * x;
+        const Eight e2 = all * all;
         const Eight sine =
-            excess * (1 - e2 / 6 * (1 - e2 / 20 * (1 - e2 / 42 * (1 - e2 / 72 * (1 - e2 / 110)))));
+            all * (1 - e2 / 6 * (1 - e2 / 20 * (1 - e2 / 42 * (1 - e2 / 72 * (1 - e2 / 110)))));
         const Eight cosine =
             1 - e2 / 2 * (1 - e2 / 12 * (1 - e2 / 30 * (1 - e2 / 56 * (1 - e2 / 90))));
         const Eight by_cosine = 1 / cosine;
@@ -274,7 +283,7 @@ struct DemodulationForm {
 // Maximum likelihood from the same sums, by Newton's steps on the profile power from the closed
 // form's frequency: against it shows what the closed form leaves out. Lanes at which the power is
 // not concave, or that leave the series' reach, have not arrived.
-VYBEG_INLINED inline void find_best(const SeriesBatch& batch, const SeriesBasis& basis, Eight x,
+VYBEG_INLINED inline void find_best(const SeriesBatch& batch, const SeriesFrame& frame, Eight x,
                                     Spectra s, ClosedSeries& found) {
     Eight good = load(found.arrived);
     Eight move{};
@@ -292,7 +301,7 @@ VYBEG_INLINED inline void find_best(const SeriesBatch& batch, const SeriesBasis&
             break;
         }
         x += move;
-        s = spectra_at(batch, basis, x);
+        s = spectra_at(batch, frame, x);
     }
     const auto moved = [move](const Bent& a) VYBEG_INLINED {
         return a.value + move * (a.slope + 0.5 * move * a.bend);
@@ -303,7 +312,7 @@ VYBEG_INLINED inline void find_best(const SeriesBatch& batch, const SeriesBasis&
                         -moved(s.qd) * by_h};
     const StateLanes state = state_of(z);
     store(good, found.arrived);
-    store(basis.w0() + 2 * (x + move) / static_cast<double>(basis.length()), found.best_w);
+    store(frame.w0() + 2 * (x + move) / static_cast<double>(frame.length()), found.best_w);
     store(state.a_A, found.best_a_A);
     store(state.a_B, found.best_a_B);
     store(state.two_theta_A, found.best_two_theta_A);
@@ -314,12 +323,12 @@ VYBEG_INLINED inline void find_best(const SeriesBatch& batch, const SeriesBasis&
 
 // The minimum of n J, less the power that all windows have, and the waves there.
 template <class Form>
-VYBEG_INLINED inline void minimise_form(const SeriesBatch& batch, const SeriesBasis& basis,
+VYBEG_INLINED inline void minimise_form(const SeriesBatch& batch, const SeriesFrame& frame,
                                         const Form& form, ClosedSeries& found) {
     Eight good = Eight{} + 1.0;  // or 0
     Eight x{};
     Eight residual{};
-    Bent f = form.functional(spectra_at_carrier(batch, basis), x);
+    Bent f = form.functional(spectra_at_carrier(batch, frame), x);
     for (int step = 0;; ++step) {
         const Eight move = -f.slope / f.bend;
         const Eight next = x + move;
@@ -334,43 +343,43 @@ VYBEG_INLINED inline void minimise_form(const SeriesBatch& batch, const SeriesBa
             store(good - on_the_way, found.arrived);
             break;
         }
-        f = form.functional(spectra_at(batch, basis, x), x);
+        f = form.functional(spectra_at(batch, frame, x), x);
     }
     store(load(batch.cc) + load(batch.dd) + residual, found.residual);
-    const Spectra there = spectra_at(batch, basis, x);
+    const Spectra there = spectra_at(batch, frame, x);
     const Found waves = form.at(there, x);
-    find_best(batch, basis, x, there, found);
-    complete_lanes(batch, basis, x, there.g, waves.phasors, waves.state, found.waves);
+    find_best(batch, frame, x, there, found);
+    complete_lanes(batch, frame, x, there.g, waves.phasors, waves.state, found.waves);
 }
 
 }  // namespace
 
 VYBEG_DISPATCHED
-void in_phase_series(const SeriesBatch& __restrict batch, const SeriesBasis& __restrict basis,
+void in_phase_series(const SeriesBatch& __restrict batch, const SeriesFrame& __restrict frame,
                      ClosedSeries& __restrict found) {
-    const InPhaseForm form(batch, static_cast<double>(basis.length()));
-    minimise_form(batch, basis, form, found);
+    const InPhaseForm form(batch, static_cast<double>(frame.length()));
+    minimise_form(batch, frame, form, found);
 }
 
 VYBEG_DISPATCHED
-void phase_shift_series(const SeriesBatch& __restrict batch, const SeriesBasis& __restrict basis,
+void phase_shift_series(const SeriesBatch& __restrict batch, const SeriesFrame& __restrict frame,
                         double quarter_period, ClosedSeries& __restrict found) {
-    const PhaseShiftForm form(batch, static_cast<double>(basis.length()), quarter_period);
-    minimise_form(batch, basis, form, found);
+    const PhaseShiftForm form(batch, frame, static_cast<double>(frame.length()), quarter_period);
+    minimise_form(batch, frame, form, found);
 }
 
 VYBEG_DISPATCHED
-void moving_axes_series(const SeriesBatch& __restrict batch, const SeriesBasis& __restrict basis,
+void moving_axes_series(const SeriesBatch& __restrict batch, const SeriesFrame& __restrict frame,
                         ClosedSeries& __restrict found) {
-    const MovingAxesForm form(batch, static_cast<double>(basis.length()));
-    minimise_form(batch, basis, form, found);
+    const MovingAxesForm form(batch, static_cast<double>(frame.length()));
+    minimise_form(batch, frame, form, found);
 }
 
 VYBEG_DISPATCHED
-void demodulation_series(const SeriesBatch& __restrict batch, const SeriesBasis& __restrict basis,
+void demodulation_series(const SeriesBatch& __restrict batch, const SeriesFrame& __restrict frame,
                          ClosedSeries& __restrict found) {
-    const DemodulationForm form(batch, static_cast<double>(basis.length()));
-    minimise_form(batch, basis, form, found);
+    const DemodulationForm form(batch, static_cast<double>(frame.length()));
+    minimise_form(batch, frame, form, found);
 }
 
 }  // namespace vybeg

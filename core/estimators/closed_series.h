@@ -25,11 +25,11 @@ struct ClosedSeries {
 inline constexpr double closed_form_reach = 0.2;
 
 // What they estimate in closed form stands beside their algorithm (in_phase.cpp and so on).
-void in_phase_series(const SeriesBatch& batch, const SeriesBasis& basis, ClosedSeries& found);
-// quarter_period: the delay of S_D in batch.cq, samples; pi/2 at the basis' frequency.
-void phase_shift_series(const SeriesBatch& batch, const SeriesBasis& basis, double quarter_period,
+void in_phase_series(const SeriesBatch& batch, const SeriesFrame& frame, ClosedSeries& found);
+// quarter_period: the delay of S_D in batch.cq, samples; about pi/2 at the frame's frequency.
+void phase_shift_series(const SeriesBatch& batch, const SeriesFrame& frame, double quarter_period,
                         ClosedSeries& found);
-void moving_axes_series(const SeriesBatch& batch, const SeriesBasis& basis, ClosedSeries& found);
-void demodulation_series(const SeriesBatch& batch, const SeriesBasis& basis, ClosedSeries& found);
+void moving_axes_series(const SeriesBatch& batch, const SeriesFrame& frame, ClosedSeries& found);
+void demodulation_series(const SeriesBatch& batch, const SeriesFrame& frame, ClosedSeries& found);
 
 }  // namespace vybeg

@@ -1,8 +1,8 @@
 #include "core/estimators/conjugate_gradient.h"
 
+#include "core/estimators/carrier_sums.h"
 #include "core/estimators/closed_form.h"
 #include "core/estimators/series_descent.h"
-#include "core/estimators/series_sums.h"
 #include "core/estimators/window_estimate.h"
 #include "core/numerics/phase.h"
 
@@ -97,7 +97,7 @@ public:
     explicit ConjugateGradient(const EstimatorOptions& options)
         : options_(options),
           bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)),
-          basis_(options.length, bracket_.centre) {}
+          sums_(options.length, bracket_.centre) {}
 
     bool sequential() const override { return options_.start == StartRule::previous; }
 
@@ -110,19 +110,20 @@ public:
         }
         sums_.take(block, out.size());
         SeriesBatch batch;
+        SeriesMaximum maximum;
         SeriesStart start;
         SeriesDescent descent;
-        for (std::size_t first = 0; first < out.size(); first += series_lanes) {
-            const std::size_t count = std::min(series_lanes, out.size() - first);
-            sums_.batch(first, count, batch);
-            in_phase_starts(batch, basis_, start);
+        for (std::size_t first = 0, count = 0; first < out.size(); first += count) {
+            count = sums_.next(first, batch, maximum);
+            const SeriesFrame& frame = sums_.frame();
+            in_phase_starts(batch, frame, start);
             if (options_.initial) {
                 for (std::size_t lane = 0; lane < series_lanes; ++lane) {
                     const std::size_t k = first + std::min(lane, count - 1);
-                    set_start(start, lane, typed_start(centre_of(block, k, centre_s)));
+                    set_start(start, lane, typed_start(centre_of(block, k, centre_s)), frame);
                 }
             }
-            descend_series(batch, basis_, start, descent);
+            descend_series(batch, frame, start, descent);
             for (std::size_t lane = 0; lane < count; ++lane) {
                 const std::size_t k = first + lane;
                 const Window window = window_of(block, k);
@@ -171,12 +172,13 @@ private:
         return {in_phase_start(window, bracket_.centre), bracket_.centre};
     }
 
-    void set_start(SeriesStart& start, std::size_t lane, const WaveParameters& values) const {
+    void set_start(SeriesStart& start, std::size_t lane, const WaveParameters& values,
+                   const SeriesFrame& frame) const {
         start.a_A[lane] = values.state.a_A;
         start.a_B[lane] = values.state.a_B;
         start.two_theta_A[lane] = values.state.two_theta_A;
         start.alpha[lane] = values.state.alpha;
-        start.x[lane] = 0.5 * static_cast<double>(options_.length) * (values.w - basis_.w0());
+        start.x[lane] = 0.5 * static_cast<double>(options_.length) * (values.w - frame.w0());
     }
 
     struct Estimated {
@@ -214,8 +216,7 @@ private:
 
     EstimatorOptions options_;
     FrequencyBracket bracket_;
-    SeriesBasis basis_;
-    SeriesSums sums_{basis_};
+    CarrierSums sums_;
     std::optional<Previous> previous_;
 };
 

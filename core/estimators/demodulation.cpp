@@ -14,9 +14,9 @@ private:
         return {to_wave_state(phasors), phasors};
     }
 
-    void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+    void closed_series(const SeriesBatch& batch, const SeriesFrame& frame,
                        ClosedSeries& found) const override {
-        demodulation_series(batch, basis, found);
+        demodulation_series(batch, frame, found);
     }
 };
 

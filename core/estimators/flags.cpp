@@ -19,6 +19,15 @@ constexpr std::array<std::pair<Flag, const char*>, 10> names{{
     {Flag::moving, "moving"},
 }};
 
+constexpr std::size_t length_of_all() {
+    std::size_t length = 0;
+    for (const auto& [flag, name] : names) {
+        length += std::string_view(name).size() + 1;
+    }
+    return length;
+}
+static_assert(length_of_all() <= longest_flags_text);
+
 }  // namespace
 
 std::string flags_text(Flags flags) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -40,6 +41,8 @@ inline constexpr void set(Flags& flags, Flag flag) {
 // The reasons as in the track CSV: joined by ';', e.g. "gap;not-converged"; empty where there is
 // none.
 std::string flags_text(Flags flags);
+// No such text is longer.
+inline constexpr std::size_t longest_flags_text = 128;
 // And back; a word that is none of them counts as nothing.
 Flags flags_from_text(std::string_view text);
 

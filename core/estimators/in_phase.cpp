@@ -28,9 +28,9 @@ private:
         return {state, to_phasors(state)};
     }
 
-    void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+    void closed_series(const SeriesBatch& batch, const SeriesFrame& frame,
                        ClosedSeries& found) const override {
-        in_phase_series(batch, basis, found);
+        in_phase_series(batch, frame, found);
     }
 
     Flags own_flags() const override { return static_cast<Flags>(Flag::no_quadrature); }

@@ -1,12 +1,11 @@
 #include "core/estimators/maximum_likelihood.h"
 
+#include "core/estimators/carrier_sums.h"
 #include "core/estimators/profile.h"
 #include "core/estimators/series_estimates.h"
-#include "core/estimators/series_sums.h"
 #include "core/estimators/window_estimate.h"
 #include "core/estimators/window_series.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace vybeg {
@@ -17,18 +16,16 @@ public:
     explicit MaximumLikelihood(const EstimatorOptions& options)
         : options_(options),
           bracket_(main_lobe(options.f0_hz, options.rate_hz, options.length)),
-          basis_(options.length, bracket_.centre) {}
+          sums_(options.length, bracket_.centre) {}
 
     void estimate(const WindowBlock& block, double, std::span<WaveEstimate> out) override {
         SeriesBatch batch;
         SeriesMaximum maximum;
         SeriesEstimates waves;
         sums_.take(block, out.size());
-        for (std::size_t first = 0; first < out.size(); first += series_lanes) {
-            const std::size_t count = std::min(series_lanes, out.size() - first);
-            sums_.batch(first, count, batch);
-            maximise_series(batch, basis_, maximum);
-            series_estimates(batch, maximum, basis_, waves);
+        for (std::size_t first = 0, count = 0; first < out.size(); first += count) {
+            count = sums_.next(first, batch, maximum);
+            series_estimates(batch, maximum, sums_.frame(), waves);
             for (std::size_t lane = 0; lane < count; ++lane) {
                 out[first + lane] =
                     estimate_lane(window_of(block, first + lane), batch, maximum, waves, lane);
@@ -66,8 +63,7 @@ private:
 
     EstimatorOptions options_;
     FrequencyBracket bracket_;
-    SeriesBasis basis_;
-    SeriesSums sums_{basis_};
+    CarrierSums sums_;
 };
 
 }  // namespace

@@ -37,9 +37,9 @@ private:
         return {state, {wave_a * cosine - wave_b * sine, wave_a * sine + wave_b * cosine}};
     }
 
-    void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+    void closed_series(const SeriesBatch& batch, const SeriesFrame& frame,
                        ClosedSeries& found) const override {
-        moving_axes_series(batch, basis, found);
+        moving_axes_series(batch, frame, found);
     }
 };
 

@@ -54,9 +54,9 @@ private:
         return {state, to_phasors(state)};
     }
 
-    void closed_series(const SeriesBatch& batch, const SeriesBasis& basis,
+    void closed_series(const SeriesBatch& batch, const SeriesFrame& frame,
                        ClosedSeries& found) const override {
-        phase_shift_series(batch, basis, quarter_period_, found);
+        phase_shift_series(batch, frame, quarter_period_, found);
     }
 
     double quarter_period_;  // of the carrier, samples

@@ -58,7 +58,7 @@ VYBEG_INLINED inline TurnedWave<Eight> turned(const Five& at) {
 }
 
 VYBEG_INLINED inline WaveFunctional<Eight> functional_at(const SeriesBatch& batch,
-                                                         const SeriesBasis& basis, const Five& at) {
+                                                         const SeriesFrame& frame, const Five& at) {
     const Eight x = at[4];
     const auto bent = [x](const std::array<Lanes, series_orders>& sums) VYBEG_INLINED {
         return series_at<series_orders>(x,
@@ -70,8 +70,8 @@ VYBEG_INLINED inline WaveFunctional<Eight> functional_at(const SeriesBatch& batc
         const Bent im = bent(sines);
         return ComplexJet<Eight>{{re.value, re.slope, re.bend}, {-im.value, -im.slope, -im.bend}};
     };
-    const auto n = static_cast<double>(basis.length());
-    const Bent gram = gram_at(basis, x);
+    const auto n = static_cast<double>(frame.length());
+    const Bent gram = gram_at(frame, x);
     return wave_functional<Eight>(turned(at), jet(batch.c_cos, batch.c_sin),
                                   jet(batch.d_cos, batch.d_sin),
                                   {2 * gram.value - n, 2 * gram.slope, 2 * gram.bend}, n);
@@ -84,8 +84,8 @@ struct Preconditioner {
     Eight cross;
     Eight frequency;
 
-    VYBEG_INLINED Preconditioner(const Five& at, const SeriesBasis& basis) {
-        const auto n = static_cast<double>(basis.length());
+    VYBEG_INLINED Preconditioner(const Five& at, const SeriesFrame& frame) {
+        const auto n = static_cast<double>(frame.length());
         const Eight power = at[0] * at[0] + at[1] * at[1];
         const Eight most = 0.999 * power;
         Eight product = 2 * at[0] * at[1];
@@ -95,7 +95,7 @@ struct Preconditioner {
         amplitude = 1 / n;
         same = amplitude * power * by_determinant;
         cross = amplitude * product * by_determinant;
-        frequency = 0.25 * n * n / (power * basis.spread());
+        frequency = 0.25 * n * n / (power * frame.spread());
     }
 
     VYBEG_INLINED Five apply(const Five& g) const {
@@ -127,9 +127,9 @@ VYBEG_INLINED inline Eight power_of(const Five& at) {
 }  // namespace
 
 VYBEG_DISPATCHED
-void in_phase_starts(const SeriesBatch& __restrict batch, const SeriesBasis& __restrict basis,
+void in_phase_starts(const SeriesBatch& __restrict batch, const SeriesFrame& __restrict frame,
                      SeriesStart& __restrict start) {
-    const auto n = static_cast<double>(basis.length());
+    const auto n = static_cast<double>(frame.length());
     const Eight cc = load(batch.cc);
     const Eight dd = load(batch.dd);
     const Eight cosine = sqrt_of(cc);
@@ -144,20 +144,20 @@ void in_phase_starts(const SeriesBatch& __restrict batch, const SeriesBasis& __r
 }
 
 VYBEG_DISPATCHED
-void descend_series(const SeriesBatch& __restrict batch, const SeriesBasis& __restrict basis,
+void descend_series(const SeriesBatch& __restrict batch, const SeriesFrame& __restrict frame,
                     const SeriesStart& __restrict start, SeriesDescent& __restrict descent) {
-    const auto n = static_cast<double>(basis.length());
-    const double tolerance = descent_tolerance(basis.w0(), basis.length());
+    const auto n = static_cast<double>(frame.length());
+    const double tolerance = descent_tolerance(frame.w0(), frame.length());
     Five at{load(start.a_A), load(start.a_B), load(start.two_theta_A), load(start.alpha),
             load(start.x)};
     Eight good = if_negative(absolute(at[4]) - series_reach, Eight{} + 1.0, Eight{});
     Eight on_the_way = good;
-    WaveFunctional<Eight> f = functional_at(batch, basis, at);
-    Preconditioner scale(at, basis);
+    WaveFunctional<Eight> f = functional_at(batch, frame, at);
+    Preconditioner scale(at, frame);
     Five direction{};
     for (int steps = 0; steps < most_steps; ++steps) {
         if (steps % descent_restart == 0) {
-            scale = Preconditioner(at, basis);
+            scale = Preconditioner(at, frame);
             direction = {};
         }
         const Five scaled = scale.apply(f.gradient);
@@ -188,7 +188,7 @@ void descend_series(const SeriesBatch& __restrict batch, const SeriesBasis& __re
         }
         f = [&]() VYBEG_INLINED {
             const Eight value = f.value;
-            const WaveFunctional<Eight> found = functional_at(batch, basis, there);
+            const WaveFunctional<Eight> found = functional_at(batch, frame, there);
             const Eight rounding = 1e-14 * (absolute(value) + absolute(slope * step));
             const Eight too_high = found.value - (value + 1e-4 * step * slope + rounding);
             Eight taken = if_negative(-curvature, good, Eight{});
@@ -212,7 +212,7 @@ void descend_series(const SeriesBatch& __restrict batch, const SeriesBasis& __re
     const auto c = phasor(wave.a_A * wave.cos_angle, wave.a_B * wave.sin_angle);
     const auto d = phasor(wave.a_A * wave.sin_angle, -wave.a_B * wave.cos_angle);
     const PhasorLanes phasors{c[0], c[1], d[0], d[1]};
-    complete_lanes(batch, basis, at[4], gram_at(basis, at[4]), phasors, state_of(phasors),
+    complete_lanes(batch, frame, at[4], gram_at(frame, at[4]), phasors, state_of(phasors),
                    descent.waves);
 }
 

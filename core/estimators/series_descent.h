@@ -17,7 +17,7 @@ struct SeriesStart {
 };
 
 // (15), (18) at the carrier.
-void in_phase_starts(const SeriesBatch& batch, const SeriesBasis& basis, SeriesStart& start);
+void in_phase_starts(const SeriesBatch& batch, const SeriesFrame& frame, SeriesStart& start);
 
 struct SeriesDescent {
     SeriesEstimates waves;
@@ -27,7 +27,7 @@ struct SeriesDescent {
     Lanes arrived;
 };
 
-void descend_series(const SeriesBatch& batch, const SeriesBasis& basis, const SeriesStart& start,
+void descend_series(const SeriesBatch& batch, const SeriesFrame& frame, const SeriesStart& start,
                     SeriesDescent& descent);
 
 }  // namespace vybeg

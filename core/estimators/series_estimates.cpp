@@ -13,15 +13,15 @@ namespace vybeg {
 
 VYBEG_DISPATCHED
 void series_estimates(const SeriesBatch& __restrict batch, const SeriesMaximum& __restrict maximum,
-                      const SeriesBasis& __restrict basis, SeriesEstimates& __restrict estimates) {
+                      const SeriesFrame& __restrict frame, SeriesEstimates& __restrict estimates) {
     const Eight x = load(maximum.x);
-    const Bent g_cos = gram_at(basis, x);
+    const Bent g_cos = gram_at(frame, x);
     const Eight by_cos = 1 / g_cos.value;
-    const Eight by_sin = 1 / (static_cast<double>(basis.length()) - g_cos.value);
+    const Eight by_sin = 1 / (static_cast<double>(frame.length()) - g_cos.value);
     const PhasorLanes phasors{
         projection_at(batch.c_cos, x) * by_cos, -projection_at(batch.c_sin, x) * by_sin,
         projection_at(batch.d_cos, x) * by_cos, -projection_at(batch.d_sin, x) * by_sin};
-    complete_lanes(batch, basis, x, g_cos, phasors, state_of(phasors), estimates);
+    complete_lanes(batch, frame, x, g_cos, phasors, state_of(phasors), estimates);
 }
 
 WaveEstimate estimate_of_lane(const SeriesEstimates& waves, std::size_t lane, const Window& window,

@@ -34,7 +34,7 @@ struct SeriesEstimates {
 
 // wave_state.h, precision_bound.h and (30) for all lanes at once, at the frequencies of `maximum`.
 void series_estimates(const SeriesBatch& batch, const SeriesMaximum& maximum,
-                      const SeriesBasis& basis, SeriesEstimates& estimates);
+                      const SeriesFrame& frame, SeriesEstimates& estimates);
 
 // What else an estimate is made of.
 struct LaneResidual {

@@ -251,11 +251,11 @@ SeriesShift series_shift(const SeriesBasis& basis, double distance) {
     shift.turn_sin = std::sin(basis.w0() * distance);
     const double y = 2 * distance / static_cast<double>(basis.length());
     double power = 1;
+    // Times 1, i, -1, -i, ...
+    const std::array<double, 4> turned{shift.turn_cos, -shift.turn_sin, -shift.turn_cos,
+                                       shift.turn_sin};
     for (std::size_t k = 0; k < series_orders; ++k) {
         shift.powers[k] = power;
-        // Times 1, i, -1, -i, ...
-        const std::array<double, 4> turned{shift.turn_cos, -shift.turn_sin, -shift.turn_cos,
-                                           shift.turn_sin};
         shift.re[series_orders + k] = power * turned[k % 4];
         shift.im[series_orders + k] = power * turned[(k + 3) % 4];
         power *= y / static_cast<double>(k + 1);

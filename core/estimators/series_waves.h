@@ -34,9 +34,9 @@ VYBEG_INLINED inline Eight atan2_of(Eight y, Eight x) {
 }
 
 // gram_cos at x, with its derivatives by x.
-VYBEG_INLINED inline Bent gram_at(const SeriesBasis& basis, Eight x) {
-    const auto& gram = basis.gram();
-    return series_at<SeriesBasis::gram_orders>(
+VYBEG_INLINED inline Bent gram_at(const SeriesFrame& frame, Eight x) {
+    const auto& gram = frame.gram();
+    return series_at<SeriesFrame::gram_orders>(
         x, [&gram](std::size_t k) VYBEG_INLINED { return gram[k] + Eight{}; });
 }
 
@@ -94,11 +94,11 @@ VYBEG_INLINED inline StateLanes state_of(const PhasorLanes& z) {
 }
 
 // precision_bound.h and (30) for all lanes, and everything into `estimates`.
-VYBEG_INLINED inline void complete_lanes(const SeriesBatch& batch, const SeriesBasis& basis,
+VYBEG_INLINED inline void complete_lanes(const SeriesBatch& batch, const SeriesFrame& frame,
                                          Eight x, const Bent& g_cos, const PhasorLanes& z,
                                          const StateLanes& state, SeriesEstimates& estimates) {
-    const auto n = static_cast<double>(basis.length());
-    const double spread = basis.spread();
+    const auto n = static_cast<double>(frame.length());
+    const double spread = frame.spread();
     const Eight by_cos = 1 / g_cos.value;
     const Eight by_sin = 1 / (n - g_cos.value);
     const Eight slope = 0.5 * n * g_cos.slope;
@@ -146,7 +146,7 @@ VYBEG_INLINED inline void complete_lanes(const SeriesBatch& batch, const SeriesB
           estimates.sd_delta_phi_CD);
     store(sqrt_of(by_information), estimates.sd_w);
 
-    store(basis.w0() + 2 * x / n, estimates.w);
+    store(frame.w0() + 2 * x / n, estimates.w);
     store(z.c_re, estimates.c_re);
     store(z.c_im, estimates.c_im);
     store(z.d_re, estimates.d_re);

@@ -25,8 +25,8 @@ VYBEG_INLINED inline void add_component(Bent& power, const Bent& p, const Bent& 
 
 // gram_cos = (n + D)/2 as a series in x, D sin w = sin nw with w = w0 + 2x/n: a quotient of two
 // series.
-std::array<double, SeriesBasis::gram_orders> gram_series(std::int64_t n, double w0) {
-    constexpr std::size_t orders = SeriesBasis::gram_orders;
+std::array<double, SeriesFrame::gram_orders> gram_series(std::int64_t n, double w0) {
+    constexpr std::size_t orders = SeriesFrame::gram_orders;
     const auto count = static_cast<double>(n);
     // The series of sin(at + x step).
     const auto sine = [](double at, double step) {
@@ -59,31 +59,40 @@ std::array<double, SeriesBasis::gram_orders> gram_series(std::int64_t n, double 
 
 }  // namespace
 
-SeriesBasis::SeriesBasis(std::int64_t n, double w0)
-    : n_(n),
-      w0_(w0),
-      stretch_(n <= longest_whole_window ? n : stretch_length),
-      rows_(static_cast<std::size_t>(stretch_) * 2 * series_orders),
-      gram_(gram_series(n, w0)) {
+SeriesFrame::SeriesFrame(std::int64_t n, double w0) : n_(n), w0_(w0), gram_(gram_series(n, w0)) {
     const auto count = static_cast<double>(n);
     spread_ = count * (count * count - 1) / 12;
-    for (std::int64_t j = 0; j < stretch_; ++j) {
+}
+
+SeriesBasis::SeriesBasis(std::int64_t n, double w0)
+    : SeriesFrame(n, w0),
+      stretch_(n <= longest_whole_window ? n : stretch_length),
+      rows_(static_cast<std::size_t>(stretch_) * 2 * series_orders) {
+    const auto count = static_cast<double>(n);
+    // Rows as far before the middle as behind it differ in signs alone: cos is even, sin odd, and
+    // order k has v^k and a turn by k quarters.
+    for (std::int64_t j = stretch_ / 2; j < stretch_; ++j) {
         const double u = static_cast<double>(j) - 0.5 * static_cast<double>(stretch_ - 1);
         const double v = 2 * u / count;
+        const double cosine = std::cos(w0 * u);
+        const double sine = std::sin(w0 * u);
         // cos and sin of w0 u + k pi/2.
-        const std::array<double, 4> turned{std::cos(w0 * u), -std::sin(w0 * u), -std::cos(w0 * u),
-                                           std::sin(w0 * u)};
+        const std::array<double, 4> turned{cosine, -sine, -cosine, sine};
         double factor = 1;
         double* row = rows_.data() + 2 * series_orders * static_cast<std::size_t>(j);
+        double* mirrored =
+            rows_.data() + 2 * series_orders * static_cast<std::size_t>(stretch_ - 1 - j);
         for (std::size_t k = 0; k < series_orders; ++k) {
             row[k] = factor * turned[k % 4];
             row[series_orders + k] = factor * turned[(k + 3) % 4];
+            mirrored[k] = row[k];
+            mirrored[series_orders + k] = -row[series_orders + k];
             factor *= v / static_cast<double>(k + 1);
         }
     }
 }
 
-WindowKernel SeriesBasis::kernel(double x) const {
+WindowKernel SeriesFrame::kernel(double x) const {
     double value = 0;
     double slope = 0;
     double bend = 0;
@@ -97,10 +106,10 @@ WindowKernel SeriesBasis::kernel(double x) const {
 }
 
 VYBEG_DISPATCHED
-void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesMaximum& maximum) {
+void maximise_series(const SeriesBatch& batch, const SeriesFrame& frame, SeriesMaximum& maximum) {
     const auto power_of = [&](const auto& at, const auto& gram_at) VYBEG_INLINED {
         const Bent g_cos = gram_at();
-        const Bent g_sin{static_cast<double>(basis.length()) - g_cos.value, -g_cos.slope,
+        const Bent g_sin{static_cast<double>(frame.length()) - g_cos.value, -g_cos.slope,
                          -g_cos.bend};
         const Eight by_cos = 1 / g_cos.value;
         const Eight by_sin = 1 / g_sin.value;
@@ -111,7 +120,7 @@ void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesM
         add_component(power, at(batch.d_sin), g_sin, by_sin);
         return power;
     };
-    const auto& gram = basis.gram();
+    const auto& gram = frame.gram();
     // At the carrier the series are their first coefficients.
     Bent power = power_of(
         [](const auto& sums) VYBEG_INLINED {
@@ -145,7 +154,7 @@ void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesM
                     x, [&sums](std::size_t k) VYBEG_INLINED { return load(sums[k]); });
             },
             [&]() VYBEG_INLINED {
-                return series_at<SeriesBasis::gram_orders>(
+                return series_at<SeriesFrame::gram_orders>(
                     x, [&gram](std::size_t k) VYBEG_INLINED { return gram[k] + Eight{}; });
             });
     }

@@ -30,20 +30,15 @@ inline constexpr double series_reach = 0.06;
 inline constexpr std::int64_t longest_whole_window = 1024;
 inline constexpr std::int64_t stretch_length = 256;
 
-class SeriesBasis {
+// What of the windows' length and the reference frequency is in closed form.
+class SeriesFrame {
 public:
     // Windows of n samples, reference frequency w0 (rad per sample, 0 < w0 < pi).
-    SeriesBasis(std::int64_t n, double w0);
+    SeriesFrame(std::int64_t n, double w0);
 
     std::int64_t length() const { return n_; }
     double w0() const { return w0_; }
     double spread() const { return spread_; }  // WindowKernel::spread
-
-    // Samples that one stretch has at most. Its series counts time from the middle of so many
-    // samples, also where it has fewer.
-    std::int64_t stretch() const { return stretch_; }
-    // Of sample j of a stretch: the basis functions of cos, then those of sin, by order.
-    const double* row(std::int64_t j) const { return rows_.data() + 2 * series_orders * j; }
 
     // window_kernel(n, w0 + 2x/n), from its series at w0.
     WindowKernel kernel(double x) const;
@@ -54,10 +49,24 @@ public:
 private:
     std::int64_t n_;
     double w0_;
+    std::array<double, gram_orders> gram_;
+    double spread_;
+};
+
+// The functions that the samples are multiplied with.
+class SeriesBasis : public SeriesFrame {
+public:
+    SeriesBasis(std::int64_t n, double w0);
+
+    // Samples that one stretch has at most. Its series counts time from the middle of so many
+    // samples, also where it has fewer.
+    std::int64_t stretch() const { return stretch_; }
+    // Of sample j of a stretch: the basis functions of cos, then those of sin, by order.
+    const double* row(std::int64_t j) const { return rows_.data() + 2 * series_orders * j; }
+
+private:
     std::int64_t stretch_;
     std::vector<double> rows_;
-    std::array<double, gram_orders> gram_{};
-    double spread_;
 };
 
 // Sums over windows that stand side by side. A window with a missing sample has cc + dd that is not
@@ -80,7 +89,7 @@ struct SeriesMaximum {
     Lanes power;    // that is taken out
     Lanes arrived;  // 1; or 0 where the steps leave the series' reach or meet no concavity
 };
-void maximise_series(const SeriesBatch& batch, const SeriesBasis& basis, SeriesMaximum& maximum);
+void maximise_series(const SeriesBatch& batch, const SeriesFrame& frame, SeriesMaximum& maximum);
 
 // One window's projections at x.
 Projections series_projections(const SeriesBatch& batch, std::size_t lane, double x);

@@ -14,6 +14,17 @@ double kaiser_window(double x, double beta) {
     return std::cyl_bessel_i(0.0, beta * std::sqrt(inside)) / std::cyl_bessel_i(0.0, beta);
 }
 
+std::vector<double> kaiser_weights(std::size_t size, double beta) {
+    std::vector<double> weights(size);
+    const double highest = std::cyl_bessel_i(0.0, beta);
+    for (std::size_t j = 0; j < (size + 1) / 2; ++j) {
+        const double x = 2 * (static_cast<double>(j) + 0.5) / static_cast<double>(size) - 1;
+        weights[j] = std::cyl_bessel_i(0.0, beta * std::sqrt(1 - x * x)) / highest;
+        weights[size - 1 - j] = weights[j];
+    }
+    return weights;
+}
+
 double sinc(double x) {
     const double angle = std::numbers::pi * x;
     return angle == 0 ? 1 : std::sin(angle) / angle;

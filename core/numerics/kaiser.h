@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -7,6 +8,8 @@ namespace vybeg {
 
 // The Kaiser window, I0(beta sqrt(1 - x^2)) / I0(beta) at x in [-1, 1]; 1 at the middle, 0 outside.
 double kaiser_window(double x, double beta);
+// At the middles of `size` equal parts of it.
+std::vector<double> kaiser_weights(std::size_t size, double beta);
 
 // sin(pi x) / (pi x).
 double sinc(double x);

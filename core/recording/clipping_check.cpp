@@ -97,6 +97,10 @@ void ClippingCheck::add(std::int64_t first_frame, std::span<const double> x) {
     }
 }
 
+bool ClippingCheck::are_inside(double lowest, double highest) const {
+    return count_ > 0 && highest < upper_.next && -lowest < lower_.next;
+}
+
 int ClippingCheck::levels() const {
     if (count_ == 0 || upper_.level == -lower_.level) {
         return count_ == 0 ? 0 : 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,6 +26,10 @@ class ClippingCheck {
 public:
     // The next samples, in order; first_frame is the place of x[0]. NaN does not count.
     void add(std::int64_t first_frame, std::span<const double> x);
+
+    // Whether samples between these would only be counted; then count them without a look at each.
+    bool are_inside(double lowest, double highest) const;
+    void pass_over(std::size_t count) { count_ += static_cast<std::int64_t>(count); }
 
     struct Rail {
         double level = 0;

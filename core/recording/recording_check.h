@@ -45,6 +45,9 @@ private:
         double mean() const;
     };
 
+    void add_portion(std::int64_t first_frame, std::span<const double> c,
+                     std::span<const double> d);
+
     double rate_hz_;
     std::array<ChannelSums, 2> sums_;
     std::int64_t missing_ = 0;  // samples of both channels

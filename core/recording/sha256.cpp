@@ -1,3 +1,5 @@
+#include "core/recording/sha256.h"
+
 #include "core/recording/file_bytes.h"
 #include "core/recording/open_recording.h"
 
@@ -47,6 +49,11 @@ Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path
 }
 
 }  // namespace
+
+void prepare_sha256() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+    EVP_Digest("", 0, digest.data(), nullptr, EVP_sha256(), nullptr);
+}
 
 Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job) {
     const auto file = FileBytes::open(path);

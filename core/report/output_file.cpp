@@ -122,12 +122,28 @@ Status OutputFile::wait_until_writable() const {
 }
 
 Status OutputFile::write(std::string_view bytes) {
-    buffer_.append(bytes);
-    return buffer_.size() < buffer_size ? Status{} : flush();
+    if (buffer_.size() + bytes.size() < buffer_size) {
+        buffer_.append(bytes);
+        return {};
+    }
+    // What is large goes out from where it is.
+    if (buffer_.size() + bytes.size() < 2 * buffer_size) {
+        buffer_.append(bytes);
+        return flush();
+    }
+    const Status flushed = flush();
+    return flushed ? write_out(bytes) : flushed;
 }
 
 Status OutputFile::flush() {
-    std::string_view left = buffer_;
+    const Status written = write_out(buffer_);
+    if (written) {
+        buffer_.clear();
+    }
+    return written;
+}
+
+Status OutputFile::write_out(std::string_view left) {
     while (!left.empty()) {
         if (const Status ready = wait_until_writable(); !ready) {
             return ready;
@@ -140,7 +156,6 @@ Status OutputFile::flush() {
         bytes_out_ += std::max<ssize_t>(written, 0);
         left.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
     }
-    buffer_.clear();
     return {};
 }
 

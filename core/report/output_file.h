@@ -31,7 +31,7 @@ public:
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile();
 
-    // Bytes are gathered to about 1 MiB before they go out.
+    // Bytes are gathered to about 1 MiB before they go out; what is larger goes out at once.
     Status write(std::string_view bytes);
     Status flush();
 
@@ -65,6 +65,7 @@ private:
         : descriptor_(descriptor), name_(std::move(name)), job_(job) {}
 
     Status wait_until_writable() const;
+    Status write_out(std::string_view bytes);
     Status settle();
     Status take_place(bool returnable);
     void leave_place() noexcept;

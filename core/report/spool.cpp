@@ -13,8 +13,10 @@
 namespace vybeg {
 namespace {
 
-constexpr std::size_t most_in_memory = std::size_t{1} << 22;
+constexpr std::size_t most_in_memory = std::size_t{1} << 23;
 constexpr std::size_t piece = std::size_t{1} << 20;  // between two looks at the stop token
+// What is longer goes into the file from where it is.
+constexpr std::size_t least_direct = std::size_t{1} << 17;
 
 }  // namespace
 
@@ -44,6 +46,9 @@ Status Spool::create() {
 }
 
 Status Spool::write(std::string_view bytes) {
+    if (spilled_ > 0 && memory_.empty() && bytes.size() >= least_direct) {
+        return write_out(bytes);
+    }
     memory_.append(bytes);
     return memory_.size() < most_in_memory ? Status{} : spill();
 }
@@ -54,7 +59,14 @@ Status Spool::spill() {
             return created;
         }
     }
-    std::string_view left = memory_;
+    const Status written = write_out(memory_);
+    if (written) {
+        memory_.clear();
+    }
+    return written;
+}
+
+Status Spool::write_out(std::string_view left) {
     while (!left.empty()) {
         if (job_.cancelled()) {
             return Error{ErrorCode::interrupted, {}, {}};
@@ -66,7 +78,6 @@ Status Spool::spill() {
         left.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
         spilled_ += std::max<ssize_t>(written, 0);
     }
-    memory_.clear();
     return {};
 }
 

@@ -30,6 +30,7 @@ public:
 
 private:
     Status spill();
+    Status write_out(std::string_view bytes);
     Status create();
     Error failed(int error) const;
 

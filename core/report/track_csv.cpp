@@ -4,9 +4,13 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string_view>
 
 namespace vybeg {
@@ -18,7 +22,10 @@ constexpr std::array value_columns{
 constexpr std::array sd_columns{SlowVariable::a_A, SlowVariable::a_B, SlowVariable::two_theta_A,
                                 SlowVariable::alpha, SlowVariable::f};
 
-constexpr std::size_t rows_per_block = 4096;  // about 1 MB of text between two looks at the token
+// Rows that one task writes as text, a quarter of a megabyte.
+constexpr std::size_t rows_per_block = 1024;
+// Blocks that are written as text at the same time and then handed on, some megabytes.
+constexpr std::size_t blocks_at_once = 32;
 
 // A file's name may hold a line feed; a header line may not.
 std::string one_line(std::string text) {
@@ -49,20 +56,46 @@ std::string head_text(std::span<const std::string> header) {
     return text + column_names();
 }
 
-void append_row(std::string& text, const Track& track, std::size_t row) {
-    append_round_trip(text, track.time_s()[row]);
+// Room for any row.
+constexpr std::size_t longest_row =
+    (1 + value_columns.size() + sd_columns.size()) * (longest_round_trip + 1) + longest_flags_text +
+    1;
+
+char* write_row(char* to, const Track& track, std::size_t row) {
+    to = write_round_trip(to, track.time_s()[row]);
     for (const SlowVariable variable : value_columns) {
-        text += ',';
-        append_round_trip(text, track.values(variable)[row]);
+        *to++ = ',';
+        to = write_round_trip(to, track.values(variable)[row]);
     }
     for (const SlowVariable variable : sd_columns) {
-        text += ',';
-        append_round_trip(text, track.sds(variable)[row]);
+        *to++ = ',';
+        to = write_round_trip(to, track.sds(variable)[row]);
     }
-    text += ',';
-    text += flags_text(track.flags()[row]);
-    text += '\n';
+    *to++ = ',';
+    if (track.flags()[row] != 0) {
+        to = std::ranges::copy(flags_text(track.flags()[row]), to).out;
+    }
+    *to++ = '\n';
+    return to;
 }
+
+// The text of some rows, in memory that is taken once and never cleared.
+class RowsText {
+public:
+    std::string_view write(const Track& track, std::size_t first, std::size_t end) {
+        if (!room_) {
+            room_.reset(new char[rows_per_block * longest_row]);
+        }
+        char* to = room_.get();
+        for (std::size_t row = first; row < end; ++row) {
+            to = write_row(to, track, row);
+        }
+        return {room_.get(), static_cast<std::size_t>(to - room_.get())};
+    }
+
+private:
+    std::unique_ptr<char[]> room_;
+};
 
 // Sets flags in the text of rows, which comes in pieces that end anywhere.
 class LateFlags {
@@ -117,18 +150,29 @@ private:
     std::size_t row_ = 0;
 };
 
-// Hands the rows to write(text, rows so far), some at a time.
+// Hands the rows to write(text, rows so far), some at a time: digits take most of the time of a
+// track, and are made by all threads.
 template <class Write>
 Status write_rows(const Track& track, Write write) {
-    std::string text;
-    for (std::size_t first = 0; first < track.rows(); first += rows_per_block) {
-        const std::size_t end = std::min(first + rows_per_block, track.rows());
-        text.clear();
-        for (std::size_t row = first; row < end; ++row) {
-            append_row(text, track, row);
-        }
-        if (const Status written = write(text, end); !written) {
-            return written;
+    const std::size_t blocks = (track.rows() + rows_per_block - 1) / rows_per_block;
+    const std::size_t at_once = std::min(blocks, blocks_at_once);
+    std::vector<RowsText> texts(at_once);
+    std::vector<std::string_view> written(at_once);
+    const auto end_of = [&](std::size_t block) {
+        return std::min((block + 1) * rows_per_block, track.rows());
+    };
+    for (std::size_t first = 0; first < blocks; first += at_once) {
+        const std::size_t count = std::min(at_once, blocks - first);
+        // Isolated: a thread that waits here must not begin to estimate or to read.
+        tbb::this_task_arena::isolate([&] {
+            tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+                written[k] = texts[k].write(track, (first + k) * rows_per_block, end_of(first + k));
+            });
+        });
+        for (std::size_t k = 0; k < count; ++k) {
+            if (const Status taken = write(written[k], end_of(first + k)); !taken) {
+                return taken;
+            }
         }
     }
     return {};
@@ -173,7 +217,7 @@ Status write_track_csv(OutputFile& file, const Track& track, std::span<const std
     if (const Status written = file.write(head_text(header)); !written) {
         return written;
     }
-    return write_rows(track, [&](const std::string& text, std::size_t done) {
+    return write_rows(track, [&](std::string_view text, std::size_t done) {
         job.report(static_cast<double>(done) / static_cast<double>(track.rows()));
         return file.write(text);
     });
@@ -181,7 +225,7 @@ Status write_track_csv(OutputFile& file, const Track& track, std::span<const std
 
 Status TrackCsvWriter::append(const Track& rows) {
     return write_rows(rows,
-                      [this](const std::string& text, std::size_t) { return rows_.write(text); });
+                      [this](std::string_view text, std::size_t) { return rows_.write(text); });
 }
 
 Status TrackCsvWriter::finish(std::span<const std::string> header,

@@ -2,9 +2,10 @@
 
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
+#include "core/windows/carrier_peak.h"
+#include "core/windows/carrier_zoom.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -13,16 +14,8 @@
 namespace vybeg {
 namespace {
 
-double mean_of_finite(std::span<const double> x) {
-    double sum = 0;
-    double count = 0;
-    for (const double value : x) {
-        if (std::isfinite(value)) {
-            sum += value;
-            count += 1;
-        }
-    }
-    return count > 0 ? sum / count : std::nan("");
+bool none_is_finite(std::span<const double> x) {
+    return std::ranges::none_of(x, [](double value) { return std::isfinite(value); });
 }
 
 // C + iD, Hann-windowed and padded.
@@ -45,14 +38,6 @@ std::vector<std::complex<double>> windowed(std::span<const double> c, std::span<
         }
     }
     return data;
-}
-
-// Padded to half as much again, so that the parabola through a peak's logarithms is a good one: the
-// next power of two, or three times one.
-std::size_t padded(std::size_t length) {
-    const std::size_t least = std::max<std::size_t>(length + length / 2, 1024);
-    const std::size_t power = std::bit_ceil(least);
-    return power / 4 * 3 >= least ? power / 4 * 3 : power;
 }
 
 // |C_k|^2 + |D_k|^2 for k = 0 .. size/2, from the transform of C + iD.
@@ -84,12 +69,10 @@ double median_of(const std::vector<double>& power) {
 
 Result<double> find_carrier(std::span<const double> c, std::span<const double> d, double rate_hz,
                             double low_hz, double high_hz, const JobControl& job) {
-    const double mean_c = mean_of_finite(c);
-    const double mean_d = mean_of_finite(d);
-    if (std::isnan(mean_c) || std::isnan(mean_d)) {
+    if (none_is_finite(c) || none_is_finite(d)) {
         return Error{ErrorCode::no_valid_samples, "", {}};
     }
-    const std::size_t size = padded(c.size());
+    const std::size_t size = padded_length(c.size());
     const double bin_hz = rate_hz / static_cast<double>(size);
     const std::size_t half = size / 2;
     const auto last_bin = static_cast<double>(half - 1);
@@ -103,9 +86,13 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
                      {short_text(low_hz), short_text(high_hz), short_text(rate_hz / 2)}};
     }
 
+    if (const auto found = zoom_carrier(c, d, rate_hz, low_hz, high_hz, job)) {
+        return *found;
+    }
     // A million samples take some tenths of a second: the stop token is heard on the way.
     const Error interrupted{ErrorCode::interrupted, "", {}};
-    std::vector<std::complex<double>> data = windowed(c, d, mean_c, mean_d, size);
+    std::vector<std::complex<double>> data =
+        windowed(c, d, mean_of_finite(c), mean_of_finite(d), size);
     if (job.cancelled()) {
         return interrupted;
     }
@@ -133,13 +120,7 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
     if (c.size() >= least_length && power[peak] < least_ratio * median_of(power)) {
         return Error{ErrorCode::carrier_not_found, "", {}};
     }
-    const double left = std::log(power[peak - 1]);
-    const double here = std::log(power[peak]);
-    const double right = std::log(power[peak + 1]);
-    const double curvature = left - 2 * here + right;
-    // At the edge of a band the largest bin need not be a peak.
-    const double shift =
-        curvature < 0 ? std::clamp(0.5 * (left - right) / curvature, -0.5, 0.5) : 0;
+    const double shift = peak_shift(power[peak - 1], power[peak], power[peak + 1]);
     return (static_cast<double>(peak) + shift) * bin_hz;
 }
 

@@ -1,4 +1,5 @@
 #include "core/windows/carrier.h"
+#include "core/windows/carrier_zoom.h"
 
 #include <QtTest>
 
@@ -41,6 +42,8 @@ private slots:
     void noiseAloneHasNone();
     void fewSamplesAreEnough();
     void impossibleBandsAreNamed();
+    void aLongStretchIsSearchedCoarseToFine();
+    void whereTheZoomIsNotCertainItSaysNothing();
 };
 
 void TestCarrier::isFoundToAHundredthOfABin() {
@@ -117,6 +120,56 @@ void TestCarrier::impossibleBandsAreNamed() {
             ErrorCode::band_invalid);
     QVERIFY(find_carrier(pair.c, pair.d, 33333, 17000, 20000).error().code ==
             ErrorCode::band_invalid);
+}
+
+// Half a minute: the zoom alone answers, whatever the offset, with samples missing, drifting, and
+// beside weaker lines far and near.
+void TestCarrier::aLongStretchIsSearchedCoarseToFine() {
+    constexpr double rate = 33333;
+    for (const std::size_t count : {200000UL, 933324UL}) {
+        const double bin = rate / static_cast<double>(count);
+        for (const double f : {1301.7, 5300.0026, 5413.1, 12345.678, 15500.3}) {
+            Pair pair = tones(count, f, rate, 1, 0.7, 1e-2);
+            const Pair near = tones(count, f + 5 * bin, rate, 0.3, 0.3, 0);
+            const Pair far = tones(count, 2222.2, rate, 0.1, 0.1, 0);
+            for (std::size_t j = 0; j < count; ++j) {
+                pair.c[j] += near.c[j] + far.c[j] + 0.3;
+                pair.d[j] += near.d[j] + far.d[j] - 3;
+                if (j % 100000 < 20) {
+                    pair.d[j] = std::nan("");
+                }
+            }
+            const auto found = zoom_carrier(pair.c, pair.d, rate, 4 * bin, rate / 2, {});
+            QVERIFY2(found && std::abs(*found - f) < 0.01 * bin,
+                     qPrintable(QString("%1 of %2: off %3 bins")
+                                    .arg(f)
+                                    .arg(count)
+                                    .arg((found.value_or(0) - f) / bin)));
+        }
+    }
+}
+
+void TestCarrier::whereTheZoomIsNotCertainItSaysNothing() {
+    constexpr std::size_t count = 300000;
+    constexpr double rate = 33333;
+    const auto zoomed = [](const Pair& pair) {
+        return zoom_carrier(pair.c, pair.d, rate, 1, rate / 2, {});
+    };
+    // Noise alone, silence, and a carrier at the edge.
+    QVERIFY(!zoomed(tones(count, 5300, rate, 0, 0, 1)));
+    QVERIFY(!zoomed({std::vector<double>(count, 0.25), std::vector<double>(count, 0)}));
+    QVERIFY(!zoomed(tones(count, 20, rate, 1, 1, 0.01)));
+    // A line that is there between the short stretches of the coarse look alone, and longer than
+    // they are: the carrier that they see is not the largest peak.
+    Pair pair = tones(count, 5300, rate, 0.1, 0.1, 0.001);
+    const Pair burst = tones(count, 9000, rate, 3, 3, 0);
+    for (std::size_t j = 150000; j < 168000; ++j) {
+        pair.c[j] += burst.c[j];
+        pair.d[j] += burst.d[j];
+    }
+    QVERIFY(!zoomed(pair));
+    const Result<double> found = find_carrier(pair.c, pair.d, rate, 1, rate / 2);
+    QVERIFY(found && std::abs(*found - 9000) < 1);
 }
 
 QTEST_GUILESS_MAIN(TestCarrier)
