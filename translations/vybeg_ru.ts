@@ -1027,6 +1027,14 @@
             <translation>Гц на кв. единицу</translation>
         </message>
         <message>
+            <source>deg</source>
+            <translation>град</translation>
+        </message>
+        <message>
+            <source>ns</source>
+            <translation>нс</translation>
+        </message>
+        <message>
             <source>As above: %1</source>
             <translation>То же, что для %1</translation>
         </message>

@@ -1,6 +1,7 @@
 #include "ui/error_text.h"
 
 #include "core/base/messages.h"
+#include "core/base/number_text.h"
 #include "ui/number_label.h"
 #include "ui/parameter_text.h"
 
@@ -15,23 +16,25 @@ namespace vybeg::ui {
 
 namespace {
 
-// A number as the interface writes it, with its decimal sign, a minus and a power of ten; a unit in
-// its language; anything else as it is.
+// A number as the interface writes it, with its decimal sign, a minus and a power of ten; a unit,
+// alone or behind a number, in its language; anything else as it is.
 QString localised(const QString& text) {
     static const QRegularExpression number(
         QStringLiteral("^(-?)(\\d+(?:\\.\\d+)?)(?:e([-+]?\\d+))?$"));
     if (text == QLatin1String("Hz") || text == QLatin1String("1/s")) {
         return unitText(text.toLatin1().constData());
     }
-    const QRegularExpressionMatch match = number.match(text);
+    const QRegularExpressionMatch match = number.match(text.section(QLatin1Char(' '), 0, 0));
     if (!match.hasMatch()) {
         return text;
     }
+    const QString unit = text.section(QLatin1Char(' '), 1);
     const QString power = match.captured(3).isEmpty()
                               ? QString()
                               : QStringLiteral("·") + powerOfTen(match.captured(3).toInt());
     return (match.captured(1).isEmpty() ? QString() : QStringLiteral("−")) +
-           match.captured(2).replace(QLatin1Char('.'), QLocale().decimalPoint()) + power;
+           match.captured(2).replace(QLatin1Char('.'), QLocale().decimalPoint()) + power +
+           (unit.isEmpty() ? QString() : QLatin1Char(' ') + unitText(unit.toLatin1().constData()));
 }
 
 QString filled(const char* context, const char* text, const std::vector<std::string>& args) {
@@ -61,6 +64,10 @@ QString reasonText(const Reason& reason) {
                ? QString()
                : filled("Reason", message_template(reason.code), reason.args)
                      .replace(QLatin1String("theta_A"), QStringLiteral("θ_A"));
+}
+
+QString shortNumberText(double value, int digits) {
+    return localised(QString::fromStdString(short_text(value, digits)));
 }
 
 QString flagsText(Flags flags) {

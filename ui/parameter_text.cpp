@@ -66,11 +66,15 @@ QString resonatorText(const char* text) {
 }
 
 QString unitText(const char* unit) {
-    // Those that core/ gives with its parameters.
-    static constexpr std::array<const char*, 4> known{
-        QT_TRANSLATE_NOOP("Resonator", "Hz"), QT_TRANSLATE_NOOP("Resonator", "s"),
+    // Those that core/ gives with its parameters and in its warnings.
+    static constexpr std::array<const char*, 7> known{
+        QT_TRANSLATE_NOOP("Resonator", "Hz"),
+        QT_TRANSLATE_NOOP("Resonator", "s"),
         QT_TRANSLATE_NOOP("Resonator", "1/s"),
-        QT_TRANSLATE_NOOP("Resonator", "Hz per squared unit")};
+        QT_TRANSLATE_NOOP("Resonator", "Hz per squared unit"),
+        QT_TRANSLATE_NOOP("Resonator", "rad"),
+        QT_TRANSLATE_NOOP("Resonator", "deg"),
+        QT_TRANSLATE_NOOP("Resonator", "ns")};
     for (const char* each : known) {
         if (QLatin1String(each) == QLatin1String(unit)) {
             return resonatorText(each);

@@ -1,6 +1,7 @@
 #include "ui/resonator_panel.h"
 
 #include "ui/difference_text.h"
+#include "ui/error_text.h"
 #include "ui/number_field.h"
 #include "ui/quantity_table.h"
 #include "ui/resonator_text.h"
@@ -42,7 +43,7 @@ QString paragraphs(const QStringList& texts, const QString& form) {
     return html;
 }
 
-// Names of the recordings; a mark stands at those that a warning above the tables is about.
+// Names of the recordings; a mark stands at those that a finding below the table is about.
 QStringList markedNames(const ResonatorOutcome& outcome) {
     QStringList names;
     for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
@@ -73,9 +74,6 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    warnings_ = sentence(content);
-    warnings_->setObjectName(QStringLiteral("warnings"));
-    column->addWidget(warnings_);
     const auto table = [content](const char* name) {
         auto* made = new QuantityTable(content);
         made->setObjectName(QLatin1String(name));
@@ -88,7 +86,12 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
                 [this, made] { emit exportWanted(made->content(), made->size()); });
         return made;
     };
-    waves_section_ = addSection(*column, {waves_ = table("waves")});
+    findings_ = sentence(content);
+    findings_->setObjectName(QStringLiteral("findings"));
+    waves_section_ = addSection(*column, {waves_ = table("waves"), findings_});
+    warnings_ = sentence(content);
+    warnings_->setObjectName(QStringLiteral("warnings"));
+    column->addWidget(warnings_);
     statistical_ = sentence(content);
     resonator_section_ = addSection(*column, {resonator_ = table("resonator"), statistical_});
     sensitivities_section_ = addSection(*column, {sensitivities_ = table("sensitivities")});
@@ -208,7 +211,7 @@ void ResonatorPanel::showState(const RunSet* set, const ResonatorOutcome* outcom
         fit.model == ResonatorModel::structured ? tr("Structured model") : tr("Free model");
     QString text = tr("%1, %n recording(s); χ² per degree of freedom %2", nullptr,
                       static_cast<int>(outcome->inputs.size()))
-                       .arg(model, QLocale().toString(fit.chi2_per_dof, 'g', 3));
+                       .arg(model, shortNumberText(fit.chi2_per_dof, 3));
     if (document_.outOfDate(*set, *outcome)) {
         text = QStringLiteral("<b style=\"color:%1\">⚠ %2</b> %3")
                    .arg(readable(theme_.warning, theme_).name(), tr("Out of date."),
@@ -223,6 +226,9 @@ void ResonatorPanel::showResult(const ResonatorOutcome& outcome) {
     const QStringList warnings = warningTexts(outcome);
     warnings_->setText(paragraphs(warnings, QStringLiteral("⚠ %1")));
     warnings_->setVisible(!warnings.isEmpty());
+    const QStringList findings = findingTexts(outcome);
+    findings_->setText(paragraphs(findings, QStringLiteral("⚠ %1")));
+    findings_->setVisible(!findings.isEmpty());
     waves_->setContent(markedNames(outcome), waveRows(found, units_));
     const auto rows = resonatorRows(found, units_);
     resonator_->setContent({}, rows);

@@ -58,6 +58,7 @@ private:
     std::shared_ptr<const ResonatorOutcome> shown_;
     SetPanel* set_;
     QLabel* state_;
+    QLabel* findings_;
     QLabel* warnings_;
     QuantityTable* waves_;
     QuantityTable* resonator_;

@@ -8,6 +8,7 @@
 
 #include <QLocale>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -245,15 +246,36 @@ std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUni
     return rows;
 }
 
+QStringList findingTexts(const ResonatorOutcome& outcome) {
+    // What several recordings share is said once.
+    std::vector<std::pair<QString, QStringList>> texts;
+    for (const auto& [diagnostic, input] : all_warnings(outcome.identification)) {
+        if (input < 0) {
+            continue;
+        }
+        const QString text = diagnosticText(diagnostic);
+        const QString name =
+            QString::fromStdString(outcome.inputs[static_cast<std::size_t>(input)].name);
+        const auto same = std::ranges::find(texts, text, &std::pair<QString, QStringList>::first);
+        if (same == texts.end()) {
+            texts.emplace_back(text, QStringList{name});
+        } else {
+            same->second << name;
+        }
+    }
+    QStringList lines;
+    for (const auto& [text, names] : texts) {
+        lines << QStringLiteral("%1: %2").arg(names.join(QStringLiteral(", ")), text);
+    }
+    return lines;
+}
+
 QStringList warningTexts(const ResonatorOutcome& outcome) {
     QStringList texts;
     for (const auto& [diagnostic, input] : all_warnings(outcome.identification)) {
-        const QString text = diagnosticText(diagnostic);
-        texts << (input < 0 ? text
-                            : QStringLiteral("%1: %2").arg(
-                                  QString::fromStdString(
-                                      outcome.inputs[static_cast<std::size_t>(input)].name),
-                                  text));
+        if (input < 0) {
+            texts << diagnosticText(diagnostic);
+        }
     }
     return texts;
 }

@@ -26,7 +26,10 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
 // One column: mean and harmonics of the drift function, or why it is not known.
 std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units);
 
-// Sentences, with the recording's name where one is meant.
+// Sentences about the result.
 QStringList warningTexts(const ResonatorOutcome& outcome);
+
+// What was found in the recordings, each with their names.
+QStringList findingTexts(const ResonatorOutcome& outcome);
 
 }  // namespace vybeg::ui
