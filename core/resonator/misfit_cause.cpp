@@ -85,24 +85,52 @@ Effect line_effect(const FitProblem& problem, const Posterior& at, std::span<con
     return effect;
 }
 
-// The part of the residual's square that a line at `f_hz` takes in all runs, without what the
-// parameters follow of it.
-double line_power(const FitProblem& problem, const Posterior& at, std::span<const double> f_ref_hz,
-                  double f_hz) {
-    double sum = 0;
+// A run's residual, weighted as a mode that decays like the wave shows in it.
+struct DampedResidual {
+    double f_ref_hz = 0;
+    double step_s = 0;
+    std::vector<double> time_s;
+    std::vector<Vector2cd> left;
+    double norm = 0;
+};
+
+std::vector<DampedResidual> damped_residuals(const FitProblem& problem, const Posterior& at,
+                                             std::span<const double> f_ref_hz) {
+    std::vector<DampedResidual> all;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
         const ScaledRun& run = problem.runs[k];
-        Vector2cd along = Vector2cd::Zero();
-        double norm = 0;
+        DampedResidual damped{f_ref_hz[k], run.step_s, run.time_s, {}, 0};
         for (std::size_t window = 0; window < run.size(); ++window) {
-            const double t = run.time_s[window];
-            const double size = run.weight[window] * std::exp(-std::abs(at.p[decay_at]) * t);
+            const double size =
+                run.weight[window] * std::exp(-std::abs(at.p[decay_at]) * run.time_s[window]);
             const auto left = at.runs[k].residual.segment<4>(4 * static_cast<Index>(window));
-            const Complex back = std::polar(size, -2 * pi * (f_hz - f_ref_hz[k]) * t);
-            along += back * Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3]));
-            norm += size * size;
+            damped.left.push_back(size *
+                                  Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3])));
+            damped.norm += size * size;
         }
-        sum += along.squaredNorm() / norm;
+        all.push_back(std::move(damped));
+    }
+    return all;
+}
+
+// The part of the residual's square that a line at `f_hz` takes in all runs, without what the
+// parameters follow of it.
+double line_power(const std::vector<DampedResidual>& runs, double f_hz) {
+    double sum = 0;
+    for (const DampedResidual& run : runs) {
+        const double rate = -2 * pi * (f_hz - run.f_ref_hz);
+        const Complex step = std::polar(1.0, rate * run.step_s);
+        Vector2cd along = Vector2cd::Zero();
+        Complex turn;
+        double last_s = -std::numeric_limits<double>::infinity();
+        for (std::size_t window = 0; window < run.time_s.size(); ++window) {
+            const double t = run.time_s[window];
+            const bool follows = std::abs(t - last_s - run.step_s) < 1e-6 * run.step_s;
+            turn = follows ? turn * step : std::polar(1.0, rate * t);
+            along += turn * run.left[window];
+            last_s = t;
+        }
+        sum += along.squaredNorm() / run.norm;
     }
     return sum;
 }
@@ -175,11 +203,12 @@ Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<co
     const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
     const double step_hz = 1 / (lines_per_cycle * longest_s);
     const double band_hz = 0.5 / step_s;
+    const std::vector<DampedResidual> residuals = damped_residuals(problem, at, f_ref_hz);
     Line best;
     double most = 0;
     for (double off = least_cycles / longest_s; off < band_hz; off += step_hz) {
         for (const double f_hz : {wave_hz - off, wave_hz + off}) {
-            const double power = line_power(problem, at, f_ref_hz, f_hz);
+            const double power = line_power(residuals, f_hz);
             if (power > most) {
                 most = power;
                 best.f_hz = f_hz;
