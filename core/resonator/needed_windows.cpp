@@ -114,22 +114,24 @@ double line_beyond(const FittedMotion& motion, std::span<const PhasorRun> fine) 
 
 }  // namespace
 
-double needed_windows(const FittedMotion& motion, std::span<const PhasorRun> fine) {
+NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorRun> fine) {
     constexpr double even_turn = 0.003;  // rad
     constexpr double most_for_turn = 1000;
     constexpr double per_cycle = 4;
     const double beyond_hz = line_beyond(motion, fine);
     const double mode_hz =
         std::abs(SlowDynamics(motion.rates()).half_difference().imag()) / (2 * std::numbers::pi);
-    double windows = 0;
+    NeededWindows needed;
     for (const FittedMotion::Run& run : motion.runs) {
         const double now = run.frame.duration_s / run.frame.window_s;
         const double for_turn = now * uneven_turn(motion) / even_turn;
-        const double highest_hz = std::max(beyond_hz, std::abs(run.own[frequency_at]) + mode_hz);
-        windows = std::max({windows, std::min(for_turn, most_for_turn),
-                            per_cycle * highest_hz * run.frame.duration_s});
+        const double mode_at_hz = std::abs(run.own[frequency_at]) + mode_hz;
+        const double cycles = per_cycle * run.frame.duration_s;
+        needed.by_motion =
+            std::max({needed.by_motion, std::min(for_turn, most_for_turn), cycles * mode_at_hz});
+        needed.by_line = std::max(needed.by_line, cycles * beyond_hz);
     }
-    return windows;
+    return needed;
 }
 
 }  // namespace vybeg

@@ -75,12 +75,22 @@ public:
     }
 
     // Finds the most likely parameters; the number of windows of a run that they ask for.
-    double solve() {
+    NeededWindows solve() {
         main_ = fit_from_nothing(problem_, job_);
         try_cubic(main_);
         choose_model(main_);
         main_ = refit_in_phase(problem_, main_, job_);
         return needed_windows(motion(main_), fine_);
+    }
+
+    // Whether these windows are explained about as well as those of another solution.
+    bool explains_as_much_as(const SetFit& other) const {
+        const double dof = degrees_of_freedom(problem_);
+        const double other_ratio = other.main_.chi2 / degrees_of_freedom(other.problem_);
+        const bool structured =
+            fit_.model == other.fit_.model || other.fit_.model == ResonatorModel::free;
+        return structured &&
+               main_.chi2 / dof < std::max(1.5 * other_ratio, 1 + 6 * std::sqrt(2 / dof));
     }
 
     // What they say of the resonator.
@@ -367,11 +377,17 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     }
     auto set = std::make_unique<SetFit>(merged(good, enough_windows), good, scale, options, job);
     // Solved again where merged windows were too long for what they gave.
-    const double windows = set->solve();
+    const NeededWindows needed = set->solve();
+    const double windows = std::max(needed.by_motion, needed.by_line);
     if (windows > static_cast<double>(enough_windows)) {
-        set = std::make_unique<SetFit>(merged(good, static_cast<std::size_t>(windows) + 1), good,
-                                       scale, options, job);
-        set->solve();
+        auto finer = std::make_unique<SetFit>(merged(good, static_cast<std::size_t>(windows) + 1),
+                                              good, scale, options, job);
+        finer->solve();
+        // A line may be a disturbance far from the carrier, which longer windows average out.
+        if (needed.by_motion > static_cast<double>(enough_windows) ||
+            finer->explains_as_much_as(*set)) {
+            set = std::move(finer);
+        }
     }
     ResonatorFit fit = set->described();
     if (job.cancelled()) {
