@@ -826,8 +826,8 @@
             <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды (--from).</translation>
         </message>
         <message>
-            <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, which the model does not hold. Split, axes and rotation may be off by more than their deviations. Take it out with a narrower band-pass (--filter).</source>
-            <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода, которой в модели нет. Разночастотность, оси и вращение могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром (--filter).</translation>
+            <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes and rotation may be off by more than their deviations. Take it out with a narrower band-pass (--filter).</source>
+            <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси и вращение могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром (--filter).</translation>
         </message>
         <message>
             <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or tell its tolerance (--tolerance).</source>

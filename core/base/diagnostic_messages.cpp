@@ -191,8 +191,9 @@ const char* message_template(DiagnosticKind kind) {
         case DiagnosticKind::misfit_neighbour:
             return VYBEG_MESSAGE(
                 "Message",
-                "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, which "
-                "the model does not hold. Split, axes and rotation may be off by more than their "
+                "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a "
+                "disturbance that folds there, which the model does not hold. Split, axes and "
+                "rotation may be off by more than their "
                 "deviations. Take it out with a narrower band-pass (--filter).");
         case DiagnosticKind::misfit_channel:
             return VYBEG_MESSAGE(

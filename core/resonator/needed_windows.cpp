@@ -116,20 +116,31 @@ double line_beyond(const FittedMotion& motion, std::span<const PhasorRun> fine) 
 
 NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorRun> fine) {
     constexpr double even_turn = 0.003;  // rad
+    constexpr double whole_turn = 0.02;
     constexpr double most_for_turn = 1000;
     constexpr double per_cycle = 4;
+    // Lines so far off that they would need more are left to alias: the fit's time would grow
+    // tenfold.
+    constexpr double most_for_line = 700;
     const double beyond_hz = line_beyond(motion, fine);
     const double mode_hz =
         std::abs(SlowDynamics(motion.rates()).half_difference().imag()) / (2 * std::numbers::pi);
     NeededWindows needed;
     for (const FittedMotion::Run& run : motion.runs) {
         const double now = run.frame.duration_s / run.frame.window_s;
-        const double for_turn = now * uneven_turn(motion) / even_turn;
+        double for_turn = now * uneven_turn(motion) / even_turn;
+        if (motion.shared[cubic_at] != 0) {
+            // The spring feels the whole amplitude of both modes, of which means lose a part.
+            const double turn = 2 * std::numbers::pi * mode_hz * run.frame.window_s;
+            for_turn = std::max(for_turn, now * turn / whole_turn);
+        }
         const double mode_at_hz = std::abs(run.own[frequency_at]) + mode_hz;
         const double cycles = per_cycle * run.frame.duration_s;
         needed.by_motion =
             std::max({needed.by_motion, std::min(for_turn, most_for_turn), cycles * mode_at_hz});
-        needed.by_line = std::max(needed.by_line, cycles * beyond_hz);
+        if (cycles * beyond_hz < most_for_line) {
+            needed.by_line = std::max(needed.by_line, cycles * beyond_hz);
+        }
     }
     return needed;
 }

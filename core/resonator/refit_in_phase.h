@@ -10,4 +10,10 @@ namespace vybeg {
 // fit changes nothing. chi2 stays that of the measured phasors.
 MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobControl& job);
 
+// Where `main` stays above the noise or has strange rates: the fit of the phasors
+// turned back by what still waves of steady drift leave of the phase, if it explains angles,
+// quadratures and amplitudes down to the noise. What a still wave shows in its phase alone tells
+// nothing of the rates, which could follow any phase at all. Else `main`.
+MapFit fit_still_in_phase(const FitProblem& problem, MapFit main, const JobControl& job);
+
 }  // namespace vybeg

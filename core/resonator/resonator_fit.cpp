@@ -76,7 +76,7 @@ public:
 
     // Finds the most likely parameters; the number of windows of a run that they ask for.
     NeededWindows solve() {
-        main_ = fit_from_nothing(problem_, job_);
+        main_ = fit_still_in_phase(problem_, fit_from_nothing(problem_, job_), job_);
         try_cubic(main_);
         choose_model(main_);
         main_ = refit_in_phase(problem_, main_, job_);

@@ -23,7 +23,8 @@ constexpr Complex i{0, 1};
 
 // Columns of which the parameters leave less than this share show nothing of their own.
 constexpr double own_share = 1e-6;
-constexpr std::array settling_shares{1.0 / 30, 0.1, 0.2, 1.0 / 3};  // of the longest run
+constexpr std::array settling_shares{0.03, 0.05, 0.07, 0.1,
+                                     0.14, 0.2,  0.28, 0.4};  // of the longest run
 
 // A frequency that begins a Hz off in each run and settles with a time constant common to all.
 Effect settling_effect(const FitProblem& problem, const Posterior& at, double settling_s) {
@@ -108,13 +109,20 @@ SettlingScore settling_score(const FitProblem& problem, const Posterior& posteri
         longest_s = std::max(longest_s, run.duration_s);
     }
     SettlingScore best;
-    for (const double share : settling_shares) {
-        const double settling_s = share * longest_s;
+    const auto consider = [&](double settling_s) {
         const Score found =
             score(problem, posterior, settling_effect(problem, posterior, settling_s));
         if (found.fall > best.fall) {
             best = {found.fall, found.size.cwiseAbs().maxCoeff(), settling_s};
         }
+    };
+    for (const double share : settling_shares) {
+        consider(share * longest_s);
+    }
+    for (const double closer : {1.2, 1.1, 1.05, 1.025, 1.0125}) {
+        const double middle_s = best.time_s;
+        consider(middle_s * closer);
+        consider(middle_s / closer);
     }
     return best;
 }

@@ -81,10 +81,18 @@ StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const Map
 
     StructuredVerdict best;
     best.penalty = std::numeric_limits<double>::infinity();
-    for (const bool from_nothing : {false, true}) {
+    enum class Candidate { from_main, from_nothing, as_is };
+    for (const Candidate candidate :
+         {Candidate::from_main, Candidate::from_nothing, Candidate::as_is}) {
         FitProblem trial = narrow;
-        const MapFit fit =
-            from_nothing ? fit_from_nothing(trial, job) : minimise(trial, main.p, 60, job);
+        MapFit fit = main;
+        fit.chi2 /= scale;
+        // The main fit itself may stand away from the minimum, where a phase that settles is left.
+        if (candidate == Candidate::from_main) {
+            fit = minimise(trial, main.p, 60, job);
+        } else if (candidate == Candidate::from_nothing) {
+            fit = fit_from_nothing(trial, job);
+        }
         StructuredVerdict verdict;
         verdict.penalty = std::max(fit.chi2 - main.chi2 / scale, 0.0);
         verdict.free_over_structured = fit.chi2 - free.chi2 / scale;

@@ -4,6 +4,7 @@
 #include "core/numerics/phase.h"
 #include "core/resonator/decay_time.h"
 #include "core/resonator/mean_rate.h"
+#include "core/resonator/merge_windows.h"
 
 #include <algorithm>
 #include <array>
@@ -96,7 +97,8 @@ Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows
 
 // What the noise of a window adds to the phase of all windows behind it: the wave moves on from z
 // by a part v across it (the phase does not count that part, but the noise turns z towards it),
-// which gives |v| sd / |z|^2. Without the mean of what noise makes of |v|^2 itself.
+// which gives |v| sd / |z|^2. Without the mean of what noise makes of |v|^2 itself; with the
+// product of the noises of two windows.
 double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, std::size_t behind) {
     const double power = power_of(run, k);
     const auto across = [&](std::size_t j) {
@@ -106,7 +108,7 @@ double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, st
     const double variance = run.sd[k] * run.sd[k];
     const double noise = 2 * (run.sd[before] * run.sd[before] + run.sd[behind] * run.sd[behind]);
     const double v = std::norm(across(behind) - across(before)) / power;
-    return (v - noise) * variance / (power * power);
+    return ((v - noise) * variance + 4 * variance * variance) / (power * power);
 }
 
 // Phase per second between windows that follow each other at the usual distance.
@@ -227,6 +229,24 @@ double inflation_of(const PhasorRun& run) {
         2 * std::accumulate(run.noise_correlation.begin(), run.noise_correlation.end(), 0.0) - 1);
 }
 
+// Windows so long that the products of their noise from one to the next add up to far less than
+// that noise itself: of N phasors' steps, 4 N (sd/|z|)^4 against (sd/|z|)^2.
+PhasorRun clear_windows(const PhasorRun& run) {
+    constexpr double least = 0.002;
+    double noise = 0;
+    double power = 0;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        noise += run.sd[k] * run.sd[k];
+        power += power_of(run, k);
+    }
+    const auto count = static_cast<double>(run.time_s.size());
+    const double together = std::ceil(std::sqrt(4 * count * noise / (least * power)));
+    if (!(together > 1) || count < 2 * together * static_cast<double>(least_windows)) {
+        return run;
+    }
+    return merge_windows(run, static_cast<std::size_t>(count / together));
+}
+
 Estimate missing(ReasonCode code) {
     Estimate estimate;
     estimate.reason.code = code;
@@ -242,7 +262,8 @@ Estimate given(double value, double sd) {
 
 }  // namespace
 
-WaveMotion wave_motion(const PhasorRun& run) {
+WaveMotion wave_motion(const PhasorRun& windows) {
+    const PhasorRun run = clear_windows(windows);
     const Motion motion = motion_without_outliers(run);
     WaveMotion found;
     if (motion.phase.value.size() < least_windows) {

@@ -90,6 +90,44 @@ private slots:
         }
     }
 
+    // Rates that a still wave shows in its phase alone follow a settling better than a drift does:
+    // modes that decay in a second, rotations of 3 rad/s.
+    void one_still_wave_that_settles_tells_no_rates() {
+        for (const double settling_hz : {5e-4, 3e-3, 1e-2}) {
+            for (const double settling_s : {1.0, 4.0, 10.0}) {
+                for (int seed = 1; seed <= seeds; ++seed) {
+                    FreeDecay gyro = reference();
+                    gyro.tau_s = 300;
+                    gyro.split_hz = 1e-6;
+                    gyro.theta_w = 0.5;
+                    std::vector<PhasorRun> runs =
+                        set_of(gyro, {8.6}, 1000, static_cast<std::uint64_t>(seed));
+                    change_phasors(runs, [&](double t, auto& c, auto& d) {
+                        const auto turn = std::polar(
+                            1.0, -2 * pi * settling_hz * settling_s * std::expm1(-t / settling_s));
+                        c *= turn;
+                        d *= turn;
+                    });
+                    const ResonatorFit fit = fitted(runs);
+                    const QString what = QString("%1 Hz in %2 s, seed %3: chi^2/dof %4")
+                                             .arg(settling_hz)
+                                             .arg(settling_s)
+                                             .arg(seed)
+                                             .arg(fit.chi2_per_dof);
+                    QVERIFY2(fit.model == ResonatorModel::structured, qPrintable(what));
+                    QVERIFY2(fit.modes.empty(), qPrintable(what));
+                    QVERIFY(!fit.resonator.tau_s.given() && !fit.resonator.split_hz.given());
+                    QVERIFY(!fit.resonator.frequency_per_power.given());
+                    const Estimate& rate = fit.resonator.angle_rate_rad_s;
+                    QVERIFY(!rate.given() || std::abs(rate.value) < 4 * rate.uncertainty());
+                    QVERIFY(named(fit) != nullptr);
+                    QVERIFY(named(fit)->kind == DiagnosticKind::misfit_settling);
+                    VYBEG_NEAR(fit.runs[0].direction_tau_s, 300, 5, 150);
+                }
+            }
+        }
+    }
+
     void a_damping_that_follows_the_amplitude_is_named() {
         for (auto [gyro, angles] : gyros()) {
             gyro.damping_per_power_per_s = 5e-4;

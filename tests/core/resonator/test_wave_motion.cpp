@@ -143,6 +143,33 @@ private slots:
         }
     }
 
+    // Phases are summed from window to window: the products of two windows' noises, too.
+    void noise_near_the_wave_costs_no_more_than_the_bound() {
+        for (const double noise : {0.03, 0.12, 0.25}) {
+            FreeDecay decay = reference();
+            decay.seconds = 17;
+            decay.tau_s = 1e300;
+            decay.noise = noise;
+            double squares = 0;
+            double pulls = 0;
+            constexpr int seeds = 40;
+            for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+                const Estimate f = wave_motion(simulated_phasors(decay, 500, seed)).f_hz;
+                squares += std::pow(f.value - decay.f0_hz, 2) / seeds;
+                pulls += std::pow((f.value - decay.f0_hz) / f.sd, 2) / seeds;
+            }
+            // sqrt(6/N) sd/(pi a T), N samples.
+            const double bound =
+                std::sqrt(6 / (17 * decay.rate_hz)) * noise / (std::numbers::pi * 17);
+            const QString text = QString("noise %1: error over the bound %2, rms pull %3")
+                                     .arg(noise)
+                                     .arg(std::sqrt(squares) / bound)
+                                     .arg(std::sqrt(pulls));
+            QVERIFY2(std::sqrt(squares) < 1.6 * bound, qPrintable(text));
+            QVERIFY2(std::sqrt(pulls) > 0.7 && std::sqrt(pulls) < 1.3, qPrintable(text));
+        }
+    }
+
     void a_curved_motion_has_no_smaller_deviation() {
         for (const double split : {0.01, 0.03, 0.2}) {
             const FreeDecay decay = wave(split, 10, 0.1);
