@@ -57,6 +57,7 @@ double chi2_of(const FitProblem& problem, const Eigen::VectorXd& p) {
     return sum;
 }
 
+// The fit of the turned runs, from p; its chi2 is theirs.
 MapFit fit_turned(const FitProblem& problem, const Turned& turned, const Eigen::VectorXd& p,
                   const JobControl& job) {
     FitProblem in_phase = problem;

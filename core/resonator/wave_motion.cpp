@@ -232,7 +232,7 @@ double inflation_of(const PhasorRun& run) {
 // Windows so long that the products of their noise from one to the next add up to far less than
 // that noise itself: of N phasors' steps, 4 N (sd/|z|)^4 against (sd/|z|)^2.
 PhasorRun clear_windows(const PhasorRun& run) {
-    constexpr double least = 0.002;
+    constexpr double least = 0.008;
     double noise = 0;
     double power = 0;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {

@@ -14,7 +14,10 @@ class TestCliInterrupt : public QObject, private CliFolder {
 
 private slots:
     void initTestCase() {
-        QCOMPARE(run_cli({"simulate", "--demo", "-o", "long.wav"}, folder_.path()).status, 0);
+        QCOMPARE(
+            run_cli({"simulate", "--demo", "--seconds", "112", "-o", "long.wav"}, folder_.path())
+                .status,
+            0);
     }
 
     void a_signal_ends_a_long_run_at_once_and_cleanly_data() {
