@@ -818,8 +818,8 @@
             <translation>Шум около несущей настолько узок, насколько это видно по невязке. Шум уже %1 Гц неотличим от самой волны: СКО могут быть занижены. Нужна более длинная запись или повторная.</translation>
         </message>
         <message>
-            <source>The residual is that of a damping that follows the amplitude (about %1 1/s per squared recording unit), which the model does not hold: tau, the damping anisotropy and the modes&apos; decay may be off by more than their deviations. Fit later parts of the recordings, where the wave is smaller (--from).</source>
-            <translation>Невязка такая, как при затухании, зависящем от амплитуды (около %1 1/с на квадрат единицы записи); в модели этого нет: τ, анизотропия затухания и затухание мод могут быть ошибочны больше своих СКО. Возьмите более поздние части записей, где волна меньше (--from).</translation>
+            <source>The residual is that of a damping that follows the amplitude (about %1 1/s per squared recording unit), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit later parts of the recordings, where the wave is smaller (--from).</source>
+            <translation>Невязка такая, как при затухании, зависящем от амплитуды (около %1 1/с на квадрат единицы записи); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите более поздние части записей, где волна меньше (--from).</translation>
         </message>
         <message>
             <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out (--from).</source>

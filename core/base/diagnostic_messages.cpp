@@ -179,8 +179,8 @@ const char* message_template(DiagnosticKind kind) {
             return VYBEG_MESSAGE(
                 "Message",
                 "The residual is that of a damping that follows the amplitude (about %1 1/s per "
-                "squared recording unit), which the model does not hold: tau, the damping "
-                "anisotropy and the modes' decay may be off by more than their deviations. Fit "
+                "squared recording unit), which the model does not hold: damping, its "
+                "anisotropy, rotation and drifts may be off by more than their deviations. Fit "
                 "later parts of the recordings, where the wave is smaller (--from).");
         case DiagnosticKind::misfit_settling:
             return VYBEG_MESSAGE(
