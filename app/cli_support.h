@@ -28,7 +28,7 @@ Result<OutputFile> open_output(const std::string& name, const JobControl& job);
 Status write_text(const std::string& text, const JobControl& job);
 
 // The hash of a recording, made beside other work by a thread of its own, or, where there is to be
-// one thread alone, when it is asked for. Given up where nobody asks.
+// one thread alone, when it is asked for. The thread stops where the object goes.
 class HashBeside {
 public:
     HashBeside(const Recording& recording, int threads, std::stop_token stop);

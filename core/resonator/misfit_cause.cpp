@@ -139,23 +139,22 @@ double line_power(const std::vector<DampedResidual>& runs, double f_hz) {
 // ones.
 double unaliased(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
                  double scale, double f_hz, double spacing_hz) {
-    std::vector<ScaledRun> frames;  // of the fit, with the fine windows
-    std::vector<std::vector<Vector2cd>> left;
+    std::vector<DampedResidual> residuals;
     double band_hz = 0;
     for (std::size_t k = 0; k < fine.size(); ++k) {
-        ScaledRun frame = scaled_run(fine[k], scale);
+        ScaledRun frame = scaled_run(fine[k], scale);  // of the fit, with the fine windows
         band_hz = std::max(band_hz, 0.5 / frame.step_s);
         frame.duration_s = problem.runs[k].duration_s;
         frame.reference_s = problem.runs[k].reference_s;
         frame.power = problem.runs[k].power;
-        std::vector<Vector2cd> residual = frame.z;
         const std::vector<Vector2cd> model = expected_phasors(
             frame, at.p.head(shared_count), own_of(problem.layout, at.p, k), frame.size());
+        DampedResidual damped{fine[k].f_ref_hz, frame.step_s, frame.time_s, {}, 1};
         for (std::size_t window = 0; window < frame.size(); ++window) {
-            residual[window] -= model[window];
+            const double size = std::exp(-std::abs(at.p[decay_at]) * frame.time_s[window]);
+            damped.left.push_back(size * (frame.z[window] - model[window]));
         }
-        left.push_back(std::move(residual));
-        frames.push_back(std::move(frame));
+        residuals.push_back(std::move(damped));
     }
     const double wave_hz = fine[0].f_ref_hz + at.p[problem.layout.at(0, frequency_at)];
     const auto reach = static_cast<int>(band_hz / spacing_hz) + 1;
@@ -166,17 +165,7 @@ double unaliased(const FitProblem& problem, const Posterior& at, std::span<const
         if (std::abs(there_hz - wave_hz) > band_hz) {
             continue;
         }
-        double power = 0;
-        for (std::size_t k = 0; k < fine.size(); ++k) {
-            Vector2cd along = Vector2cd::Zero();
-            for (std::size_t window = 0; window < frames[k].size(); ++window) {
-                const double t = frames[k].time_s[window];
-                along += std::polar(std::exp(-std::abs(at.p[decay_at]) * t),
-                                    -2 * pi * (there_hz - fine[k].f_ref_hz) * t) *
-                         left[k][window];
-            }
-            power += along.squaredNorm();
-        }
+        const double power = line_power(residuals, there_hz);
         if (power > most) {
             most = power;
             best_hz = there_hz;

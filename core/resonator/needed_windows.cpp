@@ -123,12 +123,13 @@ NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorR
     // tenfold.
     constexpr double most_for_line = 700;
     const double beyond_hz = line_beyond(motion, fine);
+    const double uneven = uneven_turn(motion) / even_turn;
     const double mode_hz =
         std::abs(SlowDynamics(motion.rates()).half_difference().imag()) / (2 * std::numbers::pi);
     NeededWindows needed;
     for (const FittedMotion::Run& run : motion.runs) {
         const double now = run.frame.duration_s / run.frame.window_s;
-        double for_turn = now * uneven_turn(motion) / even_turn;
+        double for_turn = now * uneven;
         if (motion.shared[cubic_at] != 0) {
             // The spring feels the whole amplitude of both modes, of which means lose a part.
             const double turn = 2 * std::numbers::pi * mode_hz * run.frame.window_s;

@@ -2,7 +2,6 @@
 // causes. White noise, noise about the carrier, 1/f-like settling and a cubic spring; one recording
 // and four. The limits of the table are 0.1 and 0.2 s.
 #include "core/resonator/resonator_fit.h"
-#include "core/simulation/decay_motion.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <benchmark/benchmark.h>
@@ -70,16 +69,7 @@ PhasorRun settling(std::size_t run) {
 PhasorRun cubic(std::size_t run) {
     FreeDecay decay = gyro(run);
     decay.frequency_per_power_hz = 0.01;
-    DecayMotion motion(decay);
-    return noisy_phasors(decay, window, run + 1, [&](std::int64_t first, double) {
-        Eigen::Vector2cd z = Eigen::Vector2cd::Zero();
-        for (std::int64_t frame = first; frame < first + window; ++frame) {
-            const double turns = decay.f0_hz * static_cast<double>(frame) / decay.rate_hz;
-            z += motion.next() *
-                 std::polar(1 / static_cast<double>(window), -2 * pi * std::remainder(turns, 1.0));
-        }
-        return z;
-    });
+    return moved_phasors(decay, window, run + 1);
 }
 
 // Keeps the fastest iteration of each benchmark.

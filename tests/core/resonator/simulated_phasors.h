@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/resonator/phasor_run.h"
+#include "core/simulation/decay_motion.h"
 #include "core/simulation/gaussian_noise.h"
 #include "core/simulation/slow_motion.h"
 
@@ -49,6 +50,21 @@ inline PhasorRun simulated_phasors(const FreeDecay& decay, std::int64_t window, 
             const double u = t + at * window_s;
             z += weight / 12 * std::polar(1.0, two_pi * offset_hz * u) *
                  (motion.propagator(u) * start);
+        }
+        return z;
+    });
+}
+
+// Those of a motion that need not be linear, averaged over the samples.
+inline PhasorRun moved_phasors(const FreeDecay& decay, std::int64_t window, std::uint64_t seed) {
+    constexpr double two_pi = 6.283185307179586;
+    DecayMotion motion(decay);
+    return noisy_phasors(decay, window, seed, [&](std::int64_t first, double) {
+        Eigen::Vector2cd z = Eigen::Vector2cd::Zero();
+        for (std::int64_t frame = first; frame < first + window; ++frame) {
+            const double turns = decay.f0_hz * static_cast<double>(frame) / decay.rate_hz;
+            z += motion.next() *
+                 std::polar(1 / static_cast<double>(window), -two_pi * std::remainder(turns, 1.0));
         }
         return z;
     });

@@ -1,6 +1,5 @@
 // What the model lacks is named by the cause that the residual shows (TRUTH principle 4), over
 // seeds, angles and splits; noise of any colour names none.
-#include "core/simulation/decay_motion.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;
@@ -33,20 +32,6 @@ const Diagnostic* named(const ResonatorFit& fit) {
         }
     }
     return nullptr;
-}
-
-// As simulated_phasors(), of a motion that is not linear.
-PhasorRun moved_phasors(const FreeDecay& decay, std::int64_t window, std::uint64_t seed) {
-    DecayMotion motion(decay);
-    return noisy_phasors(decay, window, seed, [&](std::int64_t first, double) {
-        Eigen::Vector2cd z = Eigen::Vector2cd::Zero();
-        for (std::int64_t frame = first; frame < first + window; ++frame) {
-            const double turns = decay.f0_hz * static_cast<double>(frame) / decay.rate_hz;
-            z += motion.next() *
-                 std::polar(1 / static_cast<double>(window), -2 * pi * std::remainder(turns, 1.0));
-        }
-        return z;
-    });
 }
 
 template <class Change>
