@@ -1,6 +1,5 @@
 #include "core/estimators/carrier_sums.h"
 
-#include "core/estimators/profile.h"
 #include "core/estimators/window_estimate.h"
 
 #include <algorithm>
@@ -131,21 +130,21 @@ std::optional<double> CarrierSums::probe(std::size_t window) const {
         x = wave_in_lobe(all_pieces, turn, by_x, x).value_or(x);
     }
     const double farthest = sparse ? 8 * pi : pi;
-    // As the main lobe of window_series.h keeps away from 0 and half the rate.
+    // As the main lobe of taylor_window.h keeps away from 0 and half the rate.
     const double low = 0.5 * (pi - static_cast<double>(n_) * w0_);
     const double high = 0.5 * (static_cast<double>(n_) * (pi - w0_) - pi);
     return std::clamp(std::clamp(x, -farthest, farthest), std::min(low, 0.0), std::max(high, 0.0));
 }
 
 // Roughly where the power of a lane is largest, from its series far outside of their reach.
-double CarrierSums::rough_maximum(const SeriesBatch& batch, std::size_t lane) const {
+double CarrierSums::rough_maximum(const ProjectionBatch& batch, std::size_t lane) const {
     constexpr int points = 7;
     constexpr double step = 0.25;
     std::array<double, 2 * points + 1> power{};
     for (int k = -points; k <= points; ++k) {
         const double x = step * k;
         power[static_cast<std::size_t>(k + points)] =
-            profile_power(series_projections(batch, lane, x), frame().kernel(x));
+            profile_power(jets_of(lane_projections(batch, lane, x), frame().kernel(x))).value;
     }
     const auto peak = std::max_element(power.begin() + 1, power.end() - 1);
     const double bend = peak[-1] - 2 * peak[0] + peak[1];
@@ -181,7 +180,7 @@ void CarrierSums::take(const WindowBlock& block, std::size_t count,
 }
 
 // Sums of windows from `first` on, at the line's frequency. Returns of how many.
-std::size_t CarrierSums::sum_up(std::size_t first, SeriesBatch& batch) {
+std::size_t CarrierSums::sum_up(std::size_t first, ProjectionBatch& batch) {
     const double steep = std::abs(slope_);
     const auto on_line = [steep](std::size_t most, double width) {
         const double windows = 1 + std::floor(steep > 0 ? width / steep : 1e9);
@@ -192,7 +191,7 @@ std::size_t CarrierSums::sum_up(std::size_t first, SeriesBatch& batch) {
         return x_at(static_cast<double>(first) + 0.5 * static_cast<double>(count - 1));
     };
     if (!at_->sums.overlapping()) {
-        const std::size_t count = on_line(std::min(series_lanes, left), widest_on_grid);
+        const std::size_t count = on_line(std::min(lane_count, left), widest_on_grid);
         Reference& wanted = reference(x_of_middle(count));
         if (&wanted != at_) {
             at_ = &wanted;
@@ -210,14 +209,14 @@ std::size_t CarrierSums::sum_up(std::size_t first, SeriesBatch& batch) {
         at_->sums.move(first, count, *zone_);
         zone_end_ = first + count;
     }
-    const std::size_t count = std::min(series_lanes, still ? left : zone_end_ - first);
+    const std::size_t count = std::min(lane_count, still ? left : zone_end_ - first);
     at_->sums.batch(first, count, batch);
     return count;
 }
 
 // Moves the line through a window in which the steps have not arrived; true where they then do.
-bool CarrierSums::follow(std::size_t first, std::size_t lane, SeriesBatch& batch,
-                         SeriesMaximum& maximum, std::size_t& count) {
+bool CarrierSums::follow(std::size_t first, std::size_t lane, ProjectionBatch& batch,
+                         BatchMaximum& maximum, std::size_t& count) {
     const double before_x = x_;
     const double before_slope = slope_;
     const double before_from = from_;
@@ -233,7 +232,7 @@ bool CarrierSums::follow(std::size_t first, std::size_t lane, SeriesBatch& batch
         from_ = static_cast<double>(window);
         use(at_->sums.overlapping() ? x_at(0.5 * static_cast<double>(first + count_)) : x);
         count = sum_up(first, batch);
-        maximise_series(batch, frame(), maximum);
+        maximise_batch(batch, frame(), maximum);
         if (lane < count && maximum.arrived[lane] > 0) {
             return true;
         }
@@ -243,13 +242,13 @@ bool CarrierSums::follow(std::size_t first, std::size_t lane, SeriesBatch& batch
     from_ = before_from;
     use(x_at(0.5 * static_cast<double>(count_ - 1)));
     count = sum_up(first, batch);
-    maximise_series(batch, frame(), maximum);
+    maximise_batch(batch, frame(), maximum);
     return false;
 }
 
-std::size_t CarrierSums::next(std::size_t first, SeriesBatch& batch, SeriesMaximum& maximum) {
+std::size_t CarrierSums::next(std::size_t first, ProjectionBatch& batch, BatchMaximum& maximum) {
     std::size_t count = sum_up(first, batch);
-    maximise_series(batch, frame(), maximum);
+    maximise_batch(batch, frame(), maximum);
     const auto arrived = [&](std::size_t lane) {
         return maximum.arrived[lane] > 0 || !std::isfinite(batch.cc[lane] + batch.dd[lane]);
     };

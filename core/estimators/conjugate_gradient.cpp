@@ -1,12 +1,11 @@
 #include "core/estimators/conjugate_gradient.h"
 
+#include "core/estimators/batch_descent.h"
 #include "core/estimators/carrier_sums.h"
-#include "core/estimators/closed_form.h"
-#include "core/estimators/series_descent.h"
+#include "core/estimators/closed_form_estimator.h"
+#include "core/estimators/descent_step.h"
 #include "core/estimators/window_estimate.h"
 #include "core/numerics/phase.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -18,78 +17,10 @@ namespace {
 
 constexpr int most_steps = 200;
 
-Functional functional_at(const Window& window, const WaveParameters& at) {
-    return evaluate_functional(at, window_moments(window, at.w),
-                               window_kernel(window.length(), at.w));
-}
-
-// The Hessian that F has in an ideal window without noise, inverted: the natural scale of each
-// parameter. Angle and phase are coupled through the quadrature wave; where a_A = |a_B| the
-// coupling is total, and is held just below.
-class Preconditioner {
-public:
-    Preconditioner(const WaveState& state, const WindowKernel& kernel, std::int64_t n) {
-        const double power = state.a_A * state.a_A + state.a_B * state.a_B;
-        const double product = std::clamp(2 * state.a_A * state.a_B, -0.999 * power, 0.999 * power);
-        const double determinant = power * power - product * product;
-        amplitude_ = 1 / static_cast<double>(n);
-        same_ = amplitude_ * power / determinant;
-        cross_ = amplitude_ * product / determinant;
-        frequency_ = 1 / (power * kernel.spread);
-    }
-
-    Vector5 apply(const Vector5& g) const {
-        Vector5 scaled;
-        scaled << amplitude_ * g[0], amplitude_ * g[1], same_ * g[2] + cross_ * g[3],
-            cross_ * g[2] + same_ * g[3], frequency_ * g[4];
-        return scaled;
-    }
-
-private:
-    double amplitude_ = 0;
-    double same_ = 0;
-    double cross_ = 0;
-    double frequency_ = 0;
-};
-
-WaveParameters moved(const WaveParameters& from, const Vector5& direction, double step) {
-    WaveParameters to = from;
-    to.state.a_A += step * direction[0];
-    to.state.a_B += step * direction[1];
-    to.state.two_theta_A += step * direction[2];
-    to.state.alpha += step * direction[3];
-    to.w += step * direction[4];
-    return to;
-}
-
-struct Step {
-    WaveParameters parameters;
-    Functional functional;
-};
-
-// The point that the exact step reaches, or the first of shorter ones that descends.
-std::optional<Step> line_search(const Window& window, const FrequencyBracket& bracket,
-                                const WaveParameters& from, const Functional& f,
-                                const Vector5& direction) {
-    const double slope = f.gradient.dot(direction);
-    const double curvature = direction.dot(f.hessian * direction);
-    // Where F is not convex along the direction, its preconditioned length is the best guess of a
-    // step.
-    double step = curvature > 0 ? -slope / curvature : 1;
-    // What F can resolve: it is a difference of sums of squares.
-    const double rounding = 1e-14 * (std::abs(f.value) + std::abs(slope * step));
-    constexpr int most_halvings = 30;
-    for (int halving = 0; halving < most_halvings; ++halving, step /= 2) {
-        const WaveParameters to = moved(from, direction, step);
-        if (!bracket.contains(to.w)) {
-            continue;
-        }
-        const Functional there = functional_at(window, to);
-        if (there.value <= f.value + 1e-4 * step * slope + rounding) {
-            return Step{to, there};
-        }
-    }
-    return std::nullopt;
+// By a_A, a_B, 2theta_A, alpha and w.
+WaveFunctional<double> functional_at(const Window& window, const Five<double>& at) {
+    return evaluate_functional({{at[0], at[1], at[2], at[3]}, at[4]}, window_moments(window, at[4]),
+                               window_kernel(window.length(), at[4]));
 }
 
 class ConjugateGradient final : public Estimator {
@@ -109,30 +40,31 @@ public:
             return;
         }
         sums_.take(block, out.size());
-        SeriesBatch batch;
-        SeriesMaximum maximum;
-        SeriesStart start;
-        SeriesDescent descent;
+        ProjectionBatch batch;
+        BatchMaximum maximum;
+        BatchStart start;
+        DescentFit<Vec8> fits;
         for (std::size_t first = 0, count = 0; first < out.size(); first += count) {
             count = sums_.next(first, batch, maximum);
-            const SeriesFrame& frame = sums_.frame();
+            const TaylorFrame& frame = sums_.frame();
             in_phase_starts(batch, frame, start);
             if (options_.initial) {
-                for (std::size_t lane = 0; lane < series_lanes; ++lane) {
+                for (std::size_t lane = 0; lane < lane_count; ++lane) {
                     const std::size_t k = first + std::min(lane, count - 1);
                     set_start(start, lane, typed_start(centre_of(block, k, centre_s)), frame);
                 }
             }
-            descend_series(batch, frame, start, descent);
+            descend_batch(batch, frame, start, fits);
             for (std::size_t lane = 0; lane < count; ++lane) {
                 const std::size_t k = first + lane;
                 const Window window = window_of(block, k);
                 const double power = batch.cc[lane] + batch.dd[lane];
                 if (!std::isfinite(power)) {
                     out[k] = no_estimate(Flag::gap);
-                } else if (descent.arrived[lane] > 0) {
-                    out[k] = estimate_of_lane(descent.waves, lane, window,
-                                              {power, descent.residual[lane]}, options_);
+                } else if (fits.arrived[lane] > 0) {
+                    const DescentFit<double> fit = lane_of(fits, lane);
+                    out[k] = complete_estimate(
+                        fit.wave, {residual_of(fit.residual, power, window, fit.wave)}, options_);
                 } else {
                     out[k] =
                         estimate_window(window, start_values(window, centre_of(block, k, centre_s)))
@@ -172,8 +104,8 @@ private:
         return {in_phase_start(window, bracket_.centre), bracket_.centre};
     }
 
-    void set_start(SeriesStart& start, std::size_t lane, const WaveParameters& values,
-                   const SeriesFrame& frame) const {
+    void set_start(BatchStart& start, std::size_t lane, const WaveParameters& values,
+                   const TaylorFrame& frame) const {
         start.a_A[lane] = values.state.a_A;
         start.a_B[lane] = values.state.a_B;
         start.two_theta_A[lane] = values.state.two_theta_A;
@@ -193,9 +125,7 @@ private:
         if (!descent.converged) {
             set(flags, Flag::not_converged);
         }
-        const Phasors phasors = to_phasors(found.state);
-        return {complete_estimate({canonical(found.state), phasors, found.w, 5, flags}, window,
-                                  options_),
+        return {complete_estimate(to_phasors(found.state), found.w, flags, window, options_),
                 descent};
     }
 
@@ -224,48 +154,60 @@ private:
 
 Descent descend(const Window& window, const FrequencyBracket& bracket,
                 const WaveParameters& start) {
-    const std::int64_t n = window.length();
-    WaveParameters at = start;
-    at.w = std::clamp(at.w, bracket.low + 1e-6 * (bracket.high - bracket.low),
-                      bracket.high - 1e-6 * (bracket.high - bracket.low));
-    const double tolerance = descent_tolerance(at.w, n);
-    Functional f = functional_at(window, at);
-    Vector5 direction = Vector5::Zero();
-    std::optional<Preconditioner> scale;
+    const std::int64_t length = window.length();
+    const auto n = static_cast<double>(length);
+    const double edge = 1e-6 * (bracket.high - bracket.low);
+    const WaveState& state = start.state;
+    Five<double> at{state.a_A, state.a_B, state.two_theta_A, state.alpha,
+                    std::clamp(start.w, bracket.low + edge, bracket.high - edge)};
+    const double tolerance = descent_tolerance(at[4], length);
+    const double spread = window_kernel(length, at[4]).spread;
+    const auto ended = [&](int steps, bool converged) {
+        return Descent{{{at[0], at[1], at[2], at[3]}, at[4]}, steps, converged};
+    };
+    WaveFunctional<double> f = functional_at(window, at);
+    Preconditioner<double> scale(at, n, spread, 1);
+    Five<double> direction{};
     int since_restart = 0;
     for (int steps = 0; steps < most_steps; ++steps) {
         if (since_restart == 0) {
-            scale.emplace(at.state, window_kernel(n, at.w), n);
-            direction.setZero();
+            scale = Preconditioner<double>(at, n, spread, 1);
+            direction = {};
         }
-        const Vector5 scaled = scale->apply(f.gradient);
-        const double power = at.state.a_A * at.state.a_A + at.state.a_B * at.state.a_B;
+        const Five<double> scaled = scale.apply(f.gradient);
         // g.M^-1.g / n is the mean squared change of the samples that is still to come.
-        if (f.gradient.dot(scaled) <= tolerance * tolerance * power * static_cast<double>(n)) {
-            const bool minimum = f.hessian.llt().info() == Eigen::Success;
-            return {at, steps, minimum};
+        if (dot(f.gradient, scaled) <= tolerance * tolerance * power_of(at) * n) {
+            return ended(steps, is_positive(f.hessian));
         }
-        // Conjugate to the direction before with respect to the Hessian here.
-        const Vector5 bent = f.hessian * direction;
-        const double curvature = direction.dot(bent);
-        const double beta = curvature > 0 ? scaled.dot(bent) / curvature : 0;
-        direction = -scaled + beta * direction;
-        if (f.gradient.dot(direction) >= 0) {
-            direction = -scaled;
-        }
-        const std::optional<Step> step = line_search(window, bracket, at, f, direction);
-        if (!step) {
-            if (since_restart == 0) {
-                return {at, steps, false};
+        const DescentWay<double> way = next_way(f, scaled, direction);
+        direction = way.direction;
+        // The point that the exact step reaches, or the first of shorter ones that descends. Where
+        // F is not convex along the direction, its preconditioned length is the best guess of a
+        // step.
+        const double exact = way.curvature > 0 ? -way.slope / way.curvature : 1;
+        constexpr int most_halvings = 30;
+        int halving = 0;
+        for (double step = exact; halving < most_halvings; ++halving, step /= 2) {
+            const Five<double> to = moved(at, direction, step);
+            if (!bracket.contains(to[4])) {
+                continue;
             }
-            since_restart = 0;
-            continue;
+            const WaveFunctional<double> there = functional_at(window, to);
+            if (excess_of(there.value, f.value, step, way.slope) <= 0) {
+                at = to;
+                f = there;
+                break;
+            }
         }
-        at = step->parameters;
-        f = step->functional;
-        since_restart = (since_restart + 1) % descent_restart;
+        if (halving < most_halvings) {
+            since_restart = (since_restart + 1) % descent_restart;
+        } else if (since_restart == 0) {
+            return ended(steps, false);
+        } else {
+            since_restart = 0;
+        }
     }
-    return {at, most_steps, false};
+    return ended(most_steps, false);
 }
 
 std::unique_ptr<Estimator> make_conjugate_gradient(const EstimatorOptions& options) {

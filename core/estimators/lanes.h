@@ -3,68 +3,120 @@
 #include "core/base/dispatch.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 
-// Windows that are worked on side by side in the processor's vectors. Eight is for sources only:
-// functions of it must be inlined, and what calls them be VYBEG_DISPATCHED.
+// The two widths of a formula: double, for one window, and Vec8, for eight windows side by side in
+// the processor's vectors. Formulas are templates on Real, one of the two, and VYBEG_INLINED;
+// functions that use them on Vec8 are VYBEG_DISPATCHED. So each processor's instructions stay in
+// the function that was compiled for it.
 
 namespace vybeg {
 
-inline constexpr std::size_t series_lanes = 8;
-using Lanes = std::array<double, series_lanes>;
-
-// Vectors are passed between inlined functions only: how they would be passed otherwise is nobody's
-// concern.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi"
+inline constexpr std::size_t lane_count = 8;
+using Lanes = std::array<double, lane_count>;
 
 // Eight numbers that the compiler keeps in one, two or four registers.
-using Eight = double __attribute__((vector_size(64)));
+using Vec8 = double __attribute__((vector_size(64)));
+using Words8 = unsigned long long __attribute__((vector_size(64)));
 
-VYBEG_INLINED inline Eight load(const double* from) {
-    Eight value;
+// Lanes for which a condition holds: all bits of a lane or none.
+struct Mask8 {
+    Words8 bits;
+};
+
+VYBEG_INLINED inline Vec8 load(const double* from) {
+    Vec8 value;
     __builtin_memcpy(&value, from, sizeof value);
     return value;
 }
 
-VYBEG_INLINED inline Eight load(const Lanes& from) {
+VYBEG_INLINED inline Vec8 load(const Lanes& from) {
     return load(from.data());
 }
 
-VYBEG_INLINED inline void store(Eight value, Lanes& to) {
+VYBEG_INLINED inline void store(Vec8 value, Lanes& to) {
     __builtin_memcpy(to.data(), &value, sizeof value);
 }
 
-using EightWords = unsigned long long __attribute__((vector_size(64)));
-
-// where < 0 ? yes : no in each lane, by the sign's bit: GCC takes comparisons of such long vectors
-// apart, lane by lane.
-VYBEG_INLINED inline Eight if_negative(Eight where, Eight yes, Eight no) {
-    const EightWords mask = -((EightWords)where >> 63);
-    return (Eight)(((EightWords)yes & mask) | ((EightWords)no & ~mask));
+// One lane of a struct whose members are all of type Real.
+template <template <class> class Struct>
+Struct<double> lane_of(const Struct<Vec8>& eight, std::size_t lane) {
+    constexpr std::size_t members = sizeof(Struct<double>) / sizeof(double);
+    static_assert(sizeof(Struct<Vec8>) == members * sizeof(Vec8));
+    std::array<double, members> one;
+    for (std::size_t k = 0; k < members; ++k) {
+        __builtin_memcpy(
+            &one[k],
+            reinterpret_cast<const char*>(&eight) + k * sizeof(Vec8) + lane * sizeof(double),
+            sizeof(double));
+    }
+    return std::bit_cast<Struct<double>>(one);
 }
 
-// |x|; a NaN gets the sign of a positive number.
-VYBEG_INLINED inline Eight absolute(Eight x) {
+// Comparisons go by the bit of the sign: GCC splits comparisons of long vectors into lanes. A NaN
+// has no defined answer.
+VYBEG_INLINED inline bool negative(double x) {
+    return std::signbit(x);
+}
+VYBEG_INLINED inline Mask8 negative(Vec8 x) {
+    return {-((Words8)x >> 63)};
+}
+template <class A, class B>
+VYBEG_INLINED inline auto less(A a, B b) {
+    return negative(a - b);
+}
+template <class Real>
+using MaskOf = decltype(negative(Real{}));
+
+VYBEG_INLINED inline Mask8 operator&(Mask8 a, Mask8 b) {
+    return {a.bits & b.bits};
+}
+VYBEG_INLINED inline Mask8 operator|(Mask8 a, Mask8 b) {
+    return {a.bits | b.bits};
+}
+VYBEG_INLINED inline Mask8 operator!(Mask8 a) {
+    return {~a.bits};
+}
+
+VYBEG_INLINED inline bool any(bool mask) {
+    return mask;
+}
+VYBEG_INLINED inline bool any(Mask8 mask) {
+    const Words8 m = mask.bits;
+    return (((m[0] | m[4]) | (m[2] | m[6])) | ((m[1] | m[5]) | (m[3] | m[7]))) != 0;
+}
+
+VYBEG_INLINED inline double select(bool where, double yes, double no) {
+    return where ? yes : no;
+}
+VYBEG_INLINED inline Vec8 select(Mask8 where, Vec8 yes, Vec8 no) {
+    return (Vec8)(((Words8)yes & where.bits) | ((Words8)no & ~where.bits));
+}
+
+VYBEG_INLINED inline double absolute(double x) {
+    return std::abs(x);
+}
+VYBEG_INLINED inline Vec8 absolute(Vec8 x) {
     constexpr unsigned long long all_but_sign = ~0ULL >> 1;
-    return (Eight)((EightWords)x & all_but_sign);
+    return (Vec8)((Words8)x & all_but_sign);
 }
 
 // Sum of the lanes.
-VYBEG_INLINED inline double total(Eight x) {
+VYBEG_INLINED inline double total(Vec8 x) {
     return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
 }
 
 // Rows become columns.
-VYBEG_INLINED inline void transpose(std::array<Eight, series_lanes>& m) {
-    std::array<Eight, series_lanes> pairs;
-    for (std::size_t i = 0; i < series_lanes; i += 2) {
+VYBEG_INLINED inline void transpose(std::array<Vec8, lane_count>& m) {
+    std::array<Vec8, lane_count> pairs;
+    for (std::size_t i = 0; i < lane_count; i += 2) {
         pairs[i] = __builtin_shufflevector(m[i], m[i + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         pairs[i + 1] = __builtin_shufflevector(m[i], m[i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
-    std::array<Eight, series_lanes> fours;
-    for (std::size_t i = 0; i < series_lanes; i += 4) {
+    std::array<Vec8, lane_count> fours;
+    for (std::size_t i = 0; i < lane_count; i += 4) {
         for (std::size_t j = i; j < i + 2; ++j) {
             fours[j] = __builtin_shufflevector(pairs[j], pairs[j + 2], 0, 1, 8, 9, 4, 5, 12, 13);
             fours[j + 2] =
@@ -77,77 +129,41 @@ VYBEG_INLINED inline void transpose(std::array<Eight, series_lanes>& m) {
     }
 }
 
-VYBEG_INLINED inline Eight sqrt_of(Eight x) {
-    Eight root;
-    for (std::size_t lane = 0; lane < series_lanes; ++lane) {
+// glibc has these for whole vectors (libmvec, to four units of the last place), but declares them
+// so only under -ffast-math. Names of their own keep other code on the scalar ones.
+#ifdef __clang__
+#define VYBEG_VECTOR_FUNCTION
+#else
+#define VYBEG_VECTOR_FUNCTION __attribute__((simd("notinbranch"), const))
+#endif
+extern "C" {
+VYBEG_VECTOR_FUNCTION double vybeg_atan2(double y, double x) noexcept __asm__("atan2");
+VYBEG_VECTOR_FUNCTION double vybeg_sin(double x) noexcept __asm__("sin");
+}
+
+VYBEG_INLINED inline double sqrt_of(double x) {
+    return std::sqrt(x);
+}
+VYBEG_INLINED inline Vec8 sqrt_of(Vec8 x) {
+    Vec8 root;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
         root[lane] = std::sqrt(x[lane]);
     }
     return root;
 }
 
-// sum_k coefficient(k) x^k in each lane.
-template <std::size_t orders, class Coefficient>
-VYBEG_INLINED inline Eight polynomial(Eight x, Coefficient coefficient) {
-    Eight value = coefficient(orders - 1);
-    for (std::size_t k = orders - 1; k-- > 0;) {
-        value = value * x + coefficient(k);
+VYBEG_INLINED inline double atan2_of(double y, double x) {
+    return std::atan2(y, x);
+}
+VYBEG_INLINED inline Vec8 atan2_of(Vec8 y, Vec8 x) {
+    Lanes ys;
+    Lanes xs;
+    store(y, ys);
+    store(x, xs);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        ys[lane] = vybeg_atan2(ys[lane], xs[lane]);
     }
-    return value;
+    return load(ys);
 }
-
-// Value, slope and curvature of a power series at x, in each lane.
-struct Bent {
-    Eight value;
-    Eight slope;
-    Eight bend;
-};
-
-template <std::size_t orders, class Coefficient>
-VYBEG_INLINED inline Bent series_at(Eight x, Coefficient coefficient) {
-    Bent sum{coefficient(orders - 1), Eight{}, Eight{}};
-    for (std::size_t k = orders - 1; k-- > 0;) {
-        sum.bend = sum.bend * x + sum.slope;
-        sum.slope = sum.slope * x + sum.value;
-        sum.value = sum.value * x + coefficient(k);
-    }
-    sum.bend *= 2;
-    return sum;
-}
-
-VYBEG_INLINED inline Bent operator+(const Bent& a, const Bent& b) {
-    return {a.value + b.value, a.slope + b.slope, a.bend + b.bend};
-}
-
-VYBEG_INLINED inline Bent operator-(const Bent& a, const Bent& b) {
-    return {a.value - b.value, a.slope - b.slope, a.bend - b.bend};
-}
-
-VYBEG_INLINED inline Bent operator*(Eight factor, const Bent& a) {
-    return {factor * a.value, factor * a.slope, factor * a.bend};
-}
-
-VYBEG_INLINED inline Bent operator*(const Bent& a, const Bent& b) {
-    return {a.value * b.value, a.slope * b.value + a.value * b.slope,
-            a.bend * b.value + 2 * (a.slope * b.slope) + a.value * b.bend};
-}
-
-VYBEG_INLINED inline Bent square(const Bent& a) {
-    return {a.value * a.value, 2 * (a.value * a.slope), 2 * (a.slope * a.slope + a.value * a.bend)};
-}
-
-VYBEG_INLINED inline Bent reciprocal(const Bent& a) {
-    const Eight value = 1 / a.value;
-    const Eight slope = -a.slope * value * value;
-    return {value, slope, -value * (2 * (a.slope * slope) + a.bend * value)};
-}
-
-VYBEG_INLINED inline Bent square_root(const Bent& a) {
-    const Eight value = sqrt_of(a.value);
-    const Eight half = 0.5 / value;
-    const Eight slope = a.slope * half;
-    return {value, slope, (a.bend - 2 * (slope * slope)) * half};
-}
-
-#pragma GCC diagnostic pop
 
 }  // namespace vybeg

@@ -1,4 +1,4 @@
-#include "core/estimators/closed_form.h"
+#include "core/estimators/closed_form_estimator.h"
 #include "core/estimators/conjugate_gradient.h"
 #include "core/estimators/maximum_likelihood.h"
 
@@ -6,10 +6,10 @@ namespace vybeg {
 
 std::unique_ptr<Estimator> make_estimator(Algorithm algorithm, const EstimatorOptions& options) {
     switch (algorithm) {
-        case Algorithm::in_phase: return make_in_phase(options);
-        case Algorithm::phase_shift: return make_phase_shift(options);
-        case Algorithm::moving_axes: return make_moving_axes(options);
-        case Algorithm::demodulation: return make_demodulation(options);
+        case Algorithm::in_phase:
+        case Algorithm::phase_shift:
+        case Algorithm::moving_axes:
+        case Algorithm::demodulation: return make_closed_form(algorithm, options);
         case Algorithm::conjugate_gradient: return make_conjugate_gradient(options);
         case Algorithm::maximum_likelihood: return make_maximum_likelihood(options);
     }

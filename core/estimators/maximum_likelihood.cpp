@@ -2,14 +2,28 @@
 
 #include "core/estimators/carrier_sums.h"
 #include "core/estimators/profile.h"
-#include "core/estimators/series_estimates.h"
 #include "core/estimators/window_estimate.h"
-#include "core/estimators/window_series.h"
 
 #include <cmath>
 
 namespace vybeg {
 namespace {
+
+VYBEG_DISPATCHED
+void report_maximum(const ProjectionBatch& __restrict batch, const BatchMaximum& __restrict maximum,
+                    const TaylorFrame& __restrict frame, WaveReport<Vec8>& __restrict waves) {
+    const Vec8 x = load(maximum.x);
+    const Jet2<Vec8> g = gram_jet(frame, x);
+    const Vec8 by_cos = 1 / g.value;
+    const Vec8 by_sin = 1 / (static_cast<double>(frame.length()) - g.value);
+    const auto at = [x](const TaylorSums& sums) VYBEG_INLINED {
+        return polynomial<taylor_orders>(
+            x, [&](std::size_t k) VYBEG_INLINED { return load(sums[k]); });
+    };
+    const PhasorParts<Vec8> phasors{at(batch.c_cos) * by_cos, -at(batch.c_sin) * by_sin,
+                                    at(batch.d_cos) * by_cos, -at(batch.d_sin) * by_sin};
+    waves = report_batch(batch, frame, x, g, phasors, state_of(phasors));
+}
 
 class MaximumLikelihood final : public Estimator {
 public:
@@ -19,46 +33,42 @@ public:
           sums_(options.length, bracket_.centre) {}
 
     void estimate(const WindowBlock& block, double, std::span<WaveEstimate> out) override {
-        SeriesBatch batch;
-        SeriesMaximum maximum;
-        SeriesEstimates waves;
+        ProjectionBatch batch;
+        BatchMaximum maximum;
+        WaveReport<Vec8> waves;
         sums_.take(block, out.size());
         for (std::size_t first = 0, count = 0; first < out.size(); first += count) {
             count = sums_.next(first, batch, maximum);
-            series_estimates(batch, maximum, sums_.frame(), waves);
+            report_maximum(batch, maximum, sums_.frame(), waves);
             for (std::size_t lane = 0; lane < count; ++lane) {
-                out[first + lane] =
-                    estimate_lane(window_of(block, first + lane), batch, maximum, waves, lane);
+                const Window window = window_of(block, first + lane);
+                const double power = batch.cc[lane] + batch.dd[lane];
+                if (!std::isfinite(power)) {
+                    out[first + lane] = no_estimate(Flag::gap);
+                } else if (maximum.arrived[lane] == 0) {
+                    out[first + lane] = estimate_window(window);
+                } else {
+                    const WaveReport<double> wave = lane_of(waves, lane);
+                    out[first + lane] = complete_estimate(
+                        wave, {residual_of(power - maximum.power[lane], power, window, wave)},
+                        options_);
+                }
             }
         }
     }
 
 private:
-    WaveEstimate estimate_lane(const Window& window, const SeriesBatch& batch,
-                               const SeriesMaximum& maximum, const SeriesEstimates& waves,
-                               std::size_t lane) const {
-        const double power = batch.cc[lane] + batch.dd[lane];
-        if (!std::isfinite(power)) {
-            return no_estimate(Flag::gap);
-        }
-        if (maximum.arrived[lane] == 0) {
-            return estimate_window(window);
-        }
-        return estimate_of_lane(waves, lane, window, {power, power - maximum.power[lane]},
-                                options_);
-    }
-
     // Far from the carrier the series does not reach: the window by itself, at its own frequency.
     WaveEstimate estimate_window(const Window& window) const {
         const ProfileMaximum maximum = maximise_profile(window, bracket_);
-        FoundWave found{to_wave_state(maximum.phasors), maximum.phasors, maximum.w, 5, 0};
+        Flags flags = 0;
         if (maximum.at_bound) {
-            set(found.flags, Flag::at_bound);
+            set(flags, Flag::at_bound);
         }
         if (!maximum.converged) {
-            set(found.flags, Flag::not_converged);
+            set(flags, Flag::not_converged);
         }
-        return complete_estimate(found, window, options_);
+        return complete_estimate(maximum.phasors, maximum.w, flags, window, options_);
     }
 
     EstimatorOptions options_;

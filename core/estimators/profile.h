@@ -2,26 +2,36 @@
 
 #include "core/estimators/frequency_bracket.h"
 #include "core/estimators/wave_state.h"
-#include "core/estimators/window_moments.h"
+#include "core/estimators/window_jets.h"
 
 namespace vybeg {
 
 // The least-squares fit of a window with the four phasor components eliminated (variable
 // projection, METHOD section 5.6): what is left is one function of the frequency.
 
-// Power that the best phasors at w take out of the samples, with its first and second derivative by
-// w.
-struct ProfilePower {
-    double value = 0;
-    double slope = 0;
-    double bend = 0;
-};
+// p^2/g of one component, added to the power; by_g = 1/g.
+template <class Real>
+VYBEG_INLINED inline void add_component(Jet2<Real>& power, const Jet2<Real>& p, const Jet2<Real>& g,
+                                        Real by_g) {
+    const Real ratio = p.value * by_g;
+    const Real left = p.slope - ratio * g.slope;
+    power.value += p.value * ratio;
+    power.slope += ratio * (p.slope + left);
+    power.bend += 2 * (left * left) * by_g + ratio * (2 * p.bend - ratio * g.bend);
+}
 
-ProfilePower profile_power(const Moments& moments, const WindowKernel& kernel);
-double profile_power(const Projections& projections, const WindowKernel& kernel);
-
-// The best phasors at the frequency of the moments.
-Phasors best_phasors(const Projections& projections, const WindowKernel& kernel);
+// Power that the best phasors take out of the samples.
+template <class Real>
+VYBEG_INLINED inline Jet2<Real> profile_power(const WindowJets<Real>& s) {
+    const Real by_g = 1 / s.g.value;
+    const Real by_h = 1 / s.h.value;
+    Jet2<Real> power{};
+    add_component(power, s.pc, s.g, by_g);
+    add_component(power, s.qc, s.h, by_h);
+    add_component(power, s.pd, s.g, by_g);
+    add_component(power, s.qd, s.h, by_h);
+    return power;
+}
 
 struct ProfileMaximum {
     double w = 0;
@@ -33,5 +43,13 @@ struct ProfileMaximum {
 // The frequency of largest power in the bracket, by Newton steps from its centre; where those leave
 // the bracket or meet no concavity, by a search over the bracket first. Error of w: 1e-12 / n.
 ProfileMaximum maximise_profile(const Window& window, const FrequencyBracket& bracket);
+
+// The same of eight windows near the reference frequency, by Newton steps on the series.
+struct BatchMaximum {
+    Lanes x;        // frequency, as in taylor_window.h
+    Lanes power;    // that is taken out
+    Lanes arrived;  // 1; or 0 where the steps leave the series' reach or meet no concavity
+};
+void maximise_batch(const ProjectionBatch& batch, const TaylorFrame& frame, BatchMaximum& maximum);
 
 }  // namespace vybeg

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "core/base/dispatch.h"
+#include "core/estimators/wave_formulas.h"
+#include "core/estimators/window_jets.h"
 
 #include <array>
 #include <cstddef>
 
 namespace vybeg {
 
-// The error functional F of the article's last section by its five parameters, for one window
-// (Real = double) or for several side by side (lanes.h).
+// The error functional F of the article's last section by its five parameters.
 //
 // Seen along the wave's axes and in its phase the projections Z = sum s e^{-iwu} of both signals
 // are
@@ -18,80 +18,73 @@ namespace vybeg {
 //     n/2 (a_A^2 + a_B^2) + D/2 cos 2alpha (a_A^2 - a_B^2) - 2 a_A Re A + 2 a_B Im B.
 // dA/d2theta = B, dB/d2theta = -A, d/dalpha = i of both; that gives all derivatives.
 
-// A number with its first and second derivative by the frequency.
+// One number for each of a_A, a_B, 2theta_A, alpha and the frequency.
 template <class Real>
-using FrequencyJet = std::array<Real, 3>;
+using Five = std::array<Real, 5>;
 
-template <class Real>
-struct ComplexJet {
-    FrequencyJet<Real> re;
-    FrequencyJet<Real> im;
-};
-
-// cos and sin of 2theta_A and alpha beside the amplitudes.
-template <class Real>
-struct TurnedWave {
-    Real a_A;
-    Real a_B;
-    Real cos_angle;
-    Real sin_angle;
-    Real cos_phase;
-    Real sin_phase;
-};
-
-// Value, gradient and Hessian by (a_A, a_B, 2theta_A, alpha, frequency).
 template <class Real>
 struct WaveFunctional {
     Real value;
-    std::array<Real, 5> gradient;
-    std::array<std::array<Real, 5>, 5> hessian;
+    Five<Real> gradient;
+    std::array<Five<Real>, 5> hessian;
 };
 
-// z_c and z_d by the frequency in the unit of choice; `dirichlet` is D.
+// By the frequency in the unit of the jets.
 template <class Real>
 VYBEG_INLINED inline WaveFunctional<Real> wave_functional(const TurnedWave<Real>& wave,
-                                                          const ComplexJet<Real>& z_c,
-                                                          const ComplexJet<Real>& z_d,
-                                                          const FrequencyJet<Real>& dirichlet,
-                                                          double n) {
+                                                          const WindowJets<Real>& s, double n) {
     const Real a = wave.a_A;
     const Real b = wave.a_B;
-    ComplexJet<Real> A;
-    ComplexJet<Real> B;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Real a_re = wave.cos_angle * z_c.re[k] + wave.sin_angle * z_d.re[k];
-        const Real a_im = wave.cos_angle * z_c.im[k] + wave.sin_angle * z_d.im[k];
-        const Real b_re = wave.cos_angle * z_d.re[k] - wave.sin_angle * z_c.re[k];
-        const Real b_im = wave.cos_angle * z_d.im[k] - wave.sin_angle * z_c.im[k];
-        A.re[k] = wave.cos_phase * a_re - wave.sin_phase * a_im;
-        A.im[k] = wave.cos_phase * a_im + wave.sin_phase * a_re;
-        B.re[k] = wave.cos_phase * b_re - wave.sin_phase * b_im;
-        B.im[k] = wave.cos_phase * b_im + wave.sin_phase * b_re;
-    }
+    struct Turned {
+        Jet2<Real> re;
+        Jet2<Real> im;
+    };
+    const auto turned = [&](const Jet2<Real>& re, const Jet2<Real>& im) VYBEG_INLINED {
+        return Turned{wave.cos_phase * re - wave.sin_phase * im,
+                      wave.cos_phase * im + wave.sin_phase * re};
+    };
+    // Z = p - iq.
+    const Turned A = turned(wave.cos_angle * s.pc + wave.sin_angle * s.pd,
+                            -(wave.cos_angle * s.qc + wave.sin_angle * s.qd));
+    const Turned B = turned(wave.cos_angle * s.pd - wave.sin_angle * s.pc,
+                            -(wave.cos_angle * s.qd - wave.sin_angle * s.qc));
+    const Jet2<Real> dirichlet{2 * s.g.value - n, 2 * s.g.slope, 2 * s.g.bend};
     const Real cosine = wave.cos_phase * wave.cos_phase - wave.sin_phase * wave.sin_phase;
     const Real sine = 2.0 * wave.sin_phase * wave.cos_phase;
-    const Real dc = dirichlet[0] * cosine;
-    const Real ds = dirichlet[0] * sine;
-    const Real dc1 = dirichlet[1] * cosine;
+    const Real dc = dirichlet.value * cosine;
+    const Real ds = dirichlet.value * sine;
+    const Real dc1 = dirichlet.slope * cosine;
     const Real difference = a * a - b * b;
 
     WaveFunctional<Real> f;
-    f.value = 0.5 * (n * (a * a + b * b) + dc * difference) - 2.0 * (a * A.re[0] - b * B.im[0]);
-    f.gradient = {(n + dc) * a - 2.0 * A.re[0], (n - dc) * b + 2.0 * B.im[0],
-                  -2.0 * (a * B.re[0] + b * A.im[0]),
-                  2.0 * (a * A.im[0] + b * B.re[0]) - ds * difference,
-                  0.5 * dc1 * difference - 2.0 * (a * A.re[1] - b * B.im[1])};
+    f.value =
+        0.5 * (n * (a * a + b * b) + dc * difference) - 2.0 * (a * A.re.value - b * B.im.value);
+    f.gradient = {(n + dc) * a - 2.0 * A.re.value, (n - dc) * b + 2.0 * B.im.value,
+                  -2.0 * (a * B.re.value + b * A.im.value),
+                  2.0 * (a * A.im.value + b * B.re.value) - ds * difference,
+                  0.5 * dc1 * difference - 2.0 * (a * A.re.slope - b * B.im.slope)};
     auto& h = f.hessian;
-    const Real turning = 2.0 * (a * A.re[0] - b * B.im[0]);
-    h[0] = {n + dc, Real{}, -2.0 * B.re[0], 2.0 * (A.im[0] - ds * a), dc1 * a - 2.0 * A.re[1]};
-    h[1] = {Real{}, n - dc, -2.0 * A.im[0], 2.0 * (B.re[0] + ds * b), 2.0 * B.im[1] - dc1 * b};
-    h[2] = {h[0][2], h[1][2], turning, 2.0 * (a * B.im[0] - b * A.re[0]),
-            -2.0 * (a * B.re[1] + b * A.im[1])};
+    const Real turning = 2.0 * (a * A.re.value - b * B.im.value);
+    h[0] = {n + dc, Real{}, -2.0 * B.re.value, 2.0 * (A.im.value - ds * a),
+            dc1 * a - 2.0 * A.re.slope};
+    h[1] = {Real{}, n - dc, -2.0 * A.im.value, 2.0 * (B.re.value + ds * b),
+            2.0 * B.im.slope - dc1 * b};
+    h[2] = {h[0][2], h[1][2], turning, 2.0 * (a * B.im.value - b * A.re.value),
+            -2.0 * (a * B.re.slope + b * A.im.slope)};
     h[3] = {h[0][3], h[1][3], h[2][3], turning - 2.0 * dc * difference,
-            2.0 * (a * A.im[1] + b * B.re[1]) - dirichlet[1] * sine * difference};
+            2.0 * (a * A.im.slope + b * B.re.slope) - dirichlet.slope * sine * difference};
     h[4] = {h[0][4], h[1][4], h[2][4], h[3][4],
-            0.5 * dirichlet[2] * cosine * difference - 2.0 * (a * A.re[2] - b * B.im[2])};
+            0.5 * dirichlet.bend * cosine * difference - 2.0 * (a * A.re.bend - b * B.im.bend)};
     return f;
 }
+
+// The five parameters of one window, and n F less the power of its samples, by them; from moments
+// taken at w.
+struct WaveParameters {
+    WaveState state;
+    double w = 0;  // radians per sample
+};
+WaveFunctional<double> evaluate_functional(const WaveParameters& parameters, const Moments& moments,
+                                           const WindowKernel& kernel);
 
 }  // namespace vybeg

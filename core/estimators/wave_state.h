@@ -14,14 +14,16 @@ struct Phasors {
 };
 
 // The standing waves: amplitudes (a_A >= |a_B|, a_B signed) in recording units, angles in rad.
-struct WaveState {
-    double a_A = 0;
-    double a_B = 0;
-    double two_theta_A = 0;
-    double alpha = 0;
+template <class Real>
+struct WaveStateOf {
+    Real a_A{};
+    Real a_B{};
+    Real two_theta_A{};
+    Real alpha{};
 
-    friend bool operator==(const WaveState&, const WaveState&) = default;
+    friend bool operator==(const WaveStateOf&, const WaveStateOf&) = default;
 };
+using WaveState = WaveStateOf<double>;
 
 // The inversion of METHOD section 1. two_theta_A lies in (-pi/2, pi/2] and alpha in (-pi, pi],
 // chosen together. Where a_A = |a_B| the angles mean nothing; the caller knows from the amplitudes.

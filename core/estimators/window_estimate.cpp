@@ -1,7 +1,5 @@
 #include "core/estimators/window_estimate.h"
 
-#include "core/estimators/precision_bound.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,13 +22,6 @@ double reduced(double difference, double period) {
     return difference;
 }
 
-// <S_A S_B> over <S_A^2> + <S_B^2>: the wave axes' orthogonality (30), straight from the samples.
-double orthogonality(const SampleProducts& sum, double two_theta_A) {
-    const double product =
-        sum.cd * std::cos(2 * two_theta_A) + 0.5 * (sum.dd - sum.cc) * std::sin(2 * two_theta_A);
-    return product / (sum.cc + sum.dd);
-}
-
 }  // namespace
 
 Window window_of(const WindowBlock& block, std::size_t k) {
@@ -51,14 +42,14 @@ WaveEstimate no_estimate(Flag flag) {
     return estimate;
 }
 
-void add_leakage(WaveEstimate& estimate, const BestWave& best) {
+void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz) {
     bool beyond = false;
     const auto add = [&beyond](double difference, double& sd) {
         beyond = beyond || std::abs(difference) > sd;
         sd = std::sqrt(sd * sd + difference * difference);
     };
     // (2theta_A, alpha) and (2theta_A + pi, alpha + pi) are the same wave.
-    estimate.leakage_f_hz = estimate.f_hz - best.f_hz;
+    estimate.leakage_f_hz = estimate.f_hz - best.w / (2 * pi) * rate_hz;
     add(estimate.leakage_f_hz, estimate.sd_f_hz);
     add(estimate.state.a_A - best.state.a_A, estimate.sd.a_A);
     add(reduced(estimate.state.two_theta_A - best.state.two_theta_A, pi), estimate.sd.two_theta_A);
@@ -72,11 +63,7 @@ void add_leakage(WaveEstimate& estimate, const BestWave& best) {
     }
 }
 
-EquivalentNoise noise_of(double residual_noise, const EstimatorOptions& options) {
-    return options.noise.value_or(EquivalentNoise{residual_noise, residual_noise});
-}
-
-void drop_what_is_not(WaveEstimate& estimate, double noise, std::int64_t n) {
+void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n) {
     if (has(estimate.flags, Flag::no_quadrature)) {
         estimate.state.a_B = estimate.sd.a_B = nan;
         estimate.delta_phi_CD = estimate.sd_delta_phi_CD = nan;
@@ -97,47 +84,45 @@ void drop_what_is_not(WaveEstimate& estimate, double noise, std::int64_t n) {
 }
 
 double residual_of(double difference, double power, const Window& window,
-                   const Projections& phasors, double w) {
+                   const WaveReport<double>& wave) {
     constexpr double least_difference = 1e-8;
-    return difference < least_difference * power ? residual_sum(window, phasors, w) : difference;
+    const PhasorParts<double>& z = wave.phasors;
+    return difference < least_difference * power
+               ? residual_sum(window, {{z.c_re, z.c_im}, {z.d_re, z.d_im}}, wave.w)
+               : difference;
 }
 
-WaveEstimate complete_estimate(const FoundWave& found, const Window& window,
+WaveEstimate complete_estimate(const Phasors& phasors, double w, Flags flags, const Window& window,
                                const EstimatorOptions& options) {
-    return complete_estimate(
-        found, residual_sum(window, {found.phasors.c, found.phasors.d}, found.w),
-        sample_products(window), window_kernel(options.length, found.w), options);
+    const PhasorParts<double> parts = parts_of(phasors);
+    return complete_estimate(report_wave(sample_products(window), w,
+                                         window_kernel(options.length, w), parts, state_of(parts)),
+                             {residual_sum(window, {phasors.c, phasors.d}, w), 5, flags}, options);
 }
 
-WaveEstimate complete_estimate(const FoundWave& found, double residual,
-                               const SampleProducts& products, const WindowKernel& kernel,
+WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fit,
                                const EstimatorOptions& options) {
-    const WaveState& state = found.state;
     const auto n = static_cast<double>(options.length);
-
+    const double hertz = options.rate_hz / (2 * pi);
     WaveEstimate estimate;
-    estimate.state = state;
-    estimate.f_hz = found.w / (2 * std::numbers::pi) * options.rate_hz;
-    estimate.delta_phi_CD = phase_difference(found.phasors);
-    estimate.rms = std::sqrt(residual / n);
-    estimate.noise = std::sqrt(residual / (2 * n - found.parameters));
-    estimate.orthogonality = orthogonality(products, state.two_theta_A);
-    estimate.flags = found.flags;
-
-    const EquivalentNoise noise = noise_of(estimate.noise, options);
-    const Precision precision =
-        precision_bound(found.phasors, kernel, options.rate_hz, noise.phasors);
-    estimate.sd = precision.sd;
-    estimate.sd_delta_phi_CD = precision.sd_delta_phi_CD;
-    estimate.sd_f_hz =
-        options.noise
-            ? precision_bound(found.phasors, kernel, options.rate_hz, noise.frequency).sd_f_hz
-            : precision.sd_f_hz;
-
-    if (found.best) {
-        add_leakage(estimate, *found.best);
+    estimate.noise = std::sqrt(fit.residual / (2 * n - fit.parameters));
+    const EquivalentNoise noise =
+        options.noise.value_or(EquivalentNoise{estimate.noise, estimate.noise});
+    const WaveState& unit = wave.unit_sd.sd;
+    estimate.state = wave.state;
+    estimate.f_hz = wave.w * hertz;
+    estimate.delta_phi_CD = wave.delta_phi_CD;
+    estimate.rms = std::sqrt(fit.residual / n);
+    estimate.orthogonality = wave.orthogonality;
+    estimate.sd = {noise.phasors * unit.a_A, noise.phasors * unit.a_B,
+                   noise.phasors * unit.two_theta_A, noise.phasors * unit.alpha};
+    estimate.sd_f_hz = noise.frequency * wave.unit_sd.w * hertz;
+    estimate.sd_delta_phi_CD = noise.phasors * wave.unit_sd.delta_phi_CD;
+    estimate.flags = fit.flags;
+    if (fit.best) {
+        add_leakage(estimate, *fit.best, options.rate_hz);
     }
-    drop_what_is_not(estimate, noise.phasors, options.length);
+    clear_undefined(estimate, noise.phasors, options.length);
     return estimate;
 }
 

@@ -20,12 +20,16 @@ struct Window {
     std::int64_t length() const { return static_cast<std::int64_t>(c.size()); }
 };
 
-// Sums of C^2, D^2 and C D over a window; not finite where a sample is missing.
-struct SampleProducts {
-    double cc = 0;
-    double dd = 0;
-    double cd = 0;
+// Sums of C^2, D^2, C D and, for algorithm 2, C(t) D(t - t3) over a window; not finite where a
+// sample is missing.
+template <class Real>
+struct SampleProductsOf {
+    Real cc{};
+    Real dd{};
+    Real cd{};
+    Real cq{};
 };
+using SampleProducts = SampleProductsOf<double>;
 SampleProducts sample_products(const Window& window);
 
 // Sums over one channel: z[k] = sum_j u_j^k s_j e^{-i w u_j}. In the notation of (31), z[0] = n/2
@@ -50,13 +54,15 @@ Projections window_projections(const Window& window, double w);
 
 // Sums of the window alone, in closed form; they say how far cos and sin are from orthogonal and
 // equal.
-struct WindowKernel {
-    double gram_cos = 0;  // sum cos^2 w u = (n + D)/2, D = sin(n w)/sin w
-    double gram_sin = 0;  // sum sin^2 w u = (n - D)/2
-    double slope = 0;     // d gram_cos / dw = -sum u sin 2wu
-    double bend = 0;      // d^2 gram_cos / dw^2 = -2 sum u^2 cos 2wu
-    double spread = 0;    // sum u^2 = n (n^2 - 1)/12
+template <class Real>
+struct WindowKernelOf {
+    Real gram_cos{};    // sum cos^2 w u = (n + D)/2, D = sin(n w)/sin w
+    Real gram_sin{};    // sum sin^2 w u = (n - D)/2
+    Real slope{};       // d gram_cos / dw = -sum u sin 2wu
+    Real bend{};        // d^2 gram_cos / dw^2 = -2 sum u^2 cos 2wu
+    double spread = 0;  // sum u^2 = n (n^2 - 1)/12
 };
+using WindowKernel = WindowKernelOf<double>;
 
 WindowKernel window_kernel(std::int64_t n, double w);
 

@@ -83,14 +83,14 @@ private slots:
         CarrierSums sums(n, w0);
         const WindowBlock block{signal.c, signal.d, 3, n, hop};
         sums.take(block, count);
-        SeriesBatch batch;
-        SeriesMaximum maximum;
+        ProjectionBatch batch;
+        BatchMaximum maximum;
         std::size_t groups = 0;
         std::size_t looked_at = 0;
         const std::size_t every = std::max<std::size_t>(1, count / 40);
         for (std::size_t first = 0, taken = 0; first < count; first += taken, ++groups) {
             taken = sums.next(first, batch, maximum);
-            QVERIFY(taken > 0 && taken <= series_lanes);
+            QVERIFY(taken > 0 && taken <= lane_count);
             for (std::size_t lane = 0; lane < taken; ++lane) {
                 QVERIFY2(maximum.arrived[lane] > 0,
                          qPrintable(QString("window %1 of %2").arg(first + lane).arg(count)));
@@ -101,7 +101,7 @@ private slots:
                 const double w = sums.frame().w0() + 2 * maximum.x[lane] / static_cast<double>(n);
                 const Window window = window_of(block, first + lane);
                 const Projections direct = window_projections(window, w);
-                const Projections series = series_projections(batch, lane, maximum.x[lane]);
+                const Projections series = lane_projections(batch, lane, maximum.x[lane]);
                 // Relative to n samples of amplitude 1: rounding, and what the series of a hop
                 // leaves out where the carrier drifts through its block.
                 const double tolerance =
@@ -113,7 +113,7 @@ private slots:
                                    .arg(first + lane)
                                    .arg(std::abs(series.c - direct.c) / static_cast<double>(n))));
                 const Moments moments = window_moments(window, w);
-                const ProfilePower power = profile_power(moments, window_kernel(n, w));
+                const Jet2<double> power = profile_power(jets_of(moments, window_kernel(n, w)));
                 // A step of Newton's from there moves by less than 1e-9 of a lobe.
                 QVERIFY(std::abs(power.slope / power.bend) * static_cast<double>(n) < 1e-7);
                 const SampleProducts products = sample_products(window);

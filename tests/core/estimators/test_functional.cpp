@@ -1,4 +1,4 @@
-#include "core/estimators/functional.h"
+#include "core/estimators/wave_functional.h"
 
 #include <QtTest>
 
@@ -41,7 +41,7 @@ double direct(const Samples& s, const WaveParameters& p) {
     return sum;
 }
 
-WaveParameters with(WaveParameters p, int k, double step) {
+WaveParameters with(WaveParameters p, std::size_t k, double step) {
     switch (k) {
         case 0: p.state.a_A += step; break;
         case 1: p.state.a_B += step; break;
@@ -52,7 +52,7 @@ WaveParameters with(WaveParameters p, int k, double step) {
     return p;
 }
 
-Functional evaluate(const Samples& s, const WaveParameters& p) {
+WaveFunctional<double> evaluate(const Samples& s, const WaveParameters& p) {
     return evaluate_functional(p, window_moments({s.c, s.d}, p.w),
                                window_kernel(static_cast<std::int64_t>(s.c.size()), p.w));
 }
@@ -90,27 +90,27 @@ void TestFunctional::gradientAndHessianMatchCentralDifferences() {
         for (int trial = 0; trial < 20; ++trial) {
             const WaveParameters p{{1.3, 0.3 * angle(random), angle(random), angle(random)},
                                    1.4 + 0.3 * angle(random)};
-            const Functional f = evaluate(s, p);
+            const WaveFunctional<double> f = evaluate(s, p);
             // Errors of the differences: of second order in the step, relative to n times the
             // power.
-            for (int k = 0; k < 5; ++k) {
+            for (std::size_t k = 0; k < 5; ++k) {
                 const double step = k == 4 ? 1e-4 / static_cast<double>(n) : 1e-4;
                 const double scale = static_cast<double>(n) * (k == 4 ? static_cast<double>(n) : 1);
                 const double slope =
                     (direct(s, with(p, k, step)) - direct(s, with(p, k, -step))) / (2 * step);
                 QVERIFY2(std::abs(slope - f.gradient[k]) < 1e-7 * scale,
                          qPrintable(QString("gradient %1").arg(k)));
-                const Vector5 column = (evaluate(s, with(p, k, step)).gradient -
-                                        evaluate(s, with(p, k, -step)).gradient) /
-                                       (2 * step);
-                for (int m = 0; m < 5; ++m) {
+                const Five<double> above = evaluate(s, with(p, k, step)).gradient;
+                const Five<double> below = evaluate(s, with(p, k, -step)).gradient;
+                for (std::size_t m = 0; m < 5; ++m) {
+                    const double column = (above[m] - below[m]) / (2 * step);
                     const double other = m == 4 ? static_cast<double>(n) : 1;
-                    QVERIFY2(std::abs(column[m] - f.hessian(m, k)) < 1e-7 * scale * other,
+                    QVERIFY2(std::abs(column - f.hessian[m][k]) < 1e-7 * scale * other,
                              qPrintable(QString("hessian %1 %2: %3 %4")
                                             .arg(m)
                                             .arg(k)
-                                            .arg(column[m])
-                                            .arg(f.hessian(m, k))));
+                                            .arg(column)
+                                            .arg(f.hessian[m][k])));
                 }
             }
         }

@@ -1,6 +1,6 @@
 // Closed forms and conjugate gradient of eight windows at once, against the same of one window by
 // itself.
-#include "core/estimators/closed_form.h"
+#include "core/estimators/closed_form_estimator.h"
 #include "core/estimators/conjugate_gradient.h"
 #include "core/estimators/estimator.h"
 #include "core/estimators/window_estimate.h"

@@ -2,9 +2,9 @@
 // itself, which touches its samples at every trial frequency.
 #include "core/estimators/estimator.h"
 #include "core/estimators/profile.h"
-#include "core/estimators/series_sums.h"
+#include "core/estimators/projection_sums.h"
+#include "core/estimators/taylor_window.h"
 #include "core/estimators/window_estimate.h"
-#include "core/estimators/window_series.h"
 #include "tests/core/estimators/still_windows.h"
 
 #include <QtTest>
@@ -16,7 +16,7 @@
 using namespace vybeg;
 using namespace vybeg::test;
 
-class TestWindowSeries : public QObject {
+class TestTaylorWindow : public QObject {
     Q_OBJECT
 
 private slots:
@@ -24,9 +24,9 @@ private slots:
         for (const std::int64_t n : {5, 6, 22, 63, 600, 1024, 1025, 33333, 200000}) {
             for (const double f0 : {1234.5, 5300.0, 14000.0}) {
                 const Samples samples = waves(n, 3, f0, 0.05, 0.1, 7);
-                const SeriesBasis basis(n, 2 * pi * f0 / rate);
-                SeriesBatch batch;
-                SeriesSums sums(basis);
+                const TaylorBasis basis(n, 2 * pi * f0 / rate);
+                ProjectionBatch batch;
+                ProjectionSums sums(basis);
                 sums.take(block_of(samples, n), 3);
                 sums.batch(0, 3, batch);
                 const auto size = static_cast<double>(n);
@@ -35,7 +35,7 @@ private slots:
                     for (std::size_t lane = 0; lane < 3; ++lane) {
                         const Window window = window_of(block_of(samples, n), lane);
                         const Projections direct = window_projections(window, w);
-                        const Projections series = series_projections(batch, lane, x);
+                        const Projections series = lane_projections(batch, lane, x);
                         // Relative to n samples of amplitude 1; the phase of a long window has its
                         // own rounding, 1e-16 of w u.
                         const double tolerance = 1e-14 + 2e-16 * size;
@@ -91,14 +91,15 @@ private slots:
         for (std::size_t k = 0; k < count; ++k) {
             const Window window = window_of(block_of(samples, n), k);
             const ProfileMaximum maximum = maximise_profile(window, main_lobe(f0, rate, n));
-            FoundWave wave{to_wave_state(maximum.phasors), maximum.phasors, maximum.w, 5, 0};
+            Flags flags = 0;
             if (maximum.at_bound) {
-                set(wave.flags, Flag::at_bound);
+                set(flags, Flag::at_bound);
             }
             if (!maximum.converged) {
-                set(wave.flags, Flag::not_converged);
+                set(flags, Flag::not_converged);
             }
-            const WaveEstimate one = complete_estimate(wave, window, options);
+            const WaveEstimate one =
+                complete_estimate(maximum.phasors, maximum.w, flags, window, options);
             QCOMPARE(found[k].flags, one.flags);
             // Short noisy windows with no clear maximum may climb another hill of the same lobe
             // from another step; those that have one agree.
@@ -169,18 +170,18 @@ private slots:
         const Samples samples =
             waves(frames, 1, f0, 0.02 * static_cast<double>(frames) / static_cast<double>(n), 0.01,
                   static_cast<std::uint64_t>(n + hop));
-        const SeriesBasis basis(n, 2 * pi * f0 / rate);
+        const TaylorBasis basis(n, 2 * pi * f0 / rate);
         const WindowBlock block{samples.c, samples.d, 5, n, hop};
-        SeriesSums sums(basis);
+        ProjectionSums sums(basis);
         sums.take(block, count);
         for (std::size_t k = 0; k < count; ++k) {
-            SeriesBatch batch;
+            ProjectionBatch batch;
             sums.batch(k, 1, batch);
             const Window window = window_of(block, k);
             const auto size = static_cast<double>(n);
             for (const double x : {-0.2, 0.0, 0.05}) {
                 const Projections direct = window_projections(window, basis.w0() + 2 * x / size);
-                const Projections series = series_projections(batch, 0, x);
+                const Projections series = lane_projections(batch, 0, x);
                 // As above; at x = 0.2 what is cut off of the series is 6e-11.
                 const double tolerance = 1e-14 + 2e-16 * size + (std::abs(x) > 0.1 ? 6e-11 : 0);
                 QVERIFY(std::abs(series.c - direct.c) < tolerance * size);
@@ -193,14 +194,14 @@ private slots:
         }
         // The same windows of a block that begins later: the same bits.
         constexpr std::size_t later = 9;
-        SeriesSums others(basis);
+        ProjectionSums others(basis);
         others.take(
             {block.c, block.d, block.first + static_cast<std::int64_t>(later) * hop, n, hop},
             count - later);
-        SeriesBatch one;
-        SeriesBatch other;
-        sums.batch(later, series_lanes, one);
-        others.batch(0, series_lanes, other);
+        ProjectionBatch one;
+        ProjectionBatch other;
+        sums.batch(later, lane_count, one);
+        others.batch(0, lane_count, other);
         QVERIFY(one.c_cos == other.c_cos && one.c_sin == other.c_sin && one.cc == other.cc);
         QVERIFY(one.d_cos == other.d_cos && one.d_sin == other.d_sin && one.dd == other.dd);
     }
@@ -261,5 +262,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWindowSeries)
-#include "test_window_series.moc"
+QTEST_GUILESS_MAIN(TestTaylorWindow)
+#include "test_taylor_window.moc"
