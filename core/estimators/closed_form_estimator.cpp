@@ -94,7 +94,7 @@ private:
                           const WaveReport<double>& wave, const BestWave& best, Flags flags) const {
         return complete_estimate(wave,
                                  {residual_of(residual, power, window, wave), algorithm_.parameters,
-                                  static_cast<Flags>(algorithm_.flags | flags), best},
+                                  static_cast<Flags>(algorithm_.flags | flags), &best},
                                  options_);
     }
 

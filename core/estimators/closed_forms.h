@@ -182,14 +182,14 @@ struct PhaseShiftForm {
         const double by_x = frame.excess_by_x;
         const Real all = frame.excess + by_x * x;
         const Real e2 = all * all;
-        Real sine = 1 - e2 / 210;
-        for (const double terms : {156., 110., 72., 42., 20., 6.}) {
-            sine = 1 - e2 / terms * sine;
+        Real sine = 1 - e2 * (1 / 210.);
+        for (const double factor : {1 / 156., 1 / 110., 1 / 72., 1 / 42., 1 / 20., 1 / 6.}) {
+            sine = 1 - e2 * factor * sine;
         }
         sine *= all;
-        Real cosine = 1 - e2 / 182;
-        for (const double terms : {132., 90., 56., 30., 12., 2.}) {
-            cosine = 1 - e2 / terms * cosine;
+        Real cosine = 1 - e2 * (1 / 182.);
+        for (const double factor : {1 / 132., 1 / 90., 1 / 56., 1 / 30., 1 / 12., 1 / 2.}) {
+            cosine = 1 - e2 * factor * cosine;
         }
         const Real by_cosine = 1 / cosine;
         const Real tangent = sine * by_cosine;

@@ -3,7 +3,6 @@
 #include "core/base/dispatch.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -42,17 +41,16 @@ VYBEG_INLINED inline void store(Vec8 value, Lanes& to) {
 
 // One lane of a struct whose members are all of type Real.
 template <template <class> class Struct>
-Struct<double> lane_of(const Struct<Vec8>& eight, std::size_t lane) {
+inline Struct<double> lane_of(const Struct<Vec8>& eight, std::size_t lane) {
     constexpr std::size_t members = sizeof(Struct<double>) / sizeof(double);
     static_assert(sizeof(Struct<Vec8>) == members * sizeof(Vec8));
-    std::array<double, members> one;
+    Struct<double> one;
+    const char* from = reinterpret_cast<const char*>(&eight) + lane * sizeof(double);
+    char* to = reinterpret_cast<char*>(&one);
     for (std::size_t k = 0; k < members; ++k) {
-        __builtin_memcpy(
-            &one[k],
-            reinterpret_cast<const char*>(&eight) + k * sizeof(Vec8) + lane * sizeof(double),
-            sizeof(double));
+        __builtin_memcpy(to + k * sizeof(double), from + k * sizeof(Vec8), sizeof(double));
     }
-    return std::bit_cast<Struct<double>>(one);
+    return one;
 }
 
 // Comparisons go by the bit of the sign: GCC splits comparisons of long vectors into lanes. A NaN

@@ -3,8 +3,6 @@
 #include "core/estimators/estimator.h"
 #include "core/estimators/wave_report.h"
 
-#include <optional>
-
 namespace vybeg {
 
 // Samples of one window of a block.
@@ -21,7 +19,7 @@ struct WaveFit {
     double residual = 0;  // n F, the sum of squares that the wave leaves
     int parameters = 5;
     Flags flags = 0;
-    std::optional<BestWave> best = std::nullopt;  // algorithms 1 to 4
+    const BestWave* best = nullptr;  // algorithms 1 to 4
 };
 
 // n F: `difference`, the window's power (sum C^2 + D^2) less the power of the wave, while that has
