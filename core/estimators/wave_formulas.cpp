@@ -1,5 +1,3 @@
-#include "core/estimators/wave_state.h"
-
 #include "core/estimators/wave_formulas.h"
 
 namespace vybeg {
