@@ -111,8 +111,10 @@ std::string sensitivities_text(const ResonatorFit& fit) {
         head += padded(error.amount, 12);
         names += padded(error.name, 12);
     }
-    return "sensitivity: what errors of the channels would change; u holds those with a "
-           "tolerance, sd none\n" +
+    return "sensitivity: what errors of the channels would change (u holds those with a tolerance, "
+           "sd none),\n"
+           "and a cubic spring or a damping that follows the amplitude, at the largest "
+           "amplitude\n" +
            head + "\n" + names + "\n" + rows;
 }
 

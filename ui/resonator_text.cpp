@@ -95,12 +95,14 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
 
 QStringList sensitivityHeaders() {
     // As usual_errors.
-    static constexpr std::array<const char*, 5> texts{
+    static constexpr std::array<const char*, 7> texts{
         QT_TRANSLATE_NOOP("Resonator", "0.1° of skew"),
         QT_TRANSLATE_NOOP("Resonator", "10 ns of delay"),
         QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ rad of phase drift"),
         QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of gain drift"),
         QT_TRANSLATE_NOOP("Resonator", "0.001 of κ"),
+        QT_TRANSLATE_NOOP("Resonator", "10 µHz by amplitude"),
+        QT_TRANSLATE_NOOP("Resonator", "1 % of damping by amplitude"),
     };
     static_assert(texts.size() == usual_errors.size());
     QStringList headers;

@@ -12,6 +12,9 @@
 namespace vybeg {
 namespace {
 
+constexpr double least_carrier_hz = 200;
+constexpr double most_of_carrier = 0.3;  // where a line of the mains may be the carrier itself
+
 double finite(double x) {
     return std::isfinite(x) ? x : 0;
 }
@@ -81,8 +84,8 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
         }
         return found;
     };
-    const double carrier = largest(200, rate_hz / 2);
-    for (const double f : {50.0, 100.0, 150.0, 60.0, 120.0, 180.0}) {
+    const double carrier = largest(least_carrier_hz, rate_hz / 2);
+    for (const double f : {50.0, 100.0, 150.0, 60.0, 120.0, 180.0, 400.0, 800.0}) {
         const double line = largest(f - 1 - bin_hz, f + 1 + bin_hz);
         std::vector<double> around;
         for (double aside = 4 + 3 * bin_hz; aside < 24 + 20 * bin_hz; aside += bin_hz) {
@@ -91,7 +94,8 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
                 around.push_back(amplitude(std::min(k, size / 2 - 1)));
             }
         }
-        if (line > 8 * median(around) && line > 1e-3 * carrier) {
+        const bool carrier_itself = f >= least_carrier_hz && line > most_of_carrier * carrier;
+        if (line > 8 * median(around) && line > 1e-3 * carrier && !carrier_itself) {
             lines.push_back({f, line / carrier});
         }
     }

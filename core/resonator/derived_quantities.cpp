@@ -25,9 +25,18 @@ void add_modes(const Eigen::VectorXd& p, ModeOrder order, Eigen::VectorXd& q) {
     }
 }
 
+// The frequency of a run at the power of the wave itself. The fit has it at that of the recorded
+// channels (phasor_model.h), which a gain ratio changes.
+double frequency_of(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& context) {
+    const PowerSums& power = context.power[run];
+    const double more = power.at(p[kappa_at]) - power.at(1);
+    return p[context.layout->at(run, frequency_at)] + p[cubic_at] * more / context.power_kept[run];
+}
+
 void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& context,
              double f_ref_hz, Eigen::VectorXd& q) {
     const Eigen::VectorXd own = p.segment(context.layout->at(run, 0), own_count);
+    const double f = frequency_of(p, run, context);
     const SlowDynamics dynamics(rates_of(p));
     const Eigen::Vector2cd start =
         dynamics.window_mean(context.window_s[run], own[frequency_at]).inverse() * start_of(own);
@@ -38,8 +47,8 @@ void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& c
     at(a_A_of) = wave.a_A;
     at(a_B_of) = wave.a_B;
     at(two_theta_of) = wave.two_theta_A;
-    at(f_of) = own[frequency_at];
-    at(f_offset_of) = (context.f_ref_hz[run] - f_ref_hz) + (own[frequency_at] - q[f_mean_of]);
+    at(f_of) = f;
+    at(f_offset_of) = (context.f_ref_hz[run] - f_ref_hz) + (f - q[f_mean_of]);
     at(run_drift_of) = own[drift_at];
     const double c4 = std::cos(2 * wave.two_theta_A);
     const double s4 = std::sin(2 * wave.two_theta_A);
@@ -47,7 +56,7 @@ void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& c
     const double working = wave.a_A * wave.a_A;
     const double quadrature = wave.a_B * wave.a_B;
     const double share = (working - quadrature) / (working + quadrature) / 2;
-    at(direction_f_of) = own[frequency_at] + share * (p[split_cos_at] * c4 + p[split_sin_at] * s4);
+    at(direction_f_of) = f + share * (p[split_cos_at] * c4 + p[split_sin_at] * s4);
     at(direction_decay_of) =
         p[decay_at] + share * (p[damping_cos_at] * c4 + p[damping_sin_at] * s4);
 }
@@ -68,8 +77,7 @@ Eigen::VectorXd quantities(const Eigen::VectorXd& p, const QuantityContext& cont
     double f_mean = 0;
     double f_ref = 0;
     for (std::size_t run = 0; run < runs; ++run) {
-        const double f = p[context.layout->at(run, frequency_at)];
-        f_mean += share * f;
+        f_mean += share * frequency_of(p, run, context);
         f_ref += share * context.f_ref_hz[run];
     }
     q[f_mean_of] = f_mean;

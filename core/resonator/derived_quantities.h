@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/resonator/parameters.h"
+#include "core/resonator/scaled_run.h"
 
 #include <Eigen/Core>
 
@@ -48,6 +49,8 @@ struct QuantityContext {
     const ParameterLayout* layout = nullptr;
     std::vector<double> f_ref_hz;  // of each run
     std::vector<double> window_s;
+    std::vector<PowerSums> power;
+    std::vector<double> power_kept;  // by the windows' means
     ModeOrder order = ModeOrder::frequency;
 };
 

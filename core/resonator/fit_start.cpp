@@ -188,7 +188,7 @@ MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
     // tried if the other one has not come down to it.
     const Lengthened drifting = fit_lengthening(problem, FirstFit::drifting_wave, job);
     const double count = residuals(problem, longest(problem));
-    if (drifting.at_noise || best.cost > (1 + 6 * std::sqrt(2 / count)) * count) {
+    if (drifting.at_noise || best.cost > noise_bound(count) * count) {
         try_start(drifting.p);
     }
     // A noise that is not white leaves the best start above the windows' noise: where two ways of

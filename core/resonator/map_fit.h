@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -65,5 +66,10 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& p, int steps,
 
 // Number of residuals less that of the parameters that no prior describes.
 double degrees_of_freedom(const FitProblem& problem);
+
+// The largest chi^2 per degree of freedom that white noise leaves: six deviations above one.
+inline double noise_bound(double dof) {
+    return 1 + 6 * std::sqrt(2 / dof);
+}
 
 }  // namespace vybeg

@@ -31,27 +31,6 @@ constexpr double least_fall = 25;
 constexpr double least_cycles = 3;  // of a line's distance from the wave, over a run
 constexpr double lines_per_cycle = 3;
 
-// Amplitude's decay rate per power: log |z| falls by the integral of the power.
-Effect damping_effect(const FitProblem& problem, const Posterior& at) {
-    Effect effect;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const ScaledRun& run = problem.runs[k];
-        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 1);
-        double integral = 0;
-        double last_s = 0;
-        for (std::size_t window = 0; window < run.size(); ++window) {
-            const Vector2cd z = expected_phasor(run, at.runs[k], window);
-            const double before = window > 0 ? (run.z[window - 1]).squaredNorm() : z.squaredNorm();
-            integral +=
-                (run.time_s[window] - last_s) * (before + z.squaredNorm()) / 2 / run.power_kept;
-            last_s = run.time_s[window];
-            put_effect(by, window, 0, -integral * run.weight[window] * z);
-        }
-        effect.push_back(std::move(by));
-    }
-    return effect;
-}
-
 Effect channel_effect(const Posterior& at, int error) {
     Effect effect;
     for (const Linearised& run : at.runs) {
@@ -262,6 +241,10 @@ std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterio
     const Score damping = score(problem, posterior, damping_effect(problem, posterior));
     consider(damping.fall, DiagnosticKind::misfit_damping,
              {short_text(damping.size[0] / (scale * scale), 2)});
+    // The gain follows |c|^2: at the largest amplitude the scaled one is 1.
+    const Score pickoff = score(problem, posterior, pickoff_effect(problem, posterior));
+    consider(pickoff.fall, DiagnosticKind::misfit_pickoff,
+             {short_text(100 * pickoff.size[0], 2), short_text(100 * pickoff.size[1], 2)});
     const SettlingScore settling = settling_score(problem, posterior);
     if (settling.fall > 0) {
         consider(settling.fall, DiagnosticKind::misfit_settling,

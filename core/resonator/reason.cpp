@@ -80,6 +80,8 @@ const char* message_template(ReasonCode code) {
                                  "do not show.");
         case ReasonCode::too_few_windows:
             return VYBEG_MESSAGE("Reason", "This recording has too few windows for it.");
+        case ReasonCode::not_converged:
+            return VYBEG_MESSAGE("Reason", "The fit stopped before it converged.");
     }
     return "";
 }
@@ -105,6 +107,7 @@ std::string reason_name(ReasonCode code) {
         case ReasonCode::amplitude_or_time: return "amplitude-or-time";
         case ReasonCode::rests_on_unseen: return "rests-on-unseen";
         case ReasonCode::too_few_windows: return "too-few-windows";
+        case ReasonCode::not_converged: return "not-converged";
     }
     return "";
 }

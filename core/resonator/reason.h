@@ -27,6 +27,7 @@ enum class ReasonCode {
     amplitude_or_time,    // a settling frequency explains the phasors as well
     rests_on_unseen,      // more than half of its variance is of parameters that are not seen
     too_few_windows,      // not enough windows for it in this run
+    not_converged,        // the fit stopped early
 };
 
 struct Reason {

@@ -81,7 +81,7 @@ MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobCon
 MapFit fit_still_in_phase(const FitProblem& problem, MapFit main, const JobControl& job) {
     const double dof = degrees_of_freedom(problem);
     const auto above_noise = [](double chi2, double freedom) {
-        return chi2 > (1 + 6 * std::sqrt(2 / freedom)) * freedom;
+        return chi2 > noise_bound(freedom) * freedom;
     };
     // Rates beyond those of gyros: half of what passivity allows, half a radian per second.
     const bool strange =

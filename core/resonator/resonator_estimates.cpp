@@ -3,6 +3,8 @@
 #include "core/base/number_text.h"
 #include "core/resonator/decay_time.h"
 #include "core/resonator/resonator_parameters.h"
+#include "core/resonator/run_parameters.h"
+#include "core/resonator/sensitivities.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -196,7 +198,7 @@ private:
         if (!out.tau_s.given() && out.tau_s.reason.code == ReasonCode::one_direction) {
             fit_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
         }
-        add_sensitivities();
+        fit_.sensitivities = sensitivities(set_, out, f_ref_hz_);
         add_drift_terms();
     }
 
@@ -291,69 +293,6 @@ private:
         }
     }
 
-    // How the parameters follow a unit of a channel error that is held at its value, others as they
-    // are: -S F_re, or, where the error is fitted along, the regression on it.
-    Eigen::VectorXd follow(int error) const {
-        const Posterior& p = set_.posterior;
-        const auto found = std::ranges::find(p.active, Index{error});
-        if (found != p.active.end()) {
-            const Index k = found - p.active.begin();
-            return p.covariance.col(k) / p.covariance(k, k);
-        }
-        const Eigen::VectorXd cross = p.information.col(error)(p.active);
-        return -(p.covariance * cross);
-    }
-
-    void add_sensitivities() {
-        // Where each parameter stands among the quantities, in the order of resonator_parameters.
-        struct Place {
-            Estimate ResonatorEstimate::*member;
-            SharedQuantity quantity;
-            double factor;
-        };
-        const ResonatorEstimate& out = fit_.resonator;
-        const double by_decay = -1 / (at_.value[decay_of] * at_.value[decay_of]);
-        const double by_q = pi * (f_ref_hz_ + at_.value[f_mean_of]) * by_decay;
-        const std::array<Place, 12> places{
-            {{&ResonatorEstimate::f_mean_hz, f_mean_of, 1},
-             {&ResonatorEstimate::split_hz, split_of, 1},
-             {&ResonatorEstimate::theta_w_rad, theta_w_of, 1},
-             {&ResonatorEstimate::tau_s, decay_of, by_decay},
-             {&ResonatorEstimate::q, decay_of, by_q},
-             {&ResonatorEstimate::damping_anisotropy_per_s, damping_of, 1},
-             {&ResonatorEstimate::theta_tau_rad, theta_tau_of, 1},
-             {&ResonatorEstimate::angle_rate_rad_s, angle_rate_of, 1},
-             {&ResonatorEstimate::kappa, kappa_of, 1},
-             {&ResonatorEstimate::non_orthogonality_rad, skew_of, 1},
-             {&ResonatorEstimate::delay_s, phase_of, -1 / (2 * pi * f_ref_hz_)},
-             {&ResonatorEstimate::frequency_per_power, cubic_of, 1 / (set_.scale * set_.scale)}}};
-        struct Error {
-            int parameter;
-            double ChannelSensitivity::*member;
-            double unit;
-        };
-        const std::array<Error, 6> errors{
-            {{kappa_at, &ChannelSensitivity::kappa, 1},
-             {skew_at, &ChannelSensitivity::skew_deg, pi / 180},
-             {phase_at, &ChannelSensitivity::delay_s, -2 * pi * f_ref_hz_},
-             {crosstalk_at, &ChannelSensitivity::crosstalk, 1},
-             {phase_drift_at, &ChannelSensitivity::phase_drift_rad, 1},
-             {gain_drift_at, &ChannelSensitivity::gain_drift, 1}}};
-        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-        for (const ResonatorParameter& parameter : resonator_parameters) {
-            const Place& place = *std::ranges::find(places, parameter.member, &Place::member);
-            ChannelSensitivity sensitivity{nan, nan, nan, nan, nan, nan};
-            if ((out.*parameter.member).given()) {
-                for (const Error& error : errors) {
-                    sensitivity.*error.member =
-                        place.factor * error.unit *
-                        at_.gradient.row(place.quantity).dot(follow(error.parameter));
-                }
-            }
-            fit_.sensitivities.push_back(sensitivity);
-        }
-    }
-
     void add_drift_terms() {
         const ResonatorEstimate& out = fit_.resonator;
         DriftTerms& terms = fit_.drift_terms;
@@ -394,6 +333,25 @@ void add_estimates(const FittedSet& set, std::span<const PhasorRun> runs, Resona
                         .theta_tau = given.theta_tau_rad.given(),
                         .rotation = given.angle_rate_rad_s.given(),
                         .kappa = given.kappa.given()};
+}
+
+void refuse_all(const Reason& reason, ResonatorFit& fit) {
+    const Estimate none{.reason = reason};
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        fit.resonator.*parameter.member = none;
+    }
+    for (RunEstimate& run : fit.runs) {
+        for (const RunParameter& parameter : run_parameters) {
+            if (parameter.member != &RunEstimate::q_envelope) {
+                run.*parameter.member = none;
+            }
+        }
+    }
+    fit.modes.clear();
+    fit.no_modes = reason;
+    fit.sensitivities.assign(resonator_parameters.size(), {});
+    fit.identifiable = {};
+    fit.drift_terms.given = false;
 }
 
 }  // namespace vybeg

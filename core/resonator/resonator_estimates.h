@@ -27,4 +27,8 @@ struct FittedSet {
 // it is not given (FIT section 5). `runs`: as fitted.
 void add_estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit);
 
+// Takes all numbers back, of modes, resonator and runs, but Q of the envelope, which rests on the
+// recorded power alone.
+void refuse_all(const Reason& reason, ResonatorFit& fit);
+
 }  // namespace vybeg

@@ -1,23 +1,21 @@
 #include "core/resonator/resonator_fit.h"
 
 #include "core/base/number_text.h"
-#include "core/resonator/decay_time.h"
-#include "core/resonator/envelope_decay.h"
+#include "core/resonator/describe_fit.h"
 #include "core/resonator/fit_start.h"
 #include "core/resonator/merge_windows.h"
-#include "core/resonator/misfit_cause.h"
 #include "core/resonator/needed_windows.h"
-#include "core/resonator/raw_parameters.h"
+#include "core/resonator/phase_break.h"
 #include "core/resonator/refit_in_phase.h"
-#include "core/resonator/residual_noise.h"
-#include "core/resonator/resonator_estimates.h"
 #include "core/resonator/score_test.h"
 #include "core/resonator/structured_test.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace vybeg {
@@ -29,12 +27,7 @@ constexpr std::size_t least_windows = 8;
 constexpr std::size_t enough_windows = 150;
 // Fall of chi^2 from which on a dependence of the frequency on the amplitude is fitted.
 constexpr double cubic_fall = 25;
-// Of the last step: a tenth of a standard deviation. Along what is not seen a fit creeps for ever.
-constexpr double unfinished_gain = 0.01;
 constexpr int cubic_steps = 200;
-// Size of split and anisotropy from which on they are given, standard deviations.
-constexpr double vector_needs = 3;
-constexpr double vector_needs_coloured = 5;
 
 double largest_amplitude(std::span<const PhasorRun> runs) {
     double most = 0;
@@ -52,10 +45,6 @@ std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale
         scaled.push_back(scaled_run(run, scale));
     }
     return scaled;
-}
-
-std::string recording_number(std::size_t run) {
-    return integer_text(static_cast<std::int64_t>(run) + 1);
 }
 
 // The whole fit of one set, step by step.
@@ -77,26 +66,42 @@ public:
     // Finds the most likely parameters; the number of windows of a run that they ask for.
     NeededWindows solve() {
         main_ = fit_still_in_phase(problem_, fit_from_nothing(problem_, job_), job_);
-        try_cubic(main_);
-        choose_model(main_);
+        try_cubic();
+        choose_model();
         main_ = refit_in_phase(problem_, main_, job_);
-        return needed_windows(motion(main_), fine_);
+        return needed_windows(motion_of(solved()), fine_);
     }
 
     // Whether these windows are explained about as well as those of another solution.
     bool explains_as_much_as(const SetFit& other) const {
         const double dof = degrees_of_freedom(problem_);
-        const double other_ratio = other.main_.chi2 / degrees_of_freedom(other.problem_);
-        const bool structured =
-            fit_.model == other.fit_.model || other.fit_.model == ResonatorModel::free;
+        const bool structured = model_ == other.model_ || other.model_ == ResonatorModel::free;
         return structured &&
-               main_.chi2 / dof < std::max(1.5 * other_ratio, 1 + 6 * std::sqrt(2 / dof));
+               chi2_per_dof() < std::max(1.5 * other.chi2_per_dof(), noise_bound(dof));
     }
 
-    // What they say of the resonator.
-    ResonatorFit described() {
-        describe(main_);
-        return std::move(fit_);
+    double chi2_per_dof() const { return main_.chi2 / degrees_of_freedom(problem_); }
+    bool at_noise() const { return chi2_per_dof() < noise_bound(degrees_of_freedom(problem_)); }
+
+    // A step of a run's phase that would explain most of the residual.
+    std::optional<PhaseBreak> unexplained_break() const {
+        return phase_break(problem_, posterior(problem_, main_));
+    }
+
+    // How far a run's phase steps at the break at `time_s`, rad in (-pi, pi].
+    double step_at(std::size_t run, double time_s) const {
+        const std::vector<double>& breaks = scaled_[run].breaks_s;
+        const auto place = std::ranges::find(breaks, time_s) - breaks.begin();
+        return std::remainder(own_of(problem_.layout, main_.p, run)[own_count + place],
+                              2 * std::numbers::pi);
+    }
+
+    // What the parameters say of the resonator.
+    ResonatorFit described() const {
+        ResonatorFit fit = describe(solved(), job_);
+        fit.free_over_structured = free_over_structured_;
+        fit.warnings.insert(fit.warnings.begin(), warnings_.begin(), warnings_.end());
+        return fit;
     }
 
 private:
@@ -108,59 +113,63 @@ private:
         return ParameterLayout(breaks);
     }
 
+    SolvedSet solved() const {
+        return {runs_, fine_, &problem_, main_, model_, scale_, cubic_limit_, amplitude_or_time_};
+    }
+
     // A dependence of the frequency on the amplitude is opened where the data ask for it: always
     // open it would cost elliptic waves their rotation.
-    void try_cubic(MapFit& main) {
-        const Posterior at = posterior(problem_, main);
+    void try_cubic() {
+        const Posterior at = posterior(problem_, main_);
         const Score score = cubic_score(problem_, at);
         const double dof = degrees_of_freedom(problem_);
-        double scale = std::max(1.0, (main.chi2 - score.fall) / dof);
+        double scale = std::max(1.0, (main_.chi2 - score.fall) / dof);
         cubic_limit_ = {score.size[0], std::sqrt(score.inverse(0, 0) * scale), {}};
         if (score.fall < cubic_fall * scale / 4) {
             return;
         }
         FitProblem with = problem_;
         open_cubic(with.priors, scaled_);
-        MapFit fit = minimise(with, main.p, 60, job_);
+        MapFit fit = minimise(with, main_.p, 60, job_);
         scale = std::max(1.0, fit.chi2 / degrees_of_freedom(with));
-        if (main.chi2 - fit.chi2 <= cubic_fall * scale) {
+        if (main_.chi2 - fit.chi2 <= cubic_fall * scale) {
             return;
         }
         // A frequency that settles falls with the amplitude, too.
-        const double settling = main.chi2 - settling_score(problem_, at).fall;
+        const double settling = main_.chi2 - settling_score(problem_, at).fall;
         if (settling < fit.chi2 - cubic_fall * scale) {
             return;
         }
         amplitude_or_time_ = settling < fit.chi2 + cubic_fall * scale;
-        main = std::move(fit);
+        main_ = std::move(fit);
         problem_.priors = with.priors;
-        polish_cubic(main);
+        polish_cubic();
     }
 
     // Without the cubic term the other parameters have stood in for it, far from where they belong:
     // the way back is long, or begins anew at still waves.
-    void polish_cubic(MapFit& main) const {
-        if (main.converged) {
+    void polish_cubic() {
+        if (main_.converged) {
             return;
         }
         Eigen::VectorXd anew = still_waves(problem_);
-        anew[cubic_at] = main.p[cubic_at];
-        for (const Eigen::VectorXd& start : {main.p, anew}) {
+        anew[cubic_at] = main_.p[cubic_at];
+        for (const Eigen::VectorXd& start : {main_.p, anew}) {
             MapFit fit = minimise(problem_, start, cubic_steps, job_);
-            if (fit.cost < main.cost) {
-                main = std::move(fit);
+            if (fit.cost < main_.cost) {
+                main_ = std::move(fit);
             }
         }
     }
 
-    void choose_model(MapFit& main) {
+    void choose_model() {
         using Model = FitOptions::Model;
         if (options_.model == Model::structured) {
             return;
         }
         FitProblem free = problem_;
         free.priors = free_priors(scaled_, problem_.layout);
-        Eigen::VectorXd start = main.p;
+        Eigen::VectorXd start = main_.p;
         start[kappa_at] = 1;
         for (const int held :
              {skew_at, phase_at, crosstalk_at, phase_drift_at, gain_drift_at, cubic_at}) {
@@ -168,24 +177,24 @@ private:
         }
         MapFit free_fit = fit_near_or_from_nothing(free, start);
         const StructuredVerdict verdict =
-            test_structured(problem_, main, free, free_fit, options_.tolerance, job_);
-        fit_.free_over_structured = verdict.free_over_structured;
+            test_structured(problem_, main_, free, free_fit, options_.tolerance, job_);
+        free_over_structured_ = verdict.free_over_structured;
         if (options_.model == Model::automatic && verdict.structured) {
             return;
         }
         if (options_.model == Model::automatic) {
-            fit_.warnings.push_back({DiagnosticKind::structured_refused, {verdict.reason}});
+            warnings_.push_back({DiagnosticKind::structured_refused, {verdict.reason}});
         }
-        fit_.model = ResonatorModel::free;
+        model_ = ResonatorModel::free;
         problem_.priors = std::move(free.priors);
-        main = std::move(free_fit);
+        main_ = std::move(free_fit);
     }
 
     // |z|^2 of channels of unknown scale beats, so that the free model has no cubic term.
     MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
         MapFit near = minimise(problem, start, 60, job_);
         const double dof = degrees_of_freedom(problem);
-        const double ratio = 1 + 6 * std::sqrt(2 / dof);
+        const double ratio = noise_bound(dof);
         if (near.chi2 < ratio * dof) {
             return near;
         }
@@ -195,144 +204,6 @@ private:
         anew.damping_share = std::numeric_limits<double>::infinity();
         MapFit fit = fit_from_nothing(anew, job_);
         return fit.cost < near.cost ? fit : near;
-    }
-
-    void describe(const MapFit& main) {
-        const double dof = degrees_of_freedom(problem_);
-        const double ratio = main.chi2 / dof;
-        fit_.chi2_per_dof = ratio;
-        FittedSet set;
-        set.model = fit_.model;
-        set.problem = &problem_;
-        set.fit = main;
-        set.posterior = posterior(problem_, main);
-        set.scale = scale_;
-        set.cubic_limit = cubic_limit_;
-        set.amplitude_or_time = amplitude_or_time_;
-        set.split_needs = vector_needs;
-        set.context.layout = &problem_.layout;
-        for (const PhasorRun& run : runs_) {
-            set.context.f_ref_hz.push_back(run.f_ref_hz);
-            set.context.window_s.push_back(run.window_s);
-        }
-        set_covariance(ratio, dof, set);
-        std::vector<ProfilePoint> beside;
-        if (fit_.model == ResonatorModel::structured) {
-            beside = unseen_directions(problem_, main, set.posterior, std::max(1.0, ratio), job_);
-        }
-        set.context.order = mode_order(set);
-        set.variances = reported_variances(set.posterior, set.context, beside);
-        fit_.motion = motion(main);
-        add_estimates(set, runs_, fit_);
-        fit_.raw = raw_parameters(set, runs_);
-        add_envelopes();
-        warn(main);
-    }
-
-    void set_covariance(double ratio, double dof, FittedSet& set) {
-        const double scatter = 4 * std::sqrt(2 / dof);
-        if (ratio > 1 + scatter) {
-            if (const auto cause = misfit_cause(problem_, set.posterior, fine_, scale_)) {
-                fit_.warnings.push_back(*cause);
-            }
-        }
-        const NoiseEstimate noise(problem_, set.posterior);
-        fit_.noise = noise.noise();
-        if (!noise.noise().white()) {
-            set.posterior.data = noise.covariance(set.posterior);
-            set.split_needs = vector_needs_coloured;
-            fit_.warnings.push_back({DiagnosticKind::residual_coloured, {short_text(ratio, 3)}});
-            if (noise.noise().narrowest) {
-                double longest_s = 0;
-                for (const ScaledRun& run : scaled_) {
-                    longest_s = std::max(longest_s, run.duration_s);
-                }
-                fit_.warnings.push_back(
-                    {DiagnosticKind::noise_too_narrow, {short_text(0.2 / longest_s, 2)}});
-            }
-            return;
-        }
-        if (ratio > 1 + scatter) {
-            set.posterior.data *= ratio;
-            fit_.warnings.push_back({DiagnosticKind::residual_above_noise, {short_text(ratio, 3)}});
-        } else if (ratio < 1 - 2 * scatter) {
-            fit_.warnings.push_back({DiagnosticKind::residual_below_noise, {short_text(ratio, 3)}});
-        }
-    }
-
-    // Modes are named by frequency where the frequencies differ, else by their decay.
-    ModeOrder mode_order(const FittedSet& set) const {
-        const Posterior& at = set.posterior;
-        const std::complex<double> s = std::sqrt(square_half_difference(at.p));
-        const Eigen::RowVectorXd by = (square_gradient(at) / (2.0 * s)).imag().transpose();
-        const double sd = std::sqrt(at.covariance_of(by)(0, 0));
-        return std::abs(s.imag()) < 5 * sd ? ModeOrder::decay : ModeOrder::frequency;
-    }
-
-    FittedMotion motion(const MapFit& main) const {
-        FittedMotion motion{.scale = scale_, .shared = main.p.head(shared_count), .runs = {}};
-        for (std::size_t k = 0; k < runs_.size(); ++k) {
-            ScaledRun frame = scaled_[k];
-            frame.time_s.clear();
-            frame.z.clear();
-            frame.weight.clear();
-            motion.runs.push_back(
-                {runs_[k].f_ref_hz, std::move(frame), own_of(problem_.layout, main.p, k)});
-        }
-        return motion;
-    }
-
-    void add_envelopes() {
-        double squares = 0;
-        double count = 0;
-        for (std::size_t k = 0; k < runs_.size(); ++k) {
-            const ScaledRun& run = scaled_[k];
-            const std::vector<Eigen::Vector2cd> expected =
-                expected_phasors(run, fit_.motion.shared, fit_.motion.runs[k].own, run.size());
-            for (std::size_t window = 0; window < run.size(); ++window) {
-                squares += (run.z[window] - expected[window]).squaredNorm();
-                count += 4;
-            }
-            const double f_hz = runs_[k].f_ref_hz + fit_.motion.runs[k].own[frequency_at];
-            add_envelope(k, envelope_decay(run, expected), f_hz);
-        }
-        fit_.residual_rms = scale_ * std::sqrt(squares / count);
-    }
-
-    void add_envelope(std::size_t run, const EnvelopeDecay& envelope, double f_hz) {
-        Estimate& q = fit_.runs[run].q_envelope;
-        const double sd = envelope.sd;
-        if (!std::isfinite(sd)) {
-            q.reason = {ReasonCode::too_few_windows, {}};
-            return;
-        }
-        const double factor = std::numbers::pi * f_hz;
-        const Estimate tau = decay_time(envelope.per_s, sd, sd);
-        q = tau.given() ? Estimate{factor * tau.value, factor * tau.sd, {}} : tau;
-        if (std::abs(envelope.per_s - envelope.model_per_s) > 3 * sd) {
-            fit_.warnings.push_back({DiagnosticKind::q_disagrees,
-                                     {recording_number(run), short_text(factor / envelope.per_s, 4),
-                                      short_text(factor / envelope.model_per_s, 4)}});
-        }
-    }
-
-    void warn(const MapFit& main) {
-        if (!main.converged && main.last_gain > unfinished_gain) {
-            fit_.warnings.push_back({DiagnosticKind::fit_not_converged, {}});
-        }
-        for (std::size_t k = 0; k < fit_.runs.size(); ++k) {
-            const Estimate& drift = fit_.runs[k].drift_hz_per_s;
-            if (drift.given() && std::abs(drift.value) > 4 * drift.uncertainty()) {
-                fit_.warnings.push_back(
-                    {DiagnosticKind::frequency_drifts,
-                     {recording_number(k), short_text(drift.value, 3), short_text(drift.sd, 2)}});
-            }
-        }
-        const Estimate& power = fit_.resonator.frequency_per_power;
-        if (power.given()) {
-            fit_.warnings.push_back({DiagnosticKind::frequency_follows_amplitude,
-                                     {short_text(power.value, 3), short_text(power.sd, 2)}});
-        }
     }
 
     std::vector<PhasorRun> runs_;
@@ -345,7 +216,9 @@ private:
     MapFit main_;
     Estimate cubic_limit_;
     bool amplitude_or_time_ = false;
-    ResonatorFit fit_;
+    ResonatorModel model_{};
+    double free_over_structured_ = 0;
+    std::vector<Diagnostic> warnings_;
 };
 
 // The runs with about `windows` of them each.
@@ -355,6 +228,62 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
         merged.push_back(merge_windows(run, windows));
     }
     return merged;
+}
+
+// The set with as many windows of a run as its solution asks for.
+std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double scale,
+                                   const FitOptions& options, const JobControl& job) {
+    auto set = std::make_unique<SetFit>(merged(good, enough_windows), good, scale, options, job);
+    const NeededWindows needed = set->solve();
+    const double windows = std::max(needed.by_motion, needed.by_line);
+    if (windows > static_cast<double>(enough_windows)) {
+        auto finer = std::make_unique<SetFit>(merged(good, static_cast<std::size_t>(windows) + 1),
+                                              good, scale, options, job);
+        finer->solve();
+        // A line may be a disturbance far from the carrier, which longer windows average out.
+        if (needed.by_motion > static_cast<double>(enough_windows) ||
+            finer->explains_as_much_as(*set)) {
+            return finer;
+        }
+    }
+    return set;
+}
+
+struct OpenedPhases {
+    std::vector<PhasorRun> runs;
+    std::vector<PhaseBreak> breaks;
+    std::unique_ptr<SetFit> set;  // of the runs; none where no break explains the residual
+};
+
+// The set with its phases left open where they step. One step takes nearly all of the residual
+// away, several leave nothing but noise: less would find steps in any phase that wanders.
+OpenedPhases with_open_phases(const std::vector<PhasorRun>& good, const SetFit& closed,
+                              double scale, const FitOptions& options, const JobControl& job) {
+    constexpr std::size_t most_breaks = 4;
+    constexpr double nearly_none = 0.2;
+    OpenedPhases opened{good, {}, {}};
+    while (opened.breaks.size() < most_breaks) {
+        const std::optional<PhaseBreak> step =
+            (opened.set ? *opened.set : closed).unexplained_break();
+        if (!step) {
+            break;
+        }
+        // The set refers to the runs that it was made of.
+        std::vector<PhasorRun> runs = opened.runs;
+        runs[step->run] = with_break(runs[step->run], *step);
+        opened.set = solved_set(runs, scale, options, job);
+        opened.runs = std::move(runs);
+        opened.breaks.push_back(*step);
+    }
+    if (opened.breaks.empty()) {
+        return opened;
+    }
+    const bool most = opened.breaks.size() == 1 &&
+                      opened.set->chi2_per_dof() - 1 < nearly_none * (closed.chi2_per_dof() - 1);
+    if (most || opened.set->at_noise()) {
+        return opened;
+    }
+    return {good, {}, {}};
 }
 
 }  // namespace
@@ -375,21 +304,19 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     if (good.empty() || scale <= 0) {
         return Error{ErrorCode::fit_failed, "the recordings", {"there is no wave"}};
     }
-    auto set = std::make_unique<SetFit>(merged(good, enough_windows), good, scale, options, job);
-    // Solved again where merged windows were too long for what they gave.
-    const NeededWindows needed = set->solve();
-    const double windows = std::max(needed.by_motion, needed.by_line);
-    if (windows > static_cast<double>(enough_windows)) {
-        auto finer = std::make_unique<SetFit>(merged(good, static_cast<std::size_t>(windows) + 1),
-                                              good, scale, options, job);
-        finer->solve();
-        // A line may be a disturbance far from the carrier, which longer windows average out.
-        if (needed.by_motion > static_cast<double>(enough_windows) ||
-            finer->explains_as_much_as(*set)) {
-            set = std::move(finer);
-        }
+    std::unique_ptr<SetFit> set = solved_set(good, scale, options, job);
+    OpenedPhases opened = with_open_phases(good, *set, scale, options, job);
+    if (opened.set) {
+        set = std::move(opened.set);
     }
     ResonatorFit fit = set->described();
+    for (PhaseBreak& step : opened.breaks) {
+        step.step_rad = set->step_at(step.run, step.time_s);
+        fit.warnings.push_back({DiagnosticKind::fitted_phase_step,
+                                {integer_text(static_cast<std::int64_t>(step.run) + 1),
+                                 short_text(step.step_rad, 3), short_text(step.time_s, 4)}});
+    }
+    fit.phase_breaks = std::move(opened.breaks);
     if (job.cancelled()) {
         return Error{ErrorCode::interrupted, {}, {}};
     }

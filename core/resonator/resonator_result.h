@@ -4,6 +4,7 @@
 #include "core/resonator/derived_quantities.h"
 #include "core/resonator/fitted_motion.h"
 #include "core/resonator/noise_shape.h"
+#include "core/resonator/phase_break.h"
 #include "core/resonator/reason.h"
 
 #include <array>
@@ -38,7 +39,8 @@ struct ResonatorEstimate {
     Estimate frequency_per_power;       // Hz per squared recording unit of |z|^2 = a_A^2 + a_B^2
 };
 
-// Change of a parameter per unit of an assumed channel error, all other errors as they are.
+// Change of a parameter per unit of an assumed error of the channels, or of an effect of the
+// amplitude that the model holds at zero; all others as they are.
 struct ChannelSensitivity {
     double kappa = 0;
     double skew_deg = 0;
@@ -46,6 +48,8 @@ struct ChannelSensitivity {
     double crosstalk = 0;
     double phase_drift_rad = 0;
     double gain_drift = 0;
+    double cubic_hz = 0;       // cubic spring: Hz at the set's largest amplitude
+    double damping_share = 0;  // of 1/tau that the damping grows by at the largest amplitude
 
     friend bool operator==(const ChannelSensitivity&, const ChannelSensitivity&) = default;
 };
@@ -110,6 +114,7 @@ struct ResonatorFit {
     ResidualNoise noise;
     RawParameters raw;
     FittedMotion motion;
+    std::vector<PhaseBreak> phase_breaks;  // found by the fit and left open
     std::vector<Diagnostic> warnings;
 };
 

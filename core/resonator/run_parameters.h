@@ -45,7 +45,8 @@ inline constexpr std::array<WaveParameter, 4> wave_parameters{{
     {"quadrature_rate_per_s", "1/s", &WaveMotion::quadrature_rate_per_s},
 }};
 
-// An error of the channels of a usual size, beside which the parameters are shown.
+// An error of the channels, or an effect of the amplitude (of frequency and damping, at the largest
+// amplitude), of a usual size, beside which the parameters are shown.
 struct UsualError {
     const char* name;
     const char* amount;  // as text, with its unit
@@ -53,12 +54,14 @@ struct UsualError {
     double ChannelSensitivity::*member;
 };
 
-inline constexpr std::array<UsualError, 5> usual_errors{{
+inline constexpr std::array<UsualError, 7> usual_errors{{
     {"skew", "0.1 deg", 0.1, &ChannelSensitivity::skew_deg},
     {"delay", "10 ns", 1e-8, &ChannelSensitivity::delay_s},
     {"phase drift", "1e-4 rad", 1e-4, &ChannelSensitivity::phase_drift_rad},
     {"gain drift", "1e-4", 1e-4, &ChannelSensitivity::gain_drift},
     {"kappa", "0.001", 1e-3, &ChannelSensitivity::kappa},
+    {"cubic", "10 uHz", 1e-5, &ChannelSensitivity::cubic_hz},
+    {"damping", "1 %", 1e-2, &ChannelSensitivity::damping_share},
 }};
 
 }  // namespace vybeg

@@ -25,6 +25,15 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
         // The noise's own power, 4 variances, is no power of the wave.
         const double variance = 1 / (scaled.weight[k] * scaled.weight[k]);
         const double at = std::max(scaled.z[k].squaredNorm() - 4 * variance, 0.0);
+        // Likewise of each channel; negative where a channel is noise, so that means stay true.
+        const double c = std::norm(scaled.z[k][0]) - 2 * variance;
+        const double d = std::norm(scaled.z[k][1]) - 2 * variance;
+        PowerSums& sums = scaled.power_sums;
+        sums.cc += c * c;
+        sums.cd += c * d;
+        sums.dd += d * d;
+        sums.c += c;
+        sums.d += d;
         power += at;
         first_moment += at * run.time_s[k];
         square += at * at;

@@ -44,31 +44,84 @@ Effect settling_effect(const FitProblem& problem, const Posterior& at, double se
     return effect;
 }
 
+// Derivatives of the phasors, weighted, by the parameters along an effect's columns.
+MatrixXd along_parameters(const FitProblem& problem, const Posterior& at, const Effect& effect) {
+    MatrixXd along = MatrixXd::Zero(at.information.rows(), effect.front().cols());
+    for (std::size_t k = 0; k < effect.size(); ++k) {
+        const Index first = problem.layout.at(k, 0);
+        const Index own = problem.layout.own_size(k);
+        const MatrixXd cross = at.runs[k].by_parameter.transpose() * effect[k];
+        along.topRows(shared_count) += cross.topRows(shared_count);
+        along.middleRows(first, own) += cross.bottomRows(own);
+    }
+    return along;
+}
+
 }  // namespace
+
+VectorXd gradient_in_root(const FitProblem& problem, const Posterior& at) {
+    Effect residual;
+    for (const Linearised& run : at.runs) {
+        residual.emplace_back(run.residual);
+    }
+    const VectorXd along = along_parameters(problem, at, residual);
+    return at.root.transpose() * along(at.active);
+}
+
+VectorXd followed(const FitProblem& problem, const Posterior& at, const Effect& effect) {
+    const VectorXd along = along_parameters(problem, at, effect);
+    return -at.root * (at.root.transpose() * along(at.active));
+}
+
+Effect damping_effect(const FitProblem& problem, const Posterior& at) {
+    Effect effect;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 1);
+        double integral = 0;
+        double last_s = 0;
+        for (std::size_t window = 0; window < run.size(); ++window) {
+            const Vector2cd z = expected_phasor(run, at.runs[k], window);
+            const double before = window > 0 ? (run.z[window - 1]).squaredNorm() : z.squaredNorm();
+            integral +=
+                (run.time_s[window] - last_s) * (before + z.squaredNorm()) / 2 / run.power_kept;
+            last_s = run.time_s[window];
+            put_effect(by, window, 0, -integral * run.weight[window] * z);
+        }
+        effect.push_back(std::move(by));
+    }
+    return effect;
+}
+
+Effect pickoff_effect(const FitProblem& problem, const Posterior& at) {
+    Effect effect;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 2);
+        for (std::size_t window = 0; window < run.size(); ++window) {
+            const Vector2cd z = expected_phasor(run, at.runs[k], window);
+            const double weight = run.weight[window] / run.power_kept;
+            put_effect(by, window, 0, {weight * std::norm(z[0]) * z[0], 0});
+            put_effect(by, window, 1, {0, weight * std::norm(z[1]) * z[1]});
+        }
+        effect.push_back(std::move(by));
+    }
+    return effect;
+}
 
 Score score(const FitProblem& problem, const Posterior& at, const Effect& effect) {
     const Index count = effect.front().cols();
     MatrixXd square = MatrixXd::Zero(count, count);
-    MatrixXd with_parameters = MatrixXd::Zero(at.information.rows(), count);
     VectorXd with_residual = VectorXd::Zero(count);
-    VectorXd gradient = VectorXd::Zero(at.information.rows());
     for (std::size_t k = 0; k < effect.size(); ++k) {
-        const Linearised& run = at.runs[k];
-        const Index first = problem.layout.at(k, 0);
-        const Index own = problem.layout.own_size(k);
-        const MatrixXd cross = run.by_parameter.transpose() * effect[k];
-        const VectorXd toward = run.by_parameter.transpose() * run.residual;
         square += effect[k].transpose() * effect[k];
-        with_residual += effect[k].transpose() * run.residual;
-        with_parameters.topRows(shared_count) += cross.topRows(shared_count);
-        with_parameters.middleRows(first, own) += cross.bottomRows(own);
-        gradient.head(shared_count) += toward.head(shared_count);
-        gradient.segment(first, own) += toward.tail(own);
+        with_residual += effect[k].transpose() * at.runs[k].residual;
     }
-    const MatrixXd seen = at.root.transpose() * with_parameters(at.active, Eigen::all);
+    const MatrixXd along = along_parameters(problem, at, effect);
+    const MatrixXd seen = at.root.transpose() * along(at.active, Eigen::all);
     const VectorXd whole = square.diagonal();
     square -= seen.transpose() * seen;
-    with_residual -= seen.transpose() * (at.root.transpose() * gradient(at.active));
+    with_residual -= seen.transpose() * gradient_in_root(problem, at);
     for (Index k = 0; k < count; ++k) {
         if (square(k, k) <= own_share * whole[k]) {
             square.row(k).setZero();

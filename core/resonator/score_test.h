@@ -24,6 +24,19 @@ struct Score {
 };
 Score score(const FitProblem& problem, const Posterior& posterior, const Effect& effect);
 
+// The change of the active parameters by a unit of an effect of one column.
+Eigen::VectorXd followed(const FitProblem& problem, const Posterior& posterior,
+                         const Effect& effect);
+
+// The derivative of -chi^2/2 by the active parameters, in the basis of the posterior's root.
+Eigen::VectorXd gradient_in_root(const FitProblem& problem, const Posterior& posterior);
+
+// A damping that follows the amplitude: log |z| falls by `per_power` times the integral of |z|^2.
+Effect damping_effect(const FitProblem& problem, const Posterior& posterior);
+
+// Pick-offs whose gain follows the amplitude: of C by the power of C, of D by that of D.
+Effect pickoff_effect(const FitProblem& problem, const Posterior& posterior);
+
 // What the model expects in a window of a run.
 Eigen::Vector2cd expected_phasor(const ScaledRun& run, const Linearised& at, std::size_t window);
 

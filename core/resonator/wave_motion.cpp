@@ -2,6 +2,7 @@
 
 #include "core/estimators/wave_state.h"
 #include "core/numerics/phase.h"
+#include "core/resonator/between_windows.h"
 #include "core/resonator/decay_time.h"
 #include "core/resonator/mean_rate.h"
 #include "core/resonator/merge_windows.h"
@@ -13,9 +14,13 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <span>
 
 namespace vybeg {
 namespace {
+
+using Complex = std::complex<double>;
 
 constexpr std::size_t least_windows = 8;
 // A wave, and the smaller of its travelling waves, below this many deviations is left out.
@@ -30,7 +35,7 @@ double power_of(const Windows& run, std::size_t k) {
 
 // z_j^H z_k: its angle is the phase from window j to window k.
 template <class Windows>
-std::complex<double> product(const Windows& run, std::size_t j, std::size_t k) {
+Complex product(const Windows& run, std::size_t j, std::size_t k) {
     return std::conj(run.c[j]) * run.c[k] + std::conj(run.d[j]) * run.d[k];
 }
 
@@ -68,8 +73,8 @@ bool in_a_row(const PhasorRun& run, std::size_t before, std::size_t at, std::siz
 // lies further from the reference less than the other one: z'' by the neighbours is taken away. A
 // slope keeps its variance, because what is slow passes with a gain of one.
 struct Middles {
-    std::vector<std::complex<double>> c;
-    std::vector<std::complex<double>> d;
+    std::vector<Complex> c;
+    std::vector<Complex> d;
     std::vector<double> noise_gain;  // of the variance of one window
 };
 
@@ -84,7 +89,7 @@ Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows
         if (!in_a_row(run, before, at, behind)) {
             continue;
         }
-        const auto bend = [&](const std::vector<std::complex<double>>& z) {
+        const auto bend = [&](const std::vector<Complex>& z) {
             return share * (z[before] - 2.0 * z[at] + z[behind]);
         };
         out.c[windows[i]] -= bend(run.c);
@@ -113,7 +118,7 @@ double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, st
 
 // Phase per second between windows that follow each other at the usual distance.
 double usual_rate(const PhasorRun& run, const std::vector<std::size_t>& windows) {
-    std::complex<double> sum = 0;
+    Complex sum = 0;
     for (std::size_t i = 1; i < windows.size(); ++i) {
         if (run.time_s[windows[i]] - run.time_s[windows[i - 1]] < 1.5 * run.window_s) {
             sum += product(run, windows[i - 1], windows[i]);
@@ -122,9 +127,68 @@ double usual_rate(const PhasorRun& run, const std::vector<std::size_t>& windows)
     return std::arg(sum) / run.window_s;
 }
 
+// Whether modes turn against each other by so much from window to window that differences of three
+// windows do not follow them.
+bool beats_fast(const PhasorRun& run, const std::vector<std::size_t>& windows, double rate) {
+    constexpr double fast = 0.15;  // rad, root mean square
+    const Complex back = std::polar(1.0, -rate * run.window_s);
+    double change = 0;
+    double power = 0;
+    for (std::size_t i = 1; i < windows.size(); ++i) {
+        const std::size_t k = windows[i];
+        const std::size_t before = windows[i - 1];
+        if (run.time_s[k] - run.time_s[before] < 1.5 * run.window_s) {
+            change += std::norm(run.c[k] * back - run.c[before]) +
+                      std::norm(run.d[k] * back - run.d[before]) -
+                      4 * (run.sd[k] * run.sd[k] + run.sd[before] * run.sd[before]);
+            power += power_of(run, k);
+        }
+    }
+    return change > fast * fast * power;
+}
+
+// The windows of a fast beat: those with enough others in a row on both sides have their phasors,
+// and the phase from the one before, by interpolation.
+class FastBeat {
+public:
+    FastBeat(const PhasorRun& run, const std::vector<std::size_t>& windows, Middles& z)
+        : phases_(windows.size(), std::numeric_limits<double>::quiet_NaN()) {
+        constexpr std::size_t reach = BetweenWindows::reach;
+        const BetweenWindows between;
+        std::size_t in_row = 0;  // windows that end with this one
+        for (std::size_t last = 0; last < windows.size(); ++last) {
+            const bool follows =
+                last > 1 && in_a_row(run, windows[last - 2], windows[last - 1], windows[last]);
+            in_row = follows ? in_row + 1 : 2;
+            if (in_row < 2 * reach) {
+                continue;
+            }
+            const std::size_t first = windows[last + 1 - 2 * reach];
+            const std::size_t k = last + 1 - reach;  // in the list, behind the middle
+            const auto means = [first](const std::vector<Complex>& all) {
+                return std::span(all).subspan(first, 2 * reach);
+            };
+            phases_[k] = between.phase(means(run.c), means(run.d));
+            z.c[windows[k - 1]] = between.at(0, means(run.c));
+            z.d[windows[k - 1]] = between.at(0, means(run.d));
+            z.noise_gain[windows[k - 1]] = between.noise_gain();
+        }
+    }
+
+    // From the window before the i-th of the list to it; NaN near ends and gaps.
+    double phase(std::size_t i) const { return phases_[i]; }
+
+private:
+    std::vector<double> phases_;
+};
+
 Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
     const double rate = usual_rate(run, windows);
-    const Middles z = middles_of(run, windows);
+    Middles z = middles_of(run, windows);
+    std::optional<FastBeat> beat;
+    if (beats_fast(run, windows, rate)) {
+        beat.emplace(run, windows, z);
+    }
     Motion motion;
     double phase = 0;
     double two_theta = 0;
@@ -139,9 +203,11 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
             const double beyond = std::arg(product(z, windows[i - 1], k) * std::polar(1.0, -usual));
             phase += usual + (part == own ? beyond : 0);
         }
-        // A step counts the mean rate less a sixth of what its cube makes of unequal modes; two
-        // steps at once show that eightfold.
-        if (i > 1 && in_a_row(run, windows[i - 2], windows[i - 1], k)) {
+        if (beat && i > 0 && !std::isnan(beat->phase(i))) {
+            phase = motion.phase.value.back() + beat->phase(i);
+        } else if (i > 1 && in_a_row(run, windows[i - 2], windows[i - 1], k)) {
+            // A step counts the mean rate less a sixth of what its cube makes of unequal modes; two
+            // steps at once show that eightfold.
             phase +=
                 std::arg(product(z, windows[i - 2], windows[i - 1]) *
                          product(z, windows[i - 1], k) * std::conj(product(z, windows[i - 2], k))) /

@@ -182,8 +182,8 @@ private slots:
         QVERIFY2(tau.contains(" s, u "), tau.constData());
         const qsizetype table = text.indexOf("\nsensitivity:");
         QVERIFY(table > resonator);
-        QVERIFY(
-            text.mid(table).contains("0.1 deg       10 ns    1e-4 rad        1e-4       0.001"));
+        QVERIFY(text.mid(table).contains(
+            "0.1 deg       10 ns    1e-4 rad        1e-4       0.001     10 uHz         1 %"));
         QVERIFY(line_of("  tau, s", table).simplified().split(' ').size() == 7);
         QVERIFY(line_of("  theta_w, deg", table).simplified().split(' ').size() == 7);
     }
