@@ -83,9 +83,11 @@ public:
     double chi2_per_dof() const { return main_.chi2 / degrees_of_freedom(problem_); }
     bool at_noise() const { return chi2_per_dof() < noise_bound(degrees_of_freedom(problem_)); }
 
-    // A step of a run's phase that would explain most of the residual.
+    // A step of a run's phase that would explain more of the residual than a frequency that settles.
     std::optional<PhaseBreak> unexplained_break() const {
-        return phase_break(problem_, posterior(problem_, main_));
+        const Posterior at = posterior(problem_, main_);
+        const std::optional<PhaseBreak> found = phase_break(problem_, at);
+        return found && found->fall > settling_score(problem_, at).fall ? found : std::nullopt;
     }
 
     // How far a run's phase steps at the break at `time_s`, rad in (-pi, pi].
