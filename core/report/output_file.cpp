@@ -18,6 +18,9 @@ namespace vybeg {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
+constexpr std::size_t least_direct = std::size_t{1} << 17;
+// The disk begins to write after so many bytes, so that the wait for it at the end is short.
+constexpr std::int64_t written_behind = std::int64_t{1} << 23;
 // A pipe that poll() calls writable takes this much without blocking (PIPE_BUF).
 constexpr std::size_t pipe_chunk = 4096;
 constexpr int poll_ms = 50;
@@ -87,6 +90,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       temporary_(std::exchange(other.temporary_, {})),
       buffer_(std::move(other.buffer_)),
       bytes_out_(other.bytes_out_),
+      sent_to_disk_(other.sent_to_disk_),
       placed_(std::exchange(other.placed_, Placed::no)),
       job_(std::move(other.job_)) {}
 
@@ -122,17 +126,13 @@ Status OutputFile::wait_until_writable() const {
 }
 
 Status OutputFile::write(std::string_view bytes) {
-    if (buffer_.size() + bytes.size() < buffer_size) {
-        buffer_.append(bytes);
-        return {};
-    }
     // What is large goes out from where it is.
-    if (buffer_.size() + bytes.size() < 2 * buffer_size) {
-        buffer_.append(bytes);
-        return flush();
+    if (bytes.size() >= least_direct) {
+        const Status flushed = flush();
+        return flushed ? write_out(bytes) : flushed;
     }
-    const Status flushed = flush();
-    return flushed ? write_out(bytes) : flushed;
+    buffer_.append(bytes);
+    return buffer_.size() < buffer_size ? Status{} : flush();
 }
 
 Status OutputFile::flush() {
@@ -154,6 +154,12 @@ Status OutputFile::write_out(std::string_view left) {
             return failed(errno);
         }
         bytes_out_ += std::max<ssize_t>(written, 0);
+        if (seekable() && bytes_out_ - sent_to_disk_ >= written_behind) {
+            // A hint: what goes wrong shows at fsync().
+            sync_file_range(descriptor_, sent_to_disk_, bytes_out_ - sent_to_disk_,
+                            SYNC_FILE_RANGE_WRITE);
+            sent_to_disk_ = bytes_out_;
+        }
         left.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
     }
     return {};

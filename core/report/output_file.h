@@ -31,7 +31,7 @@ public:
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile();
 
-    // Bytes are gathered to about 1 MiB before they go out; what is larger goes out at once.
+    // Bytes are gathered to about 1 MiB before they go out; large pieces go out at once.
     Status write(std::string_view bytes);
     Status flush();
 
@@ -80,6 +80,7 @@ private:
     std::filesystem::path temporary_;  // empty: written to directly, or already in its place
     std::string buffer_;
     std::int64_t bytes_out_ = 0;
+    std::int64_t sent_to_disk_ = 0;  // of them, those whose writing has begun
     // Of a file that took its place while others of its group had not: where the old one is.
     enum class Placed { no, new_name, exchanged, for_good };
     Placed placed_ = Placed::no;

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <fcntl.h>
 #include <system_error>
 #include <unistd.h>
-#include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -45,11 +44,12 @@ Status Spool::create() {
     return descriptor_ >= 0 ? Status{} : failed(errno);
 }
 
-Status Spool::write(std::string_view bytes) {
-    if (spilled_ > 0 && memory_.empty() && bytes.size() >= least_direct) {
-        return write_out(bytes);
+Status Spool::write(std::span<const std::byte> bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (spilled_ > 0 && memory_.empty() && text.size() >= least_direct) {
+        return write_out(text);
     }
-    memory_.append(bytes);
+    memory_.append(text);
     return memory_.size() < most_in_memory ? Status{} : spill();
 }
 
@@ -81,25 +81,22 @@ Status Spool::write_out(std::string_view left) {
     return {};
 }
 
-Status Spool::empty_into(const std::function<Status(std::string_view)>& take) {
-    std::vector<char> bytes(spilled_ > 0 ? piece : 0);
-    for (std::int64_t at = 0; at < spilled_;) {
-        const auto wanted = std::min<std::int64_t>(spilled_ - at, piece);
-        const ssize_t got = pread(descriptor_, bytes.data(), static_cast<std::size_t>(wanted), at);
+Status Spool::read(std::span<std::byte> to) {
+    while (!to.empty() && read_ < spilled_) {
+        if (job_.cancelled()) {
+            return Error{ErrorCode::interrupted, {}, {}};
+        }
+        const auto wanted = std::min(static_cast<std::size_t>(spilled_ - read_), to.size());
+        const ssize_t got = pread(descriptor_, to.data(), wanted, read_);
         if (got <= 0 && errno != EINTR) {
             return failed(got == 0 ? EIO : errno);
         }
-        const auto length = static_cast<std::size_t>(std::max<ssize_t>(got, 0));
-        if (Status taken = take({bytes.data(), length}); !taken) {
-            return taken;
-        }
-        at += static_cast<std::int64_t>(length);
+        read_ += std::max<ssize_t>(got, 0);
+        to = to.subspan(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     }
-    if (descriptor_ >= 0) {
-        close(std::exchange(descriptor_, -1));
-    }
-    spilled_ = 0;
-    return take(std::exchange(memory_, {}));
+    std::memcpy(to.data(), memory_.data() + (read_ - spilled_), to.size());
+    read_ += static_cast<std::int64_t>(to.size());
+    return {};
 }
 
 }  // namespace vybeg

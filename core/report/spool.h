@@ -2,9 +2,10 @@
 
 #include "core/report/output_file.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,11 +23,11 @@ public:
     Spool& operator=(const Spool&) = delete;
     ~Spool();
 
-    Status write(std::string_view bytes);
+    Status write(std::span<const std::byte> bytes);
 
-    // Hands everything out, piece by piece in order, and leaves the spool empty. Errors: also those
-    // of `take`, at which it ends.
-    Status empty_into(const std::function<Status(std::string_view piece)>& take);
+    // The next bytes in the order in which they were written. Precondition: so many are left, and
+    // nothing is written any more.
+    Status read(std::span<std::byte> to);
 
 private:
     Status spill();
@@ -39,6 +40,7 @@ private:
     std::string memory_;
     int descriptor_ = -1;
     std::int64_t spilled_ = 0;  // bytes
+    std::int64_t read_ = 0;     // bytes
 };
 
 }  // namespace vybeg

@@ -97,58 +97,18 @@ private:
     std::unique_ptr<char[]> room_;
 };
 
-// Sets flags in the text of rows, which comes in pieces that end anywhere.
-class LateFlags {
-public:
-    explicit LateFlags(std::span<const FlaggedRows> flagged) : flagged_(flagged) {}
-
-    // The whole lines that the piece completes.
-    std::string set_in(std::string_view piece) {
-        started_ += piece;
-        std::string text;
-        std::size_t begin = 0;
-        for (std::size_t end = started_.find('\n'); end != std::string::npos;
-             end = started_.find('\n', begin)) {
-            const std::string_view line = std::string_view(started_).substr(begin, end - begin);
-            append_line(text, line, flags_of_next_row());
-            begin = end + 1;
-        }
-        started_.erase(0, begin);
-        return text;
+// The columns of the file, one after the other, until one fails.
+template <class AnyTrack, class Visit>
+Status for_each_column(AnyTrack& track, const Visit& visit) {
+    Status done = visit(track.time_s());
+    for (const SlowVariable variable : value_columns) {
+        done = done ? visit(track.values(variable)) : done;
     }
-
-private:
-    Flags flags_of_next_row() {
-        while (begun_ < flagged_.size() && flagged_[begun_].first <= row_) {
-            active_.push_back(flagged_[begun_++]);
-        }
-        std::erase_if(active_,
-                      [this](const FlaggedRows& rows) { return rows.first + rows.count <= row_; });
-        ++row_;
-        Flags flags = 0;
-        for (const FlaggedRows& rows : active_) {
-            set(flags, rows.flag);
-        }
-        return flags;
+    for (const SlowVariable variable : sd_columns) {
+        done = done ? visit(track.sds(variable)) : done;
     }
-
-    static void append_line(std::string& text, std::string_view line, Flags flags) {
-        if (flags == 0) {
-            text += line;
-        } else {
-            const std::size_t field = line.rfind(',') + 1;
-            text += line.substr(0, field);
-            text += flags_text(flags_from_text(line.substr(field)) | flags);
-        }
-        text += '\n';
-    }
-
-    std::span<const FlaggedRows> flagged_;
-    std::size_t begun_ = 0;            // of flagged_
-    std::vector<FlaggedRows> active_;  // of those, the ones that go on
-    std::string started_;              // a line without its end
-    std::size_t row_ = 0;
-};
+    return done ? visit(track.flags()) : done;
+}
 
 // Hands the rows to write(text, rows so far), some at a time: digits take most of the time of a
 // track, and are made by all threads.
@@ -224,21 +184,42 @@ Status write_track_csv(OutputFile& file, const Track& track, std::span<const std
 }
 
 Status TrackCsvWriter::append(const Track& rows) {
-    return write_rows(rows,
-                      [this](std::string_view text, std::size_t) { return rows_.write(text); });
+    blocks_.push_back(rows.rows());
+    return for_each_column(
+        rows, [this](const auto& column) { return rows_.write(std::as_bytes(column)); });
+}
+
+Result<Track> TrackCsvWriter::next_rows(std::size_t& block) {
+    constexpr std::size_t at_once = rows_per_block * blocks_at_once;
+    Track track;
+    do {
+        Track rows(blocks_[block++]);
+        const Status read = for_each_column(rows, [this](const auto& column) {
+            return rows_.read(std::as_writable_bytes(column));
+        });
+        if (!read) {
+            return read.error();
+        }
+        track.append(rows);
+    } while (block < blocks_.size() && track.rows() + blocks_[block] <= at_once);
+    return track;
 }
 
 Status TrackCsvWriter::finish(std::span<const std::string> header,
                               std::span<const FlaggedRows> flagged) {
-    if (Status written = file_.write(head_text(header)); !written) {
-        return written;
+    Status written = file_.write(head_text(header));
+    std::size_t first = 0;
+    for (std::size_t block = 0; written && block < blocks_.size();) {
+        Result<Track> track = next_rows(block);
+        if (!track) {
+            return track.error();
+        }
+        set_flags(*track, first, flagged);
+        first += track->rows();
+        written = write_rows(
+            *track, [this](std::string_view text, std::size_t) { return file_.write(text); });
     }
-    if (flagged.empty()) {
-        return rows_.empty_into([this](std::string_view piece) { return file_.write(piece); });
-    }
-    LateFlags late(flagged);
-    return rows_.empty_into(
-        [&](std::string_view piece) { return file_.write(late.set_in(piece)); });
+    return written;
 }
 
 }  // namespace vybeg

@@ -29,12 +29,16 @@ public:
     TrackCsvWriter(OutputFile& file, const JobControl& job) : file_(file), rows_(file, job) {}
 
     Status append(const Track& rows);
-    // `flagged`: rows that get a flag on their way from the spool into the file, by first row.
+    // `flagged`: rows that get a flag on their way from the spool into the file.
     Status finish(std::span<const std::string> header, std::span<const FlaggedRows> flagged);
 
 private:
+    // Rows from the spool, of that block and those after it, as many as become text at once.
+    Result<Track> next_rows(std::size_t& block);
+
     OutputFile& file_;
-    Spool rows_;
+    Spool rows_;                       // numbers: less than half of their text
+    std::vector<std::size_t> blocks_;  // rows of each append()
 };
 
 }  // namespace vybeg

@@ -125,7 +125,7 @@ private slots:
         // Every row of the middle third and, twice over, some in the last piece.
         const std::vector<FlaggedRows> flagged{
             {30000, 30000, Flag::clipped}, {88000, 1500, Flag::gap}, {89000, 5000, Flag::clipped}};
-        set_flags(whole, flagged);
+        set_flags(whole, 0, flagged);
         QVERIFY(writer.finish(header, flagged));
         QVERIFY(file->commit());
         QVERIFY(QDir::setCurrent(before));
