@@ -1,5 +1,6 @@
 #include "app/cli_support.h"
 
+#include "core/recording/file_changes.h"
 #include "core/recording/sha256.h"
 
 #include <chrono>

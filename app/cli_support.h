@@ -2,7 +2,7 @@
 
 #include "app/cli_log.h"
 #include "core/base/job_control.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/recording.h"
 #include "core/report/output_file.h"
 
 #include <functional>

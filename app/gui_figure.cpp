@@ -4,7 +4,11 @@
 #include "app/output_paths.h"
 #include "app/process_guard.h"
 #include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
 #include "core/base/messages.h"
+#include "core/recording/file_changes.h"
+#include "core/recording/open_recording.h"
 #include "ui/figure.h"
 #include "ui/theme.h"
 

@@ -1,5 +1,9 @@
 #include "ui/analysis_job.h"
 
+#include "core/analysis/recording_carrier.h"
+#include "core/recording/file_changes.h"
+#include "core/recording/open_recording.h"
+#include "core/recording/preview.h"
 #include "core/report/identify_json.h"
 #include "core/report/passport_json.h"
 #include "core/report/track_csv.h"

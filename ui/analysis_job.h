@@ -1,12 +1,15 @@
 #pragma once
 
 #include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
 #include "core/analysis/inspect.h"
+#include "core/analysis/settings.h"
 #include "core/analysis/visible_first.h"
 #include "core/recording/envelope_builder.h"
 #include "core/recording/first_look.h"
-#include "core/recording/open_recording.h"
-#include "core/recording/preview.h"
+#include "core/recording/open_options.h"
+#include "core/recording/recording.h"
+#include "core/recording/recording_preview.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
 #include "ui/curve_data.h"

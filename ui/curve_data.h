@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
 #include "ui/zoom_stack.h"
 
 #include <limits>

@@ -2,6 +2,7 @@
 
 #include "ui/error_text.h"
 #include "ui/parameter_text.h"
+#include "ui/unit_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -3,7 +3,7 @@
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "ui/number_label.h"
-#include "ui/parameter_text.h"
+#include "ui/unit_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/open_recording.h"
+#include "core/recording/open_options.h"
 
 #include <QJsonObject>
 

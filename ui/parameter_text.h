@@ -25,11 +25,6 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
 QString modeTitle(int index, const std::string& parameter);
 QString directionTitle(int index, const std::string& parameter);
 
-// A text of context "Resonator", and a unit as core/ names it, in the interface's language.
-QString resonatorText(const char* text);
-QString unitText(const char* unit);
-QString withUnit(const QString& name, const QString& unit);
-
 // With all its digits, for a spreadsheet; empty for NaN.
 QString exactText(double value);
 QuantityCell valueCell(double value, double sd,

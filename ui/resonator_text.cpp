@@ -5,6 +5,7 @@
 #include "core/resonator/run_parameters.h"
 #include "ui/error_text.h"
 #include "ui/parameter_text.h"
+#include "ui/unit_text.h"
 
 #include <QLocale>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
 #include "ui/curve_data.h"
 
 #include <QColor>

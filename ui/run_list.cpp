@@ -1,8 +1,8 @@
 #include "ui/run_list.h"
 
+#include "ui/algorithm_text.h"
 #include "ui/display_units.h"
 #include "ui/error_text.h"
-#include "ui/settings_panel.h"
 #include "ui/theme.h"
 
 #include <QAction>

@@ -1,5 +1,6 @@
 #include "ui/settings_panel.h"
 
+#include "ui/algorithm_text.h"
 #include "ui/document.h"
 #include "ui/rich_text.h"
 #include "ui/section.h"
@@ -9,7 +10,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -25,43 +25,11 @@ namespace vybeg::ui {
 
 namespace {
 
-struct AlgorithmTexts {
-    Algorithm algorithm;
-    const char* name;
-    const char* tip;
-};
-
-constexpr std::array<AlgorithmTexts, 6> algorithms{{
-    {Algorithm::in_phase, QT_TRANSLATE_NOOP("Algorithm", "1 In phase"),
-     QT_TRANSLATE_NOOP("Algorithm",
-                       "(15)-(18): without the quadrature wave; a_B is not estimated. The starting "
-                       "point for the others.")},
-    {Algorithm::phase_shift, QT_TRANSLATE_NOOP("Algorithm", "2 Phase shift"),
-     QT_TRANSLATE_NOOP("Algorithm",
-                       "(19)-(24): phase difference of the pick-off signals, by a delay of a "
-                       "quarter of a period.")},
-    {Algorithm::moving_axes, QT_TRANSLATE_NOOP("Algorithm", "3 Moving axes"),
-     QT_TRANSLATE_NOOP("Algorithm",
-                       "(26)-(30): signals in the axes of the standing waves; gives the "
-                       "orthogonality of (30).")},
-    {Algorithm::demodulation, QT_TRANSLATE_NOOP("Algorithm", "4 Demodulation"),
-     QT_TRANSLATE_NOOP("Algorithm", "(31)-(33): synchronous averages at the carrier.")},
-    {Algorithm::conjugate_gradient, QT_TRANSLATE_NOOP("Algorithm", "5 Conjugate gradient"),
-     QT_TRANSLATE_NOOP("Algorithm",
-                       "Minimum of the functional F over all five parameters at once; any window "
-                       "above one period.")},
-    {Algorithm::maximum_likelihood, QT_TRANSLATE_NOOP("Algorithm", "6 Maximum likelihood"),
-     QT_TRANSLATE_NOOP("Algorithm",
-                       "The same minimum as 5 by the linear form (33), at a fraction of the cost; "
-                       "any window above one period.")},
-}};
+constexpr std::array algorithms{Algorithm::in_phase,           Algorithm::phase_shift,
+                                Algorithm::moving_axes,        Algorithm::demodulation,
+                                Algorithm::conjugate_gradient, Algorithm::maximum_likelihood};
 
 }  // namespace
-
-QString algorithmText(Algorithm algorithm) {
-    return QCoreApplication::translate("Algorithm",
-                                       algorithms[static_cast<std::size_t>(algorithm)].name);
-}
 
 SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
@@ -73,8 +41,8 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     algorithm_ = new QComboBox(content);
     algorithm_->setObjectName(QStringLiteral("algorithm"));
     algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    for (const AlgorithmTexts& texts : algorithms) {
-        algorithm_->addItem({}, static_cast<int>(texts.algorithm));
+    for (const Algorithm algorithm : algorithms) {
+        algorithm_->addItem({}, static_cast<int>(algorithm));
     }
     algorithm_label_ = new QLabel(content);
     algorithm_label_->setBuddy(algorithm_);
@@ -169,10 +137,8 @@ void SettingsPanel::retranslate() {
     algorithm_->setAccessibleName(tr("Algorithm"));
     for (std::size_t i = 0; i < algorithms.size(); ++i) {
         const int row = static_cast<int>(i);
-        algorithm_->setItemText(row, algorithmText(algorithms[i].algorithm));
-        algorithm_->setItemData(
-            row, richTip(QCoreApplication::translate("Algorithm", algorithms[i].tip)),
-            Qt::ToolTipRole);
+        algorithm_->setItemText(row, algorithmText(algorithms[i]));
+        algorithm_->setItemData(row, richTip(algorithmTip(algorithms[i])), Qt::ToolTipRole);
     }
     for (const Group& group : groups_) {
         group.section->setTitle(tr(group.title));

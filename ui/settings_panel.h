@@ -54,7 +54,4 @@ private:
     QScrollArea* scroll_;
 };
 
-// The algorithm's name with its number, e.g. "4 Demodulation", in the interface's language.
-QString algorithmText(Algorithm algorithm);
-
 }  // namespace vybeg::ui

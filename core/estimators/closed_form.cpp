@@ -1,6 +1,7 @@
 #include "core/estimators/closed_form.h"
 
 #include "core/estimators/profile.h"
+#include "core/estimators/series_estimates.h"
 #include "core/estimators/window_estimate.h"
 #include "core/numerics/minimise.h"
 

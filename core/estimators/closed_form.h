@@ -4,6 +4,7 @@
 #include "core/estimators/closed_series.h"
 #include "core/estimators/estimator.h"
 #include "core/estimators/frequency_bracket.h"
+#include "core/estimators/window_estimate.h"
 #include "core/estimators/window_moments.h"
 #include "core/estimators/window_series.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/series_estimates.h"
+#include "core/estimators/series_result.h"
 #include "core/estimators/window_series.h"
 
 namespace vybeg {

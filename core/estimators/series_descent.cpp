@@ -1,6 +1,6 @@
 #include "core/estimators/series_descent.h"
 
-#include "core/estimators/conjugate_gradient.h"
+#include "core/estimators/descent.h"
 #include "core/estimators/lanes.h"
 #include "core/estimators/series_waves.h"
 #include "core/estimators/wave_functional.h"

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/estimators/series_estimates.h"
+#include "core/estimators/series_result.h"
 #include "core/estimators/window_series.h"
 
 namespace vybeg {
 
-// Algorithm 5 in windows that stand side by side: the conjugate gradient of conjugate_gradient.h,
+// Algorithm 5 in windows that stand side by side: the conjugate gradient of descent.h,
 // step by step the same, with F and its derivatives from the projections' series.
 
 struct SeriesStart {

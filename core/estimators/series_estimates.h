@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/estimator.h"
+#include "core/estimators/series_result.h"
 #include "core/estimators/window_estimate.h"
 #include "core/estimators/window_series.h"
 
@@ -9,28 +10,6 @@
 #include <optional>
 
 namespace vybeg {
-
-// The waves in windows that stand side by side, by maximum likelihood: what estimate() puts into
-// WaveEstimate, lane by lane. Standard deviations are those for noise of one recording unit.
-struct SeriesEstimates {
-    Lanes w;  // rad per sample
-    Lanes c_re;
-    Lanes c_im;
-    Lanes d_re;
-    Lanes d_im;
-    Lanes a_A;
-    Lanes a_B;
-    Lanes two_theta_A;
-    Lanes alpha;
-    Lanes delta_phi_CD;
-    Lanes orthogonality;
-    Lanes sd_a_A;
-    Lanes sd_a_B;
-    Lanes sd_two_theta_A;
-    Lanes sd_alpha;
-    Lanes sd_w;
-    Lanes sd_delta_phi_CD;
-};
 
 // wave_state.h, precision_bound.h and (30) for all lanes at once, at the frequencies of `maximum`.
 void series_estimates(const SeriesBatch& batch, const SeriesMaximum& maximum,

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "core/estimators/lanes.h"
-#include "core/estimators/series_estimates.h"
+#include "core/estimators/series_result.h"
+#include "core/estimators/window_series.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,7 @@
 #include "core/recording/column_source.h"
 
+#include "core/recording/number_decoding.h"
+
 #include <algorithm>
 #include <utility>
 

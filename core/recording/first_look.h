@@ -2,7 +2,7 @@
 
 #include "core/base/job_control.h"
 #include "core/recording/envelope.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open_options.h"
 
 #include <filesystem>
 #include <memory>

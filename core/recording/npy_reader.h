@@ -2,7 +2,8 @@
 
 #include "core/base/result.h"
 #include "core/recording/file_bytes.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open_options.h"
+#include "core/recording/recording.h"
 
 #include <memory>
 

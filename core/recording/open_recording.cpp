@@ -1,6 +1,5 @@
 #include "core/recording/open_recording.h"
 
-#include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/recording/audio_reader.h"
 #include "core/recording/file_bytes.h"
@@ -8,13 +7,12 @@
 #include "core/recording/library_reader.h"
 #include "core/recording/npy_reader.h"
 #include "core/recording/npz_reader.h"
+#include "core/recording/open_options.h"
 #include "core/recording/raw_reader.h"
-#include "core/recording/selection.h"
 #include "core/recording/tdms_reader.h"
 #include "core/recording/text_recording.h"
 #include "core/recording/uff_reader.h"
 
-#include <array>
 #include <memory>
 #include <utility>
 
@@ -47,40 +45,7 @@ Result<Recording> open_by_content(const std::shared_ptr<const FileBytes>& file,
     return file->error(ErrorCode::format_unknown);
 }
 
-// As --raw takes it.
-std::string type_text(const RawLayout& layout) {
-    constexpr std::array names = {"i16", "i32", "f32", "f64"};
-    return std::string(names[static_cast<std::size_t>(layout.type)]) +
-           (layout.big_endian ? ":be" : "");
-}
-
 }  // namespace
-
-std::string options_text(const OpenOptions& options) {
-    std::string text;
-    const auto add = [&text](const std::string& words) {
-        text += (text.empty() || words.empty() ? "" : " ") + words;
-    };
-    if (!options.variables.empty()) {
-        std::string names;
-        for (const std::string& name : options.variables) {
-            names += (&name == &options.variables.front() ? "" : ",") + name;
-        }
-        add("--variables " + names);
-    }
-    if (options.raw) {
-        const RawLayout& raw = *options.raw;
-        add("--raw " + type_text(raw) + " --raw-channels " + std::to_string(raw.channels) +
-            " --skip " + integer_text(raw.skip_bytes) + " --scale " + round_trip_text(raw.scale));
-    }
-    if (options.text) {
-        add(choice_text(*options.text));
-    }
-    if (!options.unit.empty()) {
-        add("--unit " + options.unit);
-    }
-    return text;
-}
 
 Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
                                  const JobControl& job) {

@@ -2,7 +2,7 @@
 
 #include "core/recording/audio_decoder.h"
 #include "core/recording/audio_extent.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open_options.h"
 #include "core/recording/sample_source.h"
 
 #include <memory>

@@ -2,9 +2,11 @@
 
 #include "core/base/number_text.h"
 #include "core/recording/file_bytes.h"
+#include "core/recording/number_decoding.h"
+#include "core/recording/open_options.h"
+#include "core/recording/open_recording.h"
 #include "core/recording/raw_guess.h"
 #include "core/recording/raw_reader.h"
-#include "core/recording/selection.h"
 #include "core/recording/text_preview.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "core/recording/raw_guess.h"
 
+#include "core/recording/number_decoding.h"
 #include "core/recording/raw_reader.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "core/base/number_text.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vybeg {
 namespace {
@@ -12,26 +11,6 @@ constexpr int channels_needed = 2;
 constexpr std::int64_t frames_needed = 5;
 
 }  // namespace
-
-Status check_options(const OpenOptions& options) {
-    if (options.rate_hz && !(std::isfinite(*options.rate_hz) && *options.rate_hz > 0)) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--rate", short_text(*options.rate_hz), "it must be positive, in Hz"}};
-    }
-    if (options.channel_c == options.channel_d) {
-        const std::string channel = std::to_string(options.channel_c);
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--channels", channel + "," + channel, "C and D must be two channels"}};
-    }
-    if (options.text && options.raw) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--raw", choice_text(*options.text), "a file is read as text or as raw"}};
-    }
-    return options.text ? check_choice(*options.text) : Status{};
-}
 
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {
     if (found < channels_needed) {

@@ -2,7 +2,8 @@
 
 #include "core/base/result.h"
 #include "core/recording/file_bytes.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open_options.h"
+#include "core/recording/recording.h"
 
 #include <cstdint>
 #include <optional>
@@ -11,9 +12,6 @@
 namespace vybeg {
 
 // What every reader asks of a file before it hands out a recording.
-
-// The options by themselves: a positive rate, two different channels. Errors: setting_invalid.
-Status check_options(const OpenOptions& options);
 
 // Both chosen channels exist among the file's `found`. Errors: too_few_channels,
 // channel_out_of_range.

@@ -1,8 +1,5 @@
 #include "core/recording/sha256.h"
 
-#include "core/recording/file_bytes.h"
-#include "core/recording/open_recording.h"
-
 #include <openssl/evp.h>
 
 #include <array>
@@ -63,17 +60,8 @@ Result<std::string> file_sha256(const std::filesystem::path& path, const JobCont
     return sha256_of(file ? file->get() : nullptr, path, job);
 }
 
-Result<std::string> recording_sha256(const Recording& recording, const JobControl& job) {
-    if (!recording.file) {
-        return file_sha256(recording.path, job);
-    }
-    Result<std::string> hash = sha256_of(recording.file.get(), recording.path, job);
-    const Status still = recording.file->unchanged();
-    return still ? hash : still.error();
-}
-
-Status unchanged(const Recording& recording) {
-    return recording.file ? recording.file->unchanged() : Status{};
+Result<std::string> file_sha256(const FileBytes& file, const JobControl& job) {
+    return sha256_of(&file, file.path(), job);
 }
 
 }  // namespace vybeg

@@ -1,5 +1,6 @@
 #include "core/recording/tdms_metadata.h"
 
+#include "core/recording/number_decoding.h"
 #include "core/recording/text_encoding.h"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "core/base/job_control.h"
 #include "core/recording/file_bytes.h"
-#include "core/recording/preview.h"
+#include "core/recording/recording_preview.h"
 
 #include <memory>
 

@@ -2,8 +2,9 @@
 
 #include "core/base/result.h"
 #include "core/recording/file_bytes.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open_options.h"
 #include "core/recording/reader_protocol.h"
+#include "core/recording/recording.h"
 #include "core/recording/selection.h"
 
 #include <cstdint>

@@ -3,7 +3,8 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/file_bytes.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open_options.h"
+#include "core/recording/recording.h"
 #include "core/recording/variable_reader.h"
 
 #include <cstdint>

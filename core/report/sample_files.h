@@ -1,11 +1,9 @@
 #pragma once
 
 #include "core/report/output_file.h"
+#include "core/report/sample_stream.h"
 
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <span>
 
 namespace vybeg {
 
@@ -15,20 +13,6 @@ enum class SampleFormat { wav, csv, npy, mat };
 // otherwise.
 Result<SampleFormat> sample_format(const std::filesystem::path& target);
 
-// Takes frames of both channels, in their order.
-using SampleSink = std::function<Status(std::span<const double> c, std::span<const double> d)>;
-
-// Two signals that are made while they are written.
-struct SampleStream {
-    std::int64_t frames = 0;
-    double rate_hz = 0;
-    int bits = 0;           // 0: double precision; else the quantiser that made the samples
-    double full_scale = 0;  // of that quantiser
-    // Gives all frames to a sink, from the first on, the same each time; ends with its own errors
-    // and those of the sink.
-    std::function<Status(const SampleSink&)> run;
-};
-
 // wav: 64-bit float; with bits, PCM of the next larger of 8, 16, 24, 32 bits, full scale 1 (the
 //      samples' values are then fractions of full_scale); RF64 above 4 GiB.
 // csv: t_s,C,D, numbers that round-trip.   npy: float64, shape (n, 2).
@@ -36,15 +20,6 @@ struct SampleStream {
 //      room for 4 GiB each.
 // Errors: output_failed, those of the stream. commit() is left to the caller.
 Status write_stream(OutputFile& file, SampleFormat format, const SampleStream& stream);
-
-// Two signals of equal length in memory, the rest as in SampleStream.
-struct Samples {
-    std::span<const double> c;
-    std::span<const double> d;
-    double rate_hz = 0;
-    int bits = 0;
-    double full_scale = 0;
-};
 
 // The same; also interrupted.
 Status write_samples(OutputFile& file, SampleFormat format, const Samples& samples,

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
 #include "core/report/output_file.h"
 #include "core/report/settings_text.h"
 #include "core/report/spool.h"
+#include "core/track/track.h"
 
 #include <span>
 #include <string>

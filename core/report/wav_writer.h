@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/report/sample_files.h"
+#include "core/report/output_file.h"
+#include "core/report/sample_stream.h"
 
 namespace vybeg {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/resonator_fit.h"
+#include "core/resonator/resonator_result.h"
 
 #include <array>
 #include <numbers>

@@ -9,6 +9,7 @@
 #include "core/estimators/closed_form.h"
 #include "core/estimators/estimator.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "tests/benchmarks/ratio_table.h"
 
 #include <array>

@@ -3,6 +3,7 @@
 #include "core/base/messages.h"
 #include "core/report/sample_files.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 
 #include <sndfile.h>
 

@@ -3,6 +3,7 @@
 #include "core/analysis/estimate_track.h"
 #include "core/recording/memory_source.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "tests/benchmarks/ratio_table.h"
 
 #include <tbb/blocked_range.h>

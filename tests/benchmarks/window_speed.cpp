@@ -4,6 +4,7 @@
 // variable VYBEG_LONG_RECORDING it also tells when a live change of it shows what.
 #include "core/report/sample_files.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "tests/ui/heartbeat.h"
 #include "ui/main_window.h"
 #include "ui/track_view.h"

@@ -3,6 +3,7 @@
 #include "core/recording/memory_source.h"
 #include "core/recording/recording.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 
 #include <QtTest>
 

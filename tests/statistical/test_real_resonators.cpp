@@ -2,6 +2,7 @@
 // channels are no calibrated pair of pick-offs: the free model has to see that by itself.
 #include "core/analysis/identify.h"
 #include "core/recording/open_recording.h"
+#include "core/recording/recording.h"
 
 #include <QtTest>
 

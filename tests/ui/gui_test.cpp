@@ -2,6 +2,7 @@
 
 #include "core/report/sample_files.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 
 #include <QFile>
 #include <QTest>

@@ -5,6 +5,7 @@
 #include "core/analysis/phasor_windows.h"
 #include "core/resonator/wave_motion.h"
 #include "core/simulation/gaussian_noise.h"
+#include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
 #include "tests/statistical/simulated_recording.h"
 

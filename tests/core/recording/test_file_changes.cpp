@@ -1,4 +1,6 @@
 // A recording whose file is no longer what was opened.
+#include "core/recording/file_changes.h"
+#include "core/recording/sha256.h"
 #include "tests/core/recording/recording_files.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+#include "core/recording/number_decoding.h"
 #include "core/recording/number_type.h"
 #include "tests/core/recording/source_reading.h"
 

@@ -3,6 +3,7 @@
 #include "core/recording/byte_order.h"
 #include "core/recording/raw_guess.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "tests/core/recording/recording_files.h"
 
 #include <cmath>
