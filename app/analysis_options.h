@@ -2,8 +2,8 @@
 
 #include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
-#include "core/recording/open_options.h"
-#include "core/recording/recording.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/recording.h"
 #include "core/resonator/passport.h"
 
 #include <CLI/CLI.hpp>

@@ -7,8 +7,8 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
 #include "core/base/messages.h"
-#include "core/recording/file_changes.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/file_changes.h"
 #include "ui/figure.h"
 #include "ui/theme.h"
 

@@ -4,7 +4,7 @@
 #include "app/option_values.h"
 #include "app/process_guard.h"
 #include "core/base/messages.h"
-#include "core/report/output_file.h"
+#include "core/output/output_file.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 

@@ -1,12 +1,12 @@
 #include "ui/analysis_job.h"
 
 #include "core/analysis/recording_carrier.h"
-#include "core/recording/file_changes.h"
-#include "core/recording/open_recording.h"
-#include "core/recording/preview.h"
-#include "core/report/identify_json.h"
-#include "core/report/passport_json.h"
-#include "core/report/track_csv.h"
+#include "core/output/identify_json.h"
+#include "core/output/passport_json.h"
+#include "core/output/track_csv.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/open/preview.h"
+#include "core/recording/samples/file_changes.h"
 
 #include <QElapsedTimer>
 

@@ -1,6 +1,6 @@
 #include "ui/display_units.h"
 
-#include "core/report/quantity_text.h"
+#include "core/output/quantity_text.h"
 #include "ui/number_label.h"
 
 #include <QCoreApplication>

@@ -54,7 +54,7 @@ QString displayMeaning(SlowVariable variable);
 // Angles of which only the value modulo one turn is stored: no curve joins pi to -pi.
 bool isWrapped(SlowVariable variable);
 
-// "0.99987 ± 0.00012": core/report/quantity_text.h with the default locale's decimal sign and a
+// "0.99987 ± 0.00012": core/output/quantity_text.h with the default locale's decimal sign and a
 // true minus; "—" for NaN.
 QString valueText(double value, double sd);
 // With a combined uncertainty behind it where that differs: "1.00034 ± 0.00005 (u 0.0003)".

@@ -1,6 +1,6 @@
 // The part of the document that holds sets of runs, what was identified from them, and the passport
 // that they are compared with.
-#include "core/report/settings_text.h"
+#include "core/output/settings_text.h"
 #include "ui/document.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 // Everything that goes in or out: opening, dropping, exporting, and the windows beside the main
 // one.
-#include "core/report/same_file.h"
+#include "core/output/same_file.h"
 #include "ui/compare_dialog.h"
 #include "ui/error_text.h"
 #include "ui/help_view.h"

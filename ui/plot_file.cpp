@@ -1,6 +1,6 @@
 #include "ui/plot_file.h"
 
-#include "core/report/output_file.h"
+#include "core/output/output_file.h"
 
 #include <QBuffer>
 #include <QFileInfo>

@@ -1,6 +1,6 @@
 #include "ui/resonator_text.h"
 
-#include "core/report/identify_json.h"
+#include "core/output/identify_json.h"
 #include "core/resonator/resonator_parameters.h"
 #include "core/resonator/run_parameters.h"
 #include "ui/error_text.h"

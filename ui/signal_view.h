@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/recording/envelope.h"
-#include "core/recording/recording_check.h"
+#include "core/recording/checks/recording_check.h"
+#include "core/recording/envelope/envelope.h"
 #include "ui/theme.h"
 #include "ui/zoom_stack.h"
 

@@ -3,7 +3,7 @@
 #include "core/analysis/analysis.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
-#include "core/recording/recording.h"
+#include "core/recording/samples/recording.h"
 
 namespace vybeg {
 

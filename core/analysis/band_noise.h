@@ -4,7 +4,7 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/estimators/estimator.h"
-#include "core/recording/sample_source.h"
+#include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 #include "core/analysis/settings.h"
 #include "core/analysis/tolerance.h"
 #include "core/base/job_control.h"
-#include "core/recording/recording.h"
+#include "core/recording/samples/recording.h"
 #include "core/resonator/channel_balance.h"
 #include "core/resonator/drift_function.h"
 #include "core/resonator/resonator_fit.h"

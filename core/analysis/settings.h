@@ -2,7 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/estimators/estimator.h"
-#include "core/recording/calibration.h"
+#include "core/recording/conditioning/calibration.h"
 
 #include <cstdint>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
 #include "core/base/job_control.h"
-#include "core/recording/recording.h"
+#include "core/recording/samples/recording.h"
 
 #include <functional>
 #include <limits>

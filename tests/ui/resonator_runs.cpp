@@ -1,6 +1,6 @@
 #include "tests/ui/resonator_runs.h"
 
-#include "core/report/sample_files.h"
+#include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 

@@ -1,4 +1,4 @@
-#include "core/recording/envelope_builder.h"
+#include "core/recording/envelope/envelope_builder.h"
 #include "ui/signal_view.h"
 
 #include <QSignalSpy>

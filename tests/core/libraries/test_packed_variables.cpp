@@ -1,6 +1,6 @@
 // Compressed variables of MAT 5 are unpacked once on the way from start to end: counted in bytes
 // that are read of the file, not in time.
-#include "core/libraries/library_file.h"
+#include "core/recording/mat_hdf5/library_file.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"
 

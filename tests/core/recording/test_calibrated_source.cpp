@@ -1,4 +1,4 @@
-#include "core/recording/calibrated_source.h"
+#include "core/recording/conditioning/calibrated_source.h"
 #include "tests/core/recording/source_reading.h"
 
 #include <QTest>

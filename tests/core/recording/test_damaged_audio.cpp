@@ -1,4 +1,4 @@
-#include "core/recording/audio_extent.h"
+#include "core/recording/audio/audio_extent.h"
 #include "tests/core/recording/audio_files.h"
 
 using namespace vybeg;

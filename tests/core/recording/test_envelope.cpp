@@ -1,4 +1,4 @@
-#include "core/recording/envelope_builder.h"
+#include "core/recording/envelope/envelope_builder.h"
 #include "tests/core/recording/source_reading.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // A recording whose file is no longer what was opened.
-#include "core/recording/file_changes.h"
-#include "core/recording/sha256.h"
+#include "core/recording/bytes/sha256.h"
+#include "core/recording/samples/file_changes.h"
 #include "tests/core/recording/recording_files.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-#include "core/recording/filtered_source.h"
+#include "core/recording/conditioning/filtered_source.h"
 #include "tests/core/recording/source_reading.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // What is seen of a long text file before it is open.
 #include "core/base/number_text.h"
-#include "core/recording/first_look.h"
+#include "core/recording/open/first_look.h"
 #include "tests/core/recording/recording_files.h"
 
 using namespace vybeg;

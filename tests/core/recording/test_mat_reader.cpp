@@ -1,4 +1,4 @@
-#include "core/recording/mat_header.h"
+#include "core/recording/variables/mat_header.h"
 #include "tests/core/recording/demo_files.h"
 
 using namespace vybeg;

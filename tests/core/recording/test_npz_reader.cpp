@@ -1,4 +1,4 @@
-#include "core/recording/byte_order.h"
+#include "core/recording/bytes/byte_order.h"
 #include "tests/core/recording/damaged_files.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"

@@ -1,5 +1,5 @@
-#include "core/recording/number_decoding.h"
-#include "core/recording/number_type.h"
+#include "core/recording/bytes/number_decoding.h"
+#include "core/recording/bytes/number_type.h"
 #include "tests/core/recording/source_reading.h"
 
 using namespace vybeg;

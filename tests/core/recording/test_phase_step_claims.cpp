@@ -1,7 +1,7 @@
 // Lost samples are claimed where samples were lost, and nowhere else: neighbouring modes, beats,
 // turning waves, strikes and noise do not move the clock.
-#include "core/recording/open_options.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/open_options.h"
 #include "tests/core/recording/line_signal.h"
 
 #include <QtTest>

@@ -1,9 +1,9 @@
 // The beginning of a file as the import dialog shows it: what open_recording() reads, told before
 // the file is read.
-#include "core/recording/byte_order.h"
-#include "core/recording/file_kind.h"
-#include "core/recording/preview.h"
-#include "core/recording/recording_preview.h"
+#include "core/recording/bytes/byte_order.h"
+#include "core/recording/open/file_kind.h"
+#include "core/recording/open/preview.h"
+#include "core/recording/open/recording_preview.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/recording/recording_files.h"

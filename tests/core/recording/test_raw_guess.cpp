@@ -1,7 +1,7 @@
 // The layout of a headerless file from its first samples: 8 layouts, waves at several angles and
 // frequencies, with noise, as counts of 12 to 24 bits, with an offset, behind headers.
-#include "core/recording/byte_order.h"
-#include "core/recording/raw_guess.h"
+#include "core/recording/arrays/raw_guess.h"
+#include "core/recording/bytes/byte_order.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/recording/recording_files.h"

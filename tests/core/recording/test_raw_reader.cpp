@@ -1,5 +1,5 @@
-#include "core/recording/byte_order.h"
-#include "core/recording/sha256.h"
+#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/sha256.h"
 #include "tests/core/recording/recording_files.h"
 
 using namespace vybeg;

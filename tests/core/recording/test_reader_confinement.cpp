@@ -1,5 +1,5 @@
 // What vybeg-reader may no longer do once it has a file open.
-#include "core/recording/reader_process.h"
+#include "core/recording/variables/reader_process.h"
 #include "tests/core/recording/demo_files.h"
 
 #include <QElapsedTimer>

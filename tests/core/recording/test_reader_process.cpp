@@ -1,4 +1,4 @@
-#include "core/recording/reader_process.h"
+#include "core/recording/variables/reader_process.h"
 #include "tests/core/recording/demo_files.h"
 
 #include <QElapsedTimer>

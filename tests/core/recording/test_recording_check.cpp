@@ -1,9 +1,9 @@
 // What the recording check says of samples whose faults are known, and that it says nothing of
 // those without.
-#include "core/recording/gapped_source.h"
-#include "core/recording/memory_source.h"
-#include "core/recording/recording_check.h"
-#include "core/recording/watched_source.h"
+#include "core/recording/checks/recording_check.h"
+#include "core/recording/conditioning/gapped_source.h"
+#include "core/recording/conditioning/watched_source.h"
+#include "core/recording/samples/memory_source.h"
 
 #include <QtTest>
 

@@ -1,5 +1,5 @@
-#include "core/recording/clipping_check.h"
-#include "core/recording/phase_step_check.h"
+#include "core/recording/checks/clipping_check.h"
+#include "core/recording/checks/phase_step_check.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
-#include "core/recording/text_fields.h"
-#include "core/recording/text_format.h"
-#include "core/recording/text_header.h"
+#include "core/recording/samples/text_fields.h"
+#include "core/recording/text/text_format.h"
+#include "core/recording/text/text_header.h"
 #include "tests/core/recording/recording_files.h"
 
 using namespace vybeg;

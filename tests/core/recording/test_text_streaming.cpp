@@ -1,6 +1,6 @@
 // Text files of many blocks: read piece by piece they are what they are as a whole.
 #include "core/base/number_text.h"
-#include "core/recording/time_line.h"
+#include "core/recording/times/time_line.h"
 #include "tests/core/recording/recording_files.h"
 
 #include <atomic>

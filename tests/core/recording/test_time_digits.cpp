@@ -1,5 +1,5 @@
 // What the digits of a time column leave open.
-#include "core/recording/local_cubic.h"
+#include "core/recording/times/local_cubic.h"
 #include "tests/core/recording/timed_signal.h"
 
 #include <random>

@@ -1,4 +1,4 @@
-#include "core/recording/local_cubic.h"
+#include "core/recording/times/local_cubic.h"
 #include "tests/core/recording/timed_signal.h"
 
 #include <random>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/number_text.h"
-#include "core/recording/time_grid.h"
+#include "core/recording/times/time_grid.h"
 #include "tests/core/recording/recording_files.h"
 
 #include <cmath>

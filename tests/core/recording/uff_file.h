@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/byte_order.h"
+#include "core/recording/bytes/byte_order.h"
 
 #include <charconv>
 #include <cstdio>

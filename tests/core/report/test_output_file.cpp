@@ -1,4 +1,4 @@
-#include "core/report/output_file.h"
+#include "core/output/output_file.h"
 
 #include <QtTest>
 

@@ -1,4 +1,4 @@
-#include "core/report/passport_json.h"
+#include "core/output/passport_json.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

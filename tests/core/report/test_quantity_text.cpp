@@ -1,4 +1,4 @@
-#include "core/report/quantity_text.h"
+#include "core/output/quantity_text.h"
 
 #include <QTest>
 

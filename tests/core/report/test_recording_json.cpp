@@ -1,4 +1,4 @@
-#include "core/report/recording_json.h"
+#include "core/output/recording_json.h"
 
 #include <QtTest>
 

@@ -1,4 +1,4 @@
-#include "core/report/same_file.h"
+#include "core/output/same_file.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 // Sample files read back by other people's code (libsndfile, libmatio) or byte by byte.
 #include "core/base/number_text.h"
-#include "core/report/sample_files.h"
+#include "core/output/sample_files.h"
 
 #include <QtTest>
 

@@ -1,4 +1,4 @@
-#include "core/report/temporary_file.h"
+#include "core/output/temporary_file.h"
 
 #include <QtTest>
 

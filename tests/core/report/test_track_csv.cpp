@@ -1,5 +1,5 @@
 #include "core/base/number_text.h"
-#include "core/report/track_csv.h"
+#include "core/output/track_csv.h"
 
 #include <QtTest>
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/output/output_file.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace vybeg {
+
+// Bytes that wait until what comes before them in an output is known: a few MiB in memory, the rest
+// in a file without a name, which the system removes whatever becomes of the program. Every write
+// hears the stop token. Errors: output_failed, interrupted.
+class Spool {
+public:
+    // For what goes to `output`, which must outlive the spool; its file is made in
+    // output.spool_folder().
+    Spool(const OutputFile& output, const JobControl& job) : output_(output), job_(job) {}
+    Spool(const Spool&) = delete;
+    Spool& operator=(const Spool&) = delete;
+    ~Spool();
+
+    Status write(std::string_view bytes);
+
+    // Hands everything out, piece by piece in order, and leaves the spool empty. Errors: also those
+    // of `take`, at which it ends.
+    Status empty_into(const std::function<Status(std::string_view piece)>& take);
+
+private:
+    Status spill();
+    Status write_out(std::string_view bytes);
+    Status create();
+    Error failed(int error) const;
+
+    const OutputFile& output_;
+    JobControl job_;
+    std::string memory_;
+    int descriptor_ = -1;
+    std::int64_t spilled_ = 0;  // bytes
+};
+
+}  // namespace vybeg
