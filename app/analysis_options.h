@@ -4,7 +4,7 @@
 #include "core/analysis/settings.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
-#include "core/resonator/passport.h"
+#include "core/resonator/results/passport.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,7 +3,7 @@
 #include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
 #include "core/recording/samples/open_options.h"
-#include "core/resonator/passport.h"
+#include "core/resonator/results/passport.h"
 #include "core/simulation/free_decay.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/passport.h"
+#include "core/resonator/results/passport.h"
 #include "ui/display_units.h"
 #include "ui/quantity_table.h"
 #include "ui/theme.h"

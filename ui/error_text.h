@@ -2,8 +2,8 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/estimators/flags.h"
-#include "core/resonator/reason.h"
+#include "core/estimators/wave/flags.h"
+#include "core/resonator/model/reason.h"
 #include "core/track/events.h"
 
 #include <QString>

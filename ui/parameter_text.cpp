@@ -1,6 +1,6 @@
 #include "ui/parameter_text.h"
 
-#include "core/resonator/resonator_parameters.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "ui/error_text.h"
 #include "ui/unit_text.h"
 

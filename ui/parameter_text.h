@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/reason.h"
+#include "core/resonator/model/reason.h"
 #include "ui/display_units.h"
 #include "ui/quantity_table.h"
 

@@ -1,8 +1,8 @@
 #include "ui/resonator_text.h"
 
 #include "core/output/identify_json.h"
-#include "core/resonator/resonator_parameters.h"
-#include "core/resonator/run_parameters.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/run_parameters.h"
 #include "ui/error_text.h"
 #include "ui/parameter_text.h"
 #include "ui/unit_text.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/identify.h"
-#include "core/resonator/passport.h"
+#include "core/resonator/results/passport.h"
 
 #include <QString>
 

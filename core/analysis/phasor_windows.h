@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/window_choice.h"
-#include "core/resonator/phasor_run.h"
+#include "core/resonator/model/phasor_run.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/estimators/estimator.h"
+#include "core/estimators/wave/estimator.h"
 #include "core/recording/conditioning/calibration.h"
 
 #include <cstdint>

@@ -3,8 +3,8 @@
 #include "core/base/messages.h"
 #include "core/output/quantity_json.h"
 #include "core/output/settings_text.h"
-#include "core/resonator/resonator_parameters.h"
-#include "core/resonator/run_parameters.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/run_parameters.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 #include "core/base/number_text.h"
 #include "core/output/quantity_json.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/resonator/resonator_parameters.h"
-#include "core/resonator/run_parameters.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/run_parameters.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/resonator/passport.h"
+#include "core/resonator/results/passport.h"
 
 #include <filesystem>
 #include <string>

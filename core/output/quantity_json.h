@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/reason.h"
+#include "core/resonator/model/reason.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -187,8 +187,8 @@ private slots:
             VYBEG_LUPDATE,
             {"-silent", "-I", ".", "-locations", "none", "-no-obsolete", "-tr-function-alias",
              "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE", "ui", "app", "core/base/messages.cpp",
-             "core/base/diagnostic_messages.cpp", "core/resonator/reason.cpp",
-             "core/resonator/passport.cpp", "core/track/slow_variables.cpp", "-ts", copy});
+             "core/base/diagnostic_messages.cpp", "core/resonator/model/reason.cpp",
+             "core/resonator/results/passport.cpp", "core/track/slow_variables.cpp", "-ts", copy});
         QVERIFY(lupdate.waitForFinished(60000));
         QCOMPARE(lupdate.exitCode(), 0);
 
