@@ -9,8 +9,8 @@
 #include "core/base/messages.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/file_changes.h"
-#include "ui/figure.h"
-#include "ui/theme.h"
+#include "ui/plots/figure.h"
+#include "ui/widgets/theme.h"
 
 #include <cstdio>
 #include <memory>

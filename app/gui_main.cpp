@@ -5,8 +5,8 @@
 #include "app/process_guard.h"
 #include "core/base/messages.h"
 #include "core/output/output_file.h"
-#include "ui/language.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
+#include "ui/words/language.h"
 
 #include <QApplication>
 #include <QIcon>

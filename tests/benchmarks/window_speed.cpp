@@ -6,8 +6,8 @@
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/ui/heartbeat.h"
-#include "ui/main_window.h"
-#include "ui/track_view.h"
+#include "ui/plots/track_view.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

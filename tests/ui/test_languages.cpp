@@ -1,10 +1,10 @@
 // Every text of the window in the interface's language, and the translation complete.
 #include "tests/ui/gui_test.h"
-#include "ui/compare_dialog.h"
-#include "ui/import_dialog.h"
-#include "ui/main_window.h"
-#include "ui/recording_panel.h"
-#include "ui/run_list.h"
+#include "ui/import/import_dialog.h"
+#include "ui/panels/recording_panel.h"
+#include "ui/panels/run_list.h"
+#include "ui/window/compare_dialog.h"
+#include "ui/window/main_window.h"
 
 #include <QAbstractButton>
 #include <QAction>
