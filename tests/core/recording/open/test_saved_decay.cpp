@@ -1,6 +1,6 @@
+#include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/demo_files.h"
-#include "tests/core/recording/tdms_file.h"
-#include "tests/core/recording/uff_file.h"
+#include "tests/core/recording/text/uff_file.h"
 
 using namespace vybeg;
 using namespace vybeg::test;

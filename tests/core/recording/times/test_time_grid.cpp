@@ -1,5 +1,5 @@
 #include "core/recording/times/local_cubic.h"
-#include "tests/core/recording/timed_signal.h"
+#include "tests/core/recording/times/timed_signal.h"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 #include "core/base/messages.h"
-#include "tests/core/recording/audio_files.h"
+#include "tests/core/recording/audio/audio_files.h"
 
 #include <sys/stat.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // What the digits of a time column leave open.
 #include "core/recording/times/local_cubic.h"
-#include "tests/core/recording/timed_signal.h"
+#include "tests/core/recording/times/timed_signal.h"
 
 #include <random>
 

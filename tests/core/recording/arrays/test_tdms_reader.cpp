@@ -1,5 +1,5 @@
+#include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/recording_files.h"
-#include "tests/core/recording/tdms_file.h"
 
 using namespace vybeg;
 using namespace vybeg::test;

@@ -1,5 +1,5 @@
 // DAQmx raw data, channels of unequal length, short last segments, other values beside.
-#include "tests/core/recording/tdms_case.h"
+#include "tests/core/recording/arrays/tdms_case.h"
 
 using namespace vybeg;
 using namespace vybeg::test;

@@ -1,4 +1,4 @@
-#include "tests/core/recording/audio_files.h"
+#include "tests/core/recording/audio/audio_files.h"
 
 #include <cstring>
 #include <thread>

@@ -1,6 +1,6 @@
 #include "tests/core/recording/damaged_files.h"
 #include "tests/core/recording/recording_files.h"
-#include "tests/core/recording/uff_file.h"
+#include "tests/core/recording/text/uff_file.h"
 
 #include <functional>
 

@@ -2,7 +2,7 @@
 // turning waves, strikes and noise do not move the clock.
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
-#include "tests/core/recording/line_signal.h"
+#include "tests/core/recording/checks/line_signal.h"
 
 #include <QtTest>
 

@@ -1,5 +1,5 @@
 #include "core/recording/audio/audio_extent.h"
-#include "tests/core/recording/audio_files.h"
+#include "tests/core/recording/audio/audio_files.h"
 
 using namespace vybeg;
 using namespace vybeg::test;

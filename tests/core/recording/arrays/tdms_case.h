@@ -1,7 +1,7 @@
 #pragma once
 
+#include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/recording_files.h"
-#include "tests/core/recording/tdms_file.h"
 
 #include <functional>
 

@@ -1,5 +1,5 @@
 // Scales of channels, groups and files, one after the other, and those that are refused.
-#include "tests/core/recording/tdms_case.h"
+#include "tests/core/recording/arrays/tdms_case.h"
 
 using namespace vybeg;
 using namespace vybeg::test;
