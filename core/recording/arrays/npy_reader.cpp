@@ -3,6 +3,8 @@
 #include "core/recording/arrays/npy_array.h"
 #include "core/recording/samples/reader_rules.h"
 
+#include <utility>
+
 namespace vybeg {
 
 Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
@@ -15,25 +17,14 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
     if (const Status status = check_channels(*file, channels, options); !status) {
         return status.error();
     }
-    const auto rate = choose_rate(*file, {}, options);
-    if (!rate) {
-        return rate.error();
-    }
-    Recording recording;
-    recording.path = file->path();
-    recording.format = "NPY, " + array->text() + ", " + std::to_string(channels) + " channels";
-    recording.rate_hz = rate->hz;
-    recording.rate_from = rate->from;
-    recording.channels = numbered_channels(channels);
-    recording.channel_c = options.channel_c;
-    recording.channel_d = options.channel_d;
-    recording.source = column_source(npy_column(*array, bytes, options.channel_c - 1),
-                                     npy_column(*array, bytes, options.channel_d - 1));
-    if (const Status status = check_frames(*file, recording.frames()); !status) {
-        return status.error();
-    }
-    note_early_end(array->frames(), recording);
-    return recording;
+    FoundSamples found;
+    found.format = "NPY, " + array->text() + ", " + std::to_string(channels) + " channels";
+    found.channels = numbered_channels(channels);
+    found.promised_frames = array->frames();
+    found.source = column_source(npy_column(*array, bytes, options.channel_c - 1),
+                                 npy_column(*array, bytes, options.channel_d - 1));
+    found.frames = found.source->frames();
+    return complete_recording(*file, std::move(found), options);
 }
 
 }  // namespace vybeg

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -73,26 +74,16 @@ Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOpti
     if (const Status status = check_channels(*file, layout.channels, options); !status) {
         return status.error();
     }
-    const auto rate = choose_rate(*file, {}, options);
-    if (!rate) {
-        return rate.error();
+    FoundSamples found;
+    found.format = "raw, " + name_of(number_type(layout.type)) +
+                   (layout.big_endian ? ", big endian, " : ", little endian, ") +
+                   std::to_string(layout.channels) + " channels";
+    found.channels = numbered_channels(layout.channels);
+    found.frames = frame_count(*file, layout);
+    if (found.frames > 0) {
+        found.source = raw_source(file, options, found.frames);
     }
-    Recording recording;
-    recording.path = file->path();
-    recording.format = "raw, " + name_of(number_type(layout.type)) +
-                       (layout.big_endian ? ", big endian, " : ", little endian, ") +
-                       std::to_string(layout.channels) + " channels";
-    recording.rate_hz = rate->hz;
-    recording.rate_from = rate->from;
-    recording.channels = numbered_channels(layout.channels);
-    recording.channel_c = options.channel_c;
-    recording.channel_d = options.channel_d;
-    const std::int64_t frames = frame_count(*file, layout);
-    if (const Status status = check_frames(*file, frames); !status) {
-        return status.error();
-    }
-    recording.source = raw_source(file, options, frames);
-    return recording;
+    return complete_recording(*file, std::move(found), options);
 }
 
 }  // namespace vybeg

@@ -259,10 +259,12 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     if (rate_c && rate_d && *rate_c != *rate_d) {
         return reader.unsupported("C and D at different sample rates");
     }
-    const auto own = rate_c ? rate_c : rate_d;
-    const auto rate = choose_rate(
-        *file, own ? std::optional(SampleRate{*own, RateOrigin::file}) : std::nullopt, options);
-    if (!rate) {
+    FoundSamples found;
+    if (const auto own = rate_c ? rate_c : rate_d) {
+        found.own_rate = SampleRate{*own, RateOrigin::file};
+    }
+    // Before the second walk.
+    if (const auto rate = choose_rate(*file, found.own_rate, options); !rate) {
         return rate.error();
     }
     const auto chosen_c = reader.choose(*contents, options.channel_c);
@@ -274,30 +276,21 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     if (!columns) {
         return columns.error();
     }
-    Recording recording;
-    recording.path = file->path();
-    recording.format =
-        "TDMS, " + name_of(columns->c.type) + ", " + std::to_string(count) + " channels";
-    recording.rate_hz = rate->hz;
-    recording.rate_from = rate->from;
-    recording.channels = describe(*contents);
-    recording.channel_c = options.channel_c;
-    recording.channel_d = options.channel_d;
-    recording.start = TdmsReader::text(c, "wf_start_time");
+    found.format = "TDMS, " + name_of(columns->c.type) + ", " + std::to_string(count) + " channels";
+    found.channels = describe(*contents);
+    found.start = TdmsReader::text(c, "wf_start_time");
+    found.never_closed = contents->open_ended;
+    if (!contents->open_ended) {
+        found.promised_frames = std::min(columns->promised_c, columns->promised_d);
+    }
     const std::int64_t frames_c = columns->c.frames();
     const std::int64_t frames_d = columns->d.frames();
-    recording.source = scaled_by(column_source(std::move(columns->c), std::move(columns->d)),
-                                 chosen_c->scaling, chosen_d->scaling);
-    if (const Status status = check_frames(*file, recording.frames()); !status) {
-        return status.error();
-    }
-    if (contents->open_ended) {
-        note_not_closed(recording);
-    } else {
-        note_early_end(std::min(columns->promised_c, columns->promised_d), recording);
-    }
-    if (columns->promised_c != columns->promised_d) {
-        note_unequal(frames_c, frames_d, recording);
+    found.source = scaled_by(column_source(std::move(columns->c), std::move(columns->d)),
+                             chosen_c->scaling, chosen_d->scaling);
+    found.frames = found.source->frames();
+    auto recording = complete_recording(*file, std::move(found), options);
+    if (recording && columns->promised_c != columns->promised_d) {
+        note_unequal(frames_c, frames_d, *recording);
     }
     return recording;
 }

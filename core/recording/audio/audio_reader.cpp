@@ -151,37 +151,31 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
     }
     const SampleRate own{header->rate_is_zero ? 0.0 : static_cast<double>(info.samplerate),
                          RateOrigin::file};
-    const auto rate = choose_rate(*file, own, options);
-    if (!rate) {
+    // Before the work of counting frames.
+    if (const auto rate = choose_rate(*file, own, options); !rate) {
         return rate.error();
     }
-    Recording recording;
-    recording.path = file->path();
-    recording.format = decoder.container() + ", " + decoder.sample_type() + ", " +
-                       std::to_string(info.channels) + " channels";
-    recording.rate_hz = rate->hz;
-    recording.rate_from = rate->from;
-    recording.channels = numbered_channels(info.channels);
-    recording.channel_c = options.channel_c;
-    recording.channel_d = options.channel_d;
-    recording.start = decoder.start();
     const auto extent = find_extent(file, decoder, *header, job);
     if (!extent) {
         return extent.error();
     }
-    if (const Status status = check_frames(*file, extent->present); !status) {
-        return status.error();
+    FoundSamples found;
+    found.format = decoder.container() + ", " + decoder.sample_type() + ", " +
+                   std::to_string(info.channels) + " channels";
+    found.channels = numbered_channels(info.channels);
+    found.own_rate = own;
+    found.start = decoder.start();
+    found.frames = extent->present;
+    found.promised_frames = extent->promised;
+    found.never_closed = header->never_closed;
+    if (found.frames > 0) {
+        found.source = plain_audio(file, *header, decoder, found.frames, options);
+        if (!found.source) {
+            found.source = std::make_shared<AudioSource>(file, header->patches, info.channels,
+                                                         found.frames, options);
+        }
     }
-    recording.source = plain_audio(file, *header, decoder, extent->present, options);
-    if (!recording.source) {
-        recording.source = std::make_shared<AudioSource>(file, header->patches, info.channels,
-                                                         extent->present, options);
-    }
-    note_early_end(extent->promised, recording);
-    if (header->never_closed) {
-        note_not_closed(recording);
-    }
-    return recording;
+    return complete_recording(*file, std::move(found), options);
 }
 
 }  // namespace vybeg

@@ -105,46 +105,47 @@ std::optional<SampleRate> better_rate(const std::optional<SampleRate>& of_times,
     return agree && named.relative_sd < of_times->relative_sd ? named : *of_times;
 }
 
+const Channel& channel_of(const FoundSamples& found, int number) {
+    return found.channels[static_cast<std::size_t>(number - 1)];
+}
+
 // What the units of the two channels ask for.
-void check_units(const TextTable& table, Recording& recording) {
-    const auto channel = [&](int number) {
-        return recording.channels[static_cast<std::size_t>(number - 1)];
-    };
-    const Channel c = channel(recording.channel_c);
-    const Channel d = channel(recording.channel_d);
+void check_units(const TextTable& table, const OpenOptions& options, FoundSamples& found) {
+    const Channel& c = channel_of(found, options.channel_c);
+    const Channel& d = channel_of(found, options.channel_d);
     const std::string& unit_c = table.format.units[static_cast<std::size_t>(table.columns.c)];
     const std::string& unit_d = table.format.units[static_cast<std::size_t>(table.columns.d)];
     if (table.columns.d_factor != 1) {
-        recording.diagnostics.push_back(
+        found.diagnostics.push_back(
             {DiagnosticKind::unit_converted, {d.name, unit_d, unit_c}, -1, 0});
     } else if (!unit_c.empty() && !unit_d.empty() && !unit_ratio(unit_d, unit_c)) {
-        recording.diagnostics.push_back(
+        found.diagnostics.push_back(
             {DiagnosticKind::units_differ, {c.name, unit_c, d.name, unit_d}, -1, 0});
     }
 }
 
-void report_over_range(const std::array<std::int64_t, 2>& counts, Recording& recording) {
+void report_over_range(const std::array<std::int64_t, 2>& counts, const OpenOptions& options,
+                       FoundSamples& found) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        const int number = i == 0 ? recording.channel_c : recording.channel_d;
+        const int number = i == 0 ? options.channel_c : options.channel_d;
         if (counts[i] > 0) {
-            recording.diagnostics.push_back(
-                {DiagnosticKind::over_range,
-                 {recording.channels[static_cast<std::size_t>(number - 1)].name,
-                  integer_text(counts[i])},
-                 -1,
-                 0});
+            found.diagnostics.push_back({DiagnosticKind::over_range,
+                                         {channel_of(found, number).name, integer_text(counts[i])},
+                                         -1,
+                                         0});
         }
     }
 }
 
-// Gives the recording its rate, samples and diagnostics.
+// Adds rate, samples and diagnostics.
 Status take_table(const FileBytes& file, TextTable table, const OpenOptions& options,
-                  const JobControl& job, Recording& recording) {
+                  const JobControl& job, FoundSamples& found) {
     auto scan = scan_text(table, job);
     if (!scan) {
         return scan.error();
     }
-    if (const Status status = check_frames(file, scan->rows()); !status) {
+    found.frames = scan->rows();
+    if (const Status status = check_frames(file, found.frames); !status) {
         return status;
     }
     const std::int64_t missing = scan->missing_samples;
@@ -154,7 +155,7 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
     const std::int64_t above = said ? 0 : table.header_lines - table.format.header_lines_used;
     const std::int64_t lines_ignored = above + scan->lines_ignored;
     const auto over_range = scan->over_range;
-    check_units(table, recording);
+    check_units(table, options, found);
     const TextTable looked_at = table;
     const bool uneven = table.columns.time >= 0 && !scan->even;
     auto samples = uneven ? resampled(table, *scan, job)
@@ -163,29 +164,25 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
         return samples.error();
     }
     // Samples that were brought onto a grid have its rate.
-    const auto rate =
-        choose_rate(file, uneven ? samples->rate : better_rate(samples->rate, looked_at), options);
-    if (!rate) {
-        return rate.error();
-    }
-    recording.rate_hz = rate->hz;
-    recording.rate_from = rate->from;
+    found.own_rate = uneven ? samples->rate : better_rate(samples->rate, looked_at);
     constexpr double arithmetic = 1e-12;  // what is less comes from the times' sums
-    recording.rate_relative_sd = rate->relative_sd > arithmetic ? rate->relative_sd : 0;
-    recording.diagnostics.insert(recording.diagnostics.end(), samples->diagnostics.begin(),
-                                 samples->diagnostics.end());
-    if (missing > 0) {
-        recording.diagnostics.push_back({DiagnosticKind::missing_samples,
-                                         {integer_text(missing)},
-                                         samples->first_missing,
-                                         rows_with_missing});
+    if (found.own_rate && !(found.own_rate->relative_sd > arithmetic)) {
+        found.own_rate->relative_sd = 0;
     }
-    report_over_range(over_range, recording);
+    found.diagnostics.insert(found.diagnostics.end(), samples->diagnostics.begin(),
+                             samples->diagnostics.end());
+    if (missing > 0) {
+        found.diagnostics.push_back({DiagnosticKind::missing_samples,
+                                     {integer_text(missing)},
+                                     samples->first_missing,
+                                     rows_with_missing});
+    }
+    report_over_range(over_range, options, found);
     if (lines_ignored > 0) {
-        recording.diagnostics.push_back(
+        found.diagnostics.push_back(
             {DiagnosticKind::text_lines_ignored, {integer_text(lines_ignored)}, -1, 0});
     }
-    recording.source = std::move(samples->source);
+    found.source = std::move(samples->source);
     return {};
 }
 
@@ -258,21 +255,17 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
     if (!table) {
         return table.error();
     }
-    Recording recording;
-    recording.path = file->path();
-    recording.channel_c = options.channel_c;
-    recording.channel_d = options.channel_d;
-    recording.format = format_text(table->format);
+    FoundSamples found;
+    found.format = format_text(table->format);
     const double scale = options.text ? options.text->scale : 1;
-    recording.channels = channels_of(table->format, scale);
-    if (const Status status = take_table(*file, std::move(*table), options, job, recording);
-        !status) {
+    found.channels = channels_of(table->format, scale);
+    if (const Status status = take_table(*file, std::move(*table), options, job, found); !status) {
         return status.error();
     }
     if (scale != 1) {
-        recording.source = scaled_source(std::move(recording.source), scale);
+        found.source = scaled_source(std::move(found.source), scale);
     }
-    return recording;
+    return complete_recording(*file, std::move(found), options);
 }
 
 }  // namespace vybeg

@@ -100,45 +100,24 @@ public:
             return unsupported("no time response (dataset 58)");
         }
         const UffFunction& first = channels_.front();
-        if (const Status status =
-                check_channels(file_, static_cast<int>(channels_.size()), options_);
-            !status) {
-            return status.error();
+        FoundSamples found;
+        found.format = "UFF, dataset " + std::string(any_binary_ ? "58b" : "58") + ", " +
+                       std::to_string(channels_.size()) + " channels";
+        if (std::isfinite(1 / first.step_s) && first.step_s > 0) {
+            found.own_rate = SampleRate{1 / first.step_s, RateOrigin::file, first.step_relative_sd};
         }
-        const bool has_step = std::isfinite(1 / first.step_s) && first.step_s > 0;
-        const auto rate =
-            choose_rate(file_,
-                        has_step ? std::optional(SampleRate{1 / first.step_s, RateOrigin::file,
-                                                            first.step_relative_sd})
-                                 : std::nullopt,
-                        options_);
-        if (!rate) {
-            return rate.error();
-        }
-        auto source = column_source(c_.take(), d_.take());
-        if (const Status status = check_frames(file_, source->frames()); !status) {
-            return status.error();
-        }
-        Recording recording;
-        recording.path = file_.path();
-        recording.format = "UFF, dataset " + std::string(any_binary_ ? "58b" : "58") + ", " +
-                           std::to_string(channels_.size()) + " channels";
-        recording.rate_hz = rate->hz;
-        recording.rate_from = rate->from;
-        recording.rate_relative_sd = rate->relative_sd;
-        recording.channels = numbered_channels(static_cast<int>(channels_.size()));
+        found.channels = numbered_channels(static_cast<int>(channels_.size()));
         for (std::size_t i = 0; i < channels_.size(); ++i) {
-            recording.channels[i].unit = channels_[i].unit;
+            found.channels[i].unit = channels_[i].unit;
             if (!channels_[i].name.empty()) {
-                recording.channels[i].name = channels_[i].name;
+                found.channels[i].name = channels_[i].name;
             }
         }
-        recording.channel_c = options_.channel_c;
-        recording.channel_d = options_.channel_d;
-        recording.start = first.start;
-        recording.source = std::move(source);
-        note_early_end(first.count, recording);
-        return recording;
+        found.start = first.start;
+        found.promised_frames = first.count;
+        found.source = column_source(c_.take(), d_.take());
+        found.frames = found.source->frames();
+        return complete_recording(file_, std::move(found), options_);
     }
 
 private:

@@ -10,7 +10,7 @@
 namespace vybeg {
 namespace {
 
-// A recording of which only samples and rate are missing.
+// A file of which only samples and rate are not found yet.
 struct Opening {
     const VariableFile& variables;
     VariableChoice choice;
@@ -20,7 +20,7 @@ struct Opening {
 };
 
 // All three columns at once: only where the times are uneven, which nothing but all of them tells.
-Status take_uneven(const Opening& opening, Recording& recording) {
+Status take_uneven(const Opening& opening, FoundSamples& found) {
     const VariableReader& reader = *opening.variables.reader;
     const auto frames = static_cast<std::size_t>(opening.choice.frames);
     TimedSamples samples{std::vector<double>(frames), std::vector<double>(frames),
@@ -42,16 +42,15 @@ Status take_uneven(const Opening& opening, Recording& recording) {
     if (!grid) {
         return grid.error();
     }
-    recording.rate_hz = grid->rate_hz;
-    recording.rate_from = RateOrigin::time_column;
-    recording.diagnostics = std::move(grid->diagnostics);
-    recording.source = std::make_shared<MemorySource>(std::move(grid->c), std::move(grid->d));
+    found.own_rate = SampleRate{grid->rate_hz, RateOrigin::time_column};
+    found.diagnostics = std::move(grid->diagnostics);
+    found.source = std::make_shared<MemorySource>(std::move(grid->c), std::move(grid->d));
     return {};
 }
 
 Status take_samples(const Opening& opening, const OpenOptions& options, const JobControl& job,
-                    Recording& recording) {
-    std::optional<SampleRate> own = opening.choice.rate;
+                    FoundSamples& found) {
+    found.own_rate = opening.choice.rate;
     if (opening.time) {
         const auto steps = scan_times(*opening.variables.file, *opening.variables.reader,
                                       *opening.time, opening.choice.frames, job);
@@ -59,23 +58,21 @@ Status take_samples(const Opening& opening, const OpenOptions& options, const Jo
             return steps.error();
         }
         if (steps->is_time && !steps->even) {
-            return take_uneven(opening, recording);
+            return take_uneven(opening, found);
         }
         if (steps->is_time) {
-            own = SampleRate{1 / steps->step_s, RateOrigin::time_column};
+            found.own_rate = SampleRate{1 / steps->step_s, RateOrigin::time_column};
         }
     }
-    const auto rate = choose_rate(*opening.variables.file, own, options);
-    if (!rate) {
+    // Before the work of unpacking.
+    if (const auto rate = choose_rate(*opening.variables.file, found.own_rate, options); !rate) {
         return rate.error();
     }
-    recording.rate_hz = rate->hz;
-    recording.rate_from = rate->from;
     auto source = opening.variables.source(opening.c, opening.d, opening.choice.frames);
     if (!source) {
         return source.error();
     }
-    recording.source = std::move(*source);
+    found.source = std::move(*source);
     return {};
 }
 
@@ -95,18 +92,17 @@ Result<Recording> open_variables(const VariableFile& from, const OpenOptions& op
     if (const Status status = check_frames(file, choice->frames); !status) {
         return status.error();
     }
-    Recording recording;
-    recording.path = file.path();
-    recording.channels = choice->names;
-    recording.channel_c = options.channel_c;
-    recording.channel_d = options.channel_d;
+    FoundSamples found;
+    found.channels = choice->names;
+    found.frames = choice->frames;
+    found.never_closed = from.catalogue.not_closed;
     Opening opening{from, {}, {}, {}, {}};
     opening.c = choice->channels[static_cast<std::size_t>(options.channel_c - 1)];
     opening.d = choice->channels[static_cast<std::size_t>(options.channel_d - 1)];
     const auto& variables = from.catalogue.variables;
-    recording.format = from.format + ", " +
-                       variables[static_cast<std::size_t>(opening.c.variable)].type + ", " +
-                       std::to_string(channels) + " channels";
+    found.format = from.format + ", " +
+                   variables[static_cast<std::size_t>(opening.c.variable)].type + ", " +
+                   std::to_string(channels) + " channels";
     if (choice->time) {
         opening.time = TimeVariable{{*choice->time, 0}, choice->time_unit_s, {}};
         const std::string& type = variables[static_cast<std::size_t>(*choice->time)].type;
@@ -116,13 +112,10 @@ Result<Recording> open_variables(const VariableFile& from, const OpenOptions& op
         }
     }
     opening.choice = std::move(*choice);
-    if (const Status status = take_samples(opening, options, job, recording); !status) {
+    if (const Status status = take_samples(opening, options, job, found); !status) {
         return status.error();
     }
-    if (from.catalogue.not_closed) {
-        note_not_closed(recording);
-    }
-    return recording;
+    return complete_recording(file, std::move(found), options);
 }
 
 }  // namespace vybeg
