@@ -2,9 +2,9 @@
 
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
-#include "core/report/quantity_text.h"
-#include "core/resonator/resonator_parameters.h"
-#include "core/resonator/run_parameters.h"
+#include "core/output/quantity_text.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
 #include <array>

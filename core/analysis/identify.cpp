@@ -3,8 +3,8 @@
 #include "core/analysis/phasor_windows.h"
 #include "core/analysis/prepare.h"
 #include "core/base/number_text.h"
-#include "core/resonator/resonator_parameters.h"
-#include "core/resonator/wave_uncertainty.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/runs/wave_uncertainty.h"
 
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>

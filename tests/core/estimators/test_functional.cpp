@@ -1,4 +1,4 @@
-#include "core/estimators/functional.h"
+#include "core/estimators/wave/functional.h"
 
 #include <QtTest>
 

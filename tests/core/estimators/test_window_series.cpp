@@ -1,10 +1,10 @@
 // Maximum likelihood by the series of eight windows at once, against the road of one window by
 // itself, which touches its samples at every trial frequency.
-#include "core/estimators/estimator.h"
-#include "core/estimators/profile.h"
-#include "core/estimators/series_sums.h"
-#include "core/estimators/window_estimate.h"
-#include "core/estimators/window_series.h"
+#include "core/estimators/batch/series_sums.h"
+#include "core/estimators/batch/window_series.h"
+#include "core/estimators/wave/estimator.h"
+#include "core/estimators/wave/profile.h"
+#include "core/estimators/wave/window_estimate.h"
 #include "tests/core/estimators/still_windows.h"
 
 #include <QtTest>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/phasor_run.h"
+#include "core/resonator/model/phasor_run.h"
 #include "core/simulation/decay_motion.h"
 #include "core/simulation/gaussian_noise.h"
 #include "core/simulation/slow_motion.h"

@@ -1,6 +1,6 @@
 // Lost samples that the recording's own check does not see: a step of the phase within a window,
 // found in the residual, left open, and named (TRUTH row 16, principle 4).
-#include "core/resonator/wave_motion.h"
+#include "core/resonator/runs/wave_motion.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;

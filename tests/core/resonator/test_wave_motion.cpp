@@ -2,7 +2,7 @@
 //
 // Statistical model: a pull is the error over the deviation told; over N independent runs the mean
 // of its squares is 1 within sqrt(2/N).
-#include "core/resonator/wave_motion.h"
+#include "core/resonator/runs/wave_motion.h"
 #include "tests/core/resonator/known_resonator.h"
 
 #include <array>
