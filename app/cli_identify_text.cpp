@@ -113,7 +113,7 @@ std::string sensitivities_text(const ResonatorFit& fit) {
     }
     return "sensitivity: what errors of the channels would change (u holds those with a tolerance, "
            "sd none),\n"
-           "and a cubic spring or a damping that follows the amplitude, at the largest "
+           "and a cubic spring, a damping or pick-offs that follow the amplitude, at the largest "
            "amplitude\n" +
            head + "\n" + names + "\n" + rows;
 }

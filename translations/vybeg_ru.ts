@@ -1291,6 +1291,10 @@
             <translation>1 % затухания от амплитуды</translation>
         </message>
         <message>
+            <source>0.1 % of gain by amplitude</source>
+            <translation>0,1 % усиления от амплитуды</translation>
+        </message>
+        <message>
             <source>f of this direction</source>
             <translation>f этого направления</translation>
         </message>

@@ -128,7 +128,7 @@ void refer_to_recorded(double calibrated, ResonatorFit& fit) {
             ChannelSensitivity& by = fit.sensitivities[k];
             for (double* each :
                  {&by.kappa, &by.skew_deg, &by.delay_s, &by.crosstalk, &by.phase_drift_rad,
-                  &by.gain_drift, &by.cubic_hz, &by.damping_share}) {
+                  &by.gain_drift, &by.cubic_hz, &by.damping_share, &by.pickoff_share}) {
                 *each *= calibrated;
             }
         }

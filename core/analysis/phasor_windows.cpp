@@ -271,6 +271,7 @@ PhasorRun collect(const Estimates& estimates, const Prepared& prepared, const Wi
     const double two_theta_zero = prepared.calibration.angle_zero_deg * std::numbers::pi / 90;
     PhasorRun run;
     run.f_ref_hz = prepared.f0_hz;
+    run.rate_hz = rate_hz;
     run.window_s = static_cast<double>(plan.length) / rate_hz;
     FilteredNoise filtered;
     if (prepared.filter) {

@@ -210,7 +210,7 @@ private slots:
         QCOMPARE(waves.columnCount(), 5);
         const Estimate& f = found.runs[2].wave.f_hz;
         QCOMPARE(cell("waves", "Frequency of the wave", 3), valueText(f.value, f.sd, f.u));
-        QCOMPARE(sensitivities.columnCount(), 8);
+        QCOMPARE(sensitivities.columnCount(), 9);
         QVERIFY(sensitivities.rowCount() >= 5);
         // Copied, the change of the axis by 0.1 degrees of skew.
         sensitivities.setFocus();

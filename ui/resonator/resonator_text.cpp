@@ -96,7 +96,7 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
 
 QStringList sensitivityHeaders() {
     // As usual_errors.
-    static constexpr std::array<const char*, 7> texts{
+    static constexpr std::array<const char*, 8> texts{
         QT_TRANSLATE_NOOP("Resonator", "0.1° of skew"),
         QT_TRANSLATE_NOOP("Resonator", "10 ns of delay"),
         QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ rad of phase drift"),
@@ -104,6 +104,7 @@ QStringList sensitivityHeaders() {
         QT_TRANSLATE_NOOP("Resonator", "0.001 of κ"),
         QT_TRANSLATE_NOOP("Resonator", "10 µHz by amplitude"),
         QT_TRANSLATE_NOOP("Resonator", "1 % of damping by amplitude"),
+        QT_TRANSLATE_NOOP("Resonator", "0.1 % of gain by amplitude"),
     };
     static_assert(texts.size() == usual_errors.size());
     QStringList headers;

@@ -13,7 +13,7 @@ namespace vybeg {
 namespace {
 
 constexpr double least_carrier_hz = 200;
-constexpr double most_of_carrier = 0.3;  // where a line of the mains may be the carrier itself
+constexpr double skirts_hz = 20;  // of a carrier near a line of the mains above it
 
 double finite(double x) {
     return std::isfinite(x) ? x : 0;
@@ -76,17 +76,24 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
     const auto amplitude = [&](std::size_t k) {
         return std::sqrt(std::norm(data[k]) + std::norm(data[size - k]));
     };
-    const auto largest = [&](double low_hz, double high_hz) {
-        double found = 0;
+    const auto strongest = [&](double low_hz, double high_hz) {
+        std::size_t best = 0;
         for (auto k = static_cast<std::size_t>(std::max(low_hz / bin_hz, 1.0));
              k <= static_cast<std::size_t>(high_hz / bin_hz) && k < size / 2; ++k) {
-            found = std::max(found, amplitude(k));
+            best = best == 0 || amplitude(k) > amplitude(best) ? k : best;
         }
-        return found;
+        return best;
     };
-    const double carrier = largest(least_carrier_hz, rate_hz / 2);
+    const std::size_t carrier_at = strongest(least_carrier_hz, rate_hz / 2);
+    const double carrier = carrier_at > 0 ? amplitude(carrier_at) : 0;
+    const double carrier_hz = bin_hz * static_cast<double>(carrier_at);
     for (const double f : {50.0, 100.0, 150.0, 60.0, 120.0, 180.0, 400.0, 800.0}) {
-        const double line = largest(f - 1 - bin_hz, f + 1 + bin_hz);
+        // The carrier's own skirts, where it decays fast.
+        if (f >= least_carrier_hz && std::abs(carrier_hz - f) < skirts_hz) {
+            continue;
+        }
+        const std::size_t at_line = strongest(f - 1 - bin_hz, f + 1 + bin_hz);
+        const double line = at_line > 0 ? amplitude(at_line) : 0;
         std::vector<double> around;
         for (double aside = 4 + 3 * bin_hz; aside < 24 + 20 * bin_hz; aside += bin_hz) {
             for (const double at : {f - aside, f + aside}) {
@@ -94,8 +101,7 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
                 around.push_back(amplitude(std::min(k, size / 2 - 1)));
             }
         }
-        const bool carrier_itself = f >= least_carrier_hz && line > most_of_carrier * carrier;
-        if (line > 8 * median(around) && line > 1e-3 * carrier && !carrier_itself) {
+        if (line > 8 * median(around) && line > 1e-3 * carrier) {
             lines.push_back({f, line / carrier});
         }
     }

@@ -15,8 +15,8 @@ struct MainsLine {
 
 // Lines at 50, 100, 150, 60, 120, 180 and, of an aircraft's supply, 400 and 800 Hz in up to four
 // seconds of samples that stand eight times above the median of what is around them and above 1e-3
-// of the carrier; those above 200 Hz below 0.3 of it. A missing sample counts as zero. Nothing
-// where the samples are too short for a resolution of 5 Hz.
+// of the carrier; those above 200 Hz 20 Hz from it at least. A missing sample counts as zero.
+// Nothing where the samples are too short for a resolution of 5 Hz.
 std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const double> d,
                                    double rate_hz);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace vybeg {
 namespace {
@@ -15,7 +16,7 @@ using Eigen::VectorXd;
 
 constexpr double least_share = 0.3;
 constexpr double least_fall = 100;
-constexpr std::size_t least_windows = 3;  // on each side
+constexpr std::size_t least_windows = 1;  // on each side
 constexpr double own_share = 1e-6;
 
 // Steps between all windows of a run: a step's effect on the windows after it is a sum from the
@@ -79,12 +80,27 @@ std::optional<PhaseBreak> phase_break(const FitProblem& problem, const Posterior
     return best;
 }
 
+std::vector<int> possible_samples(const PhaseBreak& step, double f_hz, double rate_hz) {
+    constexpr int most_samples = 64;
+    constexpr double close_rad = 0.05;  // of a step whose size is not fitted yet
+    std::vector<int> possible;
+    for (int k = -most_samples; rate_hz > 0 && k <= most_samples; ++k) {
+        const double phase = 2 * std::numbers::pi * f_hz * k / rate_hz;
+        if (k != 0 &&
+            std::abs(std::remainder(phase - step.step_rad, 2 * std::numbers::pi)) < close_rad) {
+            possible.push_back(k);
+        }
+    }
+    return possible;
+}
+
 PhasorRun with_break(const PhasorRun& run, const PhaseBreak& step) {
     PhasorRun broken = run;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
         if (std::abs(run.time_s[k] - step.time_s) > step.reach_s) {
-            broken.time_s[kept] = run.time_s[k];
+            const bool later = run.time_s[k] > step.time_s;
+            broken.time_s[kept] = run.time_s[k] + (later ? step.shift_s : 0);
             broken.c[kept] = run.c[k];
             broken.d[kept] = run.d[k];
             broken.sd[kept] = run.sd[k];

@@ -14,6 +14,7 @@ namespace vybeg {
 struct PhasorRun {
     double f_ref_hz = 0;
     double window_s = 0;
+    double rate_hz = 0;                   // of the recording's samples; 0: not known
     std::vector<double> time_s;           // centres of the windows
     std::vector<std::complex<double>> c;  // recording units
     std::vector<std::complex<double>> d;

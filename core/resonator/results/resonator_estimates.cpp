@@ -1,10 +1,10 @@
 #include "core/resonator/results/resonator_estimates.h"
 
 #include "core/base/number_text.h"
-#include "core/resonator/runs/decay_time.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/run_parameters.h"
 #include "core/resonator/results/sensitivities.h"
+#include "core/resonator/runs/decay_time.h"
 
 #include <Eigen/Eigenvalues>
 

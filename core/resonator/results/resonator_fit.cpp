@@ -1,14 +1,14 @@
 #include "core/resonator/results/resonator_fit.h"
 
 #include "core/base/number_text.h"
-#include "core/resonator/results/describe_fit.h"
 #include "core/resonator/fit/fit_start.h"
-#include "core/resonator/runs/merge_windows.h"
-#include "core/resonator/runs/needed_windows.h"
 #include "core/resonator/fit/phase_break.h"
 #include "core/resonator/fit/refit_in_phase.h"
 #include "core/resonator/fit/score_test.h"
+#include "core/resonator/results/describe_fit.h"
 #include "core/resonator/results/structured_test.h"
+#include "core/resonator/runs/merge_windows.h"
+#include "core/resonator/runs/needed_windows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,20 +80,35 @@ public:
                chi2_per_dof() < std::max(1.5 * other.chi2_per_dof(), noise_bound(dof));
     }
 
+    double chi2() const { return main_.chi2; }
     double chi2_per_dof() const { return main_.chi2 / degrees_of_freedom(problem_); }
     bool at_noise() const { return chi2_per_dof() < noise_bound(degrees_of_freedom(problem_)); }
 
-    // A step of a run's phase that would explain more of the residual than a frequency that settles.
+    // A step of a run's phase that would explain more of the residual than a frequency that
+    // settles.
     std::optional<PhaseBreak> unexplained_break() const {
         const Posterior at = posterior(problem_, main_);
         const std::optional<PhaseBreak> found = phase_break(problem_, at);
-        return found && found->fall > settling_score(problem_, at).fall ? found : std::nullopt;
+        if (!found) {
+            return {};
+        }
+        const double settling = settling_score(problem_, at).fall;
+        const double dof = degrees_of_freedom(problem_);
+        const bool settles =
+            settling > found->fall &&
+            main_.chi2 - settling < std::max(noise_bound(dof) * dof, main_.chi2 / 5);
+        return settles ? std::nullopt : found;
     }
 
-    // How far a run's phase steps at the break at `time_s`, rad in (-pi, pi].
-    double step_at(std::size_t run, double time_s) const {
+    // How far a run's phase steps at the break at `time_s`, rad in (-pi, pi]; none where no window
+    // lies beyond it.
+    std::optional<double> step_at(std::size_t run, double time_s) const {
         const std::vector<double>& breaks = scaled_[run].breaks_s;
-        const auto place = std::ranges::find(breaks, time_s) - breaks.begin();
+        const auto found = std::ranges::find(breaks, time_s);
+        if (found == breaks.end()) {
+            return {};
+        }
+        const auto place = found - breaks.begin();
         return std::remainder(own_of(problem_.layout, main_.p, run)[own_count + place],
                               2 * std::numbers::pi);
     }
@@ -257,6 +272,30 @@ struct OpenedPhases {
     std::unique_ptr<SetFit> set;  // of the runs; none where no break explains the residual
 };
 
+// Opens the phase at a step. Where modes turn against each other the number of samples shows, too:
+// those that have the step's phase are tried.
+void open_phase(OpenedPhases& opened, PhaseBreak step, double scale, const FitOptions& options,
+                const JobControl& job) {
+    constexpr double clear_fall = 9;
+    const PhasorRun before = opened.runs[step.run];
+    std::vector<int> numbers = possible_samples(step, before.f_ref_hz, before.rate_hz);
+    numbers.insert(numbers.begin(), 0);
+    OpenedPhases best;
+    for (const int samples : numbers) {
+        step.shift_s = samples == 0 ? 0 : samples / before.rate_hz;
+        // A set refers to the runs that it is made of.
+        OpenedPhases next{opened.runs, opened.breaks, {}};
+        next.runs[step.run] = with_break(before, step);
+        next.set = solved_set(next.runs, scale, options, job);
+        next.breaks.push_back(step);
+        const double needed = clear_fall * std::max(1.0, next.set->chi2_per_dof());
+        if (!best.set || next.set->chi2() < best.set->chi2() - needed) {
+            best = std::move(next);
+        }
+    }
+    opened = std::move(best);
+}
+
 // The set with its phases left open where they step. One step takes nearly all of the residual
 // away, several leave nothing but noise: less would find steps in any phase that wanders.
 OpenedPhases with_open_phases(const std::vector<PhasorRun>& good, const SetFit& closed,
@@ -270,12 +309,7 @@ OpenedPhases with_open_phases(const std::vector<PhasorRun>& good, const SetFit& 
         if (!step) {
             break;
         }
-        // The set refers to the runs that it was made of.
-        std::vector<PhasorRun> runs = opened.runs;
-        runs[step->run] = with_break(runs[step->run], *step);
-        opened.set = solved_set(runs, scale, options, job);
-        opened.runs = std::move(runs);
-        opened.breaks.push_back(*step);
+        open_phase(opened, *step, scale, options, job);
     }
     if (opened.breaks.empty()) {
         return opened;
@@ -313,7 +347,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     }
     ResonatorFit fit = set->described();
     for (PhaseBreak& step : opened.breaks) {
-        step.step_rad = set->step_at(step.run, step.time_s);
+        step.step_rad = set->step_at(step.run, step.time_s).value_or(step.step_rad);
         fit.warnings.push_back({DiagnosticKind::fitted_phase_step,
                                 {integer_text(static_cast<std::int64_t>(step.run) + 1),
                                  short_text(step.step_rad, 3), short_text(step.time_s, 4)}});

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/resonator/fit/phase_break.h"
 #include "core/resonator/model/derived_quantities.h"
 #include "core/resonator/model/fitted_motion.h"
-#include "core/resonator/noise/noise_shape.h"
-#include "core/resonator/fit/phase_break.h"
 #include "core/resonator/model/reason.h"
+#include "core/resonator/noise/noise_shape.h"
 
 #include <array>
 #include <string>
@@ -49,6 +49,7 @@ struct ChannelSensitivity {
     double phase_drift_rad = 0;
     double gain_drift = 0;
     double cubic_hz = 0;       // cubic spring: Hz at the set's largest amplitude
+    double pickoff_share = 0;  // of the gain of both channels, grown at the largest amplitude
     double damping_share = 0;  // of 1/tau that the damping grows by at the largest amplitude
 
     friend bool operator==(const ChannelSensitivity&, const ChannelSensitivity&) = default;

@@ -54,7 +54,7 @@ struct UsualError {
     double ChannelSensitivity::*member;
 };
 
-inline constexpr std::array<UsualError, 7> usual_errors{{
+inline constexpr std::array<UsualError, 8> usual_errors{{
     {"skew", "0.1 deg", 0.1, &ChannelSensitivity::skew_deg},
     {"delay", "10 ns", 1e-8, &ChannelSensitivity::delay_s},
     {"phase drift", "1e-4 rad", 1e-4, &ChannelSensitivity::phase_drift_rad},
@@ -62,6 +62,7 @@ inline constexpr std::array<UsualError, 7> usual_errors{{
     {"kappa", "0.001", 1e-3, &ChannelSensitivity::kappa},
     {"cubic", "10 uHz", 1e-5, &ChannelSensitivity::cubic_hz},
     {"damping", "1 %", 1e-2, &ChannelSensitivity::damping_share},
+    {"pick-offs", "0.1 %", 1e-3, &ChannelSensitivity::pickoff_share},
 }};
 
 }  // namespace vybeg

@@ -1,7 +1,7 @@
 #include "core/resonator/results/sensitivities.h"
 
-#include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/fit/score_test.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -76,10 +76,16 @@ std::vector<ChannelSensitivity> sensitivities(const FittedSet& set, const Resona
     const Eigen::VectorXd by_damping =
         at.value[decay_of] / most_power *
         followed(*set.problem, set.posterior, damping_effect(*set.problem, set.posterior));
+    Effect both_pickoffs = pickoff_effect(*set.problem, set.posterior);
+    for (Eigen::MatrixXd& run : both_pickoffs) {
+        run = run.rowwise().sum().eval();
+    }
+    const Eigen::VectorXd by_pickoffs =
+        followed(*set.problem, set.posterior, both_pickoffs) / most_power;
     std::vector<ChannelSensitivity> all;
     for (const ResonatorParameter& parameter : resonator_parameters) {
         const Place& place = *std::ranges::find(places, parameter.member, &Place::member);
-        ChannelSensitivity sensitivity{nan, nan, nan, nan, nan, nan, nan, nan};
+        ChannelSensitivity sensitivity{nan, nan, nan, nan, nan, nan, nan, nan, nan};
         if ((out.*parameter.member).given()) {
             for (const ChannelError& error : errors) {
                 sensitivity.*error.member =
@@ -89,6 +95,8 @@ std::vector<ChannelSensitivity> sensitivities(const FittedSet& set, const Resona
             sensitivity.cubic_hz =
                 place.factor * most_hz *
                 at.gradient.row(place.quantity).dot(follow(set.posterior, cubic_at));
+            sensitivity.pickoff_share =
+                place.factor * at.gradient.row(place.quantity).dot(by_pickoffs);
             sensitivity.damping_share =
                 place.factor * at.gradient.row(place.quantity).dot(by_damping);
         }

@@ -19,6 +19,23 @@ void step_at(PhasorRun& run, double at_s, double step_rad) {
     }
 }
 
+// The phasors of a recording in which samples are missing (negative: doubled) at a share of it.
+PhasorRun cut(const FreeDecay& gyro, std::int64_t window, std::uint64_t seed, double share,
+              int samples) {
+    DecayMotion motion(gyro);
+    const auto place = static_cast<std::int64_t>(share * gyro.seconds * gyro.rate_hz);
+    return noisy_phasors(gyro, window, seed, [&](std::int64_t first, double) {
+        Eigen::Vector2cd z = Eigen::Vector2cd::Zero();
+        for (std::int64_t frame = first; frame < first + window; ++frame) {
+            const auto at = static_cast<double>(frame + (frame < place ? 0 : samples));
+            const double turns = gyro.f0_hz * static_cast<double>(frame) / gyro.rate_hz;
+            z += motion.at_frame(at) *
+                 std::polar(1 / static_cast<double>(window), -2 * pi * std::remainder(turns, 1.0));
+        }
+        return z;
+    });
+}
+
 }  // namespace
 
 class TestFitBreaks : public QObject {
@@ -46,6 +63,46 @@ private slots:
         QCOMPARE(fit.phase_breaks.size(), std::size_t{2});
         QVERIFY2(fit.chi2_per_dof < 1.2, qPrintable(QString::number(fit.chi2_per_dof)));
         VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4.5, 1e-6);
+    }
+
+    // 19 samples lost: a step of 0.137 rad, and a beat that goes on later by as much.
+    void the_number_of_samples_shows_beside_a_split() {
+        struct Case {
+            double split_hz;
+            int samples;
+        };
+        for (const auto& [split_hz, samples] : {Case{0.3, 25}, {1.8, 19}, {1.8, -19}, {8.0, 19}}) {
+            FreeDecay gyro = reference();
+            gyro.split_hz = split_hz;
+            gyro.theta_w = 0.3;
+            gyro.seconds = 12;
+            const PhasorRun run = cut(gyro, 200, 1, 0.43, samples);
+            const ResonatorFit fit = fitted({run});
+            const QString what = QString("split %1, %2 samples: chi^2/dof %3")
+                                     .arg(split_hz)
+                                     .arg(samples)
+                                     .arg(fit.chi2_per_dof);
+            QVERIFY2(fit.phase_breaks.size() == 1, qPrintable(what));
+            QCOMPARE(std::lround(fit.phase_breaks[0].shift_s * run.rate_hz), samples);
+            QVERIFY2(fit.chi2_per_dof < 1.2, qPrintable(what));
+            VYBEG_NEAR(fit.resonator.split_hz, split_hz, 4.5, 1e-4);
+            VYBEG_NEAR(fit.resonator.f_mean_hz, gyro.f0_hz, 4.5, 1e-4);
+        }
+    }
+
+    void a_step_near_an_end_leaves_the_numbers_right() {
+        for (const double where : {0.003, 0.007, 0.013, 0.985, 0.992}) {
+            FreeDecay gyro = reference();
+            gyro.split_hz = 1e-3;
+            std::vector<PhasorRun> runs = set_of(gyro, four_angles, 500, 5);
+            step_at(runs[2], where * 28, 0.137);
+            const ResonatorFit fit = fitted(runs);
+            const QString what = QString("at %1: chi^2/dof %2").arg(where).arg(fit.chi2_per_dof);
+            QVERIFY2(fit.chi2_per_dof < 1.2, qPrintable(what));
+            QVERIFY2(warns(fit, DiagnosticKind::fitted_phase_step), qPrintable(what));
+            VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4.5, 1e-6);
+            VYBEG_NEAR(fit.resonator.tau_s, 400, 4.5, 1);
+        }
     }
 
     // Noise about the carrier and frequencies that settle or drift leave no step.

@@ -187,6 +187,10 @@ private slots:
              [](std::complex<double>, std::complex<double> d, double x, double size) {
                  return d * (1 + x * size);
              }},
+            {"pick-offs", &ChannelSensitivity::pickoff_share, 1e-4,
+             [](std::complex<double>, std::complex<double> d, double, double size) {
+                 return d * (1 + size * std::norm(d));
+             }},
             {"kappa", &ChannelSensitivity::kappa, 1e-4,
              [](std::complex<double>, std::complex<double> d, double, double size) {
                  return d / (1 + size);
@@ -198,6 +202,9 @@ private slots:
                 const double duration = run.time_s.back() + run.window_s / 2;
                 for (std::size_t k = 0; k < run.d.size(); ++k) {
                     run.d[k] = error.of(run.c[k], run.d[k], run.time_s[k] / duration, error.size);
+                    if (error.member == &ChannelSensitivity::pickoff_share) {
+                        run.c[k] *= 1 + error.size * std::norm(run.c[k]);
+                    }
                 }
             }
             const ResonatorFit after = fitted(runs, told);
