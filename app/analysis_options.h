@@ -2,8 +2,9 @@
 
 #include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
-#include "core/recording/open_recording.h"
-#include "core/resonator/passport.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/recording.h"
+#include "core/resonator/results/passport.h"
 
 #include <CLI/CLI.hpp>
 

@@ -5,13 +5,19 @@
 #include "app/cli_support.h"
 #include "app/output_paths.h"
 #include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
 #include "core/analysis/inspect.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
-#include "core/report/recording_json.h"
-#include "core/report/sample_files.h"
-#include "core/report/track_csv.h"
+#include "core/output/recording_json.h"
+#include "core/output/sample_files.h"
+#include "core/output/track_csv.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/file_changes.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/true_track.h"
+#include "core/track/track.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,11 @@
 #include "app/cli_identify_text.h"
 #include "app/cli_support.h"
 #include "app/output_paths.h"
-#include "core/report/identify_json.h"
-#include "core/report/passport_json.h"
+#include "core/output/identify_json.h"
+#include "core/output/passport_json.h"
+#include "core/recording/bytes/sha256.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/file_changes.h"
 
 #include <nlohmann/json.hpp>
 

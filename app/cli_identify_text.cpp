@@ -2,9 +2,9 @@
 
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
-#include "core/report/quantity_text.h"
-#include "core/resonator/resonator_parameters.h"
-#include "core/resonator/run_parameters.h"
+#include "core/output/quantity_text.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -111,8 +111,10 @@ std::string sensitivities_text(const ResonatorFit& fit) {
         head += padded(error.amount, 12);
         names += padded(error.name, 12);
     }
-    return "sensitivity: what errors of the channels would change; u holds those with a "
-           "tolerance, sd none\n" +
+    return "sensitivity: what errors of the channels would change (u holds those with a tolerance, "
+           "sd none),\n"
+           "and a cubic spring, a damping or pick-offs that follow the amplitude, at the largest "
+           "amplitude\n" +
            head + "\n" + names + "\n" + rows;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/report/identify_json.h"
+#include "core/output/identify_json.h"
 
 #include <span>
 #include <string>

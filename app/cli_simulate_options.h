@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/cli_commands.h"
+#include "app/cli_requests.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,7 @@
 #include "app/cli_support.h"
 
-#include "core/recording/sha256.h"
+#include "core/recording/bytes/sha256.h"
+#include "core/recording/samples/file_changes.h"
 
 #include <chrono>
 #include <unistd.h>

@@ -2,8 +2,8 @@
 
 #include "app/cli_log.h"
 #include "core/base/job_control.h"
-#include "core/recording/open_recording.h"
-#include "core/report/output_file.h"
+#include "core/output/output_file.h"
+#include "core/recording/samples/recording.h"
 
 #include <functional>
 #include <future>

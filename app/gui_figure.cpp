@@ -4,9 +4,13 @@
 #include "app/output_paths.h"
 #include "app/process_guard.h"
 #include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
 #include "core/base/messages.h"
-#include "ui/figure.h"
-#include "ui/theme.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/file_changes.h"
+#include "ui/plots/figure.h"
+#include "ui/widgets/theme.h"
 
 #include <cstdio>
 #include <memory>

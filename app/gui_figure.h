@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/settings.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/samples/open_options.h"
 
 #include <cstdint>
 #include <stop_token>

@@ -4,9 +4,9 @@
 #include "app/option_values.h"
 #include "app/process_guard.h"
 #include "core/base/messages.h"
-#include "core/report/output_file.h"
-#include "ui/language.h"
-#include "ui/main_window.h"
+#include "core/output/output_file.h"
+#include "ui/window/main_window.h"
+#include "ui/words/language.h"
 
 #include <QApplication>
 #include <QIcon>

@@ -1,5 +1,5 @@
 #include "app/analysis_options.h"
-#include "core/recording/file_kind.h"
+#include "core/recording/open/file_kind.h"
 
 #include <utility>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "app/output_paths.h"
 
-#include "core/report/same_file.h"
+#include "core/output/same_file.h"
 
 namespace vybeg::cli {
 

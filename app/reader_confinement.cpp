@@ -1,6 +1,6 @@
 #include "app/reader_confinement.h"
 
-#include "core/recording/reader_protocol.h"
+#include "core/recording/variables/reader_protocol.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // vybeg-reader: reads one MAT or HDF5 file for the program that started it, and may die of it
-// (core/recording/reader_process.h). Not meant to be started by hand.
+// (core/recording/variables/reader_process.h). Not meant to be started by hand.
 #include "app/reader_service.h"
-#include "core/recording/reader_protocol.h"
+#include "core/recording/variables/reader_protocol.h"
 
 #include <cstdio>
 #include <sys/stat.h>

@@ -1,8 +1,8 @@
 #include "app/reader_service.h"
 
 #include "app/reader_confinement.h"
-#include "core/libraries/library_file.h"
-#include "core/recording/reader_protocol.h"
+#include "core/recording/mat_hdf5/library_file.h"
+#include "core/recording/variables/reader_protocol.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -794,8 +794,8 @@
             <translation>Остаток больше шума окон (хи-квадрат на степень свободы %1); стандартные отклонения соответственно увеличены.</translation>
         </message>
         <message>
-            <source>The fit of the resonator stopped before it converged; its values are doubtful.</source>
-            <translation>Подгонка резонатора остановилась, не сойдясь; её значения сомнительны.</translation>
+            <source>The fit of the resonator stopped before it converged: its values are refused.</source>
+            <translation>Подгонка резонатора остановилась, не сойдясь: её значения не приводятся.</translation>
         </message>
         <message>
             <source>The damping was seen in one direction only: the recording&apos;s own decay time is given, not the resonator&apos;s.</source>
@@ -826,12 +826,20 @@
             <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды (--from).</translation>
         </message>
         <message>
-            <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes and rotation may be off by more than their deviations. Take it out with a narrower band-pass (--filter).</source>
-            <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси и вращение могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром (--filter).</translation>
+            <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Take it out with a narrower band-pass (--filter).</source>
+            <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси, вращение и числа самой волны могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром (--filter).</translation>
         </message>
         <message>
             <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or tell its tolerance (--tolerance).</source>
             <translation>Невязка такая, как при ошибке каналов, принятой за ноль: %1, около %2. Откалибруйте её или задайте её допуск (--tolerance).</translation>
+        </message>
+        <message>
+            <source>The residual is that of pick-offs whose gain follows the amplitude: by about %1 % in channel C and %2 % in D at the largest amplitude, which the model does not hold. Split, damping, axes and rotation may be off by more than their deviations. Linearise the channels, or record smaller amplitudes.</source>
+            <translation>Невязка такая, как у датчиков, усиление которых зависит от амплитуды: примерно на %1 % в канале C и на %2 % в D при наибольшей амплитуде; в модели этого нет. Разночастотность, затухание, оси и вращение могут быть ошибочны больше своих СКО. Линеаризуйте каналы или запишите меньшие амплитуды.</translation>
+        </message>
+        <message>
+            <source>%1: the phase of both channels steps by %2 rad at %3 s; samples are lost or doubled there. The fit leaves the phase open at that place.</source>
+            <translation>%1: фаза обоих каналов делает скачок на %2 рад в %3 с; там потеряны или повторены отсчёты. Подгонка оставляет фазу в этом месте свободной.</translation>
         </message>
         <message>
             <source>%1 has no effect: %2.</source>
@@ -874,6 +882,10 @@
         <message>
             <source>The waves stand at too few angles for the drift as a function of the angle: it needs three starts 22.5 degrees apart or more, or a wave that turns.</source>
             <translation>Волны стоят под слишком малым числом углов для дрейфа как функции угла: нужны три пуска через 22,5 градуса или больше либо волна, которая поворачивается.</translation>
+        </message>
+        <message>
+            <source>The fit stopped before it converged.</source>
+            <translation>Подгонка остановилась, не сойдясь.</translation>
         </message>
         <message>
             <source>This recording has too few windows for it.</source>
@@ -1269,6 +1281,18 @@
         <message>
             <source>0.001 of κ</source>
             <translation>0,001 κ</translation>
+        </message>
+        <message>
+            <source>10 µHz by amplitude</source>
+            <translation>10 мкГц от амплитуды</translation>
+        </message>
+        <message>
+            <source>1 % of damping by amplitude</source>
+            <translation>1 % затухания от амплитуды</translation>
+        </message>
+        <message>
+            <source>0.1 % of gain by amplitude</source>
+            <translation>0,1 % усиления от амплитуды</translation>
         </message>
         <message>
             <source>f of this direction</source>

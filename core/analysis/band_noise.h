@@ -3,8 +3,8 @@
 #include "core/analysis/settings.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
-#include "core/estimators/estimator.h"
-#include "core/recording/sample_source.h"
+#include "core/estimators/wave/estimator.h"
+#include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
-#include "core/recording/start_check.h"
+#include "core/recording/checks/start_check.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 #include "core/analysis/filtered_noise.h"
 
 #include "core/numerics/kaiser.h"
-#include "core/recording/filtered_source.h"
+#include "core/recording/conditioning/filtered_source.h"
 
 #include <algorithm>
 #include <cmath>

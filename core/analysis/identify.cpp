@@ -3,8 +3,8 @@
 #include "core/analysis/phasor_windows.h"
 #include "core/analysis/prepare.h"
 #include "core/base/number_text.h"
-#include "core/resonator/resonator_parameters.h"
-#include "core/resonator/wave_uncertainty.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/runs/wave_uncertainty.h"
 
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -105,6 +105,18 @@ std::vector<Result<Windows>> all_windows(std::span<const Recording> recordings,
     return found;
 }
 
+// What the fit has found of lost samples counts in each recording's own numbers, too.
+void open_phases(std::span<const PhaseBreak> steps, const IdentifySettings& settings,
+                 std::vector<PhasorRun>& phasors, Identification& found) {
+    for (const PhaseBreak& step : steps) {
+        PhasorRun& run = phasors[step.run];
+        run = with_break(run, step);
+        IdentifiedRun& identified = found.runs[step.run];
+        identified.track = run_track(run, track_points);
+        identified.wave = wave_motion(run, tolerance_of(settings, run.f_ref_hz));
+    }
+}
+
 // The fit sees D over the calibration's gain ratio.
 void refer_to_recorded(double calibrated, ResonatorFit& fit) {
     Estimate& kappa = fit.resonator.kappa;
@@ -114,8 +126,9 @@ void refer_to_recorded(double calibrated, ResonatorFit& fit) {
     for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
         if (resonator_parameters[k].member == &ResonatorEstimate::kappa) {
             ChannelSensitivity& by = fit.sensitivities[k];
-            for (double* each : {&by.kappa, &by.skew_deg, &by.delay_s, &by.crosstalk,
-                                 &by.phase_drift_rad, &by.gain_drift}) {
+            for (double* each :
+                 {&by.kappa, &by.skew_deg, &by.delay_s, &by.crosstalk, &by.phase_drift_rad,
+                  &by.gain_drift, &by.cubic_hz, &by.damping_share, &by.pickoff_share}) {
                 *each *= calibrated;
             }
         }
@@ -172,7 +185,8 @@ Error named(Error error, std::span<const PhasorRun> runs, std::span<const Record
 void name_runs(std::span<const Recording> recordings, std::vector<Diagnostic>& warnings) {
     for (Diagnostic& warning : warnings) {
         if (warning.kind != DiagnosticKind::frequency_drifts &&
-            warning.kind != DiagnosticKind::q_disagrees) {
+            warning.kind != DiagnosticKind::q_disagrees &&
+            warning.kind != DiagnosticKind::fitted_phase_step) {
             continue;
         }
         for (std::size_t k = 0; k < recordings.size(); ++k) {
@@ -255,6 +269,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
         return named(fit.error(), phasors, recordings);
     }
     found.fit = std::move(*fit);
+    open_phases(found.fit.phase_breaks, settings, phasors, found);
     refer_to_recorded(settings.signal.calibration.kappa, found.fit);
     add_clock(recordings, found);
     name_runs(recordings, found.fit.warnings);

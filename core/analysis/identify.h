@@ -3,12 +3,12 @@
 #include "core/analysis/settings.h"
 #include "core/analysis/tolerance.h"
 #include "core/base/job_control.h"
-#include "core/recording/recording.h"
-#include "core/resonator/channel_balance.h"
-#include "core/resonator/drift_function.h"
-#include "core/resonator/resonator_fit.h"
-#include "core/resonator/run_track.h"
-#include "core/resonator/wave_motion.h"
+#include "core/recording/samples/recording.h"
+#include "core/resonator/results/drift_function.h"
+#include "core/resonator/results/resonator_fit.h"
+#include "core/resonator/runs/channel_balance.h"
+#include "core/resonator/runs/run_track.h"
+#include "core/resonator/runs/wave_motion.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,7 @@
 #include "core/analysis/inspect.h"
 
-#include "core/analysis/analyse.h"
+#include "core/analysis/recording_carrier.h"
+#include "core/analysis/settings.h"
 
 #include <algorithm>
 #include <utility>

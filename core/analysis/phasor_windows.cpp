@@ -271,6 +271,7 @@ PhasorRun collect(const Estimates& estimates, const Prepared& prepared, const Wi
     const double two_theta_zero = prepared.calibration.angle_zero_deg * std::numbers::pi / 90;
     PhasorRun run;
     run.f_ref_hz = prepared.f0_hz;
+    run.rate_hz = rate_hz;
     run.window_s = static_cast<double>(plan.length) / rate_hz;
     FilteredNoise filtered;
     if (prepared.filter) {
@@ -341,19 +342,6 @@ Error nothing_left(const SampleFaults& faults) {
 }
 
 }  // namespace
-
-std::int64_t least_phasor_window(double f0_hz, double rate_hz) {
-    return std::max<std::int64_t>(16, static_cast<std::int64_t>(std::ceil(2 * rate_hz / f0_hz)));
-}
-
-std::int64_t default_phasor_window(std::int64_t frames, double f0_hz, double rate_hz) {
-    constexpr double wish_s = 0.015;
-    constexpr double periods = 12;
-    const auto wish =
-        static_cast<std::int64_t>(std::llround(std::max(wish_s, periods / f0_hz) * rate_hz));
-    return std::max(
-        {std::min(wish, frames / 64), frames / 16384 + 1, least_phasor_window(f0_hz, rate_hz)});
-}
 
 Result<PhasorWindows> phasor_windows(const WindowChoice& choice, double rate_hz, int threads,
                                      const JobControl& job) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/window_choice.h"
-#include "core/resonator/phasor_run.h"
+#include "core/resonator/model/phasor_run.h"
 
 #include <cstdint>
 #include <vector>
@@ -18,16 +18,6 @@ struct PhasorWindows {
     double read_s = 0;
     double estimate_s = 0;  // summed over the threads, divided by their number
 };
-
-// Least window of an identification: 16 samples and two periods, so that six numbers a channel
-// leave a residual.
-std::int64_t least_phasor_window(double f0_hz, double rate_hz);
-
-// The window where the engineer gives none: 15 ms, twelve periods of the carrier at least. That is
-// short against the beat of a split of 10 Hz and against the decay of a bell. Shorter where the
-// range holds fewer than 64 of them, longer where it holds more than 16384: memory does not grow
-// with the recording.
-std::int64_t default_phasor_window(std::int64_t frames, double f0_hz, double rate_hz);
 
 // Demodulates windows of `length` samples, one after the other, at the fixed carrier
 // choice.prepared.f0_hz (window_mean.h). Times count from the start of the recording. Windows with

@@ -135,7 +135,7 @@ Result<Analysis> analyse_planned(const Recording& recording, const Settings& set
         return summary.error();
     }
     static_cast<AnalysisSummary&>(analysis) = std::move(*summary);
-    set_flags(analysis.track, analysis.flagged);
+    set_flags(analysis.track, 0, analysis.flagged);
     return analysis;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
 #include "core/analysis/prepare.h"
+#include "core/analysis/settings.h"
 #include "core/track/track.h"
+#include "core/windows/window_plan.h"
 
 namespace vybeg {
 

@@ -2,10 +2,10 @@
 
 #include "core/analysis/band_noise.h"
 #include "core/base/number_text.h"
-#include "core/recording/calibrated_source.h"
-#include "core/recording/filtered_source.h"
-#include "core/recording/gapped_source.h"
-#include "core/recording/watched_source.h"
+#include "core/recording/conditioning/calibrated_source.h"
+#include "core/recording/conditioning/filtered_source.h"
+#include "core/recording/conditioning/gapped_source.h"
+#include "core/recording/conditioning/watched_source.h"
 #include "core/windows/carrier.h"
 #include "core/windows/carrier_zoom.h"
 

@@ -3,8 +3,8 @@
 #include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
-#include "core/recording/recording.h"
-#include "core/recording/recording_check.h"
+#include "core/recording/checks/recording_check.h"
+#include "core/recording/samples/recording.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/estimators/estimator.h"
-#include "core/recording/calibration.h"
+#include "core/estimators/wave/estimator.h"
+#include "core/recording/conditioning/calibration.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
+#include "core/base/job_control.h"
+#include "core/recording/samples/recording.h"
 
 #include <functional>
 #include <limits>

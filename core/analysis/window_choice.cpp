@@ -1,7 +1,7 @@
 #include "core/analysis/window_choice.h"
 
 #include "core/analysis/inspect.h"
-#include "core/analysis/phasor_windows.h"
+#include "core/analysis/phasor_window_length.h"
 #include "core/base/number_text.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/recording_check.h"
+#include "core/recording/checks/recording_check.h"
 #include "core/track/flagged_rows.h"
 #include "core/windows/window_plan.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/estimators/wave_state.h"
-#include "core/estimators/window_moments.h"
+#include "core/estimators/wave/wave_state.h"
+#include "core/estimators/wave/window_moments.h"
 
 #include <Eigen/Core>
 

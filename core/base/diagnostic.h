@@ -50,7 +50,9 @@ enum class DiagnosticKind {
     misfit_damping,               // args: 1/s per squared unit. Damping that follows the amplitude.
     misfit_settling,              // args: Hz, s. A frequency that settles.
     misfit_neighbour,             // args: frequency (Hz), per cent of the wave. Another mode.
-    misfit_channel,               // args: error as --tolerance names it, its size. None is told.
+    misfit_channel,               // args: error as --tolerance names it, its size; held at zero
+    misfit_pickoff,               // args: change of the gain of C, of D at the largest amplitude, %
+    fitted_phase_step,            // args: recording, step (rad), at time (s). The phase is fitted.
     fit_not_converged,            // the fit stopped early
     option_without_effect,        // args: option of the command line, why
 };

@@ -192,18 +192,30 @@ const char* message_template(DiagnosticKind kind) {
             return VYBEG_MESSAGE(
                 "Message",
                 "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a "
-                "disturbance that folds there, which the model does not hold. Split, axes and "
-                "rotation may be off by more than their "
+                "disturbance that folds there, which the model does not hold. Split, axes, "
+                "rotation and the wave's own numbers may be off by more than their "
                 "deviations. Take it out with a narrower band-pass (--filter).");
         case DiagnosticKind::misfit_channel:
             return VYBEG_MESSAGE(
                 "Message",
                 "The residual is that of an error of the channels that is taken as zero: %1, "
                 "about %2. Calibrate it, or tell its tolerance (--tolerance).");
+        case DiagnosticKind::misfit_pickoff:
+            return VYBEG_MESSAGE(
+                "Message",
+                "The residual is that of pick-offs whose gain follows the amplitude: by about "
+                "%1 % in channel C and %2 % in D at the largest amplitude, which the model does "
+                "not hold. Split, damping, axes and rotation may be off by more than their "
+                "deviations. Linearise the channels, or record smaller amplitudes.");
+        case DiagnosticKind::fitted_phase_step:
+            return VYBEG_MESSAGE(
+                "Message",
+                "%1: the phase of both channels steps by %2 rad at %3 s; samples are lost or "
+                "doubled there. The fit leaves the phase open at that place.");
         case DiagnosticKind::fit_not_converged:
             return VYBEG_MESSAGE(
                 "Message",
-                "The fit of the resonator stopped before it converged; its values are doubtful.");
+                "The fit of the resonator stopped before it converged: its values are refused.");
         case DiagnosticKind::option_without_effect:
             return VYBEG_MESSAGE("Message", "%1 has no effect: %2.");
     }

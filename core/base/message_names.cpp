@@ -47,6 +47,8 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::misfit_settling: return "misfit-settling";
         case DiagnosticKind::misfit_neighbour: return "misfit-neighbour";
         case DiagnosticKind::misfit_channel: return "misfit-channel";
+        case DiagnosticKind::misfit_pickoff: return "misfit-pickoff";
+        case DiagnosticKind::fitted_phase_step: return "fitted-phase-step";
         case DiagnosticKind::fit_not_converged: return "fit-not-converged";
         case DiagnosticKind::option_without_effect: return "option-without-effect";
     }

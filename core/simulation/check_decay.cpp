@@ -1,5 +1,6 @@
+#include "core/simulation/check_decay.h"
+
 #include "core/base/number_text.h"
-#include "core/simulation/free_decay.h"
 
 #include <algorithm>
 #include <array>

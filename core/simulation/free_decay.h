@@ -1,12 +1,6 @@
 #pragma once
 
-#include "core/base/job_control.h"
-#include "core/base/result.h"
-#include "core/track/track.h"
-
 #include <cstdint>
-#include <functional>
-#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -106,49 +100,13 @@ struct FreeDecay {
     friend bool operator==(const FreeDecay&, const FreeDecay&) = default;
 };
 
-// Takes frames of both signals in their order; an error ends the simulation.
-using DecaySink = std::function<Status(std::span<const double> c, std::span<const double> d)>;
-
-struct SimulatedDecay {
-    std::vector<double> c;
-    std::vector<double> d;
-    double full_scale = 0;  // of the quantiser, as used; 0: not quantised
-};
-
 FreeDecay demo_decay();
 
-// Whether the decay can be simulated at all: simulation_impossible with the reason.
-Status check(const FreeDecay& decay);
-
 // Frames of the motion: floor(seconds * rate), a product within 1e-6 below a whole number counting
-// as whole. Precondition: check() passes.
+// as whole. Precondition: check() of check_decay.h passes.
 std::int64_t motion_frame_count(const FreeDecay& decay);
 
 // Frames of the record: those of the motion less the lost, plus the doubled ones.
 std::int64_t frame_count(const FreeDecay& decay);
-
-// Full scale of the quantiser, as used; 0 without one. Where it is not given the decay is simulated
-// once to find its largest sample. Errors: simulation_impossible, interrupted.
-Result<double> find_full_scale(const FreeDecay& decay, const JobControl& job);
-
-// The two signals: slow motion by the exact matrix exponential, or, where frequency or damping
-// depend on the amplitude, by Taylor steps good to rounding; channels, noise, then the quantiser,
-// which clips; `full_scale` is that of find_full_scale(); lost samples last. The sink gets some
-// thousand frames at a time: memory does not grow with the length. The same seed gives the same
-// samples on every machine, to the rounding of its sin, cos, exp and log. Errors: those of the
-// sink, simulation_impossible, interrupted.
-Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink,
-                const JobControl& job);
-
-// The same in memory, which must have room for it.
-Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job);
-
-// The exact slow variables at the centres of windows of `window` samples, one after the other, from
-// the axes of the ellipse that (c, d) runs through: the wave itself, without errors of channels,
-// noise about the carrier and lost samples. sd columns are zero, rms is the white noise's sqrt(2)
-// sigma. f is f(t) plus the mean rate of phase of both signals, weighted with their power:
-// Im(z^H dz/dt) / (2 pi |z|^2). Angles are NaN where the wave is circular within 1e-12 (flag
-// circular), delta_phi_CD also where one of the signals vanishes. Errors: simulation_impossible.
-Result<Track> true_track(const FreeDecay& decay, std::int64_t window);
 
 }  // namespace vybeg

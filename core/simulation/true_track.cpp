@@ -1,7 +1,9 @@
+#include "core/simulation/true_track.h"
+
 #include "core/base/number_text.h"
 #include "core/numerics/phase.h"
+#include "core/simulation/check_decay.h"
 #include "core/simulation/decay_motion.h"
-#include "core/simulation/free_decay.h"
 #include "core/windows/window_plan.h"
 
 #include <Eigen/LU>

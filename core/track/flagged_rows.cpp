@@ -4,12 +4,12 @@
 
 namespace vybeg {
 
-void set_flags(Track& track, std::span<const FlaggedRows> flagged) {
-    const std::span<Flags> flags = track.flags();
+void set_flags(Track& part, std::size_t first, std::span<const FlaggedRows> flagged) {
+    const std::span<Flags> flags = part.flags();
     for (const FlaggedRows& rows : flagged) {
-        const std::size_t end = std::min(rows.first + rows.count, flags.size());
-        for (std::size_t row = rows.first; row < end; ++row) {
-            set(flags[row], rows.flag);
+        const std::size_t end = std::min(rows.first + rows.count, first + flags.size());
+        for (std::size_t row = std::max(rows.first, first); row < end; ++row) {
+            set(flags[row - first], rows.flag);
         }
     }
 }

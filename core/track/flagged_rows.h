@@ -17,7 +17,8 @@ struct FlaggedRows {
     friend bool operator==(const FlaggedRows&, const FlaggedRows&) = default;
 };
 
-// Rows beyond the track's end are left out.
-void set_flags(Track& track, std::span<const FlaggedRows> flagged);
+// Sets the flags in a part of the track that begins with its row `first`. Rows of other parts are
+// left out.
+void set_flags(Track& part, std::size_t first, std::span<const FlaggedRows> flagged);
 
 }  // namespace vybeg

@@ -183,9 +183,10 @@ private slots:
         const qsizetype table = text.indexOf("\nsensitivity:");
         QVERIFY(table > resonator);
         QVERIFY(
-            text.mid(table).contains("0.1 deg       10 ns    1e-4 rad        1e-4       0.001"));
-        QVERIFY(line_of("  tau, s", table).simplified().split(' ').size() == 7);
-        QVERIFY(line_of("  theta_w, deg", table).simplified().split(' ').size() == 7);
+            text.mid(table).contains("0.1 deg       10 ns    1e-4 rad        1e-4       0.001      "
+                                     "10 uHz         1 %       0.1 %"));
+        QVERIFY(line_of("  tau, s", table).simplified().split(' ').size() == 10);
+        QVERIFY(line_of("  theta_w, deg", table).simplified().split(' ').size() == 10);
     }
 
     void any_number_of_threads_gives_the_same_bytes() {

@@ -1,5 +1,5 @@
 // The memory of an analysis does not grow with its recording: 1 and 10 minutes at 33333 Hz, in
-// every format that simulate writes and the raw reader reads. README.md, "Long recordings", has the
+// every format that simulate writes and the raw reader reads. tests/benchmarks/README.md, "Long recordings", has the
 // same of one hour.
 #include "tests/app/cli_run.h"
 

@@ -4,9 +4,10 @@
 // Four recordings to their resonator are timed, too.
 #include "app/cli_commands.h"
 #include "app/cli_support.h"
-#include "core/recording/open_recording.h"
-#include "core/report/sample_files.h"
+#include "core/output/sample_files.h"
+#include "core/recording/samples/open_options.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "core/windows/carrier.h"
 #include "tests/benchmarks/ratio_table.h"
 

@@ -1,7 +1,7 @@
 // The resonator's fit of window phasors, 28 s a recording, everything on: model test, noise model,
 // causes. White noise, noise about the carrier, 1/f-like settling and a cubic spring; one recording
 // and four. The limits of the table are 0.1 and 0.2 s.
-#include "core/resonator/resonator_fit.h"
+#include "core/resonator/results/resonator_fit.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <benchmark/benchmark.h>

@@ -1,8 +1,9 @@
 #include "tests/benchmarks/recording_files.h"
 
 #include "core/base/messages.h"
-#include "core/report/sample_files.h"
+#include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 
 #include <sndfile.h>
 

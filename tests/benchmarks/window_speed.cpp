@@ -2,11 +2,12 @@
 // window's length to them, and a frame of panning and zooming. `bin/window_benchmarks` prints the
 // table; its status tells whether all is fast enough. With a long recording in the environment
 // variable VYBEG_LONG_RECORDING it also tells when a live change of it shows what.
-#include "core/report/sample_files.h"
+#include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "tests/ui/heartbeat.h"
-#include "ui/main_window.h"
-#include "ui/track_view.h"
+#include "ui/plots/track_view.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

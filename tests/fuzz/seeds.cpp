@@ -1,9 +1,9 @@
 #include "tests/fuzz/seeds.h"
 
-#include "tests/core/recording/audio_files.h"
+#include "tests/core/recording/arrays/tdms_file.h"
+#include "tests/core/recording/audio/audio_files.h"
 #include "tests/core/recording/demo_files.h"
-#include "tests/core/recording/tdms_file.h"
-#include "tests/core/recording/uff_file.h"
+#include "tests/core/recording/text/uff_file.h"
 
 #include <functional>
 #include <map>

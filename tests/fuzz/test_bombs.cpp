@@ -1,8 +1,8 @@
 // Small files that stand for much: the readers take no more memory than the file's size and 64 MB,
 // and no more than 2 s of processor time.
+#include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"
-#include "tests/core/recording/tdms_file.h"
 #include "tests/fuzz/heap_peak.h"
 #include "tests/fuzz/trial.h"
 

@@ -2,7 +2,7 @@
 // die as it may: the libraries fall on some of them. What must not be is that our own code between
 // falls, or that more memory is taken than vybeg-reader has. That the program outlives its
 // vybeg-reader, and gives it up where it does not come to an end, is for
-// tests/core/recording/test_damaged_libraries.
+// tests/core/recording/variables/test_damaged_libraries.
 #include "tests/fuzz/batch.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/fuzz/seeds.h"

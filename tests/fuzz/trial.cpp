@@ -1,14 +1,14 @@
 #include "tests/fuzz/trial.h"
 
 #include "core/base/error.h"
-#include "core/recording/audio_reader.h"
-#include "core/recording/byte_order.h"
-#include "core/recording/npy_reader.h"
-#include "core/recording/npz_reader.h"
-#include "core/recording/raw_reader.h"
-#include "core/recording/tdms_reader.h"
-#include "core/recording/text_recording.h"
-#include "core/recording/uff_reader.h"
+#include "core/recording/arrays/npy_reader.h"
+#include "core/recording/arrays/raw_reader.h"
+#include "core/recording/arrays/tdms_reader.h"
+#include "core/recording/audio/audio_reader.h"
+#include "core/recording/bytes/byte_order.h"
+#include "core/recording/text/text_recording.h"
+#include "core/recording/text/uff_reader.h"
+#include "core/recording/variables/npz_reader.h"
 #include "tests/fuzz/memory_file.h"
 
 #include <algorithm>

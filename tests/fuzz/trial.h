@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/open_recording.h"
+#include "core/recording/samples/open_options.h"
 
 #include <cstdint>
 #include <string>

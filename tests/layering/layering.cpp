@@ -1,34 +1,14 @@
 #include "tests/layering/layering.h"
 
-#include <QDirIterator>
-#include <QFile>
+#include "tests/layering/class_sizes.h"
+#include "tests/layering/source_tree.h"
+#include "tests/layering/unit_circles.h"
+
 #include <QRegularExpression>
+#include <QSet>
 
 namespace vybeg::test {
 namespace {
-
-QStringList linesOf(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return {};
-    }
-    QStringList lines = QString::fromUtf8(file.readAll()).split('\n');
-    if (lines.last().isEmpty()) {
-        lines.removeLast();
-    }
-    return lines;
-}
-
-QStringList sourceFiles(const QDir& root, const QString& top) {
-    QStringList files;
-    QDirIterator walk(root.filePath(top), {"*.h", "*.cpp"}, QDir::Files,
-                      QDirIterator::Subdirectories);
-    while (walk.hasNext()) {
-        files += root.relativeFilePath(walk.next());
-    }
-    files.sort();
-    return files;
-}
 
 bool isQt(const QString& header) {
     static const QRegularExpression qt(
@@ -36,98 +16,117 @@ bool isQt(const QString& header) {
     return qt.match(header).hasMatch();
 }
 
-// One file on its way through the rules: where it stands, and what it includes.
-struct Include {
-    QString file;    // from the root, e.g. "core/windows/carrier.cpp"
-    QString header;  // as written, e.g. "core/base/result.h"
-    bool quoted = false;
-
-    QString top() const { return file.section('/', 0, 0); }
-    bool of(const QString& folder) const { return header.startsWith(folder + '/'); }
-    bool commandLine() const { return top() == "app" && !file.section('/', -1).startsWith("gui"); }
-};
-
-QString coreViolation(const Include& include, const QStringList& folders) {
-    const auto own = folders.indexOf(include.file.section('/', 1, 1));
-    if (own < 0) {
-        return "its folder is not in core/CMakeLists.txt";
-    }
-    if (include.of("ui") || include.of("app") || include.of("tests")) {
-        return "core/ includes " + include.header;
-    }
-    if (include.of("core")) {
-        const auto other = folders.indexOf(include.header.section('/', 1, 1));
-        if (other < 0 || other > own) {
-            return "a later folder of core/: " + include.header;
-        }
-    }
-    return {};
+bool isOf(const QString& header, const QString& folder) {
+    return header.startsWith(folder + '/');
 }
 
-QString violation(const Include& include, const QStringList& folders) {
-    const QString top = include.top();
+bool ofCommandLine(const SourceFile& file) {
+    return file.top() == "app" && !file.path.section('/', -1).startsWith("gui");
+}
+
+// The folders of core/ and of ui/, by their top folder.
+using Order = QMap<QString, QStringList>;
+
+// An include within core/ or within ui/.
+QString orderViolation(const SourceFile& file, const QString& header, const Order& order) {
+    const QStringList& folders = order[file.top()];
+    const auto other = folders.indexOf(header.section('/', 0, -2));
+    return other < 0 || other > folders.indexOf(file.folder())
+               ? QString("a later folder of %1/: %2").arg(file.top(), header)
+               : QString();
+}
+
+QString violation(const SourceFile& file, const Include& include, const Order& order) {
+    const QString top = file.top();
+    const QString& header = include.header;
     if (top == "tests") {
         return {};
     }
-    if ((top == "core" || include.commandLine()) && isQt(include.header)) {
-        return "Qt: " + include.header;
+    if ((top == "core" || ofCommandLine(file)) && isQt(header)) {
+        return "Qt: " + header;
     }
-    const bool fromRoot = include.of("core") || include.of("ui") || include.of("app");
-    if (include.quoted && !fromRoot && !include.of("tests") && !isQt(include.header)) {
-        return "not included from the root: " + include.header;
+    const bool from_root = isOf(header, "core") || isOf(header, "ui") || isOf(header, "app");
+    if (include.quoted && !from_root && !isOf(header, "tests") && !isQt(header)) {
+        return "not included from the root: " + header;
     }
-    if (top == "core") {
-        return coreViolation(include, folders);
+    if (isOf(header, "tests") || (top == "core" && (isOf(header, "ui") || isOf(header, "app"))) ||
+        (top == "ui" && isOf(header, "app"))) {
+        return top + "/ includes " + header;
     }
-    if (include.of("tests") || (top == "ui" && include.of("app"))) {
-        return top + "/ includes " + include.header;
+    if (ofCommandLine(file) && (isOf(header, "ui") || header.startsWith("app/gui"))) {
+        return "the command line includes " + header;
     }
-    if (include.commandLine() && (include.of("ui") || include.header.startsWith("app/gui"))) {
-        return "the command line includes " + include.header;
+    return order.contains(top) && isOf(header, top) ? orderViolation(file, header, order)
+                                                    : QString();
+}
+
+QStringList ofFile(const SourceFile& file, const Order& order) {
+    QStringList found;
+    if (order.contains(file.top()) && !order[file.top()].contains(file.folder())) {
+        found += QString("%1:1: its folder is not in %2/CMakeLists.txt").arg(file.path, file.top());
+    } else {
+        for (const Include& include : file.includes) {
+            if (const QString what = violation(file, include, order); !what.isEmpty()) {
+                found += QString("%1:%2: %3").arg(file.path).arg(include.line).arg(what);
+            }
+        }
     }
-    return {};
+    if (file.lines.size() > longest_file) {
+        found += QString("%1:%2: longer than %3 lines")
+                     .arg(file.path)
+                     .arg(file.lines.size())
+                     .arg(longest_file);
+    }
+    return found;
+}
+
+QStringList ofFolders(const QList<SourceFile>& files) {
+    QMap<QString, QSet<QString>> units;
+    for (const SourceFile& file : files) {
+        units[file.folder()] += file.unit();
+    }
+    QStringList found;
+    for (auto folder = units.cbegin(); folder != units.cend(); ++folder) {
+        if (folder->size() > most_units) {
+            found += QString("%1: %2 units, more than %3")
+                         .arg(folder.key())
+                         .arg(folder->size())
+                         .arg(most_units);
+        }
+    }
+    return found;
+}
+
+QStringList ofClasses(const QList<SourceFile>& files, const ClassCeilings& ceilings) {
+    const QMap<QString, int> sizes = classSizes(files);
+    QStringList found;
+    for (auto size = sizes.cbegin(); size != sizes.cend(); ++size) {
+        const int most = ceilings.value(size.key(), largest_class);
+        if (*size > most) {
+            found += QString("%1 has %2 lines, more than %3").arg(size.key()).arg(*size).arg(most);
+        }
+    }
+    for (auto ceiling = ceilings.cbegin(); ceiling != ceilings.cend(); ++ceiling) {
+        if (sizes.value(ceiling.key()) <= largest_class) {
+            found += ceiling.key() + " needs no ceiling";
+        }
+    }
+    return found;
 }
 
 }  // namespace
 
-QStringList coreFolders(const QDir& root) {
-    static const QRegularExpression added("^\\s*add_subdirectory\\((\\w+)\\)");
-    QStringList folders;
-    for (const QString& line : linesOf(root.filePath("core/CMakeLists.txt"))) {
-        if (const auto match = added.match(line); match.hasMatch()) {
-            folders += match.captured(1);
-        }
-    }
-    return folders;
-}
-
-QStringList layeringViolations(const QDir& root) {
-    static const QRegularExpression directive("^\\s*#\\s*include\\s*([<\"])([^>\"]+)");
-    const QStringList folders = coreFolders(root);
+QStringList layeringViolations(const QDir& root, const ClassCeilings& ceilings) {
+    const Order order{{"core", foldersInOrder(root, "core")}, {"ui", foldersInOrder(root, "ui")}};
+    const QList<SourceFile> files = readSources(root);
     QStringList found;
-    for (const char* top : {"core", "ui", "app", "tests"}) {
-        for (const QString& file : sourceFiles(root, top)) {
-            const QStringList lines = linesOf(root.filePath(file));
-            for (qsizetype i = 0; i < lines.size(); ++i) {
-                const auto match = directive.match(lines[i]);
-                if (!match.hasMatch()) {
-                    continue;
-                }
-                const QString what =
-                    violation({file, match.captured(2), match.captured(1) == "\""}, folders);
-                if (!what.isEmpty()) {
-                    found += QString("%1:%2: %3").arg(file).arg(i + 1).arg(what);
-                }
-            }
-            if (lines.size() > longest_file) {
-                found += QString("%1:%2: longer than %3 lines")
-                             .arg(file)
-                             .arg(lines.size())
-                             .arg(longest_file);
-            }
-        }
+    for (const SourceFile& file : files) {
+        found += ofFile(file, order);
     }
-    return found;
+    for (const QString& circle : unitCircles(files)) {
+        found += "circle of units: " + circle;
+    }
+    return found + ofFolders(files) + ofClasses(files, ceilings);
 }
 
 }  // namespace vybeg::test

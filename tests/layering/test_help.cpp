@@ -233,12 +233,6 @@ void TestHelp::theOptionsAreThoseOfTheCommandLine() {
     for (const QString& language : languages) {
         QCOMPARE(options(pageText(language + "/files.html")), all);
     }
-    QFile readme(VYBEG_ROOT "/README.md");
-    QVERIFY(readme.open(QIODevice::ReadOnly));
-    const QString table =
-        captures(QString::fromUtf8(readme.readAll()), "\\| Option \\| Meaning \\|(.*?)\n\n")
-            .value(0);
-    QCOMPARE(options(table), analyze);
 }
 
 QTEST_GUILESS_MAIN(TestHelp)

@@ -1,4 +1,6 @@
+#include "tests/layering/class_sizes.h"
 #include "tests/layering/layering.h"
+#include "tests/layering/source_tree.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -7,16 +9,37 @@ using namespace vybeg::test;
 
 namespace {
 
-// A source tree with the folders base and windows in core/, and one file of the given content.
+// Classes that have grown too large, with their size. They may only shrink: lower a number with its
+// class, take it out below largest_class, and add none.
+const ClassCeilings ceilings{
+    {"ui/document/document.h: Document", 1041},
+    {"ui/plots/signal_view.h: SignalView", 539},
+    {"ui/plots/track_view.h: TrackView", 602},
+    {"ui/window/main_window.h: MainWindow", 947},
+};
+
+// A source tree with the folders base, recording/bytes, recording/text and windows in core/, words
+// and window in ui/, and one file or several of the given content.
 class Tree {
 public:
-    Tree(const QString& file, const QByteArray& content) {
+    Tree() {
         write("core/CMakeLists.txt",
-              "# order\nadd_subdirectory(base)\nadd_subdirectory(windows)\n");
+              "# order\nadd_subdirectory(base)\nadd_subdirectory(recording)\n"
+              "add_subdirectory(windows)\n");
+        write("core/recording/CMakeLists.txt", "add_subdirectory(bytes)\nadd_subdirectory(text)\n");
+        write("ui/CMakeLists.txt", "add_subdirectory(words)\nadd_subdirectory(window)\n");
+    }
+    Tree(const QString& file, const QByteArray& content) : Tree() { write(file, content); }
+
+    Tree& with(const QString& file, const QByteArray& content) {
         write(file, content);
+        return *this;
     }
 
-    QStringList violations() const { return layeringViolations(QDir(dir_.path())); }
+    QStringList violations(const ClassCeilings& of_classes = {}) const {
+        return layeringViolations(QDir(dir_.path()), of_classes);
+    }
+    QMap<QString, int> sizes() const { return classSizes(readSources(QDir(dir_.path()))); }
 
 private:
     void write(const QString& file, const QByteArray& content) {
@@ -43,20 +66,43 @@ private slots:
     void whatTheRulesAllowIsNotReported_data();
     void whatTheRulesAllowIsNotReported();
     void aFileMayHaveFourHundredLinesAndNoMore();
+    void aCircleOfUnitsIsFound();
+    void aUnitThatTwoIncludeIsNoCircle();
+    void aFolderMayHoldThirtyUnitsAndNoMore();
+    void aClassIsCountedOverAllItsFiles();
+    void aMemberCountsForTheClassThatItsSourceIncludes();
+    void aClassMayHaveFiveHundredLinesOrItsCeiling();
 };
 
 void TestLayering::theProjectKeepsItsLayers() {
-    const QStringList found = layeringViolations(QDir(VYBEG_ROOT));
+    const QStringList found = layeringViolations(QDir(VYBEG_ROOT), ceilings);
     QVERIFY2(found.isEmpty(), qPrintable('\n' + found.join('\n')));
 }
 
 void TestLayering::theOrderOfTheFoldersIsReadFromTheBuild() {
-    const QStringList folders = coreFolders(QDir(VYBEG_ROOT));
-    QCOMPARE(folders.first(), "base");
-    QVERIFY(folders.indexOf("recording") < folders.indexOf("windows"));
-    QVERIFY(folders.indexOf("windows") < folders.indexOf("estimators"));
-    QVERIFY(folders.indexOf("estimators") < folders.indexOf("track"));
-    QVERIFY(folders.contains("recording"));
+    const QStringList core = foldersInOrder(QDir(VYBEG_ROOT), "core");
+    const QStringList way{"core/base",
+                          "core/recording/bytes",
+                          "core/recording/samples",
+                          "core/recording/text",
+                          "core/recording/open",
+                          "core/windows",
+                          "core/estimators/wave",
+                          "core/estimators/algorithms",
+                          "core/track",
+                          "core/resonator/results",
+                          "core/analysis",
+                          "core/output"};
+    QCOMPARE(core.first(), way.first());
+    for (qsizetype i = 1; i < way.size(); ++i) {
+        QVERIFY2(core.contains(way[i]), qPrintable(way[i]));
+        QVERIFY2(core.indexOf(way[i - 1]) < core.indexOf(way[i]), qPrintable(way[i]));
+    }
+    const QStringList ui = foldersInOrder(QDir(VYBEG_ROOT), "ui");
+    QCOMPARE(ui.first(), "ui/words");
+    QVERIFY(ui.contains("ui/document"));
+    QVERIFY(ui.indexOf("ui/document") < ui.indexOf("ui/plots"));
+    QCOMPARE(ui.last(), "ui/window");
 }
 
 void TestLayering::aBrokenRuleIsFound_data() {
@@ -78,18 +124,30 @@ void TestLayering::aBrokenRuleIsFound_data() {
         "core/base/a.cpp:1: Qt: qcustomplot.h");
     row("later folder", "core/base/a.cpp", "#include \"core/windows/carrier.h\"\n",
         "core/base/a.cpp:1: a later folder of core/: core/windows/carrier.h");
+    row("later sub-folder", "core/recording/bytes/a.cpp",
+        "#include \"core/recording/text/text_rows.h\"\n",
+        "core/recording/bytes/a.cpp:1: a later folder of core/: core/recording/text/text_rows.h");
+    row("later folder from a sub-folder", "core/recording/text/a.cpp",
+        "#include \"core/windows/carrier.h\"\n",
+        "core/recording/text/a.cpp:1: a later folder of core/: core/windows/carrier.h");
+    row("beside the sub-folders", "core/recording/a.h", "#include <vector>\n",
+        "core/recording/a.h:1: its folder is not in core/CMakeLists.txt");
+    row("later folder of ui", "ui/words/a.cpp", "#include \"ui/window/main_window.h\"\n",
+        "ui/words/a.cpp:1: a later folder of ui/: ui/window/main_window.h");
+    row("beside the folders of ui", "ui/a.cpp", "#include <vector>\n",
+        "ui/a.cpp:1: its folder is not in ui/CMakeLists.txt");
     row("unlisted folder", "core/other/a.h", "#include <vector>\n",
         "core/other/a.h:1: its folder is not in core/CMakeLists.txt");
-    row("ui in core", "core/windows/a.cpp", "#include \"ui/run.h\"\n",
-        "core/windows/a.cpp:1: core/ includes ui/run.h");
+    row("ui in core", "core/windows/a.cpp", "#include \"ui/values/run.h\"\n",
+        "core/windows/a.cpp:1: core/ includes ui/values/run.h");
     row("app in core", "core/windows/a.cpp", "#include \"app/cli.h\"\n",
         "core/windows/a.cpp:1: core/ includes app/cli.h");
     row("tests in core", "core/windows/a.cpp", "#include \"tests/a.h\"\n",
         "core/windows/a.cpp:1: core/ includes tests/a.h");
-    row("app in ui", "ui/a.cpp", "#include \"app/gui_main.h\"\n",
-        "ui/a.cpp:1: ui/ includes app/gui_main.h");
-    row("ui in the command line", "app/cli_main.cpp", "#include \"ui/run.h\"\n",
-        "app/cli_main.cpp:1: the command line includes ui/run.h");
+    row("app in ui", "ui/words/a.cpp", "#include \"app/gui_main.h\"\n",
+        "ui/words/a.cpp:1: ui/ includes app/gui_main.h");
+    row("ui in the command line", "app/cli_main.cpp", "#include \"ui/values/run.h\"\n",
+        "app/cli_main.cpp:1: the command line includes ui/values/run.h");
     row("Qt in the command line", "app/cli_main.cpp", "#include <QCoreApplication>\n",
         "app/cli_main.cpp:1: Qt: QCoreApplication");
     row("desktop in the command line", "app/analysis_options.cpp",
@@ -97,8 +155,8 @@ void TestLayering::aBrokenRuleIsFound_data() {
         "app/analysis_options.cpp:1: the command line includes app/gui_figure.h");
     row("not from the root", "core/base/a.cpp", "#include \"a.h\"\n",
         "core/base/a.cpp:1: not included from the root: a.h");
-    row("relative", "ui/a.cpp", "#include \"../core/base/a.h\"\n",
-        "ui/a.cpp:1: not included from the root: ../core/base/a.h");
+    row("relative", "ui/words/a.cpp", "#include \"../../core/base/a.h\"\n",
+        "ui/words/a.cpp:1: not included from the root: ../../core/base/a.h");
 }
 
 void TestLayering::aBrokenRuleIsFound() {
@@ -116,11 +174,19 @@ void TestLayering::whatTheRulesAllowIsNotReported_data() {
         << "core/windows/a.cpp"
         << QByteArray(
                "#include \"core/base/a.h\"\n#include \"core/windows/a.h\"\n#include <queue>\n");
-    QTest::newRow("Qt in ui") << "ui/a.cpp"
+    QTest::newRow("earlier folder from and of a sub-folder")
+        << "core/recording/text/a.cpp"
+        << QByteArray("#include \"core/base/a.h\"\n#include \"core/recording/bytes/a.h\"\n");
+    QTest::newRow("a sub-folder from a later folder")
+        << "core/windows/a.cpp" << QByteArray("#include \"core/recording/text/a.h\"\n");
+    QTest::newRow("earlier folder of ui")
+        << "ui/window/a.cpp" << QByteArray("#include \"ui/words/a.h\"\n");
+    QTest::newRow("Qt in ui") << "ui/words/a.cpp"
                               << QByteArray("#include \"core/windows/a.h\"\n#include <QWidget>\n");
-    QTest::newRow("generated by moc") << "ui/a.cpp" << QByteArray("#include \"a.moc\"\n");
+    QTest::newRow("generated by moc") << "ui/words/a.cpp" << QByteArray("#include \"a.moc\"\n");
     QTest::newRow("desktop") << "app/gui_main.cpp"
-                             << QByteArray("#include \"ui/run.h\"\n#include <QApplication>\n");
+                             << QByteArray(
+                                    "#include \"ui/values/run.h\"\n#include <QApplication>\n");
     QTest::newRow("named in a comment")
         << "core/base/a.h" << QByteArray("// as #include <QString> would\n");
 }
@@ -135,6 +201,110 @@ void TestLayering::aFileMayHaveFourHundredLinesAndNoMore() {
     QCOMPARE(Tree("tests/a.cpp", QByteArray("\n").repeated(400)).violations(), QStringList{});
     QCOMPARE(Tree("tests/a.cpp", QByteArray("\n").repeated(401)).violations(),
              QStringList{"tests/a.cpp:401: longer than 400 lines"});
+}
+
+void TestLayering::aCircleOfUnitsIsFound() {
+    // a -> b -> c -> a, where b closes it with its source.
+    Tree tree("core/base/a.h", "#include \"core/base/b.h\"\n");
+    tree.with("core/base/b.h", "\n")
+        .with("core/base/b.cpp", "#include \"core/base/b.h\"\n#include \"core/base/c.h\"\n")
+        .with("core/base/c.h", "#include \"core/base/a.h\"\n");
+    QCOMPARE(tree.violations(),
+             QStringList{"circle of units: core/base/a <-> core/base/b <-> core/base/c"});
+}
+
+void TestLayering::aUnitThatTwoIncludeIsNoCircle() {
+    Tree tree("core/base/a.h", "#include \"core/base/b.h\"\n#include \"core/base/c.h\"\n");
+    tree.with("core/base/b.h", "#include \"core/base/c.h\"\n")
+        .with("core/base/c.h", "\n")
+        .with("core/base/c.cpp", "#include \"core/base/c.h\"\n");
+    QCOMPARE(tree.violations(), QStringList{});
+}
+
+void TestLayering::aFolderMayHoldThirtyUnitsAndNoMore() {
+    Tree tree;
+    for (int unit = 0; unit < 30; ++unit) {
+        tree.with(QString("core/base/a%1.h").arg(unit), "\n")
+            .with(QString("core/base/a%1.cpp").arg(unit), "\n");
+    }
+    QCOMPARE(tree.violations(), QStringList{});
+    tree.with("core/base/b.cpp", "\n");
+    QCOMPARE(tree.violations(), QStringList{"core/base: 31 units, more than 30"});
+}
+
+void TestLayering::aClassIsCountedOverAllItsFiles() {
+    Tree tree("ui/words/a.h",
+              "class A final : public B {\n"
+              "public:\n"
+              "    A();\n"
+              "    struct Inner {\n"
+              "        int size() const;\n"
+              "        std::vector<int> all{};\n"
+              "    };\n"
+              "};\n"
+              "\n"
+              "class Later;\n"
+              "struct Empty {};\n");
+    tree.with("ui/words/a.cpp",
+              "#include \"ui/words/a.h\"\n"
+              "\n"
+              "struct Local {\n"
+              "    int x = 0;  // two\n"
+              "};\n"
+              "\n"
+              "int size() {\n"
+              "    return 1;\n"
+              "}\n"
+              "\n"
+              "A::A()\n"
+              "    : x_{1},\n"
+              "      y_(2) {}\n")
+        .with("ui/words/a_more.cpp",
+              "#include \"ui/words/a.h\"\n"
+              "\n"
+              "std::optional<std::vector<int>> A::find(int x,\n"
+              "                                        int y) const {  // why\n"
+              "    if (x < y) {\n"
+              "        return B::find();\n"
+              "    }\n"
+              "    return {};\n"
+              "}\n"
+              "\n"
+              "int A::Inner::size() const {\n"
+              "    return 1;\n"
+              "}\n"
+              "\n"
+              "bool A::operator==(const A&) const = default;\n"
+              "const int A::most = std::max(1, 2);\n");
+    const QMap<QString, int> sizes{{"ui/words/a.h: A", 8 + 3 + 7 + 3},
+                                   {"ui/words/a.h: Empty", 1},
+                                   {"ui/words/a.cpp: Local", 3}};
+    QCOMPARE(tree.sizes(), sizes);
+}
+
+void TestLayering::aMemberCountsForTheClassThatItsSourceIncludes() {
+    // Two classes of one name: a member belongs to the one whose header its source includes.
+    Tree tree("ui/words/a.h", "class A {\n};\n");
+    tree.with("ui/window/a.h", "class A {\n};\n")
+        .with("ui/window/a.cpp", "#include \"ui/window/a.h\"\n\nvoid A::run() {\n}\n");
+    const QMap<QString, int> sizes{{"ui/words/a.h: A", 2}, {"ui/window/a.h: A", 4}};
+    QCOMPARE(tree.sizes(), sizes);
+}
+
+void TestLayering::aClassMayHaveFiveHundredLinesOrItsCeiling() {
+    Tree tree("core/base/a.h", "struct A {\n" + QByteArray("\n").repeated(298) + "};\n");
+    const auto withMember = [&tree](int lines) {
+        tree.with("core/base/a.cpp", "#include \"core/base/a.h\"\nvoid A::run() {\n" +
+                                         QByteArray("\n").repeated(lines - 2) + "}\n");
+    };
+    const QString a = "core/base/a.h: A";
+    withMember(200);
+    QCOMPARE(tree.violations(), QStringList{});
+    QCOMPARE(tree.violations({{a, 600}}), QStringList{a + " needs no ceiling"});
+    withMember(300);
+    QCOMPARE(tree.violations(), QStringList{a + " has 600 lines, more than 500"});
+    QCOMPARE(tree.violations({{a, 600}}), QStringList{});
+    QCOMPARE(tree.violations({{a, 599}}), QStringList{a + " has 600 lines, more than 599"});
 }
 
 QTEST_GUILESS_MAIN(TestLayering)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/resonator_fit.h"
+#include "core/resonator/results/resonator_fit.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <algorithm>

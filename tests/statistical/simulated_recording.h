@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/recording/memory_source.h"
-#include "core/recording/recording.h"
+#include "core/recording/samples/memory_source.h"
+#include "core/recording/samples/recording.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 
 #include <QtTest>
 

@@ -1,5 +1,9 @@
 #include "core/analysis/analyse.h"
-#include "core/estimators/precision_bound.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
+#include "core/estimators/wave/precision_bound.h"
+#include "core/simulation/true_track.h"
+#include "core/track/track.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>

@@ -1,5 +1,9 @@
 #include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
+#include "core/simulation/true_track.h"
 #include "core/track/events.h"
+#include "core/track/track.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>

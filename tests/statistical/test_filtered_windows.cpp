@@ -1,3 +1,8 @@
+#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
+#include "core/estimators/wave/estimator.h"
+#include "core/simulation/true_track.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/statistical/track_errors.h"
 

@@ -1,5 +1,9 @@
 #include "core/analysis/analyse.h"
-#include "core/recording/open_recording.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/recording.h"
+#include "core/track/track.h"
 
 #include <QtTest>
 

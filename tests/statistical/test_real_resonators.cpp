@@ -1,7 +1,8 @@
 // The mode pairs of two bells (METHOD section 9) by the whole road from file to resonator. Their
 // channels are no calibrated pair of pick-offs: the free model has to see that by itself.
 #include "core/analysis/identify.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/recording.h"
 
 #include <QtTest>
 

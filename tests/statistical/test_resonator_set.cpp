@@ -1,4 +1,5 @@
-#include "core/resonator/resonator_fit.h"
+#include "core/resonator/results/resonator_fit.h"
+#include "core/simulation/simulate.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/resonator_bound.h"
 #include "tests/statistical/simulated_recording.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/analysis/analyse.h"
 #include "core/simulation/free_decay.h"
+#include "core/track/track.h"
 
 #include <array>
 #include <cmath>

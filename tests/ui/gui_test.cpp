@@ -1,7 +1,8 @@
 #include "tests/ui/gui_test.h"
 
-#include "core/report/sample_files.h"
+#include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 
 #include <QFile>
 #include <QTest>

@@ -1,7 +1,8 @@
 #include "tests/ui/resonator_runs.h"
 
-#include "core/report/sample_files.h"
+#include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 
 #include <numbers>
 

@@ -1,7 +1,7 @@
 #include "tests/ui/synthetic_run.h"
 
 #include "core/numerics/phase.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/run.h"
+#include "ui/values/run.h"
 
 namespace vybeg::ui {
 

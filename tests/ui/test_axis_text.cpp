@@ -1,8 +1,8 @@
 // What stands beside and above the axes, as pure functions.
-#include "ui/axis_ticks.h"
-#include "ui/display_units.h"
-#include "ui/index_text.h"
-#include "ui/number_label.h"
+#include "ui/plots/axis_ticks.h"
+#include "ui/words/display_units.h"
+#include "ui/words/index_text.h"
+#include "ui/words/number_label.h"
 
 #include <QtTest>
 

@@ -1,5 +1,5 @@
-#include "ui/curve_data.h"
-#include "ui/value_range.h"
+#include "ui/plots/value_range.h"
+#include "ui/values/curve_data.h"
 
 #include <QtTest>
 

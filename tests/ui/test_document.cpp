@@ -1,5 +1,5 @@
 #include "tests/ui/gui_test.h"
-#include "ui/document.h"
+#include "ui/document/document.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>

@@ -1,7 +1,7 @@
 // The questions for a file, and what may not be written over.
 #include "tests/ui/gui_test.h"
-#include "ui/main_window.h"
-#include "ui/message_bar.h"
+#include "ui/panels/message_bar.h"
+#include "ui/window/main_window.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

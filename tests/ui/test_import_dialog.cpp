@@ -1,15 +1,16 @@
 // The import dialog driven as a person drives it: choices, preview, opening, what is remembered.
-#include "core/recording/byte_order.h"
+#include "core/recording/bytes/byte_order.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "tests/ui/gui_test.h"
-#include "ui/import_dialog.h"
-#include "ui/import_fields.h"
-#include "ui/import_memory.h"
-#include "ui/language.h"
-#include "ui/main_window.h"
-#include "ui/message_bar.h"
-#include "ui/number_field.h"
-#include "ui/open_options_json.h"
+#include "ui/import/import_dialog.h"
+#include "ui/import/import_fields.h"
+#include "ui/import/import_memory.h"
+#include "ui/import/open_options_json.h"
+#include "ui/panels/message_bar.h"
+#include "ui/widgets/number_field.h"
+#include "ui/window/main_window.h"
+#include "ui/words/language.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

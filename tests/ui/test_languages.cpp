@@ -1,10 +1,10 @@
 // Every text of the window in the interface's language, and the translation complete.
 #include "tests/ui/gui_test.h"
-#include "ui/compare_dialog.h"
-#include "ui/import_dialog.h"
-#include "ui/main_window.h"
-#include "ui/recording_panel.h"
-#include "ui/run_list.h"
+#include "ui/import/import_dialog.h"
+#include "ui/panels/recording_panel.h"
+#include "ui/panels/run_list.h"
+#include "ui/window/compare_dialog.h"
+#include "ui/window/main_window.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -187,8 +187,8 @@ private slots:
             VYBEG_LUPDATE,
             {"-silent", "-I", ".", "-locations", "none", "-no-obsolete", "-tr-function-alias",
              "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE", "ui", "app", "core/base/messages.cpp",
-             "core/base/diagnostic_messages.cpp", "core/resonator/reason.cpp",
-             "core/resonator/passport.cpp", "core/track/slow_variables.cpp", "-ts", copy});
+             "core/base/diagnostic_messages.cpp", "core/resonator/model/reason.cpp",
+             "core/resonator/results/passport.cpp", "core/track/slow_variables.cpp", "-ts", copy});
         QVERIFY(lupdate.waitForFinished(60000));
         QCOMPARE(lupdate.exitCode(), 0);
 

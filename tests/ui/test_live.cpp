@@ -1,9 +1,9 @@
 // Live analysis: a run that follows the settings.
 #include "tests/ui/gui_test.h"
-#include "ui/message_bar.h"
-#include "ui/number_field.h"
-#include "ui/run_list.h"
-#include "ui/track_view.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/run_list.h"
+#include "ui/plots/track_view.h"
+#include "ui/widgets/number_field.h"
 
 #include <QCheckBox>
 #include <QElapsedTimer>

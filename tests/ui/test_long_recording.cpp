@@ -4,10 +4,10 @@
 // environment variable VYBEG_LONG_RECORDING.
 #include "tests/ui/gui_test.h"
 #include "tests/ui/heartbeat.h"
-#include "ui/main_window.h"
-#include "ui/run_list.h"
-#include "ui/signal_view.h"
-#include "ui/track_view.h"
+#include "ui/panels/run_list.h"
+#include "ui/plots/signal_view.h"
+#include "ui/plots/track_view.h"
+#include "ui/window/main_window.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,16 +1,16 @@
 // The window driven as a person drives it: files, keys, mouse.
 #include "tests/ui/gui_test.h"
-#include "ui/compare_dialog.h"
-#include "ui/cursor_panel.h"
-#include "ui/events_panel.h"
-#include "ui/help_view.h"
-#include "ui/main_window.h"
-#include "ui/message_bar.h"
-#include "ui/number_field.h"
-#include "ui/recent_files.h"
-#include "ui/run_list.h"
-#include "ui/settings_panel.h"
-#include "ui/track_view.h"
+#include "ui/panels/cursor_panel.h"
+#include "ui/panels/events_panel.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/run_list.h"
+#include "ui/plots/track_view.h"
+#include "ui/settings/settings_panel.h"
+#include "ui/widgets/number_field.h"
+#include "ui/window/compare_dialog.h"
+#include "ui/window/help_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/recent_files.h"
 
 #include <QClipboard>
 #include <QComboBox>

@@ -1,4 +1,4 @@
-#include "ui/number_field.h"
+#include "ui/widgets/number_field.h"
 
 #include <QLocale>
 #include <QSignalSpy>

@@ -1,6 +1,6 @@
 #include "tests/ui/synthetic_run.h"
-#include "ui/figure.h"
-#include "ui/plot_export.h"
+#include "ui/plots/figure.h"
+#include "ui/plots/plot_export.h"
 
 #include <QApplication>
 #include <QClipboard>

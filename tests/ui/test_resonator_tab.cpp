@@ -1,16 +1,16 @@
 // Sets of runs, their identification and the passport, through the window's own widgets.
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
-#include "ui/message_bar.h"
-#include "ui/number_field.h"
-#include "ui/parameter_text.h"
-#include "ui/quantity_table.h"
-#include "ui/recording_drag.h"
-#include "ui/resonator_panel.h"
-#include "ui/resonator_text.h"
-#include "ui/set_panel.h"
-#include "ui/signal_fields.h"
-#include "ui/xy_plot_view.h"
+#include "ui/panels/message_bar.h"
+#include "ui/panels/recording_drag.h"
+#include "ui/plots/xy_plot_view.h"
+#include "ui/resonator/parameter_text.h"
+#include "ui/resonator/resonator_panel.h"
+#include "ui/resonator/resonator_text.h"
+#include "ui/resonator/set_panel.h"
+#include "ui/settings/signal_fields.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/quantity_table.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -210,7 +210,7 @@ private slots:
         QCOMPARE(waves.columnCount(), 5);
         const Estimate& f = found.runs[2].wave.f_hz;
         QCOMPARE(cell("waves", "Frequency of the wave", 3), valueText(f.value, f.sd, f.u));
-        QCOMPARE(sensitivities.columnCount(), 6);
+        QCOMPARE(sensitivities.columnCount(), 9);
         QVERIFY(sensitivities.rowCount() >= 5);
         // Copied, the change of the axis by 0.1 degrees of skew.
         sensitivities.setFocus();

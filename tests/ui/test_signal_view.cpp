@@ -1,5 +1,5 @@
-#include "core/recording/envelope_builder.h"
-#include "ui/signal_view.h"
+#include "core/recording/envelope/envelope_builder.h"
+#include "ui/plots/signal_view.h"
 
 #include <QSignalSpy>
 #include <QWheelEvent>

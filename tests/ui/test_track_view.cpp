@@ -1,5 +1,5 @@
 #include "tests/ui/synthetic_run.h"
-#include "ui/track_view.h"
+#include "ui/plots/track_view.h"
 
 #include <QSignalSpy>
 #include <QWheelEvent>

@@ -1,4 +1,4 @@
-#include "ui/zoom_stack.h"
+#include "ui/values/zoom_stack.h"
 
 #include <QtTest>
 

@@ -1,4 +1,7 @@
 #include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
+#include "core/track/track.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>

@@ -3,8 +3,9 @@
 // Statistical model: the errors of the four real parts of N phasors are Gaussian with the deviation
 // told; the mean of their squares in units of it is 1 within sqrt(2/(4 N)).
 #include "core/analysis/phasor_windows.h"
-#include "core/resonator/wave_motion.h"
+#include "core/resonator/runs/wave_motion.h"
 #include "core/simulation/gaussian_noise.h"
+#include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
 #include "tests/statistical/simulated_recording.h"
 

@@ -1,6 +1,12 @@
 // Which windows of a track are flagged over faults of the samples.
 #include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
 #include "core/analysis/window_faults.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/true_track.h"
+#include "core/track/track.h"
+#include "core/windows/window_plan.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -54,7 +60,7 @@ private slots:
             }
             Track found(static_cast<std::size_t>(plan.count));
             const std::vector<FlaggedRows> flagged = windows_over(faults, plan);
-            set_flags(found, flagged);
+            set_flags(found, 0, flagged);
             QVERIFY(std::ranges::is_sorted(flagged, {}, &FlaggedRows::first));
             for (std::int64_t k = 0; k < plan.count; ++k) {
                 const std::int64_t begin = plan.start(k);

@@ -115,6 +115,8 @@ const std::map<DiagnosticKind, std::size_t> documented_kinds{
     {DiagnosticKind::misfit_settling, 2},
     {DiagnosticKind::misfit_neighbour, 2},
     {DiagnosticKind::misfit_channel, 2},
+    {DiagnosticKind::misfit_pickoff, 2},
+    {DiagnosticKind::fitted_phase_step, 3},
     {DiagnosticKind::fit_not_converged, 0},
     {DiagnosticKind::option_without_effect, 2},
 };

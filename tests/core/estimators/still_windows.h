@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/estimator.h"
+#include "core/estimators/wave/estimator.h"
 
 #include <cmath>
 #include <numbers>

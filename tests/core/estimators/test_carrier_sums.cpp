@@ -1,9 +1,9 @@
 // The sums of windows whose frequency is not the carrier's, which drifts or was told wrong, against
 // sums over their samples; and the estimates of every algorithm that uses them against those by the
 // same sums at each window's own carrier.
-#include "core/estimators/carrier_sums.h"
-#include "core/estimators/profile.h"
-#include "core/estimators/window_estimate.h"
+#include "core/estimators/batch/carrier_sums.h"
+#include "core/estimators/batch/profile.h"
+#include "core/estimators/batch/window_estimate.h"
 
 #include <QtTest>
 

@@ -1,4 +1,4 @@
-#include "core/estimators/estimator.h"
+#include "core/estimators/wave/estimator.h"
 #include "core/windows/window_plan.h"
 #include "tests/core/estimators/still_wave.h"
 

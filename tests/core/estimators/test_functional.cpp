@@ -1,4 +1,4 @@
-#include "core/estimators/wave_functional.h"
+#include "core/estimators/batch/wave_functional.h"
 
 #include <QtTest>
 

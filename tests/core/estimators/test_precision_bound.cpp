@@ -1,4 +1,4 @@
-#include "core/estimators/precision_bound.h"
+#include "core/estimators/wave/precision_bound.h"
 
 #include <QtTest>
 

@@ -1,9 +1,9 @@
 // Closed forms and conjugate gradient of eight windows at once, against the same of one window by
 // itself.
-#include "core/estimators/closed_form_estimator.h"
-#include "core/estimators/conjugate_gradient.h"
-#include "core/estimators/estimator.h"
-#include "core/estimators/window_estimate.h"
+#include "core/estimators/algorithms/closed_form_estimator.h"
+#include "core/estimators/algorithms/conjugate_gradient.h"
+#include "core/estimators/batch/window_estimate.h"
+#include "core/estimators/wave/estimator.h"
 #include "tests/core/estimators/still_windows.h"
 
 #include <QtTest>

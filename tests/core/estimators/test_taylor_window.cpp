@@ -1,10 +1,10 @@
 // Maximum likelihood by the series of eight windows at once, against the road of one window by
 // itself, which touches its samples at every trial frequency.
-#include "core/estimators/estimator.h"
-#include "core/estimators/profile.h"
-#include "core/estimators/projection_sums.h"
-#include "core/estimators/taylor_window.h"
-#include "core/estimators/window_estimate.h"
+#include "core/estimators/batch/profile.h"
+#include "core/estimators/batch/projection_sums.h"
+#include "core/estimators/batch/taylor_window.h"
+#include "core/estimators/batch/window_estimate.h"
+#include "core/estimators/wave/estimator.h"
 #include "tests/core/estimators/still_windows.h"
 
 #include <QtTest>

@@ -1,4 +1,4 @@
-#include "core/estimators/wave_state.h"
+#include "core/estimators/wave/wave_state.h"
 #include "core/numerics/phase.h"
 
 #include <QtTest>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"
 

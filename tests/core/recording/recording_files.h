@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/base/messages.h"
-#include "core/recording/open_recording.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/recording.h"
 #include "tests/core/recording/source_reading.h"
 
 #include <QTemporaryDir>

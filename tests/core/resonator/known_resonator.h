@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/resonator/resonator_fit.h"
-#include "core/resonator/resonator_parameters.h"
+#include "core/resonator/results/resonator_fit.h"
+#include "core/resonator/results/resonator_parameters.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>

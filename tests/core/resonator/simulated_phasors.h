@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/phasor_run.h"
+#include "core/resonator/model/phasor_run.h"
 #include "core/simulation/decay_motion.h"
 #include "core/simulation/gaussian_noise.h"
 #include "core/simulation/slow_motion.h"
@@ -21,6 +21,7 @@ PhasorRun noisy_phasors(const FreeDecay& decay, std::int64_t window, std::uint64
     const double sd = decay.noise * std::sqrt(2 / n);
     PhasorRun run;
     run.f_ref_hz = decay.f0_hz;
+    run.rate_hz = decay.rate_hz;
     run.window_s = n / decay.rate_hz;
     for (std::int64_t first = 0; first + window <= frame_count(decay); first += window) {
         const double t = (static_cast<double>(first) + (n - 1) / 2) / decay.rate_hz;

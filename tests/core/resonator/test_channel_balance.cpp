@@ -1,5 +1,5 @@
-#include "core/resonator/channel_balance.h"
-#include "core/resonator/resonator_fit.h"
+#include "core/resonator/results/resonator_fit.h"
+#include "core/resonator/runs/channel_balance.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>

@@ -1,4 +1,4 @@
-#include "core/resonator/delayed_pencil.h"
+#include "core/resonator/fit/delayed_pencil.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;

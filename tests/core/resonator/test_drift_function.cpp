@@ -3,9 +3,9 @@
 // Statistical model: the coefficients' errors are Gaussian with the covariance told; each is held
 // to four and a half of its deviations, and over many seeds their squares in units of it to their
 // mean of one.
-#include "core/resonator/drift_function.h"
-#include "core/resonator/resonator_fit.h"
-#include "core/resonator/slow_dynamics.h"
+#include "core/resonator/model/slow_dynamics.h"
+#include "core/resonator/results/drift_function.h"
+#include "core/resonator/results/resonator_fit.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>

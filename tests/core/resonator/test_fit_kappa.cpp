@@ -187,6 +187,10 @@ private slots:
              [](std::complex<double>, std::complex<double> d, double x, double size) {
                  return d * (1 + x * size);
              }},
+            {"pick-offs", &ChannelSensitivity::pickoff_share, 1e-4,
+             [](std::complex<double>, std::complex<double> d, double, double size) {
+                 return d * (1 + size * std::norm(d));
+             }},
             {"kappa", &ChannelSensitivity::kappa, 1e-4,
              [](std::complex<double>, std::complex<double> d, double, double size) {
                  return d / (1 + size);
@@ -198,6 +202,9 @@ private slots:
                 const double duration = run.time_s.back() + run.window_s / 2;
                 for (std::size_t k = 0; k < run.d.size(); ++k) {
                     run.d[k] = error.of(run.c[k], run.d[k], run.time_s[k] / duration, error.size);
+                    if (error.member == &ChannelSensitivity::pickoff_share) {
+                        run.c[k] *= 1 + error.size * std::norm(run.c[k]);
+                    }
                 }
             }
             const ResonatorFit after = fitted(runs, told);
@@ -218,6 +225,67 @@ private slots:
                                         .arg(expected)
                                         .arg(one.sd)));
             }
+        }
+    }
+
+    // What the model holds at zero: a cubic spring below its test, damping by amplitude. The spring
+    // turns elliptic waves.
+    void sensitivities_foretell_what_an_effect_of_the_amplitude_changes() {
+        struct Effect {
+            double ChannelSensitivity::*member;
+            double size;
+            double FreeDecay::*of;
+            double unit;  // of the simulator's number
+        };
+        FreeDecay decay = reference();
+        decay.split_hz = 1e-3;
+        decay.theta_w = 0.2;
+        decay.damping_anisotropy_per_s = 2e-4;
+        decay.theta_tau = -0.1;
+        decay.a_B = 0.1;
+        const double power = 1.01;
+        const auto runs_of = [](FreeDecay of) {
+            std::vector<PhasorRun> runs;
+            for (const double angle : {8.6, 31.1}) {
+                of.two_theta_A = 2 * angle * pi / 180;
+                runs.push_back(moved_phasors(of, 2000, 1 + runs.size()));
+            }
+            return runs;
+        };
+        // Small enough to be a motion by power in both.
+        decay.damping_per_power_per_s = 1e-12;
+        const FitOptions told{.tolerance = {.kappa = 0}};
+        const ResonatorFit before = fitted(runs_of(decay), told);
+        for (const Effect& effect :
+             {Effect{&ChannelSensitivity::cubic_hz, 1e-5, &FreeDecay::frequency_per_power_hz,
+                     1 / power},
+              Effect{&ChannelSensitivity::damping_share, 2e-3, &FreeDecay::damping_per_power_per_s,
+                     1 / (power * decay.tau_s)}}) {
+            FreeDecay with = decay;
+            with.*effect.of = effect.size * effect.unit;
+            const ResonatorFit after = fitted(runs_of(with), told);
+            bool felt = false;
+            for (std::size_t k = 0; k < resonator_parameters.size(); ++k) {
+                const ResonatorParameter& parameter = resonator_parameters[k];
+                const Estimate& one = before.resonator.*parameter.member;
+                const Estimate& other = after.resonator.*parameter.member;
+                // The spring changes the frequency itself.
+                if (!one.given() || !other.given() ||
+                    parameter.member == &ResonatorEstimate::f_mean_hz) {
+                    continue;
+                }
+                const double expected = -(before.sensitivities[k].*effect.member) * effect.size;
+                const double least = 0.1 * one.sd;
+                felt = felt || std::abs(expected) > one.sd;
+                QVERIFY2(
+                    std::abs(other.value - one.value - expected) < 0.1 * std::abs(expected) + least,
+                    qPrintable(QString("%1: %2 for %3 (sd %4)")
+                                   .arg(parameter.name)
+                                   .arg(other.value - one.value)
+                                   .arg(expected)
+                                   .arg(one.sd)));
+            }
+            QVERIFY(felt);
         }
     }
 
@@ -242,6 +310,39 @@ private slots:
                  qPrintable(QString::number(told.resonator.angle_rate_rad_s.value /
                                             told.resonator.angle_rate_rad_s.uncertainty())));
         QVERIFY(told.resonator.angle_rate_rad_s.sd < told.resonator.angle_rate_rad_s.u);
+    }
+
+    // Frequencies belong to the power of the wave, not to that of the recorded channels.
+    void a_gain_ratio_leaves_the_frequency_of_a_cubic_spring() {
+        for (const double kappa : {1.0, 0.99, 1.005}) {
+            for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+                FreeDecay decay = reference();
+                decay.tau_s = 40;
+                decay.split_hz = 1e-3;
+                decay.kappa = kappa;
+                decay.frequency_per_power_hz = 5e-3;
+                std::vector<PhasorRun> runs;
+                double f_mean_hz = 0;
+                for (const double angle : four_angles) {
+                    // So few windows are not merged: their power is that of the fit.
+                    decay.two_theta_A = 2 * angle * pi / 180;
+                    decay.a_A = runs.size() == 1 ? 0.6 : 1;
+                    runs.push_back(moved_phasors(decay, 6500, 10 * seed + runs.size()));
+                    double power = 0;
+                    double square = 0;
+                    for (std::size_t k = 0; k < runs.back().c.size(); ++k) {
+                        const double at =
+                            std::norm(runs.back().c[k]) + std::norm(kappa * runs.back().d[k]);
+                        power += at;
+                        square += at * at;
+                    }
+                    f_mean_hz += (decay.f0_hz + 5e-3 * square / power) / 4;
+                }
+                const ResonatorFit fit = fitted(runs);
+                VYBEG_NEAR(fit.resonator.frequency_per_power, 5e-3, 4.6, 1e-4);
+                VYBEG_NEAR(fit.resonator.f_mean_hz, f_mean_hz, 4.6, 1e-5);
+            }
+        }
     }
 
     void channels_that_are_no_pair_are_not_balanced() {

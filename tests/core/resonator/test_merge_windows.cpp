@@ -1,4 +1,4 @@
-#include "core/resonator/merge_windows.h"
+#include "core/resonator/runs/merge_windows.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;

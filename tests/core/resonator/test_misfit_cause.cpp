@@ -27,7 +27,9 @@ const Diagnostic* named(const ResonatorFit& fit) {
         if (warning.kind == DiagnosticKind::misfit_damping ||
             warning.kind == DiagnosticKind::misfit_settling ||
             warning.kind == DiagnosticKind::misfit_neighbour ||
-            warning.kind == DiagnosticKind::misfit_channel) {
+            warning.kind == DiagnosticKind::misfit_channel ||
+            warning.kind == DiagnosticKind::misfit_pickoff ||
+            warning.kind == DiagnosticKind::fitted_phase_step) {
             return &warning;
         }
     }
@@ -153,6 +155,30 @@ private slots:
                     QVERIFY2(std::abs(found - 5300 - off_hz) < 0.1, cause->args[0].c_str());
                     const double per_cent = std::stod(cause->args[1]);
                     QVERIFY2(per_cent > 0.5 && per_cent < 2, cause->args[1].c_str());
+                }
+            }
+        }
+    }
+
+    // A gain that falls by 0.2 % at full amplitude in C, 0.1 % in D.
+    void pick_offs_whose_gain_follows_the_amplitude_are_named() {
+        for (auto [gyro, angles] : gyros()) {
+            gyro.tau_s = 60;
+            for (int seed = 1; seed <= seeds; ++seed) {
+                std::vector<PhasorRun> runs =
+                    set_of(gyro, angles, 1000, static_cast<std::uint64_t>(seed));
+                change_phasors(runs, [](double, auto& c, auto& d) {
+                    c *= 1 - 2e-3 * std::norm(c);
+                    d *= 1 - 1e-3 * std::norm(d);
+                });
+                const Diagnostic* cause = nullptr;
+                const ResonatorFit fit = fitted(runs);
+                cause = named(fit);
+                QVERIFY2(cause != nullptr, qPrintable(QString::number(fit.chi2_per_dof)));
+                QCOMPARE(kind_name(cause->kind), kind_name(DiagnosticKind::misfit_pickoff));
+                for (const auto& [size, truth] :
+                     {std::pair(cause->args[0], -0.2), {cause->args[1], -0.1}}) {
+                    QVERIFY2(std::abs(std::stod(size) - truth) < 0.1, size.c_str());
                 }
             }
         }

@@ -1,5 +1,5 @@
 // What a comparison says of parameters that moved, did not, or are not known.
-#include "core/resonator/passport.h"
+#include "core/resonator/results/passport.h"
 
 #include <QtTest>
 

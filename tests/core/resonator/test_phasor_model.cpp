@@ -1,5 +1,5 @@
-#include "core/resonator/map_fit.h"
-#include "core/resonator/posterior.h"
+#include "core/resonator/fit/map_fit.h"
+#include "core/resonator/fit/posterior.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>

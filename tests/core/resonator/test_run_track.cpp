@@ -1,4 +1,4 @@
-#include "core/resonator/run_track.h"
+#include "core/resonator/runs/run_track.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>

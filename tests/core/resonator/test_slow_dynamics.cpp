@@ -1,4 +1,4 @@
-#include "core/resonator/slow_dynamics.h"
+#include "core/resonator/model/slow_dynamics.h"
 #include "core/simulation/slow_motion.h"
 
 #include <QtTest>

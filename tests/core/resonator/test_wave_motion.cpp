@@ -2,7 +2,7 @@
 //
 // Statistical model: a pull is the error over the deviation told; over N independent runs the mean
 // of its squares is 1 within sqrt(2/N).
-#include "core/resonator/wave_motion.h"
+#include "core/resonator/runs/wave_motion.h"
 #include "tests/core/resonator/known_resonator.h"
 
 #include <array>
@@ -81,6 +81,24 @@ struct Pulls {
         return true;
     }
 };
+
+// Window means by so many points that a window may hold a quarter of a beat.
+PhasorRun exact_means(const FreeDecay& decay, std::int64_t samples, std::uint64_t seed,
+                      double offset_hz) {
+    const SlowMotion motion(decay);
+    const Eigen::Vector2cd start = motion.at_frame(0);
+    const double window_s = static_cast<double>(samples) / decay.rate_hz;
+    constexpr int points = 64;
+    return noisy_phasors(decay, samples, seed, [&](std::int64_t, double t) {
+        Eigen::Vector2cd z = Eigen::Vector2cd::Zero();
+        for (int k = 0; k < points; ++k) {
+            const double u = t + ((k + 0.5) / points - 0.5) * window_s;
+            z += std::polar(1.0 / points, 2 * std::numbers::pi * offset_hz * u) *
+                 (motion.propagator(u) * start);
+        }
+        return z;
+    });
+}
 
 // A resonator of a split, started at an angle with some quadrature.
 FreeDecay wave(double split_hz, double theta_deg, double a_B) {
@@ -199,6 +217,30 @@ private slots:
                 const WaveMotion found =
                     wave_motion(simulated_phasors(decay, window, seed, offset));
                 VYBEG_NEAR(found.f_hz, truth, 5, 1e-4);
+            }
+        }
+    }
+
+    // As the program chooses windows for wide splits: five in a cycle of the beat and more.
+    void beats_of_five_windows_and_more_are_followed() {
+        for (const double split : {7.0, 15.0, 40.0}) {
+            for (const double per_cycle : {5.0, 8.0, 13.0}) {
+                FreeDecay decay = wave(split, 17, 0);
+                decay.theta_w = 0.8664;
+                decay.damping_anisotropy_per_s = 0;
+                decay.tau_s = 1500;
+                decay.noise = 1e-3;
+                decay.seconds = 14;
+                const double angle = 4 * (17 * std::numbers::pi / 180 - decay.theta_w);
+                const auto samples = static_cast<std::int64_t>(decay.rate_hz / split / per_cycle);
+                for (const double share : {-0.3, 0.4}) {
+                    const double offset = share * split;
+                    const double truth = decay.f0_hz + offset + 0.5 * split * std::cos(angle);
+                    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                        const PhasorRun run = exact_means(decay, samples, seed, offset);
+                        VYBEG_NEAR(wave_motion(run).f_hz, truth, 4.5, 1e-3);
+                    }
+                }
             }
         }
     }

@@ -6,6 +6,7 @@
 // and b T of its mean square.
 #include "core/simulation/carrier_noise.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 
 #include <QtTest>
 

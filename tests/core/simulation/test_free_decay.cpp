@@ -1,6 +1,8 @@
 // The noiseless samples of the simulator against three descriptions of the same motion that share
 // no formula with it.
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/true_track.h"
 
 #include <QtTest>
 

@@ -1,8 +1,9 @@
 // Motion whose frequency drifts, settles or depends on the power, against the oscillator's own
 // second-order equations, against Runge-Kutta, and against its own steps halved.
-#include "core/simulation/free_decay.h"
 #include "core/simulation/power_motion.h"
+#include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
+#include "core/simulation/true_track.h"
 
 #include <QtTest>
 
@@ -146,8 +147,7 @@ void TestSimulatedMotion::a_cubic_spring_and_damping_by_power_are_those_of_the_o
         }
     }
     QVERIFY2(worst < 1e-4, qPrintable(QString::number(worst)));
-    decay.frequency_per_power_hz = 0;
-    decay.damping_per_power_per_s = 0;
+    decay.frequency_per_power_hz = decay.damping_per_power_per_s = 0;
     const auto without = simulate(decay, {});
     QVERIFY(bool(without));
     double effect = 0;

@@ -3,6 +3,7 @@
 // Statistical model: n independent Gaussian numbers of variance s^2 have a mean of sd s/sqrt(n), a
 // mean square of sd s^2 sqrt(2/n), and a correlation of sd 1/sqrt(n) with any other such row.
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 
 #include <QtTest>
 

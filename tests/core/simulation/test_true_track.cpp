@@ -1,5 +1,7 @@
 // The truth against what was put in, against the samples, and as a track.
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
+#include "core/simulation/true_track.h"
 
 #include <QtTest>
 

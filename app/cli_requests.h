@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/analysis/identify.h"
+#include "core/analysis/settings.h"
+#include "core/recording/samples/open_options.h"
+#include "core/resonator/results/passport.h"
+#include "core/simulation/free_decay.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vybeg::cli {
+
+struct InfoRequest {
+    std::string input;
+    OpenOptions open;
+    bool json = false;
+};
+
+struct AnalyzeRequest {
+    std::string input;
+    std::string output;  // "-": standard output
+    OpenOptions open;
+    Settings settings;
+    bool timing = false;
+};
+
+// `identify` and, with a passport to compare with, `compare`.
+struct IdentifyRequest {
+    std::vector<std::string> inputs;
+    std::string output;        // empty: a summary for people on standard output; "-": JSON there
+    std::string new_passport;  // --passport; empty: none
+    std::string old_passport;  // of compare; empty: none
+    OpenOptions open;
+    IdentifySettings settings;
+    CompareOptions compare;
+    bool timing = false;
+};
+
+struct SimulateRequest {
+    std::string output;
+    std::string truth;  // empty: none
+    FreeDecay decay;
+    std::int64_t window = 60;  // of the truth
+};
+
+}  // namespace vybeg::cli

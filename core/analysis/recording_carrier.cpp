@@ -1,0 +1,19 @@
+#include "core/analysis/recording_carrier.h"
+
+#include "core/analysis/prepare.h"
+
+namespace vybeg {
+
+Result<double> find_recording_carrier(const Recording& recording, const Settings& settings,
+                                      const JobControl& job) {
+    if (const Status valid = validate(settings); !valid) {
+        return valid.error();
+    }
+    const Result<Prepared> prepared = prepare(recording, settings, job);
+    if (!prepared) {
+        return prepared.error();
+    }
+    return prepared->f0_hz;
+}
+
+}  // namespace vybeg

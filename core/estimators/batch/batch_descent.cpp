@@ -1,0 +1,90 @@
+#include "core/estimators/batch/batch_descent.h"
+
+#include "core/estimators/batch/closed_forms.h"
+#include "core/estimators/batch/descent_step.h"
+
+namespace vybeg {
+namespace {
+
+// Most windows need 5 to 10; the few that need more are as well estimated by themselves.
+constexpr int most_steps = 40;
+
+// All cosines and sines in one loop, the cosines as sines: of both of the same number GCC would
+// make one call for each lane.
+VYBEG_INLINED inline TurnedWave<Vec8> turned_lanes(const Five<Vec8>& at) {
+    constexpr double quarter = std::numbers::pi / 2;
+    const std::array<Vec8, 4> phases{at[2] + quarter, at[2], at[3] + quarter, at[3]};
+    std::array<double, 4 * lane_count> sines;
+    __builtin_memcpy(sines.data(), phases.data(), sizeof sines);
+    for (double& sine : sines) {
+        sine = vybeg_sin(sine);
+    }
+    const auto sine = [&](std::size_t k)
+                          VYBEG_INLINED { return load(sines.data() + k * lane_count); };
+    return {at[0], at[1], sine(0), sine(1), sine(2), sine(3)};
+}
+
+VYBEG_INLINED inline WaveFunctional<Vec8> functional_at(const ProjectionBatch& batch,
+                                                        const TaylorFrame& frame,
+                                                        const Five<Vec8>& at) {
+    return wave_functional(turned_lanes(at), jets_at(batch, frame, at[4]),
+                           static_cast<double>(frame.length()));
+}
+
+}  // namespace
+
+VYBEG_DISPATCHED
+void in_phase_starts(const ProjectionBatch& __restrict batch, const TaylorFrame& __restrict frame,
+                     BatchStart& __restrict start) {
+    const InPhaseForm<Vec8> form(products_of(batch), {static_cast<double>(frame.length())});
+    const WaveStateOf<Vec8> wave = form.at(jets_at_reference(batch, frame), Vec8{}).wave.wave;
+    store(wave.a_A, start.a_A);
+    store(wave.a_B, start.a_B);
+    store(wave.two_theta_A, start.two_theta_A);
+    store(wave.alpha, start.alpha);
+    store(Vec8{}, start.x);
+}
+
+VYBEG_DISPATCHED
+void descend_batch(const ProjectionBatch& __restrict batch, const TaylorFrame& __restrict frame,
+                   const BatchStart& __restrict start, DescentFit<Vec8>& __restrict found) {
+    const auto n = static_cast<double>(frame.length());
+    const double tolerance = descent_tolerance(frame.w0(), frame.length());
+    Five<Vec8> at{load(start.a_A), load(start.a_B), load(start.two_theta_A), load(start.alpha),
+                  load(start.x)};
+    Mask8 good = less(absolute(at[4]), taylor_reach);
+    Mask8 on_the_way = good;
+    WaveFunctional<Vec8> f = functional_at(batch, frame, at);
+    Preconditioner<Vec8> scale(at, n, frame.spread(), 0.5 * n);
+    Five<Vec8> direction{};
+    for (int steps = 0; steps < most_steps; ++steps) {
+        if (steps % descent_restart == 0) {
+            scale = Preconditioner<Vec8>(at, n, frame.spread(), 0.5 * n);
+            direction = {};
+        }
+        const Five<Vec8> scaled = scale.apply(f.gradient);
+        const Vec8 left = dot(f.gradient, scaled);
+        on_the_way = good & !less(left, tolerance * tolerance * n * power_of(at));
+        if (!any(on_the_way)) {
+            break;
+        }
+        const DescentWay<Vec8> way = next_way(f, scaled, direction);
+        direction = way.direction;
+        const Vec8 step = -way.slope / way.curvature;
+        // Windows that have arrived stay.
+        at = moved(at, direction, select(on_the_way, step, Vec8{}));
+        const Vec8 value = f.value;
+        f = functional_at(batch, frame, at);
+        const Mask8 taken = good & negative(-way.curvature) & less(absolute(at[4]), taylor_reach) &
+                            negative(excess_of(f.value, value, step, way.slope));
+        good = good & (taken | !on_the_way);
+    }
+    const Mask8 arrived = good & !on_the_way & is_positive(f.hessian);
+    found.arrived = select(arrived, Vec8{} + 1.0, Vec8{});
+    found.residual = load(batch.cc) + load(batch.dd) + f.value;
+    const PhasorParts<Vec8> phasors = phasors_of(turned_lanes(at));
+    found.wave =
+        report_batch(batch, frame, at[4], gram_jet(frame, at[4]), phasors, state_of(phasors));
+}
+
+}  // namespace vybeg

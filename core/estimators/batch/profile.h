@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/estimators/batch/window_jets.h"
+#include "core/estimators/wave/frequency_bracket.h"
+#include "core/estimators/wave/wave_state.h"
+
+namespace vybeg {
+
+// The least-squares fit of a window with the four phasor components eliminated (variable
+// projection, METHOD section 5.6): what is left is one function of the frequency.
+
+// p^2/g of one component, added to the power; by_g = 1/g.
+template <class Real>
+VYBEG_INLINED inline void add_component(Jet2<Real>& power, const Jet2<Real>& p, const Jet2<Real>& g,
+                                        Real by_g) {
+    const Real ratio = p.value * by_g;
+    const Real left = p.slope - ratio * g.slope;
+    power.value += p.value * ratio;
+    power.slope += ratio * (p.slope + left);
+    power.bend += 2 * (left * left) * by_g + ratio * (2 * p.bend - ratio * g.bend);
+}
+
+// Power that the best phasors take out of the samples.
+template <class Real>
+VYBEG_INLINED inline Jet2<Real> profile_power(const WindowJets<Real>& s) {
+    const Real by_g = 1 / s.g.value;
+    const Real by_h = 1 / s.h.value;
+    Jet2<Real> power{};
+    add_component(power, s.pc, s.g, by_g);
+    add_component(power, s.qc, s.h, by_h);
+    add_component(power, s.pd, s.g, by_g);
+    add_component(power, s.qd, s.h, by_h);
+    return power;
+}
+
+struct ProfileMaximum {
+    double w = 0;
+    Phasors phasors;
+    bool converged = false;
+    bool at_bound = false;  // the largest power lies at the edge of the bracket
+};
+
+// The frequency of largest power in the bracket, by Newton steps from its centre; where those leave
+// the bracket or meet no concavity, by a search over the bracket first. Error of w: 1e-12 / n.
+ProfileMaximum maximise_profile(const Window& window, const FrequencyBracket& bracket);
+
+// The same of eight windows near the reference frequency, by Newton steps on the series.
+struct BatchMaximum {
+    Lanes x;        // frequency, as in taylor_window.h
+    Lanes power;    // that is taken out
+    Lanes arrived;  // 1; or 0 where the steps leave the series' reach or meet no concavity
+};
+void maximise_batch(const ProjectionBatch& batch, const TaylorFrame& frame, BatchMaximum& maximum);
+
+}  // namespace vybeg

@@ -1,0 +1,263 @@
+#include "core/estimators/batch/projection_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg {
+namespace {
+
+// One window's series: eight orders side by side.
+struct Series {
+    Vec8 c_cos{};
+    Vec8 c_sin{};
+    Vec8 d_cos{};
+    Vec8 d_sin{};
+};
+
+VYBEG_INLINED inline void project_sample(Series& sum, SampleColumns of, std::int64_t j,
+                                         Vec8 cosines, Vec8 sines) {
+    sum.c_cos += of.c[j] * cosines;
+    sum.c_sin += of.c[j] * sines;
+    sum.d_cos += of.d[j] * cosines;
+    sum.d_sin += of.d[j] * sines;
+}
+
+VYBEG_INLINED inline void project(Series& sum, SampleColumns of, std::int64_t length,
+                                  const double* row) {
+    for (std::int64_t j = 0; j < length; ++j, row += 2 * taylor_orders) {
+        project_sample(sum, of, j, load(row), load(row + taylor_orders));
+    }
+}
+
+// Two at a time, or the processor would wait for each sum before it adds to it.
+VYBEG_INLINED inline void project(Series& sum_a, SampleColumns a, Series& sum_b, SampleColumns b,
+                                  std::int64_t length, const double* row) {
+    for (std::int64_t j = 0; j < length; ++j, row += 2 * taylor_orders) {
+        const Vec8 cosines = load(row);
+        const Vec8 sines = load(row + taylor_orders);
+        project_sample(sum_a, a, j, cosines, sines);
+        project_sample(sum_b, b, j, cosines, sines);
+    }
+}
+
+struct Products {
+    double cc = 0;
+    double dd = 0;
+    double cd = 0;
+    double cq = 0;
+};
+
+VYBEG_INLINED inline void add_products(Products& sum, SampleColumns of, std::int64_t length) {
+    Vec8 cc{};
+    Vec8 dd{};
+    Vec8 cd{};
+    std::int64_t j = 0;
+    constexpr auto lanes = static_cast<std::int64_t>(lane_count);
+    for (; j + lanes <= length; j += lanes) {
+        const Vec8 c = load(of.c + j);
+        const Vec8 d = load(of.d + j);
+        cc += c * c;
+        dd += d * d;
+        cd += c * d;
+    }
+    for (; j < length; ++j) {
+        sum.cc += of.c[j] * of.c[j];
+        sum.dd += of.d[j] * of.d[j];
+        sum.cd += of.c[j] * of.d[j];
+    }
+    if (length >= lanes) {
+        sum.cc += total(cc);
+        sum.dd += total(dd);
+        sum.cd += total(cd);
+    }
+    if (of.delayed != nullptr) {
+        Vec8 cq{};
+        for (j = 0; j + lanes <= length; j += lanes) {
+            cq += load(of.c + j) * load(of.delayed + j);
+        }
+        for (; j < length; ++j) {
+            sum.cq += of.c[j] * of.delayed[j];
+        }
+        sum.cq += total(cq);
+    }
+}
+
+// sum += shift times part, each a series.
+VYBEG_INLINED inline void add_shifted(Series& sum, const Series& part, const CentreShift& shift) {
+    Lanes c_cos;
+    Lanes c_sin;
+    Lanes d_cos;
+    Lanes d_sin;
+    store(part.c_cos, c_cos);
+    store(part.c_sin, c_sin);
+    store(part.d_cos, d_cos);
+    store(part.d_sin, d_sin);
+    for (std::size_t j = 0; j < taylor_orders; ++j) {
+        const Vec8 re = load(shift.re.data() + taylor_orders - j);
+        const Vec8 im = load(shift.im.data() + taylor_orders - j);
+        sum.c_cos += c_cos[j] * re - c_sin[j] * im;
+        sum.c_sin += c_cos[j] * im + c_sin[j] * re;
+        sum.d_cos += d_cos[j] * re - d_sin[j] * im;
+        sum.d_sin += d_cos[j] * im + d_sin[j] * re;
+    }
+}
+
+VYBEG_INLINED inline Series sum_of_stretches(SampleColumns of, const SampleCut& cut,
+                                             const TaylorBasis& basis) {
+    Series sum;
+    const std::int64_t step = basis.stretch();
+    const double* row = basis.row(0);
+    std::int64_t j = 0;
+    std::size_t stretch = 0;
+    for (; j + 2 * step <= cut.length; j += 2 * step, stretch += 2) {
+        Series a;
+        Series b;
+        project(a, of.from(j), b, of.from(j + step), step, row);
+        add_shifted(sum, a, cut.shifts[stretch]);
+        add_shifted(sum, b, cut.shifts[stretch + 1]);
+    }
+    for (; j < cut.length; j += step, ++stretch) {
+        Series a;
+        project(a, of.from(j), std::min(step, cut.length - j), row);
+        add_shifted(sum, a, cut.shifts[stretch]);
+    }
+    return sum;
+}
+
+// One channel's series of eight runs, brought to another centre and added: cos is the real, sin the
+// imaginary part of the sum of s e^{iwu}.
+VYBEG_INLINED inline void add_shifted_channel(double* to, std::size_t to_pitch, const double* from,
+                                              std::size_t from_pitch, const CentreShift& shift) {
+    std::array<Vec8, taylor_orders> re;
+    std::array<Vec8, taylor_orders> im;
+    for (std::size_t k = 0; k < taylor_orders; ++k) {
+        const Vec8 cosine = load(from + k * from_pitch);
+        const Vec8 sine = load(from + (taylor_orders + k) * from_pitch);
+        re[k] = cosine * shift.turn_cos - sine * shift.turn_sin;
+        im[k] = cosine * shift.turn_sin + sine * shift.turn_cos;
+    }
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < taylor_orders; ++k) {
+        Vec8 cosine = load(to + k * to_pitch);
+        Vec8 sine = load(to + (taylor_orders + k) * to_pitch);
+        // The powers of i y: 1, i, -1, -i, ...
+#pragma GCC unroll 8
+        for (std::size_t m = 0; m <= k; ++m) {
+            const double power = m % 4 < 2 ? shift.powers[m] : -shift.powers[m];
+            if (m % 2 == 0) {
+                cosine += power * re[k - m];
+                sine += power * im[k - m];
+            } else {
+                cosine -= power * im[k - m];
+                sine += power * re[k - m];
+            }
+        }
+        __builtin_memcpy(to + k * to_pitch, &cosine, sizeof cosine);
+        __builtin_memcpy(to + (taylor_orders + k) * to_pitch, &sine, sizeof sine);
+    }
+}
+
+}  // namespace
+
+VYBEG_DISPATCHED
+void sum_cuts(SampleColumns samples, std::int64_t hop, std::size_t count, const SampleCut& cut,
+              const TaylorBasis& basis, ProjectionBatch& batch) {
+    const auto at = [&](std::size_t lane) {
+        return samples.from(static_cast<std::int64_t>(lane) * hop + cut.first);
+    };
+    std::array<Vec8, lane_count> c_cos{};
+    std::array<Vec8, lane_count> c_sin{};
+    std::array<Vec8, lane_count> d_cos{};
+    std::array<Vec8, lane_count> d_sin{};
+    const auto keep = [&](std::size_t lane, const Series& sum) VYBEG_INLINED {
+        c_cos[lane] = sum.c_cos;
+        c_sin[lane] = sum.c_sin;
+        d_cos[lane] = sum.d_cos;
+        d_sin[lane] = sum.d_sin;
+    };
+    if (cut.shifts.empty()) {
+        const double* row = basis.row(cut.first);
+        for (std::size_t lane = 0; lane < count; lane += 2) {
+            Series a;
+            Series b;
+            const std::size_t other = std::min(lane + 1, count - 1);
+            project(a, at(lane), b, at(other), cut.length, row);
+            keep(lane, a);
+            keep(lane + 1, b);
+        }
+    } else {
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            keep(lane, sum_of_stretches(at(lane), cut, basis));
+        }
+    }
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        Products products;
+        if (lane < count) {
+            add_products(products, at(lane), cut.length);
+        } else {
+            products = {batch.cc[lane - 1], batch.dd[lane - 1], batch.cd[lane - 1],
+                        batch.cq[lane - 1]};
+            keep(lane, {c_cos[lane - 1], c_sin[lane - 1], d_cos[lane - 1], d_sin[lane - 1]});
+        }
+        batch.cc[lane] = products.cc;
+        batch.dd[lane] = products.dd;
+        batch.cd[lane] = products.cd;
+        batch.cq[lane] = products.cq;
+    }
+    const auto put = [](std::array<Vec8, lane_count>& by_lane,
+                        std::array<Lanes, taylor_orders>& by_order) VYBEG_INLINED {
+        transpose(by_lane);
+        for (std::size_t k = 0; k < taylor_orders; ++k) {
+            store(by_lane[k], by_order[k]);
+        }
+    };
+    put(c_cos, batch.c_cos);
+    put(c_sin, batch.c_sin);
+    put(d_cos, batch.d_cos);
+    put(d_sin, batch.d_sin);
+}
+
+VYBEG_DISPATCHED
+void add_shifted_runs(HopSums& to, const HopSums& from, std::size_t first, std::size_t count,
+                      const CentreShift& shift) {
+    double* const sums = to.numbers.data();
+    const double* const parts = from.numbers.data() + first;
+    // The runs may be those that are added to, from a later one on: eight are read before they are
+    // written.
+    for (std::size_t run = 0; run < count; run += lane_count) {
+        for (const std::size_t channel : {std::size_t{0}, 2 * taylor_orders}) {
+            add_shifted_channel(sums + channel * to.pitch + run, to.pitch,
+                                parts + channel * from.pitch + run, from.pitch, shift);
+        }
+        for (std::size_t kind = batch_coefficients; kind < batch_numbers; ++kind) {
+            const Vec8 sum =
+                load(sums + kind * to.pitch + run) + load(parts + kind * from.pitch + run);
+            __builtin_memcpy(sums + kind * to.pitch + run, &sum, sizeof sum);
+        }
+    }
+}
+
+void HopSums::reset(std::size_t runs) {
+    pitch = runs + 2 * lane_count;
+    numbers.resize(std::max(numbers.size(), batch_numbers * pitch));
+}
+
+CentreShift centre_shift(const TaylorBasis& basis, double distance) {
+    CentreShift shift;
+    shift.turn_cos = std::cos(basis.w0() * distance);
+    shift.turn_sin = std::sin(basis.w0() * distance);
+    const double y = 2 * distance / static_cast<double>(basis.length());
+    double power = 1;
+    // Times 1, i, -1, -i, ...
+    const std::array<double, 4> turned{shift.turn_cos, -shift.turn_sin, -shift.turn_cos,
+                                       shift.turn_sin};
+    for (std::size_t k = 0; k < taylor_orders; ++k) {
+        shift.powers[k] = power;
+        shift.re[taylor_orders + k] = power * turned[k % 4];
+        shift.im[taylor_orders + k] = power * turned[(k + 3) % 4];
+        power *= y / static_cast<double>(k + 1);
+    }
+    return shift;
+}
+
+}  // namespace vybeg

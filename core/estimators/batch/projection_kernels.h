@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/estimators/batch/taylor_window.h"
+#include "core/estimators/wave/estimator.h"
+#include "core/estimators/wave/lanes.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// What projection_sums.h is made of: sums over samples, and sums brought to another centre.
+
+// e^{iw distance} as a series in x: brings a series that counts time from one centre to another,
+// which lies `distance` samples before it.
+struct CentreShift {
+    double turn_cos = 0;  // of w0 distance
+    double turn_sin = 0;
+    std::array<double, taylor_orders> powers{};  // (2 distance/n)^k/k!
+    // Both together, real and imaginary part, behind as many zeros.
+    std::array<double, 2 * taylor_orders> re{};
+    std::array<double, 2 * taylor_orders> im{};
+};
+CentreShift centre_shift(const TaylorBasis& basis, double distance);
+
+// Samples that follow each other, from `first` on of a window or a hop, in stretches of the basis.
+struct SampleCut {
+    std::int64_t first = 0;
+    std::int64_t length = 0;
+    std::vector<CentreShift> shifts;  // of each stretch; none where the first one holds them all
+};
+
+// Where samples are in memory.
+struct SampleColumns {
+    const double* c = nullptr;
+    const double* d = nullptr;
+    const double* delayed = nullptr;  // d, a quarter period later; or null
+
+    SampleColumns from(std::int64_t j) const {
+        return {c + j, d + j, delayed == nullptr ? nullptr : delayed + j};
+    }
+};
+
+// The sums of `count` cuts of equal length that begin `hop` samples apart, side by side; the lanes
+// beyond repeat the last one.
+void sum_cuts(SampleColumns samples, std::int64_t hop, std::size_t count, const SampleCut& cut,
+              const TaylorBasis& basis, ProjectionBatch& batch);
+
+// Numbers of a batch: the series' coefficients, then the products.
+inline constexpr std::size_t batch_coefficients = 4 * taylor_orders;
+inline constexpr std::size_t batch_numbers = batch_coefficients + 4;
+
+// Calls number(kind, lanes) for all numbers of a batch.
+template <class Batch, class Number>
+void for_numbers(Batch& batch, Number number) {
+    for (std::size_t k = 0; k < taylor_orders; ++k) {
+        number(k, batch.c_cos[k]);
+        number(taylor_orders + k, batch.c_sin[k]);
+        number(2 * taylor_orders + k, batch.d_cos[k]);
+        number(3 * taylor_orders + k, batch.d_sin[k]);
+    }
+    number(batch_coefficients, batch.cc);
+    number(batch_coefficients + 1, batch.dd);
+    number(batch_coefficients + 2, batch.cd);
+    number(batch_coefficients + 3, batch.cq);
+}
+
+// Numbers of many runs of samples: those of one kind follow each other.
+struct HopSums {
+    std::vector<double> numbers;
+    std::size_t pitch = 0;  // from kind to kind; whole lanes may be read and written
+    void reset(std::size_t runs);
+};
+
+// Adds runs first .. first + count - 1 of a table, brought to another centre, to the first ones of
+// another, or of the same one.
+void add_shifted_runs(HopSums& to, const HopSums& from, std::size_t first, std::size_t count,
+                      const CentreShift& shift);
+
+}  // namespace vybeg

@@ -1,0 +1,59 @@
+#include "core/estimators/wave/flags.h"
+
+#include <array>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::array<std::pair<Flag, const char*>, 10> names{{
+    {Flag::no_quadrature, "no-quadrature"},
+    {Flag::circular, "circular"},
+    {Flag::gap, "gap"},
+    {Flag::clipped, "clipped"},
+    {Flag::not_converged, "not-converged"},
+    {Flag::at_bound, "at-bound"},
+    {Flag::filter_transient, "filter-transient"},
+    {Flag::delay_reach, "delay-reach"},
+    {Flag::leakage, "leakage"},
+    {Flag::moving, "moving"},
+}};
+
+constexpr std::size_t length_of_all() {
+    std::size_t length = 0;
+    for (const auto& [flag, name] : names) {
+        length += std::string_view(name).size() + 1;
+    }
+    return length;
+}
+static_assert(length_of_all() <= longest_flags_text);
+
+}  // namespace
+
+std::string flags_text(Flags flags) {
+    std::string text;
+    for (const auto& [flag, name] : names) {
+        if (has(flags, flag)) {
+            text += text.empty() ? "" : ";";
+            text += name;
+        }
+    }
+    return text;
+}
+
+Flags flags_from_text(std::string_view text) {
+    Flags flags = 0;
+    while (!text.empty()) {
+        const std::size_t end = text.find(';');
+        const std::string_view word = text.substr(0, end);
+        for (const auto& [flag, name] : names) {
+            if (word == name) {
+                set(flags, flag);
+            }
+        }
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return flags;
+}
+
+}  // namespace vybeg

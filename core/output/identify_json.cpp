@@ -1,0 +1,355 @@
+#include "core/output/identify_json.h"
+
+#include "core/base/messages.h"
+#include "core/output/quantity_json.h"
+#include "core/output/settings_text.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/run_parameters.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json inputs_json(std::span<const IdentifiedInput> inputs) {
+    Json list = Json::array();
+    for (const IdentifiedInput& input : inputs) {
+        list.push_back({{"name", input.name},
+                        {"sha256", input.sha256},
+                        {"start", input.start},
+                        {"seconds", input.seconds},
+                        {"rate_hz", input.rate_hz},
+                        {"f0_hz", input.f0_hz}});
+    }
+    return list;
+}
+
+Json settings_json(const IdentifySettings& settings) {
+    Json object = Json::object();
+    for (const auto& [name, value] : settings_list(settings)) {
+        object[name] = value;
+    }
+    return object;
+}
+
+Json warnings_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
+    Json list = Json::array();
+    for (const auto& [diagnostic, input] : all_warnings(identification)) {
+        const auto k = static_cast<std::size_t>(input);
+        list.push_back({{"kind", kind_name(diagnostic.kind)},
+                        {"text", english(diagnostic)},
+                        {"input", input >= 0 ? Json(inputs[k].name) : Json(nullptr)}});
+    }
+    return list;
+}
+
+Json modes_json(const ResonatorFit& fit) {
+    Json list = Json::array();
+    for (const ModeEstimate& mode : fit.modes) {
+        Json object;
+        for (const ModeParameter& parameter : mode_parameters) {
+            object[parameter.name] = quantity_json(mode.*parameter.member);
+        }
+        list.push_back(object);
+    }
+    return list;
+}
+
+// The rms of the residual as a quantity: of N real numbers it has the deviation rms / sqrt(2 N).
+Json residual_json(const Identification& identification) {
+    double numbers = 0;
+    for (const IdentifiedRun& run : identification.runs) {
+        numbers += 4 * static_cast<double>(run.windows_used);
+    }
+    const double freedom = numbers - static_cast<double>(identification.fit.raw.names.size());
+    const double rms = identification.fit.residual_rms;
+    return quantity_json({rms, rms / std::sqrt(2 * std::max(freedom, 1.0)), {}});
+}
+
+// The change of a parameter per unit of each channel error.
+Json sensitivity_json(const ChannelSensitivity& sensitivity) {
+    return {{"skew_deg", number_json(sensitivity.skew_deg)},
+            {"delay_s", number_json(sensitivity.delay_s)},
+            {"phase_drift_rad", number_json(sensitivity.phase_drift_rad)},
+            {"gain_drift", number_json(sensitivity.gain_drift)},
+            {"kappa", number_json(sensitivity.kappa)}};
+}
+
+Json resonator_json(const Identification& identification) {
+    if (identification.fit.model == ResonatorModel::free) {
+        return nullptr;
+    }
+    Json object;
+    const ResonatorFit& fit = identification.fit;
+    for (std::size_t k = 0; k < resonator_parameters.size(); ++k) {
+        const Estimate& estimate = fit.resonator.*resonator_parameters[k].member;
+        Json& quantity = object[resonator_parameters[k].name] = quantity_json(estimate);
+        if (estimate.given() && k < fit.sensitivities.size()) {
+            quantity["sensitivity"] = sensitivity_json(fit.sensitivities[k]);
+        }
+    }
+    object["residual_rms"] = residual_json(identification);
+    return object;
+}
+
+Json wave_json(const WaveMotion& wave) {
+    Json object;
+    for (const WaveParameter& parameter : wave_parameters) {
+        object[parameter.name] = quantity_json(wave.*parameter.member);
+    }
+    return object;
+}
+
+Json runs_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < identification.runs.size(); ++k) {
+        const RunEstimate& run = identification.fit.runs[k];
+        const IdentifiedRun& input = identification.runs[k];
+        list.push_back({{"name", inputs[k].name},
+                        {"wave", wave_json(input.wave)},
+                        {"f_offset_hz", quantity_json(run.f_offset_hz)},
+                        {"a_A", quantity_json(run.a_A)},
+                        {"a_B", quantity_json(run.a_B)},
+                        {"two_theta_A_rad", quantity_json(run.two_theta_A_rad)},
+                        {"split_sin_hz", quantity_json(run.split_sin_hz)},
+                        {"direction",
+                         {{"f_hz", quantity_json(run.direction_f_hz)},
+                          {"tau_s", quantity_json(run.direction_tau_s)}}},
+                        {"q_envelope", quantity_json(run.q_envelope)},
+                        {"drift_hz_per_s", quantity_json(run.drift_hz_per_s)},
+                        {"window_samples", input.window},
+                        {"windows", input.windows},
+                        {"windows_used", input.windows_used},
+                        {"noise_sd", number_json(input.noise_sd)}});
+    }
+    return list;
+}
+
+const char* shape_name(const NoiseShape& shape) {
+    if (std::isinf(shape.half_width_hz)) {
+        return "white";
+    }
+    return shape.half_width_hz == 0 ? "1/f" : "line";
+}
+
+// What the residual holds beside the noise of the windows, one entry for each shape in both
+// channels and in the phase alone: variance in units of that noise, half width weighted with it.
+Json noise_json(const ResidualNoise& noise) {
+    struct Sum {
+        double variance = 0;
+        double width = 0;
+    };
+    std::map<std::pair<std::string, std::string>, Sum> sums;
+    for (const ResidualNoise::Part& part : noise.parts) {
+        Sum& sum = sums[{part.shape.of_phase ? "phase" : "signal", shape_name(part.shape)}];
+        sum.variance += part.variance;
+        sum.width += part.variance * part.shape.half_width_hz;
+    }
+    Json parts = Json::array();
+    for (const auto& [kind, sum] : sums) {
+        const auto& [of, shape] = kind;
+        Json part{{"of", of}, {"shape", shape}, {"variance", number_json(sum.variance)}};
+        if (shape == "line") {
+            part["half_width_hz"] = number_json(sum.width / sum.variance);
+        }
+        parts.push_back(part);
+    }
+    return {{"kind", noise.white() ? "white" : "coloured"},
+            {"parts", parts},
+            {"narrowest", noise.narrowest}};
+}
+
+Json identifiable_json(const Identifiable& identifiable) {
+    return {{"split", identifiable.split},
+            {"theta_w", identifiable.theta_w},
+            {"tau", identifiable.tau},
+            {"damping_anisotropy", identifiable.damping_anisotropy},
+            {"theta_tau", identifiable.theta_tau},
+            {"rotation", identifiable.rotation},
+            {"kappa", identifiable.kappa}};
+}
+
+// The curve at every 2.5 degrees of its period, and the one that the fitted resonator would have.
+Json curve_json(const DriftFunction& drift, const ResonatorFit& fit) {
+    constexpr int steps = 36;
+    std::vector<double> theta;
+    std::vector<double> rate;
+    std::vector<double> sd;
+    std::vector<double> fitted;
+    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
+    for (int k = 0; k <= steps; ++k) {
+        theta.push_back((static_cast<double>(k) / steps - 0.5) * std::numbers::pi / 2);
+        rate.push_back(drift.rate(theta.back()));
+        sd.push_back(drift.sd_rate(theta.back()));
+        fitted.push_back(drift_of_dynamics(m, theta.back()));
+    }
+    Json curve{{"theta_rad", numbers_json(theta)},
+               {"rate_rad_s", numbers_json(rate)},
+               {"sd_rad_s", numbers_json(sd)}};
+    if (fit.model == ResonatorModel::structured) {
+        curve["of_resonator_rad_s"] = numbers_json(fitted);
+    }
+    return curve;
+}
+
+Json drift_json(const Identification& identification) {
+    const DriftFunction& drift = identification.drift;
+    constexpr std::array<const char*, 5> names{"mean_rad_s", "cos4_rad_s", "sin4_rad_s",
+                                               "cos8_rad_s", "sin8_rad_s"};
+    Json points = Json::array();
+    for (const DriftPoint& point : drift.points) {
+        points.push_back({{"run", point.run},
+                          {"theta_rad", number_json(point.theta)},
+                          {"rate_rad_s", quantity_json({point.rate, point.sd_rate, {}})}});
+    }
+    Reason none = no_drift_function(identification);
+    if (none.code == ReasonCode::none) {
+        none.code = ReasonCode::few_angles;  // of the harmonics beyond the curve's order
+    }
+    Json harmonics = Json::object();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const auto at = static_cast<Eigen::Index>(k);
+        harmonics[names[k]] = quantity_json(
+            at < drift.coefficients.size()
+                ? Estimate{drift.coefficients[at], std::sqrt(drift.covariance(at, at)), {}}
+                : Estimate{.reason = none});
+    }
+    return {{"order", drift.order},
+            {"harmonics", harmonics},
+            {"chi2_per_dof", number_json(drift.chi2_per_freedom)},
+            {"points", points},
+            {"curve", drift.order > 0 ? curve_json(drift, identification.fit) : Json(nullptr)}};
+}
+
+Json balance_json(const Identification& identification, std::span<const IdentifiedInput> inputs) {
+    if (identification.balance.empty()) {
+        return nullptr;
+    }
+    Json list = Json::array();
+    for (std::size_t k = 0; k < identification.balance.size(); ++k) {
+        const ChannelBalance& balance = identification.balance[k];
+        list.push_back({{"name", inputs[k].name},
+                        {"time_s", numbers_json(balance.time_s)},
+                        {"orthogonality", numbers_json(balance.orthogonality)},
+                        {"sd", numbers_json(balance.sd)}});
+    }
+    return list;
+}
+
+Json differences_json(std::span<const Difference> differences) {
+    Json list = Json::array();
+    for (const Difference& difference : differences) {
+        Json object{{"name", difference.name},
+                    {"passport", quantity_json(difference.then)},
+                    {"now", quantity_json(difference.now)},
+                    {"verdict", verdict_name(difference.verdict)}};
+        if (difference.verdict == Verdict::not_comparable) {
+            object["change"] = {{"value", nullptr}, {"reason", incomparable_text(difference)}};
+            object["relative"] = nullptr;
+            object["deviations"] = nullptr;
+        } else {
+            object["change"] = quantity_json({difference.change, difference.sd, {}, difference.u});
+            object["relative"] = number_json(difference.relative);
+            object["deviations"] = number_json(difference.deviations());
+        }
+        if (difference.limit > 0) {
+            object["limit"] = difference.limit;
+        }
+        list.push_back(object);
+    }
+    return list;
+}
+
+// The fit sees D over the calibration's gain ratio, a file what was recorded.
+void refer_to_recorded(double calibrated, RawParameters& raw) {
+    const auto found = std::ranges::find(raw.names, "kappa");
+    if (found == raw.names.end()) {
+        return;
+    }
+    const auto kappa = static_cast<std::size_t>(found - raw.names.begin());
+    raw.values[kappa] *= calibrated;
+    for (std::size_t k = 0; k < raw.names.size(); ++k) {
+        raw.covariance[kappa * raw.names.size() + k] *= calibrated;
+        raw.covariance[k * raw.names.size() + kappa] *= calibrated;
+    }
+}
+
+}  // namespace
+
+std::vector<IdentifyWarning> all_warnings(const Identification& identification) {
+    std::vector<IdentifyWarning> warnings;
+    for (std::size_t k = 0; k < identification.runs.size(); ++k) {
+        for (const Diagnostic& diagnostic : identification.runs[k].diagnostics) {
+            warnings.push_back({diagnostic, static_cast<int>(k)});
+        }
+    }
+    for (const Diagnostic& diagnostic : identification.fit.warnings) {
+        warnings.push_back({diagnostic, -1});
+    }
+    return warnings;
+}
+
+std::string identify_json(const std::string& program, std::span<const IdentifiedInput> inputs,
+                          const Identification& identification,
+                          const PassportComparison* comparison) {
+    const ResonatorFit& fit = identification.fit;
+    Json json{{"program", program},
+              {"inputs", inputs_json(inputs)},
+              {"settings", settings_json(identification.settings)},
+              {"warnings", warnings_json(identification, inputs)}};
+    if (comparison != nullptr) {
+        json["passport"] = {{"file", comparison->file},
+                            {"sha256", comparison->sha256},
+                            {"program", comparison->program}};
+        json["differences"] = differences_json(comparison->differences);
+    }
+    json["model"] = fit.model == ResonatorModel::structured ? "structured" : "free";
+    json["modes"] = modes_json(fit);
+    json["modes_by"] = mode_order_name(fit.mode_order);
+    if (fit.modes.empty()) {
+        json["modes_reason"] = english(fit.no_modes);
+    }
+    json["resonator"] = resonator_json(identification);
+    if (fit.model == ResonatorModel::free) {
+        json["resonator_reason"] = english(Reason{ReasonCode::free_model, {}});
+        json["residual_rms"] = residual_json(identification);
+    }
+    json["runs"] = runs_json(identification, inputs);
+    json["identifiable"] = identifiable_json(fit.identifiable);
+    json["noise"] = noise_json(fit.noise);
+    json["chi2_per_dof"] = number_json(fit.chi2_per_dof);
+    json["free_over_structured"] = number_json(fit.free_over_structured);
+    json["drift_function"] = drift_json(identification);
+    json["channel_balance"] = balance_json(identification, inputs);
+    return json_text(json);
+}
+
+Passport passport_of(const std::string& program, std::span<const IdentifiedInput> inputs,
+                     const Identification& identification) {
+    Passport passport;
+    passport.program = program;
+    passport.inputs.assign(inputs.begin(), inputs.end());
+    passport.settings = settings_list(identification.settings);
+    passport.model = identification.fit.model;
+    passport.resonator = identification.fit.resonator;
+    passport.modes = identification.fit.modes;
+    passport.mode_order = identification.fit.mode_order;
+    passport.runs = identification.fit.runs;
+    passport.raw = identification.fit.raw;
+    refer_to_recorded(identification.settings.signal.calibration.kappa, passport.raw);
+    for (const IdentifiedRun& run : identification.runs) {
+        passport.tracks.push_back(run.track);
+    }
+    return passport;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/analysis/identify.h"
+#include "core/resonator/results/passport.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// A warning of an identification and what it is about.
+struct IdentifyWarning {
+    Diagnostic diagnostic;
+    int input = -1;  // which of the recordings; -1: the fit
+};
+
+// Those of the recordings in their order, then those of the fit.
+std::vector<IdentifyWarning> all_warnings(const Identification& identification);
+
+// What a set was compared with.
+struct PassportComparison {
+    std::string file;
+    std::string sha256;
+    std::string program;
+    std::vector<Difference> differences;
+};
+
+// identify JSON (INTERFACE.md), with the drift function and the channel balance as further keys;
+// `comparison` adds `passport` and `differences`, null: none. `inputs` as identification.runs.
+std::string identify_json(const std::string& program, std::span<const IdentifiedInput> inputs,
+                          const Identification& identification,
+                          const PassportComparison* comparison);
+
+// The passport of an identification.
+Passport passport_of(const std::string& program, std::span<const IdentifiedInput> inputs,
+                     const Identification& identification);
+
+}  // namespace vybeg

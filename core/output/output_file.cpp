@@ -1,0 +1,326 @@
+#include "core/output/output_file.h"
+
+#include "core/output/temporary_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 20;
+constexpr std::size_t least_direct = std::size_t{1} << 17;
+// The disk begins to write after so many bytes, so that the wait for it at the end is short.
+constexpr std::int64_t written_behind = std::int64_t{1} << 23;
+// A pipe that poll() calls writable takes this much without blocking (PIPE_BUF).
+constexpr std::size_t pipe_chunk = 4096;
+constexpr int poll_ms = 50;
+
+std::string system_reason(int error) {
+    return std::generic_category().message(error);
+}
+
+Error failure_of(const std::string& name, int error) {
+    return {ErrorCode::output_failed, name, {system_reason(error)}};
+}
+
+}  // namespace
+
+Result<OutputFile> OutputFile::create(const std::filesystem::path& target, const JobControl& job) {
+    const std::string name = target.string();
+    struct stat existing {};
+    const bool exists = stat(target.c_str(), &existing) == 0;
+    if (exists && S_ISDIR(existing.st_mode)) {
+        return failure_of(name, EISDIR);
+    }
+    if (exists && !S_ISREG(existing.st_mode)) {
+        // Without O_NONBLOCK a pipe without a reader would hang here, deaf to the stop token.
+        const int descriptor = open(target.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor < 0) {
+            return failure_of(name, errno);
+        }
+        fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+        OutputFile file(descriptor, name, job);
+        file.owned_ = true;
+        return file;
+    }
+    std::error_code unresolved;
+    std::filesystem::path resolved = std::filesystem::weakly_canonical(target, unresolved);
+    if (unresolved) {
+        return failure_of(name, unresolved.value());
+    }
+    // rename() asks only the folder; a file protected against writing must stay protected.
+    if (exists && faccessat(AT_FDCWD, resolved.c_str(), W_OK, AT_EACCESS) != 0) {
+        return failure_of(name, errno);
+    }
+    const std::filesystem::path folder = resolved.parent_path();
+    remove_abandoned(folder);
+    TemporaryFile temporary = make_temporary(folder);
+    if (temporary.descriptor < 0) {
+        return failure_of(name, temporary.error);
+    }
+    OutputFile file(temporary.descriptor, name, job);
+    file.owned_ = true;
+    file.target_ = std::move(resolved);
+    file.temporary_ = std::move(temporary.path);
+    if (exists && fchmod(temporary.descriptor, existing.st_mode & 07777) != 0) {
+        return failure_of(name, errno);
+    }
+    return file;
+}
+
+OutputFile OutputFile::onto(int descriptor, std::string name, const JobControl& job) {
+    return {descriptor, std::move(name), job};
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      owned_(std::exchange(other.owned_, false)),
+      name_(std::move(other.name_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      buffer_(std::move(other.buffer_)),
+      bytes_out_(other.bytes_out_),
+      sent_to_disk_(other.sent_to_disk_),
+      placed_(std::exchange(other.placed_, Placed::no)),
+      job_(std::move(other.job_)) {}
+
+OutputFile::~OutputFile() {
+    discard();
+}
+
+void OutputFile::discard() noexcept {
+    if (owned_) {
+        close(descriptor_);
+        owned_ = false;
+    }
+    if (!temporary_.empty()) {
+        unlink(temporary_.c_str());
+        temporary_.clear();
+    }
+}
+
+Status OutputFile::wait_until_writable() const {
+    for (;;) {
+        if (job_.cancelled()) {
+            return as_it_stands({ErrorCode::interrupted, {}, {}});
+        }
+        pollfd waiting{descriptor_, POLLOUT, 0};
+        const int ready = poll(&waiting, 1, poll_ms);
+        if (ready > 0) {
+            return {};  // also where the pipe is broken: write() then says so
+        }
+        if (ready < 0 && errno != EINTR) {
+            return failed(errno);
+        }
+    }
+}
+
+Status OutputFile::write(std::string_view bytes) {
+    // What is large goes out from where it is.
+    if (bytes.size() >= least_direct) {
+        const Status flushed = flush();
+        return flushed ? write_out(bytes) : flushed;
+    }
+    buffer_.append(bytes);
+    return buffer_.size() < buffer_size ? Status{} : flush();
+}
+
+Status OutputFile::flush() {
+    const Status written = write_out(buffer_);
+    if (written) {
+        buffer_.clear();
+    }
+    return written;
+}
+
+Status OutputFile::write_out(std::string_view left) {
+    while (!left.empty()) {
+        if (const Status ready = wait_until_writable(); !ready) {
+            return ready;
+        }
+        const std::size_t chunk = seekable() ? left.size() : std::min(left.size(), pipe_chunk);
+        const ssize_t written = ::write(descriptor_, left.data(), chunk);
+        if (written < 0 && errno != EINTR && errno != EAGAIN) {
+            return failed(errno);
+        }
+        bytes_out_ += std::max<ssize_t>(written, 0);
+        if (seekable() && bytes_out_ - sent_to_disk_ >= written_behind) {
+            // A hint: what goes wrong shows at fsync().
+            sync_file_range(descriptor_, sent_to_disk_, bytes_out_ - sent_to_disk_,
+                            SYNC_FILE_RANGE_WRITE);
+            sent_to_disk_ = bytes_out_;
+        }
+        left.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+    return {};
+}
+
+// Everything that can go wrong before the file takes its place.
+Status OutputFile::settle() {
+    if (const Status flushed = flush(); !flushed) {
+        return flushed;
+    }
+    // fsync also reports what the disk refused late.
+    return !seekable() || fsync(descriptor_) == 0 ? Status{} : failed(errno);
+}
+
+// `returnable`: where there is an old file it stays, under the temporary name, until all of a group
+// have their places.
+Status OutputFile::take_place(bool returnable) {
+    if (!seekable()) {
+        return {};
+    }
+    // close() reports what a network drive refused; a copy of the descriptor keeps the lock.
+    const int copy = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+    owned_ = false;
+    if (close(descriptor_) != 0) {
+        const int error = errno;
+        close(copy);
+        return failed(error);
+    }
+    descriptor_ = copy;
+    owned_ = copy >= 0;
+    if (returnable &&
+        renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {
+        placed_ = Placed::exchanged;
+        return {};
+    }
+    const bool first = access(target_.c_str(), F_OK) != 0;
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+        return failed(errno);
+    }
+    placed_ = returnable && first ? Placed::new_name : Placed::for_good;
+    return {};
+}
+
+// Takes the file back from its place, as if it had never had it.
+void OutputFile::leave_place() noexcept {
+    if (placed_ == Placed::exchanged) {
+        renameat2(AT_FDCWD, target_.c_str(), AT_FDCWD, temporary_.c_str(), RENAME_EXCHANGE);
+    } else if (placed_ == Placed::new_name) {
+        std::rename(target_.c_str(), temporary_.c_str());
+    }
+    placed_ = Placed::no;
+}
+
+Status OutputFile::commit() {
+    return commit_together(std::array{this});
+}
+
+Status OutputFile::commit_together(std::span<OutputFile* const> files) {
+    // What goes out directly comes last: until it begins, nothing has happened that shows, and what
+    // has gone out whole is followed by the others.
+    for (OutputFile* file : files) {
+        if (const Status settled = file->seekable() ? file->settle() : Status{}; !settled) {
+            return settled;
+        }
+    }
+    for (const OutputFile* file : files) {
+        if (file->job_.cancelled()) {
+            return file->as_it_stands({ErrorCode::interrupted, {}, {}});
+        }
+    }
+    for (OutputFile* file : files) {
+        if (const Status settled = file->seekable() ? Status{} : file->settle(); !settled) {
+            return settled;
+        }
+    }
+    std::string standing;  // of a group whose disk cannot exchange two names
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        const Status placed = files[k]->take_place(files.size() > 1);
+        if (!placed) {
+            for (std::size_t before = k; before > 0; --before) {
+                files[before - 1]->leave_place();
+            }
+            return standing.empty() ? placed
+                                    : files[k]->failure(placed.error().args[0] + " (" + standing +
+                                                        " was written)");
+        }
+        if (files[k]->placed_ == Placed::for_good) {
+            standing += (standing.empty() ? "" : ", ") + files[k]->name_;
+        }
+    }
+    for (OutputFile* file : files) {
+        if (file->placed_ != Placed::exchanged) {
+            file->temporary_.clear();
+        }
+        file->discard();  // of an exchanged one, the old file
+        file->placed_ = Placed::no;
+    }
+    return {};
+}
+
+Status OutputFile::compare(std::string_view bytes) const {
+    if (!seekable()) {
+        return {};
+    }
+    std::vector<char> piece(std::min(buffer_size, bytes.size() + 1));
+    std::size_t at = 0;
+    for (;;) {
+        const ssize_t got = pread(descriptor_, piece.data(), piece.size(), static_cast<off_t>(at));
+        if (got < 0 && errno == EINTR) {
+            continue;
+        }
+        if (got < 0) {
+            return failed(errno);
+        }
+        const std::string_view read(piece.data(), static_cast<std::size_t>(got));
+        if (read != bytes.substr(at, read.size())) {
+            return failure("the disk does not give back what was written");
+        }
+        at += read.size();
+        if (read.empty()) {
+            return at == bytes.size() ? Status{}
+                                      : failure("the disk does not give back what was written");
+        }
+    }
+}
+
+std::filesystem::path OutputFile::spool_folder() const {
+    std::error_code missing;
+    if (!seekable()) {
+        return std::filesystem::temp_directory_path(missing);
+    }
+    const std::filesystem::path folder = temporary_.parent_path();
+    return folder.empty() ? "." : folder;
+}
+
+Error OutputFile::failure(std::string reason) const {
+    return {partly_out() ? ErrorCode::output_incomplete : ErrorCode::output_failed,
+            name_,
+            {std::move(reason)}};
+}
+
+Error OutputFile::failed(int error) const {
+    return failure(system_reason(error));
+}
+
+Error OutputFile::as_it_stands(const Error& error) const {
+    return error.code == ErrorCode::interrupted && partly_out()
+               ? Error{ErrorCode::interrupted_partly, name_, {}}
+               : error;
+}
+
+Status write_file(const std::filesystem::path& target, std::string_view bytes,
+                  const JobControl& job) {
+    Result<OutputFile> file = OutputFile::create(target, job);
+    if (!file) {
+        return file.error();
+    }
+    Status written = file->write(bytes);
+    written = written ? file->flush() : written;
+    written = written ? file->compare(bytes) : written;
+    return written ? file->commit() : written;
+}
+
+}  // namespace vybeg

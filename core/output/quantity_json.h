@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/resonator/model/reason.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+// Numbers in JSON, where NaN does not exist.
+
+// The number, or null where it is not finite.
+nlohmann::ordered_json number_json(double value);
+nlohmann::ordered_json numbers_json(std::span<const double> values);
+
+// A quantity of INTERFACE.md: {"value": x, "sd": s} or {"value": null, "reason": "..."}; with "u"
+// where the tolerances of the channels have a part in it.
+nlohmann::ordered_json quantity_json(const Estimate& estimate);
+
+// The JSON as text, indented, with a line feed at its end. Names come from files: what is no UTF-8
+// is replaced, not thrown.
+std::string json_text(const nlohmann::ordered_json& json);
+
+}  // namespace vybeg

@@ -1,0 +1,39 @@
+#include "core/output/recording_json.h"
+
+#include "core/base/messages.h"
+
+#include <nlohmann/json.hpp>
+
+namespace vybeg {
+
+std::string recording_json(const Recording& recording, const std::string& sha256,
+                           std::span<const Diagnostic> findings) {
+    using Json = nlohmann::ordered_json;
+    Json channels = Json::array();
+    for (const Channel& channel : recording.channels) {
+        channels.push_back({{"name", channel.name}, {"unit", channel.unit}});
+    }
+    Json check = Json::array();
+    for (const Diagnostic& diagnostic : findings) {
+        check.push_back({{"kind", kind_name(diagnostic.kind)},
+                         {"first_frame", diagnostic.first_frame},
+                         {"count", diagnostic.count},
+                         {"text", english(diagnostic)}});
+    }
+    Json info{{"format", recording.format},
+              {"frames", recording.frames()},
+              {"seconds", recording.seconds()},
+              {"rate_hz", recording.rate_hz},
+              {"rate_from", rate_origin_name(recording.rate_from)},
+              {"channels", channels},
+              {"start", recording.start},
+              {"sha256", sha256},
+              {"check", check}};
+    if (recording.rate_relative_sd > 0) {
+        info["rate_relative_sd"] = recording.rate_relative_sd;
+    }
+    // Names come from files: what is no UTF-8 is replaced, not thrown.
+    return info.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace vybeg

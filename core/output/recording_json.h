@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/recording/samples/recording.h"
+
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+// What `info --json` prints: INTERFACE.md, section vybeg-cli. Indented, ends with a line feed.
+// `findings`: those of the recording check.
+std::string recording_json(const Recording& recording, const std::string& sha256,
+                           std::span<const Diagnostic> findings);
+
+}  // namespace vybeg

@@ -1,0 +1,30 @@
+#include "core/recording/arrays/npy_reader.h"
+
+#include "core/recording/arrays/npy_array.h"
+#include "core/recording/samples/reader_rules.h"
+
+#include <utility>
+
+namespace vybeg {
+
+Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
+    const auto bytes = file_part(file, 0, file->size());
+    const auto array = read_npy_header(*file, *bytes, "NPY");
+    if (!array) {
+        return array.error();
+    }
+    const auto channels = static_cast<int>(array->channels());
+    if (const Status status = check_channels(*file, channels, options); !status) {
+        return status.error();
+    }
+    FoundSamples found;
+    found.format = "NPY, " + array->text() + ", " + std::to_string(channels) + " channels";
+    found.channels = numbered_channels(channels);
+    found.promised_frames = array->frames();
+    found.source = column_source(npy_column(*array, bytes, options.channel_c - 1),
+                                 npy_column(*array, bytes, options.channel_d - 1));
+    found.frames = found.source->frames();
+    return complete_recording(*file, std::move(found), options);
+}
+
+}  // namespace vybeg

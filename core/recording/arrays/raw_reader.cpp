@@ -1,0 +1,89 @@
+#include "core/recording/arrays/raw_reader.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/samples/column_source.h"
+#include "core/recording/samples/reader_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr int most_channels = 4096;
+
+std::int64_t frame_count(const FileBytes& file, const RawLayout& layout) {
+    const std::int64_t stride = bytes_of(number_type(layout.type)) * layout.channels;
+    return std::max<std::int64_t>(file.size() - layout.skip_bytes, 0) / stride;
+}
+
+// Precondition: a frame or more, so that the samples begin inside of the file.
+std::shared_ptr<const SampleSource> raw_source(const std::shared_ptr<const FileBytes>& file,
+                                               const OpenOptions& options, std::int64_t frames) {
+    const RawLayout& layout = *options.raw;
+    const NumberType type = number_type(layout.type);
+    const std::int64_t width = bytes_of(type);
+    const std::int64_t stride = width * layout.channels;
+    const auto bytes = file_part(file, 0, file->size());
+    const auto column = [&](int channel) {
+        const std::int64_t offset = layout.skip_bytes + (channel - 1) * width;
+        return SampleColumn{
+            bytes, type, {even_run(frames, offset, stride, layout.big_endian)}, layout.scale, 0};
+    };
+    return column_source(column(options.channel_c), column(options.channel_d));
+}
+
+Status check_layout(const RawLayout& layout) {
+    if (layout.channels < 1 || layout.channels > most_channels) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--raw-channels", std::to_string(layout.channels),
+                      "it must lie between 2 and " + std::to_string(most_channels)}};
+    }
+    if (layout.skip_bytes < 0) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--skip", integer_text(layout.skip_bytes), "it must be 0 or more bytes"}};
+    }
+    if (!std::isfinite(layout.scale) || layout.scale == 0) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--scale", short_text(layout.scale), "it must be a number other than 0"}};
+    }
+    return {};
+}
+
+}  // namespace
+
+NumberType number_type(RawType type) {
+    switch (type) {
+        case RawType::i16: return NumberType::i16;
+        case RawType::i32: return NumberType::i32;
+        case RawType::f32: return NumberType::f32;
+        case RawType::f64: return NumberType::f64;
+    }
+    return NumberType::i16;
+}
+
+Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
+    const RawLayout& layout = *options.raw;
+    if (const Status status = check_layout(layout); !status) {
+        return status.error();
+    }
+    if (const Status status = check_channels(*file, layout.channels, options); !status) {
+        return status.error();
+    }
+    FoundSamples found;
+    found.format = "raw, " + name_of(number_type(layout.type)) +
+                   (layout.big_endian ? ", big endian, " : ", little endian, ") +
+                   std::to_string(layout.channels) + " channels";
+    found.channels = numbered_channels(layout.channels);
+    found.frames = frame_count(*file, layout);
+    if (found.frames > 0) {
+        found.source = raw_source(file, options, found.frames);
+    }
+    return complete_recording(*file, std::move(found), options);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "core/recording/arrays/tdms_values.h"
+#include "core/recording/bytes/byte_order.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+
+// Instead of the length of an object's raw index.
+inline constexpr std::uint32_t tdms_no_raw_data = 0xFFFFFFFF;
+inline constexpr std::uint32_t tdms_same_as_before = 0;
+
+// A property of a TDMS object: a number, a text, or a time as text.
+struct TdmsValue {
+    std::optional<double> number;
+    std::string text;
+};
+
+// Where DAQmx puts one of a channel's raw numbers: in which of a chunk's buffers, and where in each
+// row of it.
+struct TdmsScaler {
+    std::optional<NumberType> type;  // nothing for digital lines and times
+    std::int64_t buffer = 0;
+    std::int64_t offset = 0;  // bytes from the start of a row
+    std::uint32_t id = 0;     // the scale that takes it as its input
+
+    friend bool operator==(const TdmsScaler&, const TdmsScaler&) = default;
+};
+
+// What one object has in each chunk of a segment's raw data.
+struct TdmsRawIndex {
+    std::size_t object = 0;  // its place in TdmsFile::objects
+    std::uint32_t type = 0;  // of its values, in National Instruments' numbering
+    std::int64_t count = 0;  // values
+    std::int64_t bytes = 0;  // all of them; 0 for DAQmx, whose objects share their buffers
+    bool is_daqmx = false;
+    std::vector<TdmsScaler> scalers;   // DAQmx alone
+    std::vector<std::int64_t> widths;  // bytes of a row in each buffer; DAQmx alone
+};
+
+// The bytes of a segment's metadata, taken one value after the other. What lies behind their end
+// reads as nothing, and ended() says so.
+class TdmsMetadata {
+public:
+    TdmsMetadata(std::string bytes, bool big_endian)
+        : bytes_(std::move(bytes)), rest_(bytes_), big_endian_(big_endian) {}
+    TdmsMetadata(const TdmsMetadata&) = delete;
+    TdmsMetadata& operator=(const TdmsMetadata&) = delete;
+
+    template <class Number>
+    Number number() {
+        const std::string_view taken = bytes(sizeof(Number));
+        return ended_ ? Number{} : load<Number>(taken.data(), big_endian_);
+    }
+
+    std::string_view bytes(std::size_t size);
+    std::string string() { return std::string(bytes(number<std::uint32_t>())); }
+    // A property's value; nothing where its type is not known.
+    std::optional<TdmsValue> value(std::uint32_t type);
+    bool ended() const { return ended_; }
+
+private:
+    std::string bytes_;
+    std::string_view rest_;
+    bool big_endian_;
+    bool ended_ = false;
+};
+
+// Why a raw index cannot be used.
+struct TdmsRefusal {
+    bool damaged = false;  // else of a kind that is not read
+    std::string reason;
+};
+
+// Takes an object's raw index, whose first number was `length`. Nothing where all is well.
+std::optional<TdmsRefusal> take_raw_index(TdmsMetadata& metadata, std::uint32_t length,
+                                          TdmsRawIndex& index);
+
+}  // namespace vybeg

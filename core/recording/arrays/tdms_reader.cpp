@@ -1,0 +1,298 @@
+#include "core/recording/arrays/tdms_reader.h"
+
+#include "core/recording/arrays/tdms_runs.h"
+#include "core/recording/arrays/tdms_scale.h"
+#include "core/recording/arrays/tdms_segments.h"
+#include "core/recording/arrays/tdms_values.h"
+#include "core/recording/samples/column_source.h"
+#include "core/recording/samples/column_words.h"
+#include "core/recording/samples/reader_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr std::string_view data_tag = "TDSm";
+constexpr std::string_view index_tag = "TDSh";
+
+// So that where the samples stand never takes more than the file's size and this: a vector that
+// grows holds the old runs and up to twice as many places.
+constexpr std::int64_t held_bytes = std::int64_t{32} << 20;
+constexpr std::int64_t held_bytes_of_run = 3 * sizeof(SampleRun);
+
+struct FoundChannel {
+    std::size_t object = 0;
+    TdmsRawIndex index;  // the first of its object
+};
+
+// What the first walk through the file brings.
+struct Contents {
+    std::vector<TdmsObject> objects;
+    std::vector<FoundChannel> channels;
+    bool open_ended = false;
+
+    const FoundChannel& channel(int number) const {
+        return channels[static_cast<std::size_t>(number - 1)];
+    }
+    const TdmsObject& object(int number) const { return objects[channel(number).object]; }
+};
+
+// A channel that is to be read: which of its numbers, and what they become.
+struct ChosenChannel {
+    std::size_t object = 0;
+    NumberType type = NumberType::f64;
+    TdmsScaling scaling;
+
+    std::uint32_t scaler() const { return scaling.scaler.value_or(0); }
+};
+
+struct Columns {
+    SampleColumn c;
+    SampleColumn d;
+    std::int64_t promised_c = 0;
+    std::int64_t promised_d = 0;
+};
+
+bool alike(const TdmsRawIndex& a, const TdmsRawIndex& b) {
+    return a.type == b.type &&
+           std::equal(a.scalers.begin(), a.scalers.end(), b.scalers.begin(), b.scalers.end(),
+                      [](const TdmsScaler& x, const TdmsScaler& y) {
+                          return x.type == y.type && x.id == y.id;
+                      });
+}
+
+bool has_numbers(const TdmsRawIndex& index) {
+    return tdms_number(index.type) ||
+           std::any_of(index.scalers.begin(), index.scalers.end(),
+                       [](const TdmsScaler& scaler) { return scaler.type.has_value(); });
+}
+
+class TdmsReader {
+public:
+    TdmsReader(std::shared_ptr<const FileBytes> file, const JobControl& job)
+        : file_(std::move(file)), job_(job) {}
+
+    Result<Contents> contents() const {
+        TdmsFile tdms(file_, job_);
+        std::vector<std::optional<TdmsRawIndex>> first;  // of each object, once it has values
+        std::vector<std::size_t> order;
+        const Status status =
+            tdms.walk([&](const TdmsSegment&, const std::vector<TdmsRawIndex>& chunk) -> Status {
+                first.resize(tdms.objects().size());
+                for (const TdmsRawIndex& index : chunk) {
+                    auto& known = first[index.object];
+                    if (!known) {
+                        known = index;
+                        order.push_back(index.object);
+                    } else if (!alike(*known, index)) {
+                        return unsupported("a channel whose type of number changes");
+                    }
+                }
+                return {};
+            });
+        if (!status) {
+            return status.error();
+        }
+        Contents contents{tdms.objects(), {}, tdms.open_ended()};
+        for (const std::size_t object : order) {
+            if (has_numbers(*first[object]) && !is_time_name(contents.objects[object].channel)) {
+                contents.channels.push_back({object, std::move(*first[object])});
+            }
+        }
+        return contents;
+    }
+
+    Result<ChosenChannel> choose(const Contents& contents, int number) const {
+        const FoundChannel& found = contents.channel(number);
+        const TdmsObject& object = contents.objects[found.object];
+        auto scaling = tdms_scaling(*file_, with_owners(contents, object));
+        if (!scaling) {
+            return scaling.error();
+        }
+        ChosenChannel chosen{found.object, NumberType::f64, std::move(*scaling)};
+        const auto& scalers = found.index.scalers;
+        const auto undescribed = [&] {
+            return unsupported("a scale that it does not describe (channel " + object.channel +
+                               ")");
+        };
+        if (!found.index.is_daqmx) {
+            chosen.type = *tdms_number(found.index.type);
+            return chosen.scaling.scaler ? Result<ChosenChannel>(undescribed()) : chosen;
+        }
+        if (!chosen.scaling.scaler && scalers.size() == 1) {
+            chosen.scaling.scaler = scalers.front().id;
+        }
+        const auto scaler =
+            std::find_if(scalers.begin(), scalers.end(), [&](const TdmsScaler& candidate) {
+                return candidate.type && chosen.scaling.scaler == candidate.id;
+            });
+        if (scaler == scalers.end()) {
+            return undescribed();
+        }
+        chosen.type = *scaler->type;
+        return chosen;
+    }
+
+    // Both columns, from a second walk: which channels they are is only known after the first.
+    Result<Columns> columns(const ChosenChannel& c, const ChosenChannel& d) const {
+        TdmsRuns runs_c(c.object, c.scaler());
+        TdmsRuns runs_d(d.object, d.scaler());
+        TdmsFile tdms(file_, job_);
+        const auto most_runs =
+            static_cast<std::size_t>((file_->size() + held_bytes) / held_bytes_of_run);
+        const Status status = tdms.walk(
+            [&](const TdmsSegment& segment, const std::vector<TdmsRawIndex>& chunk) -> Status {
+                for (TdmsRuns* runs : {&runs_c, &runs_d}) {
+                    if (const auto wrong = runs->take(segment, chunk)) {
+                        return file_->error(ErrorCode::format_damaged, {"TDMS", *wrong});
+                    }
+                }
+                return runs_c.runs().size() + runs_d.runs().size() <= most_runs
+                           ? Status{}
+                           : unsupported("samples in more than " + std::to_string(most_runs) +
+                                         " separate pieces");
+            });
+        if (!status) {
+            return status.error();
+        }
+        const auto bytes = file_part(file_, 0, file_->size());
+        Columns both{{}, {}, runs_c.promised(), runs_d.promised()};
+        both.c = {bytes, c.type, runs_c.take_runs(), c.scaling.linear};
+        both.d = {bytes, d.type, runs_d.take_runs(), d.scaling.linear};
+        return both;
+    }
+
+    // 1 / wf_increment of the channel, its group or the file.
+    static std::optional<double> rate(const Contents& contents, const TdmsObject& channel) {
+        for (const TdmsObject* object : with_owners(contents, channel)) {
+            const double step = number(*object, "wf_increment").value_or(0);
+            if (step > 0 && std::isfinite(1 / step)) {
+                return 1 / step;
+            }
+        }
+        return std::nullopt;
+    }
+
+    static std::string text(const TdmsObject& object, std::string_view property) {
+        const auto found = object.properties.find(property);
+        return found == object.properties.end() ? "" : found->second.text;
+    }
+
+    Error unsupported(const std::string& what) const {
+        return file_->error(ErrorCode::format_unsupported, {"TDMS", what});
+    }
+
+private:
+    static std::optional<double> number(const TdmsObject& object, std::string_view property) {
+        const auto found = object.properties.find(property);
+        return found == object.properties.end() ? std::nullopt : found->second.number;
+    }
+
+    // The channel, its group and the file, as far as they are described.
+    static std::vector<const TdmsObject*> with_owners(const Contents& contents,
+                                                      const TdmsObject& channel) {
+        std::vector<const TdmsObject*> found{&channel};
+        for (const std::string& group : {channel.group, std::string()}) {
+            const auto owner = std::find_if(
+                contents.objects.begin(), contents.objects.end(), [&](const TdmsObject& object) {
+                    return object.channel.empty() && object.group == group;
+                });
+            if (owner != contents.objects.end()) {
+                found.push_back(&*owner);
+            }
+        }
+        return found;
+    }
+
+    std::shared_ptr<const FileBytes> file_;
+    const JobControl& job_;
+};
+
+// Names with their group where the file has several groups of channels.
+std::vector<Channel> describe(const Contents& contents) {
+    const std::string& first = contents.object(1).group;
+    const bool one_group = std::all_of(
+        contents.channels.begin(), contents.channels.end(),
+        [&](const FoundChannel& found) { return contents.objects[found.object].group == first; });
+    std::vector<Channel> channels;
+    for (const FoundChannel& found : contents.channels) {
+        const TdmsObject& object = contents.objects[found.object];
+        channels.push_back({one_group ? object.channel : object.group + "/" + object.channel,
+                            TdmsReader::text(object, "unit_string")});
+    }
+    return channels;
+}
+
+}  // namespace
+
+bool is_tdms(std::string_view head) {
+    return head.starts_with(data_tag) || head.starts_with(index_tag);
+}
+
+Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                            const JobControl& job) {
+    const TdmsReader reader(file, job);
+    std::string tag(index_tag.size(), '\0');
+    if (const auto got = file->read(0, tag); !got) {
+        return got.error();
+    }
+    if (tag == index_tag) {
+        return reader.unsupported("only the index of the .tdms file beside it");
+    }
+    const auto contents = reader.contents();
+    if (!contents) {
+        return contents.error();
+    }
+    const auto count = static_cast<int>(contents->channels.size());
+    if (const Status status = check_channels(*file, count, options); !status) {
+        return status.error();
+    }
+    const TdmsObject& c = contents->object(options.channel_c);
+    const auto rate_c = TdmsReader::rate(*contents, c);
+    const auto rate_d = TdmsReader::rate(*contents, contents->object(options.channel_d));
+    if (rate_c && rate_d && *rate_c != *rate_d) {
+        return reader.unsupported("C and D at different sample rates");
+    }
+    FoundSamples found;
+    if (const auto own = rate_c ? rate_c : rate_d) {
+        found.own_rate = SampleRate{*own, RateOrigin::file};
+    }
+    // Before the second walk.
+    if (const auto rate = choose_rate(*file, found.own_rate, options); !rate) {
+        return rate.error();
+    }
+    const auto chosen_c = reader.choose(*contents, options.channel_c);
+    const auto chosen_d = reader.choose(*contents, options.channel_d);
+    if (!chosen_c || !chosen_d) {
+        return (chosen_c ? chosen_d : chosen_c).error();
+    }
+    auto columns = reader.columns(*chosen_c, *chosen_d);
+    if (!columns) {
+        return columns.error();
+    }
+    found.format = "TDMS, " + name_of(columns->c.type) + ", " + std::to_string(count) + " channels";
+    found.channels = describe(*contents);
+    found.start = TdmsReader::text(c, "wf_start_time");
+    found.never_closed = contents->open_ended;
+    if (!contents->open_ended) {
+        found.promised_frames = std::min(columns->promised_c, columns->promised_d);
+    }
+    const std::int64_t frames_c = columns->c.frames();
+    const std::int64_t frames_d = columns->d.frames();
+    found.source = scaled_by(column_source(std::move(columns->c), std::move(columns->d)),
+                             chosen_c->scaling, chosen_d->scaling);
+    found.frames = found.source->frames();
+    auto recording = complete_recording(*file, std::move(found), options);
+    if (recording && columns->promised_c != columns->promised_d) {
+        note_unequal(frames_c, frames_d, *recording);
+    }
+    return recording;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,243 @@
+#include "core/recording/arrays/tdms_segments.h"
+
+#include "core/recording/arrays/tdms_values.h"
+#include "core/recording/bytes/byte_order.h"
+#include "core/recording/bytes/text_encoding.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::int64_t lead_in_bytes = 28;
+constexpr std::string_view tag = "TDSm";
+constexpr std::size_t most_objects = 10000;
+
+// The table of contents: bits in a segment's lead-in.
+constexpr std::uint32_t has_metadata = 1u << 1;
+constexpr std::uint32_t has_new_list = 1u << 2;
+constexpr std::uint32_t has_raw_data = 1u << 3;
+constexpr std::uint32_t is_interleaved = 1u << 5;
+constexpr std::uint32_t is_big_endian = 1u << 6;
+constexpr std::uint32_t has_daqmx_data = 1u << 7;
+
+constexpr std::uint64_t never_closed = std::numeric_limits<std::uint64_t>::max();
+
+constexpr std::size_t most_kept = 50000;
+
+// Those that say something about samples.
+bool is_kept(std::string_view name) {
+    constexpr std::array<std::string_view, 4> names{"wf_increment", "wf_start_time", "unit_string",
+                                                    "NI_Number_Of_Scales"};
+    return name.starts_with("NI_Scal") ||
+           std::find(names.begin(), names.end(), name) != names.end();
+}
+
+struct LeadIn {
+    std::uint32_t contents = 0;
+    std::uint64_t next = 0;  // of the next segment and of the raw data, from the lead-in's end
+    std::uint64_t raw = 0;
+
+    bool has(std::uint32_t bit) const { return (contents & bit) != 0; }
+};
+
+LeadIn parse_lead_in(const char* bytes) {
+    LeadIn lead_in;
+    lead_in.contents = load<std::uint32_t>(bytes + 4, false);  // in this order in all files
+    const bool big_endian = lead_in.has(is_big_endian);
+    lead_in.next = load<std::uint64_t>(bytes + 12, big_endian);
+    lead_in.raw = load<std::uint64_t>(bytes + 20, big_endian);
+    return lead_in;
+}
+
+}  // namespace
+
+TdmsFile::TdmsFile(std::shared_ptr<const FileBytes> file, const JobControl& job)
+    : file_(std::move(file)), job_(job) {}
+
+Error TdmsFile::damaged(const std::string& reason) const {
+    return file_->error(ErrorCode::format_damaged, {"TDMS", reason});
+}
+
+Error TdmsFile::unsupported(const std::string& what) const {
+    return file_->error(ErrorCode::format_unsupported, {"TDMS", what});
+}
+
+Status TdmsFile::walk(const Visitor& visit) {
+    const std::int64_t file_size = file_->size();
+    for (std::int64_t at = 0; at < file_size;) {
+        if (job_.cancelled()) {
+            return file_->error(ErrorCode::interrupted);
+        }
+        std::array<char, lead_in_bytes> bytes{};
+        const auto got = file_->read(at, bytes);
+        if (!got) {
+            return got.error();
+        }
+        if (*got < lead_in_bytes) {
+            open_ended_ = true;
+            break;
+        }
+        if (!std::string_view(bytes.data(), bytes.size()).starts_with(tag)) {
+            return damaged("there is no segment where one should begin");
+        }
+        const LeadIn lead_in = parse_lead_in(bytes.data());
+        const auto room = static_cast<std::uint64_t>(file_size - at - lead_in_bytes);
+        const bool closed = lead_in.next != never_closed;
+        if (lead_in.raw > room) {
+            open_ended_ = true;  // within its metadata
+            break;
+        }
+        if (closed && lead_in.next < lead_in.raw) {
+            return damaged("a segment ends before its raw data");
+        }
+        const std::int64_t metadata_at = at + lead_in_bytes;
+        const auto metadata_size = static_cast<std::int64_t>(lead_in.raw);
+        const bool big_endian = lead_in.has(is_big_endian);
+        if (lead_in.has(has_metadata)) {
+            const Status status =
+                take_metadata(metadata_at, metadata_size, big_endian, lead_in.has(has_new_list));
+            if (!status) {
+                return status;
+            }
+        }
+        const auto daqmx = std::count_if(chunk_.begin(), chunk_.end(),
+                                         [](const TdmsRawIndex& index) { return index.is_daqmx; });
+        const bool all = daqmx == static_cast<std::ptrdiff_t>(chunk_.size());
+        if (lead_in.has(has_raw_data) && !(all || (daqmx == 0 && !lead_in.has(has_daqmx_data)))) {
+            return unsupported("raw data of DAQmx that not all channels describe");
+        }
+        TdmsSegment segment;
+        segment.offset = metadata_at + metadata_size;
+        segment.interleaved = lead_in.has(is_interleaved);
+        segment.big_endian = big_endian;
+        segment.last = !closed || lead_in.next >= room;
+        segment.size = static_cast<std::int64_t>(std::min(lead_in.next, room) - lead_in.raw);
+        if (closed) {
+            constexpr auto most =
+                static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+            segment.promised =
+                static_cast<std::int64_t>(std::min(lead_in.next, most)) - metadata_size;
+        }
+        open_ended_ = open_ended_ || !closed;
+        if (lead_in.has(has_raw_data)) {
+            if (const Status status = visit(segment, chunk_); !status) {
+                return status;
+            }
+        }
+        at = segment.last ? file_size : segment.offset + segment.size;
+    }
+    return {};
+}
+
+Status TdmsFile::take_metadata(std::int64_t offset, std::int64_t size, bool big_endian,
+                               bool new_list) {
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    const auto got = file_->read(offset, bytes);
+    if (!got) {
+        return got.error();
+    }
+    TdmsMetadata metadata(std::move(bytes), big_endian);
+    if (new_list) {
+        chunk_.clear();
+    }
+    const auto objects = metadata.number<std::uint32_t>();
+    for (std::uint32_t i = 0; i < objects; ++i) {
+        if (const Status status = take_object(metadata); !status) {
+            return status;
+        }
+    }
+    return metadata.ended() ? damaged("its metadata end too early") : Status{};
+}
+
+Status TdmsFile::take_object(TdmsMetadata& metadata) {
+    const auto object = object_named(metadata.string());
+    if (metadata.ended()) {
+        return damaged("its metadata end too early");
+    }
+    if (!object) {
+        return object.error();
+    }
+    if (const Status status = list_raw_index(metadata, *object); !status) {
+        return status;
+    }
+    return take_properties(metadata, objects_[*object]);
+}
+
+Result<std::size_t> TdmsFile::object_named(const std::string& path) {
+    const auto known = places_.find(path);
+    if (known != places_.end()) {
+        return known->second;
+    }
+    const auto names = tdms_path(path);
+    if (!names) {
+        return damaged("the name of an object cannot be understood");
+    }
+    if (objects_.size() == most_objects) {
+        return unsupported("more than " + std::to_string(most_objects) + " objects");
+    }
+    const std::size_t place = objects_.size();
+    places_.emplace(path, place);
+    objects_.push_back({to_utf8(names->group), to_utf8(names->channel), {}});
+    known_.emplace_back();
+    return place;
+}
+
+Status TdmsFile::list_raw_index(TdmsMetadata& metadata, std::size_t object) {
+    const auto length = metadata.number<std::uint32_t>();
+    const auto listed =
+        std::find_if(chunk_.begin(), chunk_.end(),
+                     [object](const TdmsRawIndex& index) { return index.object == object; });
+    if (length == tdms_no_raw_data) {
+        if (listed != chunk_.end()) {
+            chunk_.erase(listed);
+        }
+        return {};
+    }
+    std::optional<TdmsRawIndex>& known = known_[object];
+    if (length != tdms_same_as_before) {
+        TdmsRawIndex index;
+        index.object = object;
+        if (const auto refused = take_raw_index(metadata, length, index)) {
+            return refused->damaged ? damaged(refused->reason) : unsupported(refused->reason);
+        }
+        known = std::move(index);
+    }
+    if (!known) {
+        return damaged("a channel's raw data are as before, and there are none before");
+    }
+    if (listed != chunk_.end()) {
+        *listed = *known;
+    } else {
+        chunk_.push_back(*known);
+    }
+    return {};
+}
+
+Status TdmsFile::take_properties(TdmsMetadata& metadata, TdmsObject& object) {
+    const auto properties = metadata.number<std::uint32_t>();
+    for (std::uint32_t i = 0; i < properties && !metadata.ended(); ++i) {
+        const std::string name = metadata.string();
+        const auto type = metadata.number<std::uint32_t>();
+        auto value = metadata.value(type);
+        if (metadata.ended()) {
+            break;
+        }
+        if (!value) {
+            return unsupported("a property of the type " + std::to_string(type));
+        }
+        if (is_kept(name)) {
+            kept_ += object.properties.insert_or_assign(name, std::move(*value)).second ? 1 : 0;
+            if (kept_ > most_kept) {
+                return unsupported("more than " + std::to_string(most_kept) +
+                                   " properties of scales");
+            }
+        }
+    }
+    return metadata.ended() ? damaged("its metadata end too early") : Status{};
+}
+
+}  // namespace vybeg

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/arrays/tdms_metadata.h"
+#include "core/recording/bytes/file_bytes.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vybeg {
+
+// An object of a TDMS file: the file ("/"), a group or a channel. Of its properties those are kept
+// that say something about samples.
+struct TdmsObject {
+    std::string group;    // empty for the file itself
+    std::string channel;  // empty for the file and for groups
+    std::map<std::string, TdmsValue, std::less<>> properties;
+};
+
+// The raw data of one segment: chunks of equal make, one after the other.
+struct TdmsSegment {
+    std::int64_t offset = 0;  // of its first chunk, in the file
+    std::int64_t size = 0;    // bytes that are there
+    std::optional<std::int64_t>
+        promised;              // bytes by its lead-in; nothing where it was never closed
+    bool interleaved = false;  // one value of each object in turn
+    bool big_endian = false;
+    bool last = false;  // nothing follows, and its last chunk may be incomplete
+};
+
+// Walks a TDMS file (version 2.0) from segment to segment.
+class TdmsFile {
+public:
+    using Visitor =
+        std::function<Status(const TdmsSegment& segment, const std::vector<TdmsRawIndex>& chunk)>;
+
+    TdmsFile(std::shared_ptr<const FileBytes> file, const JobControl& job);
+
+    // Calls `visit` for each segment with raw data; `chunk` is what a chunk of it consists of, in
+    // its order. Errors: those of `visit`; file_read_failed; format_damaged; format_unsupported for
+    // more than 10,000 objects and more than 50,000 properties of scales; interrupted.
+    Status walk(const Visitor& visit);
+
+    const std::vector<TdmsObject>& objects() const { return objects_; }  // as far as walked
+    // Whether the last segment was never closed, or the file was cut within a segment's head: how
+    // much there was to be is unknown.
+    bool open_ended() const { return open_ended_; }
+
+private:
+    Status take_metadata(std::int64_t offset, std::int64_t size, bool big_endian, bool new_list);
+    Status take_object(TdmsMetadata& metadata);
+    Status list_raw_index(TdmsMetadata& metadata, std::size_t object);
+    Status take_properties(TdmsMetadata& metadata, TdmsObject& object);
+    Result<std::size_t> object_named(const std::string& path);
+    Error damaged(const std::string& reason) const;
+    Error unsupported(const std::string& what) const;
+
+    std::shared_ptr<const FileBytes> file_;
+    const JobControl& job_;
+    bool open_ended_ = false;
+    std::size_t kept_ = 0;                                    // properties
+    std::map<std::string, std::size_t, std::less<>> places_;  // of the objects, by their path
+    std::vector<TdmsObject> objects_;
+    std::vector<std::optional<TdmsRawIndex>> known_;  // the last raw index of each object
+    std::vector<TdmsRawIndex> chunk_;                 // of the current segment
+};
+
+}  // namespace vybeg

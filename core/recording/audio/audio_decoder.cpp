@@ -1,0 +1,144 @@
+#include "core/recording/audio/audio_decoder.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace vybeg {
+
+struct AudioDecoder::Bytes {
+    std::shared_ptr<const FileBytes> file;
+    std::vector<HeaderPatch> patches;
+    sf_count_t position = 0;
+
+    sf_count_t seek(sf_count_t offset, int whence) {
+        const sf_count_t base = whence == SEEK_SET   ? 0
+                                : whence == SEEK_CUR ? position
+                                                     : file->size();
+        position = std::max<sf_count_t>(base + offset, 0);
+        return position;
+    }
+
+    sf_count_t read(char* out, sf_count_t count) {
+        const std::span<char> bytes(out, static_cast<std::size_t>(std::max<sf_count_t>(count, 0)));
+        const auto got = file->read(position, bytes);
+        if (!got) {
+            return 0;
+        }
+        for (const HeaderPatch& patch : patches) {
+            for (std::size_t i = 0; i < patch.bytes.size(); ++i) {
+                const std::int64_t at = patch.at + static_cast<std::int64_t>(i) - position;
+                if (at >= 0 && at < *got) {
+                    out[at] = patch.bytes[i];
+                }
+            }
+        }
+        position += *got;
+        return *got;
+    }
+};
+
+namespace {
+
+std::string without_padding(std::string_view field) {
+    const auto end = field.find('\0');
+    return std::string(field.substr(0, end));
+}
+
+}  // namespace
+
+AudioDecoder::AudioDecoder() : bytes_(std::make_unique<Bytes>()) {}
+
+AudioDecoder::~AudioDecoder() {
+    if (handle_) {
+        sf_close(handle_);
+    }
+}
+
+Result<std::unique_ptr<AudioDecoder>> AudioDecoder::open(std::shared_ptr<const FileBytes> file,
+                                                         const std::vector<HeaderPatch>& patches) {
+    static SF_VIRTUAL_IO calls = {
+        [](void* data) -> sf_count_t { return static_cast<Bytes*>(data)->file->size(); },
+        [](sf_count_t offset, int whence, void* data) {
+            return static_cast<Bytes*>(data)->seek(offset, whence);
+        },
+        [](void* out, sf_count_t count, void* data) {
+            return static_cast<Bytes*>(data)->read(static_cast<char*>(out), count);
+        },
+        [](const void*, sf_count_t, void*) -> sf_count_t { return 0; },
+        [](void* data) { return static_cast<Bytes*>(data)->position; }};
+
+    std::unique_ptr<AudioDecoder> decoder(new AudioDecoder);
+    decoder->bytes_->file = std::move(file);
+    decoder->bytes_->patches = patches;
+    decoder->handle_ = sf_open_virtual(&calls, SFM_READ, &decoder->info_, decoder->bytes_.get());
+    if (!decoder->handle_) {
+        return decoder->damaged(sf_strerror(nullptr));
+    }
+    return decoder;
+}
+
+Error AudioDecoder::damaged(const std::string& reason) const {
+    const std::string name = container();
+    // libsndfile ends some of its sentences with a full stop or a line feed.
+    const auto end = reason.find_last_not_of(" .\n\r");
+    return bytes_->file->error(
+        ErrorCode::format_damaged,
+        {name.empty() ? "audio" : name,
+         end == std::string::npos ? "it cannot be decoded" : reason.substr(0, end + 1)});
+}
+
+std::string AudioDecoder::container() const {
+    SF_FORMAT_INFO format{};
+    format.format = info_.format & SF_FORMAT_TYPEMASK;
+    if (sf_command(handle_, SFC_GET_FORMAT_INFO, &format, sizeof format) != 0 || !format.name) {
+        return "";
+    }
+    const std::string name = format.name;  // "WAV (Microsoft)"
+    return name.substr(0, name.find(" ("));
+}
+
+std::string AudioDecoder::sample_type() const {
+    SF_FORMAT_INFO format{};
+    format.format = info_.format & SF_FORMAT_SUBMASK;
+    if (sf_command(handle_, SFC_GET_FORMAT_INFO, &format, sizeof format) != 0 || !format.name) {
+        return "";
+    }
+    return format.name;
+}
+
+std::string AudioDecoder::start() const {
+    SF_BROADCAST_INFO broadcast{};
+    if (sf_command(handle_, SFC_GET_BROADCAST_INFO, &broadcast, sizeof broadcast) == SF_TRUE) {
+        const std::string date =
+            without_padding({broadcast.origination_date, sizeof broadcast.origination_date});
+        const std::string time =
+            without_padding({broadcast.origination_time, sizeof broadcast.origination_time});
+        if (!date.empty()) {
+            return time.empty() ? date : date + " " + time;
+        }
+    }
+    const char* date = sf_get_string(handle_, SF_STR_DATE);
+    return date ? date : "";
+}
+
+Status AudioDecoder::read(std::int64_t first, std::span<double> out) {
+    if (position_ != first && sf_seek(handle_, first, SEEK_SET) != first) {
+        return damaged("no sample can be reached at frame " + std::to_string(first));
+    }
+    const auto frames = static_cast<std::int64_t>(out.size()) / info_.channels;
+    const std::int64_t got = sf_readf_double(handle_, out.data(), frames);
+    // libFLAC 1.4 stops short of a block with a wrong checksum; before, it put zeros there, which
+    // sf_error alone tells.
+    if (sf_error(handle_) != SF_ERR_NO_ERROR) {
+        return damaged(sf_strerror(handle_));
+    }
+    if (got != frames) {
+        return damaged("the samples end at frame " +
+                       std::to_string(first + std::max<std::int64_t>(got, 0)));
+    }
+    position_ = first + frames;
+    return {};
+}
+
+}  // namespace vybeg

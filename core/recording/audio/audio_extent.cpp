@@ -1,0 +1,264 @@
+#include "core/recording/audio/audio_extent.h"
+
+#include "core/recording/bytes/byte_order.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+namespace vybeg {
+namespace {
+
+using namespace std::string_view_literals;
+
+// The 16 byte names of W64 chunks begin with the four letters of the WAV chunk.
+constexpr std::string_view w64_riff = "riff\x2E\x91\xCF\x11\xA5\xD6\x28\xDB\x04\xC1\x00\x00"sv;
+constexpr int most_chunks = 1000;
+constexpr std::size_t payload_head = 40;  // more than any field that is looked at
+
+enum class Container { wav, rf64, w64, aiff, caf };
+
+struct Chunk {
+    std::string_view id;  // four letters
+    std::int64_t size;    // of the payload, as it is written; -1 or all ones: not filled in
+    std::int64_t payload_at;
+    const char* payload;  // its first payload_head bytes, zeros behind the end of the file
+};
+
+// Whether the chunks in a LIST chunk lie inside of it.
+Result<bool> is_sound_list(const FileBytes& file, const Chunk& list, bool big_endian) {
+    constexpr std::int64_t head_bytes = 8;
+    std::int64_t at = list.payload_at + 4;  // behind the list's type
+    const std::int64_t end = list.payload_at + list.size;
+    if (end > file.size()) {
+        return false;
+    }
+    for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
+        std::array<char, head_bytes> head{};
+        if (const auto got = file.read(at, head); !got) {
+            return got.error();
+        }
+        const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
+        at += head_bytes + size + size % 2;
+    }
+    return at <= end + 1;  // the last one need not be padded
+}
+
+// Whether the decoder may see a chunk of a WAV or RF64 file: the samples, what describes them, and
+// the date.
+Result<bool> is_wanted(const FileBytes& file, const Chunk& chunk, bool big_endian) {
+    constexpr std::array<std::string_view, 5> wanted{"fmt ", "fact", "data", "ds64", "bext"};
+    if (chunk.id == "LIST") {
+        return is_sound_list(file, chunk, big_endian);
+    }
+    return std::find(wanted.begin(), wanted.end(), chunk.id) != wanted.end();
+}
+
+// Whether the bytes from `at` to the end of a WAV file are chunks, the last one complete: what
+// stands behind a data chunk that is truly empty.
+Result<bool> are_chunks(const FileBytes& file, std::int64_t at, bool big_endian) {
+    constexpr std::int64_t head_bytes = 8;
+    for (int i = 0; i < most_chunks && file.size() - at >= head_bytes; ++i) {
+        std::array<char, head_bytes> head{};
+        if (const auto got = file.read(at, head); !got) {
+            return got.error();
+        }
+        if (!std::all_of(head.begin(), head.begin() + 4,
+                         [](char c) { return c >= ' ' && c <= '~'; })) {
+            return false;
+        }
+        const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
+        at += head_bytes + size + size % 2;
+    }
+    return at == file.size() || at == file.size() + 1;
+}
+
+// How a container writes the heads of its chunks.
+struct Layout {
+    std::int64_t first_chunk;
+    std::int64_t id_bytes;
+    std::int64_t size_bytes;
+    std::int64_t alignment;
+    bool big_endian;
+    bool size_counts_head;
+};
+
+Layout layout_of(Container container, bool big_endian) {
+    switch (container) {
+        case Container::wav:
+        case Container::rf64: return {12, 4, 4, 2, big_endian, false};
+        case Container::w64: return {40, 16, 8, 8, false, true};
+        case Container::aiff: return {12, 4, 4, 2, true, false};
+        case Container::caf: return {8, 4, 8, 1, true, false};
+    }
+    return {};
+}
+
+// Collects what is needed from the chunks of one file, until the samples begin.
+class ExtentReader {
+public:
+    ExtentReader(Container container, bool big_endian, std::int64_t file_size)
+        : container_(container), big_endian_(big_endian), file_size_(file_size) {}
+
+    // False where nothing of interest can follow.
+    bool take(const Chunk& chunk) {
+        if (chunk.id == "fmt ") {
+            take_wav_format(chunk);
+        } else if (chunk.id == "ds64") {
+            long_data_size_ = load<std::int64_t>(chunk.payload + 8, false);
+        } else if (chunk.id == "COMM") {
+            extent_.promised_frames = load<std::uint32_t>(chunk.payload + 2, true);
+        } else if (chunk.id == "desc") {
+            const auto bytes = load<std::uint32_t>(chunk.payload + 16, true);
+            const auto frames = load<std::uint32_t>(chunk.payload + 20, true);
+            frame_bytes_ = frames == 1 ? bytes : 0;
+        } else if (chunk.id == "data") {
+            take_data(chunk);
+            return false;
+        }
+        return true;
+    }
+
+    // The samples of a file whose recorder died before it could write their length.
+    void take_unfinished(const Chunk& chunk) {
+        constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
+        const std::int64_t frame = std::max<std::int64_t>(frame_bytes_, 1);
+        const std::int64_t present = file_size_ - chunk.payload_at;
+        const auto size = static_cast<std::uint32_t>(std::min(present, most) / frame * frame);
+        extent_.patches.push_back({chunk.payload_at - 4, store(size, big_endian_)});
+        extent_.samples_at = chunk.payload_at;
+        extent_.promised_frames =
+            frame_bytes_ > 0 ? std::optional(present / frame_bytes_) : std::nullopt;
+        extent_.never_closed = true;
+    }
+
+    void hide(const Chunk& chunk) { extent_.patches.push_back({chunk.payload_at - 8, "JUNK"}); }
+
+    const AudioExtent& extent() const { return extent_; }
+
+private:
+    void take_wav_format(const Chunk& chunk) {
+        constexpr std::array<std::uint16_t, 5> unpacked = {1, 3, 6, 7, 0xFFFE};
+        const auto tag = load<std::uint16_t>(chunk.payload, big_endian_);
+        const bool known = std::find(unpacked.begin(), unpacked.end(), tag) != unpacked.end();
+        frame_bytes_ = known ? load<std::uint16_t>(chunk.payload + 12, big_endian_) : 0;
+        if (load<std::uint32_t>(chunk.payload + 4, big_endian_) == 0) {
+            extent_.rate_is_zero = true;
+            extent_.patches.push_back({chunk.payload_at + 4, store(std::uint32_t{1}, big_endian_)});
+        }
+    }
+
+    void take_data(const Chunk& chunk) {
+        std::int64_t size = chunk.size;
+        extent_.samples_at = container_ == Container::caf ? 0 : chunk.payload_at;
+        const std::int64_t present = file_size_ - chunk.payload_at;
+        if (container_ == Container::caf && size > present) {
+            extent_.patches.push_back({chunk.payload_at - 8, store(present, true)});
+        }
+        if (container_ == Container::caf && size >= 0) {
+            size -= 4;  // an edit count stands before the samples
+        }
+        const bool not_filled_in = size == std::numeric_limits<std::uint32_t>::max();
+        if (container_ == Container::rf64 && not_filled_in) {
+            size = long_data_size_;
+        } else if (not_filled_in) {
+            size = 0;
+        }
+        if (size > 0 && frame_bytes_ > 0) {
+            extent_.promised_frames = size / frame_bytes_;
+        }
+    }
+
+    Container container_;
+    bool big_endian_;
+    std::int64_t file_size_;
+    std::int64_t frame_bytes_ = 0;  // 0: packed, or unknown
+    std::int64_t long_data_size_ = 0;
+    AudioExtent extent_;
+};
+
+std::optional<Container> container_of(std::string_view head) {
+    const std::string_view id = head.substr(0, 4);
+    const std::string_view form = head.size() < 12 ? ""sv : head.substr(8, 4);
+    if ((id == "RIFF" || id == "RIFX") && form == "WAVE") {
+        return Container::wav;
+    }
+    if (id == "RF64" && form == "WAVE") {
+        return Container::rf64;
+    }
+    if (head.starts_with(w64_riff)) {
+        return Container::w64;
+    }
+    if (id == "FORM" && (form == "AIFF" || form == "AIFC")) {
+        return Container::aiff;
+    }
+    if (id == "caff") {
+        return Container::caf;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool is_audio(std::string_view head) {
+    return container_of(head) || head.starts_with("fLaC") || head.starts_with(".snd");
+}
+
+Result<AudioExtent> audio_extent(const FileBytes& file) {
+    std::array<char, 16> head{};
+    if (const auto got = file.read(0, head); !got) {
+        return got.error();
+    }
+    const auto container = container_of({head.data(), head.size()});
+    if (!container) {
+        return AudioExtent{};
+    }
+    const Layout layout = layout_of(*container, head[3] == 'X');
+    const std::int64_t head_bytes = layout.id_bytes + layout.size_bytes;
+    ExtentReader reader(*container, layout.big_endian, file.size());
+    const bool is_riff = *container == Container::wav || *container == Container::rf64;
+    bool searching = true;
+    std::int64_t at = layout.first_chunk;
+    for (int i = 0; i < most_chunks && at <= file.size() - head_bytes; ++i) {
+        std::array<char, 24 + payload_head> bytes{};
+        if (const auto got = file.read(at, bytes); !got) {
+            return got.error();
+        }
+        const char* size_at = bytes.data() + layout.id_bytes;
+        std::int64_t size = layout.size_bytes == 8
+                                ? load<std::int64_t>(size_at, layout.big_endian)
+                                : load<std::uint32_t>(size_at, layout.big_endian);
+        if (layout.size_counts_head) {
+            size -= head_bytes;
+        }
+        const Chunk chunk{{bytes.data(), 4}, size, at + head_bytes, bytes.data() + head_bytes};
+        if (is_riff) {
+            const auto wanted = is_wanted(file, chunk, layout.big_endian);
+            if (!wanted) {
+                return wanted.error();
+            }
+            if (!*wanted) {
+                reader.hide(chunk);
+            }
+        }
+        if (*container == Container::wav && chunk.id == "data" && size == 0 && searching) {
+            const auto is_empty = are_chunks(file, chunk.payload_at, layout.big_endian);
+            if (!is_empty) {
+                return is_empty.error();
+            }
+            if (!*is_empty) {
+                reader.take_unfinished(chunk);
+                break;
+            }
+        }
+        searching = searching && reader.take(chunk);
+        if (!(searching || is_riff) || size < 0 || size > file.size()) {
+            break;
+        }
+        at += (head_bytes + size + layout.alignment - 1) / layout.alignment * layout.alignment;
+    }
+    return reader.extent();
+}
+
+}  // namespace vybeg

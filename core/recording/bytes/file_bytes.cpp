@@ -1,0 +1,93 @@
+#include "core/recording/bytes/file_bytes.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+Error failure(const std::filesystem::path& path, int number) {
+    switch (number) {
+        case ENOENT:
+        case ENOTDIR: return {ErrorCode::file_missing, path.string(), {}};
+        case EACCES:
+        case EPERM: return {ErrorCode::file_permission, path.string(), {}};
+        case EISDIR: return {ErrorCode::file_is_directory, path.string(), {}};
+        default: break;
+    }
+    const char* reason = strerrordesc_np(number);  // unlike strerror, the same in every locale
+    return {ErrorCode::file_read_failed, path.string(), {reason ? reason : "unknown error"}};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const FileBytes>> FileBytes::open(const std::filesystem::path& path) {
+    // Without O_NONBLOCK a named pipe would make us wait for its writer.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0) {
+        return failure(path, errno);
+    }
+    struct stat status {};
+    const int failed = ::fstat(descriptor, &status) == 0 ? 0 : errno;
+    const std::shared_ptr<const FileBytes> file(
+        new FileBytes(path, descriptor, static_cast<std::int64_t>(status.st_size),
+                      {status.st_mtim.tv_sec, status.st_mtim.tv_nsec}));
+    if (failed != 0) {
+        return failure(path, failed);
+    }
+    if (S_ISDIR(status.st_mode)) {
+        return file->error(ErrorCode::file_is_directory);
+    }
+    if (!S_ISREG(status.st_mode)) {
+        return file->error(ErrorCode::file_read_failed, {"it is not a regular file"});
+    }
+    if (status.st_size == 0) {
+        return file->error(ErrorCode::file_empty);
+    }
+    return file;
+}
+
+FileBytes::FileBytes(std::filesystem::path path, int descriptor, std::int64_t size,
+                     ChangeTime changed)
+    : path_(std::move(path)), descriptor_(descriptor), size_(size), changed_(changed) {}
+
+FileBytes::~FileBytes() {
+    ::close(descriptor_);
+}
+
+Status FileBytes::unchanged() const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) {
+        return failure(path_, errno);
+    }
+    const bool same = status.st_size == size_ &&
+                      ChangeTime{status.st_mtim.tv_sec, status.st_mtim.tv_nsec} == changed_;
+    return same ? Status{} : error(ErrorCode::file_changed);
+}
+
+Error FileBytes::error(ErrorCode code, std::vector<std::string> args) const {
+    return {code, path_.string(), std::move(args)};
+}
+
+Result<std::int64_t> FileBytes::read(std::int64_t offset, std::span<char> out) const {
+    std::int64_t done = 0;
+    const auto wanted = static_cast<std::int64_t>(out.size());
+    while (done < wanted) {
+        const ssize_t got = ::pread(descriptor_, out.data() + done,
+                                    static_cast<std::size_t>(wanted - done), offset + done);
+        if (got == 0) {
+            break;
+        }
+        if (got < 0 && errno != EINTR) {
+            return failure(path_, errno);
+        }
+        done += got > 0 ? got : 0;
+    }
+    return done;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,67 @@
+#include "core/recording/bytes/sha256.h"
+
+#include <openssl/evp.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+// `file`: none for an empty one, which has a hash too.
+Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path& path,
+                              const JobControl& job) {
+    const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
+                                                                          &EVP_MD_CTX_free);
+    bool ok = EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
+    std::vector<char> chunk(std::size_t{1} << 20);
+    for (std::int64_t offset = 0; ok && file != nullptr && offset < file->size();) {
+        if (job.cancelled()) {
+            return Error{ErrorCode::interrupted, path.string(), {}};
+        }
+        const auto got = file->read(offset, chunk);
+        if (!got) {
+            return got.error();
+        }
+        if (*got == 0) {
+            break;
+        }
+        ok = EVP_DigestUpdate(context.get(), chunk.data(), static_cast<std::size_t>(*got)) == 1;
+        offset += *got;
+        job.report(static_cast<double>(offset) / static_cast<double>(file->size()));
+    }
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+    unsigned int length = 0;
+    if (!ok || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1) {
+        return Error{
+            ErrorCode::file_read_failed, path.string(), {"SHA-256 is not available in OpenSSL"}};
+    }
+    std::string text;
+    for (unsigned int i = 0; i < length; ++i) {
+        text += "0123456789abcdef"[digest[i] >> 4];
+        text += "0123456789abcdef"[digest[i] & 15];
+    }
+    return text;
+}
+
+}  // namespace
+
+void prepare_sha256() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+    EVP_Digest("", 0, digest.data(), nullptr, EVP_sha256(), nullptr);
+}
+
+Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job) {
+    const auto file = FileBytes::open(path);
+    if (!file && file.error().code != ErrorCode::file_empty) {
+        return file.error();
+    }
+    return sha256_of(file ? file->get() : nullptr, path, job);
+}
+
+Result<std::string> file_sha256(const FileBytes& file, const JobControl& job) {
+    return sha256_of(&file, file.path(), job);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/bytes/byte_source.h"
+#include "core/recording/bytes/file_bytes.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vybeg {
+
+// True where the first bytes of a file are those of a ZIP archive.
+bool is_zip(std::string_view head);
+
+// A file in a ZIP archive, as the archive's directory describes it.
+struct ZipMember {
+    std::string name;
+    int method = 0;  // of packing: 0 stored, 8 deflated
+    bool encrypted = false;
+    std::uint32_t crc32 = 0;
+    std::int64_t packed_size = 0;
+    std::int64_t size = 0;
+    std::int64_t header_offset = 0;  // of its own header, in the archive
+};
+
+// The members in the directory's order (ZIP and ZIP64), without folders. Errors: file_read_failed;
+// format_damaged, where there is no directory (the archive is cut off) or it lies outside of the
+// file; format_unsupported for more than 10000 members.
+Result<std::vector<ZipMember>> zip_members(const FileBytes& file);
+
+// A member's content: a stored one where it stands, a deflated one inflated on demand. Errors:
+// file_read_failed; format_damaged; format_unsupported for encrypted members and other methods.
+Result<std::shared_ptr<const ByteSource>> zip_content(std::shared_ptr<const FileBytes> file,
+                                                      const ZipMember& member);
+
+}  // namespace vybeg

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/recording/checks/phase_step.h"
+
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// Finds phase steps common to both channels, as the samples come by: one lost sample of a 5300 Hz
+// carrier at 33333 Hz is a step of 57 degrees.
+//
+// A step is suspected in two ways, in blocks of 32 to 48 frames, two periods at least. The phase of
+// the carrier, demodulated in blocks, moves between the block before and the block after by more
+// than 0.25 rad and eight times the scatter around it. Where that scatter hides a step
+// (neighbouring modes, noise) the error of a linear prediction of the samples stands out of that of
+// the other blocks, as no sum of decaying modes makes it. A suspicion is believed only where
+// judge_step() finds that the samples go on with a number of them lost or doubled, in every strong
+// line, as they do not as they are. Blocks with missing samples are left out.
+class PhaseStepCheck {
+public:
+    PhaseStepCheck(double f0_hz, double rate_hz);
+
+    // The next frames, in order, of both channels. Where frames were passed over, what comes is
+    // looked at by itself.
+    void add(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
+    // Everything found; ends the check.
+    std::vector<PhaseStep> finish();
+
+private:
+    struct Block {
+        std::complex<double> c;
+        std::complex<double> d;
+        bool missing = false;
+    };
+    // Blocks [first, last] in whose neighbourhood a step is suspected; size relative to the
+    // threshold.
+    struct Suspect {
+        std::size_t first = 0;
+        std::size_t last = 0;
+        double size = 0;
+    };
+
+    void close_block();
+    void evaluate(bool is_end);
+    std::vector<Suspect> moving_phases(double& threshold) const;
+    std::vector<Suspect> unforeseen_blocks() const;
+    static void draw_together(std::vector<Suspect>& suspects);
+    void judge(const std::vector<Suspect>& suspects, std::size_t suspect);
+    void forget_all();
+
+    double w_;  // carrier, radians per sample
+    std::size_t block_frames_;
+    std::size_t reach_blocks_;                 // that are looked at on each side of a suspicion
+    std::size_t segment_frames_;               // and those around it that the next one sees again
+    std::vector<std::complex<double>> basis_;  // of one block
+    std::int64_t first_frame_ = 0;             // of c_ and d_
+    std::size_t first_block_ = 0;              // not judged yet
+    std::vector<double> c_;                    // a segment, and the last blocks of the one before
+    std::vector<double> d_;
+    std::vector<Block> blocks_;
+    std::vector<PhaseStep> found_;
+};
+
+}  // namespace vybeg

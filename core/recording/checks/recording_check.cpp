@@ -1,0 +1,312 @@
+#include "core/recording/checks/recording_check.h"
+
+#include "core/base/dispatch.h"
+#include "core/base/number_text.h"
+#include "core/recording/checks/start_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::int64_t chunk_frames = std::int64_t{1} << 16;
+constexpr double start_s = 4;             // what is looked at for mains and transient
+constexpr double small_offset = 5e-3;     // of the amplitude
+constexpr std::size_t most_listed = 100;  // places of lost samples that are told one by one
+
+const std::array<std::string, 2> channel_names{"C", "D"};
+
+void report_rails(const ClippingCheck& clipping, const std::string& channel, SampleFaults& faults) {
+    if (const int levels = clipping.levels(); levels == 2) {
+        faults.findings.push_back({DiagnosticKind::below_one_bit, {channel, integer_text(levels)}});
+    }
+    for (const ClippingCheck::Rail& rail : clipping.rails()) {
+        faults.findings.push_back({DiagnosticKind::clipped,
+                                   {channel, integer_text(rail.count), short_text(rail.level)},
+                                   rail.places.front().first,
+                                   rail.count});
+        faults.clipped.insert(faults.clipped.end(), rail.places.begin(), rail.places.end());
+    }
+}
+
+// Numbers of samples, e.g. "1, 7, ..."; larger ones are always possible.
+std::string list_of(const std::vector<int>& candidates, int sign) {
+    constexpr int most = 6;
+    std::string list;
+    int listed = 0;
+    for (const int lost : candidates) {
+        if (lost * sign <= 0) {
+            continue;
+        }
+        if (++listed > most) {
+            break;
+        }
+        list += integer_text(std::abs(lost)) + ", ";
+    }
+    return list.empty() ? "-" : list + "...";
+}
+
+Diagnostic finding_of(const PhaseStep& step, double rate_hz) {
+    const std::string at_s = short_text(static_cast<double>(step.frame) / rate_hz, 9);
+    if (step.is_ambiguous) {
+        return {DiagnosticKind::phase_step,
+                {short_text(step.phase_rad, 3), at_s, list_of(step.candidates, -1),
+                 list_of(step.candidates, 1)},
+                step.frame,
+                std::abs(step.lost)};
+    }
+    return {step.lost > 0 ? DiagnosticKind::samples_lost : DiagnosticKind::samples_doubled,
+            {integer_text(std::abs(step.lost)), at_s},
+            step.frame,
+            std::abs(step.lost)};
+}
+
+void report_steps(double rate_hz, SampleFaults& faults) {
+    std::size_t listed = 0;
+    for (const PhaseStep& step : faults.steps) {
+        if (++listed > most_listed) {
+            faults.findings.push_back(
+                {DiagnosticKind::more_samples_lost,
+                 {integer_text(static_cast<std::int64_t>(faults.steps.size() - most_listed))},
+                 step.frame,
+                 0});
+            break;
+        }
+        faults.findings.push_back(finding_of(step, rate_hz));
+    }
+}
+
+// All frames in order, a portion at a time, to look(first_frame, c, d).
+template <class Look>
+Status read_through(const SampleSource& source, const JobControl& job, Look look) {
+    std::vector<double> c;
+    std::vector<double> d;
+    const std::int64_t frames = source.frames();
+    for (std::int64_t first = 0; first < frames; first += chunk_frames) {
+        if (job.cancelled()) {
+            return Error{ErrorCode::interrupted, "", {}};
+        }
+        c.resize(static_cast<std::size_t>(std::min(chunk_frames, frames - first)));
+        d.resize(c.size());
+        if (Status read = source.read(first, c, d); !read) {
+            return read;
+        }
+        look(first, std::span<const double>(c), std::span<const double>(d));
+        job.report(static_cast<double>(first) / static_cast<double>(frames));
+    }
+    return {};
+}
+
+// What a portion of a channel's samples has in common.
+struct Extent {
+    double sum = 0;
+    double squares = 0;
+    double lowest = 0;
+    double highest = 0;
+
+    bool is_finite() const { return std::isfinite(squares); }
+};
+
+using Eight = double __attribute__((vector_size(64)));
+
+// Eight sums side by side, which the compiler may not make of one by itself.
+VYBEG_DISPATCHED
+Extent extent_of(std::span<const double> x) {
+    constexpr std::size_t lanes = 8;
+    Eight sum{};
+    Eight squares{};
+    Eight highest{};
+    Eight lowest{};
+    std::size_t j = 0;
+    if (x.size() >= lanes) {
+        __builtin_memcpy(&highest, x.data(), sizeof highest);
+        lowest = highest;
+    }
+    for (; j + lanes <= x.size(); j += lanes) {
+        Eight value;
+        __builtin_memcpy(&value, x.data() + j, sizeof value);
+        sum += value;
+        squares += value * value;
+        highest = value > highest ? value : highest;
+        lowest = value < lowest ? value : lowest;
+    }
+    Extent extent{0, 0, x.empty() ? 0 : x[0], x.empty() ? 0 : x[0]};
+    const auto take = [&extent](double one, double square, double high, double low) {
+        extent.sum += one;
+        extent.squares += square;
+        extent.highest = std::max(extent.highest, high);
+        extent.lowest = std::min(extent.lowest, low);
+    };
+    for (std::size_t k = 0; k < lanes && j > 0; ++k) {
+        take(sum[k], squares[k], highest[k], lowest[k]);
+    }
+    for (; j < x.size(); ++j) {
+        take(x[j], x[j] * x[j], x[j], x[j]);
+    }
+    return extent;
+}
+
+}  // namespace
+
+void FaultCheck::ChannelSums::add(std::span<const double> x) {
+    for (const double value : x) {
+        if (std::isfinite(value)) {
+            sum += value;
+            squares += value * value;
+            ++valid;
+        }
+    }
+}
+
+double FaultCheck::ChannelSums::mean() const {
+    return valid > 0 ? sum / static_cast<double>(valid) : 0;
+}
+
+FaultCheck::FaultCheck(std::optional<double> f0_hz, double rate_hz) : rate_hz_(rate_hz) {
+    if (f0_hz) {
+        steps_.emplace(*f0_hz, rate_hz);
+    }
+}
+
+void FaultCheck::add(std::int64_t first_frame, std::span<const double> c,
+                     std::span<const double> d) {
+    constexpr std::size_t portion = 2048;
+    for (std::size_t at = 0; at < c.size(); at += portion) {
+        const std::size_t count = std::min(portion, c.size() - at);
+        const std::int64_t first = first_frame + static_cast<std::int64_t>(at);
+        add_portion(first, c.subspan(at, count), d.subspan(at, count));
+    }
+    if (steps_) {
+        steps_->add(first_frame, c, d);
+    }
+}
+
+// Most portions miss nothing and come near no rail: what they have in common decides.
+void FaultCheck::add_portion(std::int64_t first_frame, std::span<const double> c,
+                             std::span<const double> d) {
+    const std::array<Extent, 2> extents{extent_of(c), extent_of(d)};
+    const std::array<std::span<const double>, 2> channels{c, d};
+    const bool whole = extents[0].is_finite() && extents[1].is_finite();
+    for (std::size_t j = 0; !whole && j < c.size(); ++j) {
+        const int missing = (std::isfinite(c[j]) ? 0 : 1) + (std::isfinite(d[j]) ? 0 : 1);
+        if (missing > 0) {
+            first_missing_ =
+                first_missing_ < 0 ? first_frame + static_cast<std::int64_t>(j) : first_missing_;
+            missing_ += missing;
+            ++frames_with_missing_;
+        }
+    }
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+        const Extent& extent = extents[k];
+        if (extent.is_finite()) {
+            sums_[k].sum += extent.sum;
+            sums_[k].squares += extent.squares;
+            sums_[k].valid += static_cast<std::int64_t>(channels[k].size());
+        } else {
+            sums_[k].add(channels[k]);
+        }
+        if (extent.is_finite() && clipping_[k].are_inside(extent.lowest, extent.highest)) {
+            clipping_[k].pass_over(channels[k].size());
+        } else {
+            clipping_[k].add(first_frame, channels[k]);
+        }
+    }
+}
+
+SampleFaults FaultCheck::finish() {
+    SampleFaults faults;
+    if (missing_ > 0) {
+        faults.findings.push_back({DiagnosticKind::missing_samples,
+                                   {integer_text(missing_)},
+                                   first_missing_,
+                                   frames_with_missing_});
+    }
+    report_rails(clipping_[0], channel_names[0], faults);
+    report_rails(clipping_[1], channel_names[1], faults);
+    std::ranges::sort(faults.clipped, {}, &FrameRange::first);
+    if (steps_) {
+        faults.steps = steps_->finish();
+        report_steps(rate_hz_, faults);
+    }
+    return faults;
+}
+
+std::vector<Diagnostic> FaultCheck::offsets() const {
+    // Half the square of the wave's amplitude is the power of both channels.
+    double power = 0;
+    for (const ChannelSums& channel : sums_) {
+        const double mean = channel.mean();
+        power += channel.valid > 0
+                     ? channel.squares / static_cast<double>(channel.valid) - mean * mean
+                     : 0;
+    }
+    const double amplitude = std::sqrt(2 * power);
+    std::vector<Diagnostic> findings;
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+        const double offset = sums_[i].mean();
+        if (std::abs(offset) > small_offset * amplitude) {
+            findings.push_back({DiagnosticKind::offset,
+                                {channel_names[i], short_text(offset),
+                                 short_text(100 * std::abs(offset) / amplitude, 3)}});
+        }
+    }
+    return findings;
+}
+
+Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, double rate_hz,
+                                               std::optional<double> f0_hz) {
+    const auto frames =
+        static_cast<std::size_t>(std::min(static_cast<double>(source.frames()), start_s * rate_hz));
+    std::vector<double> c(frames);
+    std::vector<double> d(frames);
+    if (const Status read = source.read(0, c, d); !read) {
+        return read.error();
+    }
+    std::vector<Diagnostic> findings;
+    for (const MainsLine& line : mains_lines(c, d, rate_hz)) {
+        findings.push_back(
+            {DiagnosticKind::mains, {short_text(line.f_hz), short_text(100 * line.ratio, 2)}});
+    }
+    if (const double seconds = f0_hz ? start_transient_s(c, d, *f0_hz, rate_hz) : 0; seconds > 0) {
+        findings.push_back({DiagnosticKind::start_transient,
+                            {short_text(seconds, 2)},
+                            0,
+                            std::llround(seconds * rate_hz)});
+    }
+    return findings;
+}
+
+Result<SampleFaults> find_faults(const SampleSource& source, double rate_hz,
+                                 std::optional<double> f0_hz, const JobControl& job) {
+    FaultCheck check(f0_hz, rate_hz);
+    const Status read = read_through(
+        source, job, [&](std::int64_t first, auto c, auto d) { check.add(first, c, d); });
+    if (!read) {
+        return read.error();
+    }
+    return check.finish();
+}
+
+Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
+                                     std::optional<double> f0_hz, const JobControl& job) {
+    FaultCheck check(f0_hz, rate_hz);
+    const Status read = read_through(
+        source, job, [&](std::int64_t first, auto c, auto d) { check.add(first, c, d); });
+    if (!read) {
+        return read.error();
+    }
+    SampleFaults faults = check.finish();
+    const Result<std::vector<Diagnostic>> start = start_findings(source, rate_hz, f0_hz);
+    if (!start) {
+        return start.error();
+    }
+    for (const std::vector<Diagnostic>& more : {check.offsets(), *start}) {
+        faults.findings.insert(faults.findings.end(), more.begin(), more.end());
+    }
+    return faults;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/recording/checks/clipping_check.h"
+#include "core/recording/checks/phase_step_check.h"
+#include "core/recording/samples/sample_source.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// Faults of the samples themselves, as they are in the file: before calibration and filter.
+struct SampleFaults {
+    std::vector<Diagnostic> findings;  // missing samples, clipping, lost and doubled samples
+    std::vector<FrameRange> clipped;   // stretches at a rail in either channel, in order
+    std::vector<PhaseStep> steps;      // lost and doubled samples, in order
+};
+
+// Looks for missing samples, clipping and lost samples as the samples come by.
+class FaultCheck {
+public:
+    // Without a carrier, lost samples are not looked for.
+    FaultCheck(std::optional<double> f0_hz, double rate_hz);
+
+    // The next frames, in order.
+    void add(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
+    // Ends the check.
+    SampleFaults finish();
+    // Channels whose mean is above 0.5 % of the amplitude, so far.
+    std::vector<Diagnostic> offsets() const;
+
+private:
+    struct ChannelSums {
+        double sum = 0;
+        double squares = 0;
+        std::int64_t valid = 0;
+
+        void add(std::span<const double> x);
+        double mean() const;
+    };
+
+    void add_portion(std::int64_t first_frame, std::span<const double> c,
+                     std::span<const double> d);
+
+    double rate_hz_;
+    std::array<ChannelSums, 2> sums_;
+    std::int64_t missing_ = 0;  // samples of both channels
+    std::int64_t frames_with_missing_ = 0;
+    std::int64_t first_missing_ = -1;
+    std::array<ClippingCheck, 2> clipping_;
+    std::optional<PhaseStepCheck> steps_;
+};
+
+// The faults alone. Reads the source once, front to back. Errors: those of the source, interrupted.
+Result<SampleFaults> find_faults(const SampleSource& source, double rate_hz,
+                                 std::optional<double> f0_hz, const JobControl& job);
+
+// What the first four seconds show: lines of the mains, and a start that does not decay as what
+// follows. Errors: those of the source.
+Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, double rate_hz,
+                                               std::optional<double> f0_hz);
+
+// What the samples tell about how they were recorded (METHOD section 7): their faults, offsets
+// above 0.5 % of the amplitude, lines of the mains and a start that does not decay as what follows.
+// Reads the source once, front to back; reports and repairs nothing. Errors: those of the source,
+// interrupted.
+Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
+                                     std::optional<double> f0_hz, const JobControl& job);
+
+}  // namespace vybeg

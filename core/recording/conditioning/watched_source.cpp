@@ -1,0 +1,27 @@
+#include "core/recording/conditioning/watched_source.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vybeg {
+
+WatchedSource::WatchedSource(std::shared_ptr<const SampleSource> source,
+                             std::shared_ptr<FaultCheck> check)
+    : source_(std::move(source)), check_(std::move(check)) {}
+
+Status WatchedSource::read(std::int64_t first, std::span<double> c, std::span<double> d) const {
+    Status status = source_->read(first, c, d);
+    if (!status) {
+        return status;
+    }
+    const std::lock_guard lock(mutex_);
+    const auto end = first + static_cast<std::int64_t>(c.size());
+    if (end > next_) {
+        const auto seen = static_cast<std::size_t>(std::max<std::int64_t>(next_ - first, 0));
+        check_->add(first + static_cast<std::int64_t>(seen), c.subspan(seen), d.subspan(seen));
+        next_ = end;
+    }
+    return status;
+}
+
+}  // namespace vybeg

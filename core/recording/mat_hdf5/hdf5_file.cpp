@@ -1,0 +1,273 @@
+#include "core/recording/mat_hdf5/hdf5_attributes.h"
+#include "core/recording/mat_hdf5/hdf5_fields.h"
+#include "core/recording/mat_hdf5/hdf5_handle.h"
+#include "core/recording/mat_hdf5/hdf5_open.h"
+#include "core/recording/mat_hdf5/library_file.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr int most_depth = 32;
+constexpr std::size_t most_objects = 10000;
+// Deflate's utmost is 1032:1; a dataset beyond has no samples, only a fill value.
+constexpr double most_expansion = 1100;
+
+using Extent = std::array<hsize_t, 2>;  // rows, columns; 1 for what a dataset does not have
+
+struct Dataset {
+    std::string path;
+    int rank = 0;
+    Extent extent{1, 1};
+    std::optional<Hdf5Field> field{};  // of a table of records
+};
+
+extern "C" herr_t collect_hard_link(hid_t, const char* name, const H5L_info_t* info, void* names) {
+    auto& list = *static_cast<std::vector<std::string>*>(names);
+    if (info->type == H5L_TYPE_HARD) {
+        list.emplace_back(name);
+    }
+    return list.size() > most_objects ? 1 : 0;
+}
+
+class Hdf5File : public LibraryFile {
+public:
+    Hdf5File(OpenedHdf5 opened, Naming naming) : file_(std::move(opened.file)), naming_(naming) {
+        catalogue_.format = naming == Naming::matlab ? "MAT 7.3" : "HDF5";
+        catalogue_.not_closed = opened.not_closed;
+        H5Fget_filesize(file_.get(), &file_bytes_);
+    }
+
+    Status list() {
+        const Hdf5Handle root(H5Oopen(file_.get(), "/", H5P_DEFAULT));
+        return root ? list_object(root.get(), "", {}, 0) : damaged("its root group cannot be read");
+    }
+
+    const Catalogue& catalogue() const override { return catalogue_; }
+
+    Status read(const SampleRequest& request, std::span<double> out) override {
+        if (out.empty()) {
+            return {};
+        }
+        const Dataset& dataset = datasets_[static_cast<std::size_t>(request.variable)];
+        Hdf5Handle& handle = open_[request.variable];
+        if (!handle) {
+            handle = Hdf5Handle(H5Dopen(file_.get(), dataset.path.c_str(), H5P_DEFAULT));
+        }
+        if (dataset.field) {
+            return read_field(handle.get(), *dataset.field, request.channel, request.first, out)
+                       ? Status()
+                       : damaged("samples of " + dataset.path + " cannot be decoded");
+        }
+        const Hdf5Handle space(H5Dget_space(handle.get()));
+        const bool upright = dataset.extent[0] >= dataset.extent[1];
+        Extent start{static_cast<hsize_t>(request.first), static_cast<hsize_t>(request.channel)};
+        Extent count{static_cast<hsize_t>(request.count), 1};
+        if (!upright) {
+            std::swap(start[0], start[1]);
+            std::swap(count[0], count[1]);
+        }
+        const hsize_t length = out.size();
+        const Hdf5Handle memory(H5Screate_simple(1, &length, nullptr));
+        if (dataset.rank > 0 && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(),
+                                                    nullptr, count.data(), nullptr) < 0) {
+            return damaged("the samples of " + dataset.path + " cannot be found");
+        }
+        if (H5Dread(handle.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT,
+                    out.data()) < 0) {
+            return damaged("samples of " + dataset.path + " cannot be decoded");
+        }
+        return {};
+    }
+
+private:
+    // The attributes around a group hold for what is in it.
+    Status list_group(hid_t group, const std::string& path, Hdf5Attributes around, int depth) {
+        if (depth > most_depth) {
+            return damaged("its groups lie more than " + std::to_string(most_depth) + " deep");
+        }
+        if (const Hdf5Attributes own = read_attributes(group); own.rate_hz) {
+            around.rate_hz = own.rate_hz;
+        }
+        std::vector<std::string> names;
+        hsize_t index = 0;
+        if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &index, collect_hard_link, &names) < 0) {
+            return damaged("the group " + path + "/ cannot be read");
+        }
+        for (const std::string& name : names) {
+            if (++objects_ > most_objects) {
+                return damaged("it has more than " + std::to_string(most_objects) + " objects");
+            }
+            // MATLAB's own: the cells of cell arrays, and objects; PyTables' indices.
+            if (naming_ == Naming::matlab ? name.starts_with('#') : name.starts_with("_i_")) {
+                continue;
+            }
+            const std::string full = path + "/" + name;
+            const Hdf5Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT));
+            if (!object) {
+                return damaged(full + " cannot be read");
+            }
+            if (const Status status = list_object(object.get(), full, around, depth); !status) {
+                return status;
+            }
+        }
+        return {};
+    }
+
+    Status list_object(hid_t object, const std::string& path, const Hdf5Attributes& around,
+                       int depth) {
+        switch (H5Iget_type(object)) {
+            case H5I_GROUP: {
+                H5O_info_t info{};
+                const bool known = H5Oget_info2(object, &info, H5O_INFO_BASIC) >= 0;
+                // A group that was met before is a second name of it, or a ring of groups.
+                if (!known || !groups_.insert(info.addr).second) {
+                    return {};
+                }
+                return list_group(object, path, around, depth + 1);
+            }
+            case H5I_DATASET: return list_dataset(object, path, around);
+            default: return {};
+        }
+    }
+
+    Status list_dataset(hid_t object, const std::string& path, const Hdf5Attributes& around) {
+        const Hdf5Handle type(H5Dget_type(object));
+        const Hdf5Handle space(H5Dget_space(object));
+        if (!type || !space) {
+            return damaged(path + " cannot be read");
+        }
+        const H5T_class_t kind = H5Tget_class(type.get());
+        const Hdf5Attributes own = read_attributes(object);
+        const std::set<std::string> no_numbers{"char", "logical", "cell", "function_handle"};
+        if (H5Sget_simple_extent_type(space.get()) == H5S_NULL || own.matlab_empty ||
+            no_numbers.contains(own.matlab_class)) {
+            return {};
+        }
+        Dataset dataset{path, H5Sget_simple_extent_ndims(space.get())};
+        const bool is_number = kind == H5T_INTEGER || kind == H5T_FLOAT;
+        const bool is_record = kind == H5T_COMPOUND && !is_complex(type.get());
+        if (dataset.rank < 0 || (!is_number && kind != H5T_COMPOUND)) {
+            return {};
+        }
+        FileVariable entry;
+        entry.name = naming_ == Naming::matlab ? dotted(path) : path;
+        entry.unit = own.unit;
+        entry.rate_hz = own.rate_hz ? own.rate_hz : around.rate_hz;
+        if (dataset.rank > 2) {
+            entry.unsupported = dimensions_text(dataset.rank);
+            return add(std::move(entry), std::move(dataset));
+        }
+        H5Sget_simple_extent_dims(space.get(), dataset.extent.data(), nullptr);
+        const auto [shorter, longer] = std::minmax(dataset.extent[0], dataset.extent[1]);
+        const std::size_t bytes = H5Tget_size(type.get());
+        if (static_cast<double>(longer) * static_cast<double>(shorter) *
+                static_cast<double>(bytes) >
+            most_expansion * static_cast<double>(file_bytes_)) {
+            return damaged(path + " promises more samples than the file can hold");
+        }
+        entry.unsupported = unsupported_storage(object);
+        if (is_record) {
+            return dataset.rank == 1 ? list_fields(type.get(), entry, dataset) : Status();
+        }
+        entry.frames = static_cast<std::int64_t>(longer);
+        entry.channels = static_cast<std::int64_t>(shorter);
+        entry.type = number_type_text(static_cast<int>(8 * bytes), kind == H5T_FLOAT);
+        if (!is_number) {
+            entry.unsupported = "complex numbers";
+        }
+        return add(std::move(entry), std::move(dataset));
+    }
+
+    // Each field of a table's records is a variable; the rest of `table` and `dataset` is common.
+    Status list_fields(hid_t type, const FileVariable& table, const Dataset& dataset) {
+        for (Hdf5Field& field : number_fields(type)) {
+            if (++objects_ > most_objects) {
+                return damaged("it has more than " + std::to_string(most_objects) + " objects");
+            }
+            FileVariable entry = table;
+            entry.name += (naming_ == Naming::matlab ? "." : "/") + field.name;
+            entry.frames = static_cast<std::int64_t>(dataset.extent[0]);
+            entry.channels = field.width;
+            entry.type = number_type_text(field.bits, field.is_float);
+            Dataset records = dataset;
+            records.field = std::move(field);
+            if (const Status status = add(std::move(entry), std::move(records)); !status) {
+                return status;
+            }
+        }
+        return {};
+    }
+
+    Status add(FileVariable entry, Dataset dataset) {
+        catalogue_.variables.push_back(std::move(entry));
+        datasets_.push_back(std::move(dataset));
+        return take_value();
+    }
+
+    // The last variable's, where it is a single number.
+    Status take_value() {
+        FileVariable& entry = catalogue_.variables.back();
+        if (entry.frames != 1 || entry.channels != 1 || !entry.unsupported.empty()) {
+            return {};
+        }
+        double value = 0;
+        const auto place = static_cast<std::int64_t>(datasets_.size()) - 1;
+        const Status status = read({place, 0, 0, 1}, {&value, 1});
+        open_.erase(place);
+        entry.value = value;
+        return status;
+    }
+
+    static bool is_complex(hid_t type) {
+        return H5Tget_class(type) == H5T_COMPOUND && H5Tget_nmembers(type) == 2 &&
+               (H5Tget_member_index(type, "real") >= 0 || H5Tget_member_index(type, "r") >= 0);
+    }
+
+    static std::string dotted(const std::string& path) {
+        std::string name = path.substr(1);
+        std::replace(name.begin(), name.end(), '/', '.');
+        return name;
+    }
+
+    Error damaged(const std::string& reason) const {
+        return {ErrorCode::format_damaged, "", {catalogue_.format, reason}};
+    }
+
+    Hdf5Handle file_;
+    Naming naming_;
+    hsize_t file_bytes_ = 0;
+    Catalogue catalogue_;
+    std::vector<Dataset> datasets_;            // one for each variable of the catalogue
+    std::map<std::int64_t, Hdf5Handle> open_;  // those that have been read from
+    std::set<haddr_t> groups_;
+    std::size_t objects_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Naming naming) {
+    OpenedHdf5 opened = open_hdf5(path);
+    if (!opened.file) {
+        return Error{
+            ErrorCode::format_damaged,
+            "",
+            {naming == Naming::matlab ? "MAT 7.3" : "HDF5",
+             opened.truncated ? "it is shorter than its header says: cut off, or never closed"
+                              : "its header does not fit the file"}};
+    }
+    auto file = std::make_unique<Hdf5File>(std::move(opened), naming);
+    if (const Status status = file->list(); !status) {
+        return status.error();
+    }
+    return std::unique_ptr<LibraryFile>(std::move(file));
+}
+
+}  // namespace vybeg

@@ -1,0 +1,80 @@
+#include "core/recording/mat_hdf5/hdf5_open.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t chunk_cache_bytes = std::size_t{16} << 20;  // a block of C, then of D
+constexpr std::size_t chunk_slots = 10007;  // a prime, far more than chunks fit
+
+// The property by which h5clear opens a file that is marked as being written. The mark stands in
+// the file alone; it is passed over here, and stays.
+constexpr const char* pass_over_marks = "clear_status_flags";
+
+extern "C" herr_t find_truncation(unsigned, const H5E_error2_t* error, void* found) {
+    if (error->min_num == H5E_TRUNCATED) {
+        *static_cast<bool*>(found) = true;
+    }
+    return 0;
+}
+
+Hdf5Handle access_to_file() {
+    Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
+    H5Pset_cache(access.get(), 0, chunk_slots, chunk_cache_bytes, 1.0);
+    H5Pset_file_locking(access.get(), false, true);  // also where another program writes
+    // A part whose check sum is wrong may be in writing; each attempt waits twice as long as the
+    // one before, from 1 ns: 1 ms together, where the library's own 100 never end.
+    H5Pset_metadata_read_attempts(access.get(), 20);
+    return access;
+}
+
+}  // namespace
+
+OpenedHdf5 open_hdf5(const std::string& path) {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    H5PLset_loading_state(0);
+    const Hdf5Handle access = access_to_file();
+    OpenedHdf5 opened;
+    opened.file = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
+    if (opened.file) {
+        return opened;
+    }
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, find_truncation, &opened.truncated);
+    opened.not_closed = true;
+    opened.file =
+        Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access.get()));
+    if (!opened.file && H5Pexist(access.get(), pass_over_marks) > 0) {
+        hbool_t yes = true;
+        H5Pset(access.get(), pass_over_marks, &yes);
+        opened.file = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
+    }
+    return opened;
+}
+
+std::string unsupported_storage(hid_t dataset) {
+    const Hdf5Handle creation(H5Dget_create_plist(dataset));
+    if (!creation || H5Pget_layout(creation.get()) == H5D_VIRTUAL ||
+        H5Pget_external_count(creation.get()) > 0) {
+        return "samples in other files";
+    }
+    const int filters = H5Pget_nfilters(creation.get());
+    for (int i = 0; i < filters; ++i) {
+        unsigned flags = 0;
+        std::size_t values = 0;
+        std::array<char, 64> name{};
+        const H5Z_filter_t number =
+            H5Pget_filter2(creation.get(), static_cast<unsigned>(i), &flags, &values, nullptr,
+                           name.size() - 1, name.data(), nullptr);
+        if (number > 0 && H5Zfilter_avail(number) <= 0) {
+            const std::string words = name.data();
+            return "samples packed by the filter " + (words.empty() ? "" : words + ", ") +
+                   "number " + std::to_string(number);
+        }
+    }
+    return "";
+}
+
+}  // namespace vybeg

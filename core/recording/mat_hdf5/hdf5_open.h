@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/recording/mat_hdf5/hdf5_handle.h"
+
+#include <string>
+
+namespace vybeg {
+
+struct OpenedHdf5 {
+    Hdf5Handle file;          // none where it could not be opened
+    bool not_closed = false;  // marked as being written: it is, or its writer died
+    bool truncated = false;   // shorter than its header says
+};
+
+// Opens an HDF5 file to be read, without plug-ins and locks.
+OpenedHdf5 open_hdf5(const std::string& path);
+
+// Why the samples of a dataset cannot be read however sound the file is: they lie in other files,
+// or are packed by a filter that this libhdf5 does not have. Empty where they can.
+std::string unsupported_storage(hid_t dataset);
+
+}  // namespace vybeg

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/variables/reader_protocol.h"
+
+#include <memory>
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+// A file that a library of other people reads, inside vybeg-reader only: a damaged file may crash
+// the library, make it hang or take memory up to the process's limit.
+//
+// Errors of all of it: format_damaged, format_unsupported, without a place.
+class LibraryFile {
+public:
+    LibraryFile() = default;
+    LibraryFile(const LibraryFile&) = delete;
+    LibraryFile& operator=(const LibraryFile&) = delete;
+    virtual ~LibraryFile() = default;
+
+    virtual const Catalogue& catalogue() const = 0;
+
+    // Precondition: fits(request, catalogue()), and `out` has request.count places.
+    virtual Status read(const SampleRequest& request, std::span<double> out) = 0;
+};
+
+// A MAT file of level 4 or 5, through libmatio: arrays of real numbers and, by "name.field", those
+// in single structs.
+Result<std::unique_ptr<LibraryFile>> open_mat_file(const std::string& path);
+
+enum class Naming { hdf5, matlab };  // "/run/C" or "run.C"
+
+// An HDF5 file, through libhdf5: datasets of one or two dimensions in any group, and the fields of
+// tables of records. One that is still being written (SWMR), or was never closed, is read as far as
+// it is there. External links, soft links and samples in other files are not followed; no plug-in
+// is loaded.
+Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Naming naming);
+
+// Why an array of more than two dimensions is not read: "an array of 3 dimensions".
+std::string dimensions_text(int dimensions);
+
+// "16 bit integer", "64 bit float"
+std::string number_type_text(int bits, bool is_float);
+
+}  // namespace vybeg

@@ -1,0 +1,50 @@
+#include "core/recording/open/file_kind.h"
+
+#include "core/recording/arrays/npy_array.h"
+#include "core/recording/arrays/tdms_reader.h"
+#include "core/recording/audio/audio_extent.h"
+#include "core/recording/bytes/text_encoding.h"
+#include "core/recording/bytes/zip_directory.h"
+#include "core/recording/text/uff_reader.h"
+#include "core/recording/variables/library_reader.h"
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t head_bytes = std::size_t{1} << 16;  // what decides between text and binary
+
+}  // namespace
+
+Result<std::string> file_head(const FileBytes& file) {
+    std::string head(head_bytes, '\0');
+    const auto got = file.read(0, head);
+    if (!got) {
+        return got.error();
+    }
+    head.resize(static_cast<std::size_t>(*got));
+    return head;
+}
+
+FileKind file_kind(std::string_view head, const FileBytes& file) {
+    if (is_audio(head)) {
+        return FileKind::audio;
+    }
+    if (is_npy(head)) {
+        return FileKind::npy;
+    }
+    if (is_zip(head)) {
+        return FileKind::npz;
+    }
+    if (is_tdms(head)) {
+        return FileKind::tdms;
+    }
+    if (library_format(head, file)) {
+        return FileKind::library;
+    }
+    if (is_uff(head)) {
+        return FileKind::uff;
+    }
+    return looks_like_text(head) ? FileKind::text : FileKind::unknown;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,77 @@
+#include "core/recording/open/open_recording.h"
+
+#include "core/base/plain_text.h"
+#include "core/recording/arrays/npy_reader.h"
+#include "core/recording/arrays/raw_reader.h"
+#include "core/recording/arrays/tdms_reader.h"
+#include "core/recording/audio/audio_reader.h"
+#include "core/recording/bytes/file_bytes.h"
+#include "core/recording/open/file_kind.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/text/text_recording.h"
+#include "core/recording/text/uff_reader.h"
+#include "core/recording/variables/library_reader.h"
+#include "core/recording/variables/npz_reader.h"
+
+#include <memory>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+Result<Recording> open_by_content(const std::shared_ptr<const FileBytes>& file,
+                                  const OpenOptions& options, const JobControl& job) {
+    if (options.raw) {
+        return open_raw(file, options);
+    }
+    if (options.text) {
+        return open_text(file, options, job);
+    }
+    const auto head = file_head(*file);
+    if (!head) {
+        return head.error();
+    }
+    switch (file_kind(*head, *file)) {
+        case FileKind::audio: return open_audio(file, options, job);
+        case FileKind::npy: return open_npy(file, options);
+        case FileKind::npz: return open_npz(file, options, job);
+        case FileKind::tdms: return open_tdms(file, options, job);
+        case FileKind::library:
+            return open_with_library(file, *library_format(*head, *file), options, job);
+        case FileKind::uff: return open_uff(file, options, job);
+        case FileKind::text: return open_text(file, options, job);
+        case FileKind::unknown: break;
+    }
+    return file->error(ErrorCode::format_unknown);
+}
+
+}  // namespace
+
+Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
+                                 const JobControl& job) {
+    if (const Status status = check_options(options); !status) {
+        return status.error();
+    }
+    const auto file = FileBytes::open(path);
+    if (!file) {
+        return file.error();
+    }
+    auto recording = open_by_content(*file, options, job);
+    if (recording) {
+        recording->format = plain_text(recording->format);
+        recording->start = plain_text(recording->start);
+        for (Channel& channel : recording->channels) {
+            channel = {plain_text(channel.name), plain_text(channel.unit)};
+        }
+        recording->file = *file;
+        recording->read_with = options_text(options);
+        if (!options.unit.empty()) {
+            for (Channel& channel : recording->channels) {
+                channel.unit = options.unit;
+            }
+        }
+    }
+    return recording;
+}
+
+}  // namespace vybeg

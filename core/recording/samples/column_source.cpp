@@ -1,0 +1,186 @@
+#include "core/recording/samples/column_source.h"
+
+#include "core/recording/bytes/number_decoding.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Bytes that are fetched at once: large for the disk, small for the processor's cache.
+constexpr std::int64_t block_bytes = std::int64_t{1} << 18;
+
+// Room for the bytes of a block, which need not be zeroed before they are read.
+class Scratch {
+public:
+    std::span<char> room(std::size_t size) {
+        if (size > size_) {
+            bytes_ = std::make_unique_for_overwrite<char[]>(size);
+            size_ = size;
+        }
+        return {bytes_.get(), size};
+    }
+    const char* data() const { return bytes_.get(); }
+
+private:
+    std::unique_ptr<char[]> bytes_;
+    std::size_t size_ = 0;
+};
+
+// The bytes [begin, end) of a source.
+struct ByteRange {
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+    std::int64_t size() const { return end - begin; }
+};
+
+// Precondition: the column has the frame.
+const SampleRun& run_at(const SampleColumn& column, std::int64_t frame) {
+    const auto behind =
+        std::upper_bound(column.runs.begin(), column.runs.end(), frame,
+                         [](std::int64_t f, const SampleRun& run) { return f < run.first; });
+    return *std::prev(behind);
+}
+
+std::int64_t place(const SampleRun& run, std::int64_t frame) {
+    const std::int64_t at = frame - run.first;
+    return run.offset + at / run.per_chunk * run.chunk_stride + at % run.per_chunk * run.stride;
+}
+
+// How many samples from the frame on lie in one run and, but for the first, in a block.
+std::int64_t samples_in_block(const SampleColumn& column, std::int64_t frame) {
+    const SampleRun& run = run_at(column, frame);
+    const std::int64_t left = run.end() - frame;
+    const std::int64_t in_chunk = run.per_chunk - (frame - run.first) % run.per_chunk;
+    if (in_chunk > block_bytes / run.stride) {
+        return std::min(left, std::max<std::int64_t>(block_bytes / run.stride, 1));
+    }
+    const std::int64_t rest = block_bytes - in_chunk * run.stride;
+    return std::min(left, in_chunk + rest / run.chunk_stride * run.per_chunk);
+}
+
+// The bytes of `count` samples of one run.
+ByteRange range_of(const SampleColumn& column, std::int64_t frame, std::int64_t count) {
+    const SampleRun& run = run_at(column, frame);
+    return {place(run, frame), place(run, frame + count - 1) + bytes_of(column.type)};
+}
+
+// Decodes samples of one run from bytes that begin at `begin` in the source.
+void decode_block(const SampleColumn& column, std::int64_t frame, const char* bytes,
+                  std::int64_t begin, std::span<double> out) {
+    const SampleRun& run = run_at(column, frame);
+    const auto length = static_cast<std::int64_t>(out.size());
+    for (std::int64_t done = 0; done < length;) {
+        const std::int64_t at = frame + done;
+        const std::int64_t in_chunk = run.per_chunk - (at - run.first) % run.per_chunk;
+        const std::int64_t count = std::min(length - done, in_chunk);
+        decode(column.type, run.big_endian, bytes + (place(run, at) - begin), run.stride,
+               column.scale,
+               out.subspan(static_cast<std::size_t>(done), static_cast<std::size_t>(count)));
+        done += count;
+    }
+}
+
+// Whether each of the samples of `left` from a frame on is followed at once by that of `right`.
+bool are_pairs(const SampleColumn& left, const SampleColumn& right, std::int64_t frame,
+               std::int64_t count) {
+    const SampleRun& run = run_at(left, frame);
+    const SampleRun& next = run_at(right, frame);
+    const std::int64_t width = bytes_of(left.type);
+    const auto last = frame + count - 1;
+    return left.type == right.type && left.scale == right.scale &&
+           run.big_endian == next.big_endian && run.stride == 2 * width &&
+           next.stride == 2 * width &&
+           place(run, last) - place(run, frame) == (count - 1) * run.stride &&
+           place(next, frame) == place(run, frame) + width &&
+           place(next, last) == place(run, last) + width;
+}
+
+class ColumnSource final : public SampleSource {
+public:
+    ColumnSource(SampleColumn c, SampleColumn d)
+        : c_(std::move(c)), d_(std::move(d)), frames_(std::min(c_.frames(), d_.frames())) {}
+
+    std::int64_t frames() const override { return frames_; }
+    bool seeks() const override { return c_.bytes->seeks() && d_.bytes->seeks(); }
+
+    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
+        Scratch bytes;
+        const auto length = static_cast<std::int64_t>(c.size());
+        for (std::int64_t done = 0; done < length;) {
+            const std::int64_t at = first + done;
+            const std::int64_t count =
+                std::min({length - done, samples_in_block(c_, at), samples_in_block(d_, at)});
+            const auto part = [done, count](std::span<double> all) {
+                return all.subspan(static_cast<std::size_t>(done), static_cast<std::size_t>(count));
+            };
+            if (const Status status = read_block(at, part(c), part(d), bytes); !status) {
+                return status;
+            }
+            done += count;
+        }
+        return {};
+    }
+
+private:
+    Status read_block(std::int64_t at, std::span<double> c, std::span<double> d,
+                      Scratch& bytes) const {
+        const auto count = static_cast<std::int64_t>(c.size());
+        const ByteRange range_c = range_of(c_, at, count);
+        const ByteRange range_d = range_of(d_, at, count);
+        const ByteRange both{std::min(range_c.begin, range_d.begin),
+                             std::max(range_c.end, range_d.end)};
+        if (c_.bytes == d_.bytes && both.size() <= range_c.size() + range_d.size()) {
+            if (const Status status = fetch(*c_.bytes, both, bytes); !status) {
+                return status;
+            }
+            const bool big_endian = run_at(c_, at).big_endian;
+            if (are_pairs(c_, d_, at, count)) {
+                decode_pairs(c_.type, big_endian, bytes.data(), c_.scale, c, d);
+            } else if (are_pairs(d_, c_, at, count)) {
+                decode_pairs(c_.type, big_endian, bytes.data(), c_.scale, d, c);
+            } else {
+                decode_block(c_, at, bytes.data(), both.begin, c);
+                decode_block(d_, at, bytes.data(), both.begin, d);
+            }
+            return {};
+        }
+        if (const Status status = fetch(*c_.bytes, range_c, bytes); !status) {
+            return status;
+        }
+        decode_block(c_, at, bytes.data(), range_c.begin, c);
+        if (const Status status = fetch(*d_.bytes, range_d, bytes); !status) {
+            return status;
+        }
+        decode_block(d_, at, bytes.data(), range_d.begin, d);
+        return {};
+    }
+
+    static Status fetch(const ByteSource& source, ByteRange range, Scratch& bytes) {
+        return source.read(range.begin, bytes.room(static_cast<std::size_t>(range.size())));
+    }
+
+    SampleColumn c_;
+    SampleColumn d_;
+    std::int64_t frames_;
+};
+
+}  // namespace
+
+SampleRun even_run(std::int64_t count, std::int64_t offset, std::int64_t stride, bool big_endian) {
+    SampleRun run;
+    run.count = count;
+    run.per_chunk = std::max<std::int64_t>(count, 1);
+    run.offset = offset;
+    run.stride = stride;
+    run.chunk_stride = run.per_chunk * stride;
+    run.big_endian = big_endian;
+    return run;
+}
+
+std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d) {
+    return std::make_shared<ColumnSource>(std::move(c), std::move(d));
+}
+
+}  // namespace vybeg

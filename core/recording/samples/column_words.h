@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/recording/samples/recording.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The words above a table of numbers.
+namespace vybeg {
+
+// The name and unit in one field of a header: "S_C [V]", "C (V)", "Time, s", "CH1 in V", "C/V".
+Channel name_and_unit(std::string_view field);
+
+// The fields of a line above the table. A field with the bracket of its unit is one field also
+// where blanks separate: "S_C [V]".
+std::vector<std::string> header_fields(std::string_view line, char delimiter);
+
+std::string_view without_comment_mark(std::string_view line);
+
+// Small letters for ASCII and for the Cyrillic letters А to Я.
+std::string lower_text(std::string_view text);
+
+// Whether a column of this name is the time: t, time, sec, "t_ms", "Время", ...
+bool is_time_name(std::string_view name);
+
+// Whether a name begins like one: "Time - Voltage_0", "Zeit 1".
+bool begins_as_time_name(std::string_view name);
+
+// Whether a column of this name may number the rows: it has no name, or n, i, #, No, index, ...
+bool is_counter_name(std::string_view name);
+
+// Whether a field behind the last column may stand without numbers below it: a comment, a marker.
+bool is_remark_name(std::string_view name);
+
+// Seconds per unit of time ("ms", "us", "мкс", ...), or nothing where it is none.
+std::optional<double> seconds_per(std::string_view unit);
+
+// The unit of a time column, from the header's unit or the end of the name ("t_ms"); empty where
+// neither has one.
+std::string time_unit(const Channel& column);
+
+}  // namespace vybeg

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/samples/text_choice.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+enum class RawType { i16, i32, f32, f64 };
+
+// Layout of headerless interleaved samples (--raw and its companions).
+struct RawLayout {
+    RawType type = RawType::i16;
+    bool big_endian = false;
+    int channels = 2;
+    std::int64_t skip_bytes = 0;
+    double scale = 1;  // recording units per count
+
+    friend bool operator==(const RawLayout&, const RawLayout&) = default;
+};
+
+struct OpenOptions {
+    std::optional<double> rate_hz;  // used where the file has no rate
+    int channel_c = 1;              // from 1; a time column does not count
+    int channel_d = 2;
+    std::optional<RawLayout> raw;  // read the file as raw samples, whatever it looks like
+    // Names of the variables that hold C and D and, third, the rate, in a file of several (NPZ,
+    // MAT, HDF5). D's is left out, or empty before a rate, where C's holds both channels. None: the
+    // reader's own choice.
+    std::vector<std::string> variables{};
+    std::optional<TextChoice> text{};  // read the file as text, whatever it looks like
+    std::string unit{};                // of the samples; empty: the file's
+
+    friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
+};
+
+// What `options` say beside the rate and the channels, as on the command line; empty where they say
+// nothing.
+std::string options_text(const OpenOptions& options);
+
+// The options by themselves: a positive rate, two different channels. Errors: setting_invalid.
+Status check_options(const OpenOptions& options);
+
+}  // namespace vybeg

@@ -1,0 +1,121 @@
+#include "core/recording/samples/reader_rules.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr int channels_needed = 2;
+constexpr std::int64_t frames_needed = 5;
+
+// Where the file ends before the frames that it promises.
+void note_early_end(std::int64_t promised_frames, Recording& recording) {
+    const std::int64_t present = recording.frames();
+    if (present < promised_frames) {
+        recording.diagnostics.push_back({DiagnosticKind::file_ends_early,
+                                         {integer_text(promised_frames), integer_text(present)},
+                                         present,
+                                         promised_frames - present});
+    }
+}
+
+// Where nothing in the file says how many frames there were to be.
+void note_not_closed(Recording& recording) {
+    recording.diagnostics.push_back({DiagnosticKind::file_not_closed,
+                                     {integer_text(recording.frames())},
+                                     recording.frames(),
+                                     0});
+}
+
+}  // namespace
+
+Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {
+    if (found < channels_needed) {
+        return file.error(ErrorCode::too_few_channels,
+                          {std::to_string(found), std::to_string(channels_needed)});
+    }
+    for (const int channel : {options.channel_c, options.channel_d}) {
+        if (channel < 1 || channel > found) {
+            return file.error(ErrorCode::channel_out_of_range,
+                              {std::to_string(channel), std::to_string(found)});
+        }
+    }
+    return {};
+}
+
+Status check_frames(const FileBytes& file, std::int64_t frames) {
+    if (frames < frames_needed) {
+        return file.error(
+            ErrorCode::too_few_frames,
+            {integer_text(std::max<std::int64_t>(frames, 0)), integer_text(frames_needed)});
+    }
+    return {};
+}
+
+std::vector<Channel> numbered_channels(int count) {
+    std::vector<Channel> channels;
+    for (int channel = 1; channel <= count; ++channel) {
+        channels.push_back({std::to_string(channel), ""});
+    }
+    return channels;
+}
+
+void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& recording) {
+    const auto name = [&](int channel) {
+        return recording.channels[static_cast<std::size_t>(channel - 1)].name;
+    };
+    recording.diagnostics.push_back(
+        {DiagnosticKind::channels_unequal,
+         {name(recording.channel_c), integer_text(samples_c), name(recording.channel_d),
+          integer_text(samples_d)},
+         std::min(samples_c, samples_d),
+         std::max(samples_c, samples_d) - std::min(samples_c, samples_d)});
+}
+
+Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
+                               const OpenOptions& options) {
+    if (own && own->hz > 0) {
+        return *own;
+    }
+    if (options.rate_hz) {
+        return SampleRate{*options.rate_hz, RateOrigin::option};
+    }
+    return file.error(ErrorCode::rate_unknown);
+}
+
+Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
+                                     const OpenOptions& options) {
+    const auto channels = static_cast<int>(found.channels.size());
+    if (const Status status = check_channels(file, channels, options); !status) {
+        return status.error();
+    }
+    const auto rate = choose_rate(file, found.own_rate, options);
+    if (!rate) {
+        return rate.error();
+    }
+    if (const Status status = check_frames(file, found.frames); !status) {
+        return status.error();
+    }
+    Recording recording;
+    recording.path = file.path();
+    recording.format = std::move(found.format);
+    recording.rate_hz = rate->hz;
+    recording.rate_relative_sd = rate->relative_sd;
+    recording.rate_from = rate->from;
+    recording.channels = std::move(found.channels);
+    recording.channel_c = options.channel_c;
+    recording.channel_d = options.channel_d;
+    recording.start = std::move(found.start);
+    recording.diagnostics = std::move(found.diagnostics);
+    recording.source = std::move(found.source);
+    note_early_end(found.promised_frames, recording);
+    if (found.never_closed) {
+        note_not_closed(recording);
+    }
+    return recording;
+}
+
+}  // namespace vybeg

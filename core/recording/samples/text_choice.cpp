@@ -1,0 +1,99 @@
+#include "core/recording/samples/text_choice.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vybeg {
+namespace {
+
+template <class Value>
+struct Named {
+    std::string_view name;
+    Value value;
+};
+
+constexpr std::array<Named<char>, 5> delimiters = {
+    {{"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"space", ' '}, {"bar", '|'}}};
+
+constexpr std::array<Named<double>, 4> time_units = {
+    {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}};
+
+template <class Value, std::size_t count>
+std::optional<Value> value_of(const std::array<Named<Value>, count>& list, std::string_view name) {
+    const auto found = std::ranges::find(list, name, &Named<Value>::name);
+    return found == list.end() ? std::nullopt : std::optional(found->value);
+}
+
+template <class Value, std::size_t count>
+std::string name_of(const std::array<Named<Value>, count>& list, Value value) {
+    const auto found = std::ranges::find(list, value, &Named<Value>::value);
+    return found == list.end() ? "" : std::string(found->name);
+}
+
+Error invalid(const char* option, const std::string& value, const std::string& allowed) {
+    return Error{ErrorCode::setting_invalid, "", {option, value, allowed}};
+}
+
+}  // namespace
+
+Status check_choice(const TextChoice& choice) {
+    if (choice.delimiter && name_of(delimiters, *choice.delimiter).empty()) {
+        return invalid("--delimiter", std::string(1, *choice.delimiter),
+                       "it is comma, semicolon, tab, space or bar");
+    }
+    if (choice.lines_to_skip &&
+        (*choice.lines_to_skip < 0 || *choice.lines_to_skip > most_skipped_lines)) {
+        return invalid("--skip-lines", integer_text(*choice.lines_to_skip),
+                       "it must lie between 0 and " + integer_text(most_skipped_lines));
+    }
+    if (choice.time_column && *choice.time_column < 0) {
+        return invalid("--time-column", std::to_string(*choice.time_column),
+                       "it is the number of a column, from 1, or none");
+    }
+    if (choice.time_unit_s && name_of(time_units, *choice.time_unit_s).empty()) {
+        return invalid("--time-unit", short_text(*choice.time_unit_s), "it is s, ms, us or ns");
+    }
+    if (!std::isfinite(choice.scale) || choice.scale == 0) {
+        return invalid("--scale", short_text(choice.scale), "it must be a number other than 0");
+    }
+    return {};
+}
+
+std::string choice_text(const TextChoice& choice) {
+    std::string text;
+    const auto add = [&text](const char* option, const std::string& value) {
+        text += (text.empty() ? "" : " ") + std::string(option) + " " + value;
+    };
+    if (choice.delimiter) {
+        add("--delimiter", name_of(delimiters, *choice.delimiter));
+    }
+    if (choice.decimal_comma) {
+        add("--decimal", *choice.decimal_comma ? "comma" : "point");
+    }
+    if (choice.lines_to_skip) {
+        add("--skip-lines", integer_text(*choice.lines_to_skip));
+    }
+    if (choice.time_column) {
+        add("--time-column", *choice.time_column == 0 ? "none" : integer_text(*choice.time_column));
+    }
+    if (choice.time_unit_s) {
+        add("--time-unit", name_of(time_units, *choice.time_unit_s));
+    }
+    if (choice.scale != 1) {
+        add("--scale", round_trip_text(choice.scale));
+    }
+    return text;
+}
+
+std::optional<char> delimiter_from_name(std::string_view name) {
+    return value_of(delimiters, name);
+}
+
+std::optional<double> time_unit_from_name(std::string_view name) {
+    return value_of(time_units, name);
+}
+
+}  // namespace vybeg

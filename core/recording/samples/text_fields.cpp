@@ -1,0 +1,187 @@
+#include "core/recording/samples/text_fields.h"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace vybeg {
+namespace {
+
+constexpr bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\x1A';
+}
+
+std::string_view unquoted(std::string_view field) {
+    field = trimmed(field);
+    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+        field = trimmed(field.substr(1, field.size() - 2));
+    }
+    return field;
+}
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number_mark = 9.91e37;  // SCPI's NaN; its infinity is least_mark
+
+constexpr std::string_view minus_sign = "\xE2\x88\x92";     // U+2212
+constexpr std::string_view infinity_sign = "\xE2\x88\x9E";  // U+221E
+constexpr std::size_t longest_unusual = 64;                 // bytes of such a number or word
+
+constexpr std::array<std::string_view, 6> missing_words{"na", "n/a", "#n/a", "null", "--", "---"};
+constexpr std::array<std::string_view, 7> over_range_words{
+    "overload", "ovld", "overrange", "over range", "over", "clipped", "overflow"};
+
+// Whether one of the words is the field, in lower or upper case.
+template <std::size_t count>
+bool says(const std::array<std::string_view, count>& words, std::string_view field) {
+    const auto same = [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b + 32 : b); };
+    return std::ranges::any_of(words, [&](std::string_view word) {
+        return std::equal(word.begin(), word.end(), field.begin(), field.end(), same);
+    });
+}
+
+std::optional<double> usual_value(std::string_view field, bool decimal_comma) {
+    if (field.front() == '+' && field.size() > 1 && field[1] != '-') {
+        field.remove_prefix(1);
+    }
+    // "1, 2" cut at the blank is no pair of numbers with decimal commas.
+    if (decimal_comma && field.back() == ',') {
+        return std::nullopt;
+    }
+    double value = 0;
+    const char* end = field.data() + field.size();
+    const auto parsed = fast_float::from_chars_advanced(
+        field.data(), end, value,
+        fast_float::parse_options(fast_float::chars_format::general, decimal_comma ? ',' : '.'));
+    if (parsed.ec == std::errc::invalid_argument || parsed.ptr != end) {
+        return std::nullopt;
+    }
+    const double magnitude = std::abs(value);
+    if (magnitude == no_number_mark) {
+        return missing;
+    }
+    return magnitude == least_mark ? std::copysign(std::numeric_limits<double>::infinity(), value)
+                                   : value;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && is_blank(text.back())) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+bool is_comment(std::string_view line, char delimiter) {
+    line = trimmed(line);
+    return line.starts_with('#') || line.starts_with('%') || line.starts_with("//") ||
+           (delimiter != ';' && line.starts_with(';'));
+}
+
+void split_fields(std::string_view line, char delimiter, std::vector<std::string_view>& fields) {
+    fields.clear();
+    // A leading tab is an empty first field of a tab-separated line: only blanks may be trimmed.
+    if (delimiter != '\t') {
+        line = trimmed(line);
+    }
+    if (delimiter == '|' && line.starts_with('|')) {
+        line.remove_prefix(1);
+    }
+    const auto cuts = [delimiter](char c) {
+        return c == delimiter || (delimiter == ' ' && is_blank(c));
+    };
+    std::size_t begin = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        quoted = line[i] == '"' ? !quoted : quoted;
+        if (quoted || !cuts(line[i])) {
+            continue;
+        }
+        fields.push_back(unquoted(line.substr(begin, i - begin)));
+        while (delimiter == ' ' && i + 1 < line.size() && is_blank(line[i + 1])) {
+            ++i;
+        }
+        begin = i + 1;
+    }
+    if (!trimmed(line.substr(begin)).empty()) {
+        fields.push_back(unquoted(line.substr(begin)));
+    }
+}
+
+std::string usual_number(std::string_view field) {
+    std::string text;
+    for (std::size_t i = 0; i < field.size(); ++i) {
+        const std::string_view rest = field.substr(i);
+        if (rest.starts_with(minus_sign)) {
+            text += '-';
+            i += minus_sign.size() - 1;
+        } else if (rest.starts_with(infinity_sign)) {
+            text += "inf";
+            i += infinity_sign.size() - 1;
+        } else {
+            const bool exponent = (field[i] == 'd' || field[i] == 'D') && i > 0 &&
+                                  ((field[i - 1] >= '0' && field[i - 1] <= '9') ||
+                                   field[i - 1] == '.' || field[i - 1] == ',');
+            text += exponent ? 'e' : field[i];
+        }
+    }
+    return text;
+}
+
+std::optional<double> parse_field(std::string_view field, bool decimal_comma) {
+    if (field.empty()) {
+        return missing;
+    }
+    if (const auto value = usual_value(field, decimal_comma)) {
+        return value;
+    }
+    if (field.size() > longest_unusual) {
+        return std::nullopt;
+    }
+    if (says(missing_words, field)) {
+        return missing;
+    }
+    if (says(over_range_words, field)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const std::string usual = usual_number(field);
+    return usual == field ? std::nullopt : usual_value(usual, decimal_comma);
+}
+
+NumberDigits digits_of(std::string_view field) {
+    std::size_t end = 0;  // of the digits, where the exponent begins
+    std::size_t sign = std::string_view::npos;
+    std::size_t first = std::string_view::npos;  // digit that is not 0
+    for (; end < field.size() && field[end] != 'e' && field[end] != 'E'; ++end) {
+        if (field[end] == '.' || field[end] == ',') {
+            sign = end;
+        } else if (first > end && field[end] >= '1' && field[end] <= '9') {
+            first = end;
+        }
+    }
+    NumberDigits digits;
+    if (sign != std::string_view::npos) {
+        digits.decimals = static_cast<int>(end - sign - 1);
+    }
+    if (first != std::string_view::npos) {
+        const bool with_sign = sign != std::string_view::npos && sign > first;
+        digits.significant = static_cast<int>(end - first - (with_sign ? 1 : 0));
+    }
+    std::size_t i = end + 1;
+    i += i < field.size() && field[i] == '+' ? 1 : 0;
+    int exponent = 0;
+    if (i < field.size()) {
+        std::from_chars(field.data() + i, field.data() + field.size(), exponent);
+    }
+    digits.decimals -= exponent;
+    return digits;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,93 @@
+#include "core/recording/text/text_blocks.h"
+
+#include "core/recording/text/text_lines.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+// Some thousand rows: little to read for one of them, much for one entry of the index. Even, for
+// UTF-16.
+constexpr std::int64_t block_bytes = std::int64_t{1} << 17;
+constexpr std::int64_t first_overhang = 4096;  // for the last line, which ends behind the block
+
+}  // namespace
+
+std::size_t line_end(std::string_view text, std::size_t from) {
+    while (from < text.size() && text[from] != '\n' && text[from] != '\r') {
+        ++from;
+    }
+    return from;
+}
+
+std::size_t behind_line_end(std::string_view text, std::size_t end) {
+    return std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size());
+}
+
+TextBlocks::TextBlocks(std::shared_ptr<const FileBytes> file, TextEncoding encoding,
+                       std::int64_t begin)
+    : file_(std::move(file)), encoding_(encoding), begin_(begin) {}
+
+std::int64_t TextBlocks::count() const {
+    return (std::max<std::int64_t>(file_->size() - begin_, 0) + block_bytes - 1) / block_bytes;
+}
+
+Status TextBlocks::append(std::int64_t from, std::int64_t to, std::string& bytes) const {
+    const auto length = static_cast<std::size_t>(to - from);
+    const auto fill = [&](std::span<char> out) -> Status {
+        const auto got = file_->read(from, out);
+        if (!got) {
+            return got.error();
+        }
+        return *got == to - from ? Status{}
+                                 : file_->error(ErrorCode::file_read_failed,
+                                                {"the file became shorter while it was read"});
+    };
+    if (encoding_ == TextEncoding::bytes) {
+        const std::size_t before = bytes.size();
+        bytes.resize(before + length);
+        return fill(std::span(bytes).subspan(before));
+    }
+    std::vector<char> units(length);
+    const Status status = fill(units);
+    append_utf16({units.data(), units.size()}, encoding_, bytes);
+    return status;
+}
+
+Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
+    const std::int64_t size = file_->size();
+    const std::int64_t from = begin_ + index * block_bytes;
+    const std::int64_t to = std::min(from + block_bytes, size);
+    const std::int64_t unit = encoding_ == TextEncoding::bytes ? 1 : 2;
+    block.bytes.clear();
+    block.bytes.reserve(static_cast<std::size_t>(block_bytes + first_overhang + unit));
+    // One character more: whether it is a line end tells whether a line begins with the block.
+    if (const Status status = append(index > 0 ? from - unit : from, to, block.bytes); !status) {
+        return status;
+    }
+    block.end = block.bytes.size();
+    block.begin = index > 0 ? behind_line_end(block.text(), line_end(block.text(), 0)) : 0;
+    if (block.begin >= block.end) {
+        block.begin = block.end;
+        return {};
+    }
+    std::size_t searched = block.end - 1;
+    std::int64_t behind = to;
+    for (std::int64_t more = first_overhang; behind < size; more *= 4) {
+        searched = line_end(block.text(), searched);
+        if (searched < block.bytes.size() || searched > block.end + longest_line) {
+            break;
+        }
+        const std::int64_t next = std::min(behind + more, size);
+        if (const Status status = append(behind, next, block.bytes); !status) {
+            return status;
+        }
+        behind = next;
+    }
+    return {};
+}
+
+}  // namespace vybeg

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/bytes/file_bytes.h"
+#include "core/recording/bytes/text_encoding.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace vybeg {
+
+// The place of the first line end (LF, CRLF, CR) from `from` on; the end of the text where there is
+// none.
+std::size_t line_end(std::string_view text, std::size_t from);
+
+// The place behind the line end at `end`.
+std::size_t behind_line_end(std::string_view text, std::size_t end);
+
+// The lines that begin in one block of a text file, as UTF-8 bytes.
+struct TextBlock {
+    std::string bytes;      // also what stands around those lines
+    std::size_t begin = 0;  // of the first line
+    std::size_t end = 0;    // lines that begin from here on belong to later blocks
+
+    std::string_view text() const { return bytes; }
+};
+
+// A text file cut into blocks of equally many bytes, each with the lines that begin in it: any of
+// them can be read at any time, from several threads at once.
+class TextBlocks {
+public:
+    // The text from `begin` on, which is the first byte of a line.
+    TextBlocks(std::shared_ptr<const FileBytes> file, TextEncoding encoding, std::int64_t begin);
+
+    const FileBytes& file() const { return *file_; }
+    std::int64_t count() const;  // blocks
+    // Replaces what `block` holds. A line of more than longest_line bytes is cut behind that many.
+    // Errors: file_read_failed.
+    Status read(std::int64_t index, TextBlock& block) const;
+
+private:
+    Status append(std::int64_t from, std::int64_t to, std::string& bytes) const;
+
+    std::shared_ptr<const FileBytes> file_;
+    TextEncoding encoding_;
+    std::int64_t begin_;
+};
+
+}  // namespace vybeg

@@ -1,0 +1,261 @@
+#include "core/recording/text/text_columns.h"
+
+#include "core/recording/samples/column_words.h"
+#include "core/recording/samples/text_fields.h"
+#include "core/recording/text/text_clock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace vybeg {
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double equal_times = 1e-3;  // of a step
+
+// The first numbers of a column.
+struct ColumnStart {
+    std::vector<double> values;  // of times of day: seconds from midnight
+    std::size_t filled = 0;      // fields that are not empty
+    std::size_t clocks = 0;      // of these, dates and times of day
+    std::size_t timed = 0;       // of these, those with a time of day
+    std::int64_t clock_from_s = 0;
+
+    bool is_clock() const { return timed > 0 && timed == filled; }
+    bool is_date() const { return clocks > 0 && clocks == filled && timed == 0; }
+};
+
+void take(std::string_view field, bool decimal_comma, ColumnStart& column) {
+    column.filled += field.empty() ? 0 : 1;
+    if (const auto value = parse_field(field, decimal_comma)) {
+        column.values.push_back(*value);
+        return;
+    }
+    const auto clock = parse_clock(field);
+    if (!clock) {
+        return;
+    }
+    if (column.timed == 0) {
+        column.clock_from_s = clock->whole_s;
+    }
+    ++column.clocks;
+    column.timed += clock->timed ? 1 : 0;
+    column.values.push_back(clock->timed ? seconds_after(*clock, column.clock_from_s) : no_number);
+}
+
+// The numbers of all columns, also from rows that are wrong elsewhere; but not from a last line
+// that was cut off.
+std::vector<ColumnStart> column_starts(std::span<const std::string> rows,
+                                       const TextFormat& format) {
+    std::vector<ColumnStart> starts(static_cast<std::size_t>(format.columns));
+    std::vector<std::string_view> fields;
+    for (const std::string& row : rows) {
+        if (is_comment(row, format.delimiter)) {
+            continue;
+        }
+        split_fields(row, format.delimiter, fields);
+        const bool whole = fields.size() == starts.size();
+        if (!whole && &row == &rows.back()) {
+            continue;
+        }
+        for (std::size_t i = 0; i < std::min(fields.size(), starts.size()); ++i) {
+            take(fields[i], format.decimal_comma, starts[i]);
+        }
+    }
+    return starts;
+}
+
+std::vector<double> steps_of(const std::vector<double>& values) {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        steps.push_back(values[i] - values[i - 1]);
+    }
+    return steps;
+}
+
+double median_of(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// Rises by steps of which nine in ten, or all but one, lie within a half of the median step: a
+// clock with jitter, gaps and perhaps an error that the reader will report, but no vibration.
+bool rises_evenly(const std::vector<double>& values) {
+    const std::vector<double> steps = steps_of(values);
+    if (steps.size() < 2) {
+        return false;
+    }
+    const double median = median_of(steps);
+    const auto odd = std::count_if(steps.begin(), steps.end(), [median](double step) {
+        return !(step >= 0.5 * median && step <= 1.5 * median);
+    });
+    const auto count = static_cast<std::ptrdiff_t>(steps.size());
+    return median > 0 && odd <= std::max<std::ptrdiff_t>(count / 10, count >= 4 ? 1 : 0);
+}
+
+bool is_whole(const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](double value) { return value == std::floor(value); });
+}
+
+// Whole numbers of which each is the one before and one more.
+bool counts_by_one(const std::vector<double>& values) {
+    const std::vector<double> steps = steps_of(values);
+    return steps.size() >= 2 && is_whole(values) &&
+           std::all_of(steps.begin(), steps.end(), [](double step) { return step == 1; });
+}
+
+class ColumnSearch {
+public:
+    ColumnSearch(std::span<const std::string> rows, const std::vector<Channel>& columns,
+                 const TextChoice& choice, TextFormat& format)
+        : columns_(columns),
+          choice_(choice),
+          format_(format),
+          starts_(column_starts(rows, format)) {}
+
+    void run() {
+        leave_out([this](int i) { return at(i).filled == 0 || at(i).is_date(); });
+        find_time();
+        leave_out([this](int i) { return counts_by_one(at(i).values); });
+        leave_out([this](int i) { return is_time_again(i); });
+        find_own_times();
+    }
+
+private:
+    const ColumnStart& at(int column) const { return starts_[static_cast<std::size_t>(column)]; }
+    const Channel& name(int column) const { return columns_[static_cast<std::size_t>(column)]; }
+
+    bool is_left_out(int column) const {
+        return column == format_.time_column || column == format_.counter_column ||
+               std::ranges::find(format_.no_channels, column) != format_.no_channels.end();
+    }
+
+    // Leaves columns out of the channels as long as there are two others.
+    template <class Predicate>
+    void leave_out(Predicate predicate) {
+        for (int i = 0; i < format_.columns; ++i) {
+            if (!is_left_out(i) && channel_columns(format_).size() > 2 && predicate(i)) {
+                format_.no_channels.push_back(i);
+            }
+        }
+    }
+
+    bool can_be_time(int column) const { return at(column).filled > 0 && !at(column).is_date(); }
+
+    // Frames, if the lines above the table say how fast they follow each other: a step of one would
+    // be one second.
+    bool counts_frames(int column) const {
+        return !format_.rates.empty() && counts_by_one(at(column).values) &&
+               format_.rates[0].hz * seconds_per(time_unit(name(column))).value_or(1) > 2;
+    }
+
+    void find_time() {
+        const bool said = choice_.time_column.has_value();
+        const bool unit_said = choice_.time_unit_s.has_value();
+        int candidate = said ? *choice_.time_column - 1 : -1;
+        for (int i = 0; !said && i < format_.columns && candidate < 0; ++i) {
+            candidate = is_time_name(name(i).name) && can_be_time(i) ? i : -1;
+        }
+        for (int i = 0; !said && i < format_.columns && candidate < 0; ++i) {
+            candidate = at(i).is_clock() ? i : -1;
+        }
+        if (candidate != 0 && format_.columns >= 3 && rises_evenly(at(0).values) &&
+            can_be_time(0)) {
+            const bool counts =
+                is_whole(at(0).values) && time_unit(name(0)).empty() && (said || !unit_said);
+            if (counts && is_counter_name(name(0).name)) {
+                format_.counter_column = 0;
+            } else if (!counts && candidate < 0 && !said) {
+                candidate = 0;
+            }
+        }
+        if (candidate < 0 || candidate >= format_.columns) {
+            return;
+        }
+        const std::string unit = time_unit(name(candidate));
+        const bool guessed = !said && !unit_said && !at(candidate).is_clock();
+        if (guessed &&
+            ((unit.empty() && is_whole(at(candidate).values)) || counts_frames(candidate))) {
+            format_.counter_column = candidate;
+            return;
+        }
+        format_.time_column = candidate;
+        if (at(candidate).is_clock()) {
+            format_.clock_from_s = at(candidate).clock_from_s;
+        } else {
+            format_.time_unit_s = choice_.time_unit_s.value_or(seconds_per(unit).value_or(1));
+        }
+    }
+
+    double unit_of(int column) const {
+        return column == format_.time_column ? format_.time_unit_s
+               : at(column).is_clock()
+                   ? 1
+                   : seconds_per(time_unit(name(column))).value_or(format_.time_unit_s);
+    }
+
+    // The same times at each row but for a thousandth of a step and the digits of one.
+    bool same_times(int a, int b) const {
+        const std::vector<double>& left = at(a).values;
+        const std::vector<double>& right = at(b).values;
+        if (left.size() != right.size() || left.size() < 2) {
+            return false;
+        }
+        const double step_s = std::abs(median_of(steps_of(left))) * unit_of(a);
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            const double late_s = left[i] * unit_of(a) - right[i] * unit_of(b);
+            if (!(std::abs(late_s) <= equal_times * step_s)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    bool is_time_again(int column) const {
+        if (format_.time_column < 0) {
+            return false;
+        }
+        const bool named =
+            is_time_name(name(column).name) || begins_as_time_name(name(column).name);
+        return at(column).is_clock() || (named && rises_evenly(at(column).values)) ||
+               at(column).values == at(format_.time_column).values;
+    }
+
+    // Where there is more than one column of times: the one of each column is the next on its left.
+    void find_own_times() {
+        if (format_.time_column < 0 || choice_.time_column) {
+            return;
+        }
+        std::vector<int> times(static_cast<std::size_t>(format_.columns), format_.time_column);
+        bool differ = false;
+        int own = format_.time_column;
+        for (int i = format_.time_column + 1; i < format_.columns; ++i) {
+            if (is_left_out(i) && is_time_again(i)) {
+                own = same_times(format_.time_column, i) ? format_.time_column : i;
+                differ = differ || own != format_.time_column;
+            }
+            times[static_cast<std::size_t>(i)] = own;
+        }
+        if (differ) {
+            format_.own_times = std::move(times);
+        }
+    }
+
+    const std::vector<Channel>& columns_;
+    const TextChoice& choice_;
+    TextFormat& format_;
+    std::vector<ColumnStart> starts_;
+};
+
+}  // namespace
+
+void find_columns(std::span<const std::string> rows, const std::vector<Channel>& columns,
+                  const TextChoice& choice, TextFormat& format) {
+    ColumnSearch(rows, columns, choice, format).run();
+}
+
+}  // namespace vybeg

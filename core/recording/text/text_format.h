@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/recording/samples/recording.h"
+#include "core/recording/samples/text_choice.h"
+#include "core/recording/text/text_layout.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// Guesses the format from the first lines of a file: the separator and decimal sign under which
+// most of them are rows of numbers of the same length, at least two. Nothing where there is no such
+// row. Time, and what is no channel, as find_columns() has it. What `choice` says is taken as said;
+// its time column counts where the table has it.
+std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
+                                            const TextChoice& choice = {});
+
+// The names of the channels, numbers from 1 where the file has none, and units: the file's where
+// the samples are read as they stand there, with a scale of 1, else none.
+std::vector<Channel> channels_of(const TextFormat& format, double scale);
+
+// E.g. "text, 3 columns, semicolon, decimal comma".
+std::string format_text(const TextFormat& format);
+
+}  // namespace vybeg

@@ -1,0 +1,257 @@
+#include "core/recording/text/text_header.h"
+
+#include "core/recording/bytes/text_encoding.h"
+#include "core/recording/samples/column_words.h"
+#include "core/recording/samples/text_fields.h"
+#include "core/recording/samples/unit_ratio.h"
+#include "core/recording/text/text_clock.h"
+#include "core/recording/text/text_rate.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::array<std::string_view, 13> other_units = {
+    "v", "mv", "uv", "в", "мв", "мкв", "volt", "volts", "a", "ma", "counts", "lsb", "g"};
+
+// First fields of lines that hold the names, and the units, of the columns below them.
+constexpr std::array<std::string_view, 10> name_labels = {
+    "tracename", "channelname", "channelnames", "source", "label",
+    "labels",    "signalname",  "kanalname",    "name",   "channel"};
+constexpr std::array<std::string_view, 9> unit_labels = {"vunit", "verticalunit", "verticalunits",
+                                                         "yunit", "yunits",       "yunitlabel",
+                                                         "unit",  "units",        "einheit"};
+
+// Of lines that hold neither, one value for each column.
+constexpr std::array<std::string_view, 5> other_labels = {"hunit", "horizontalunit",
+                                                          "horizontalunits", "xunit", "xunits"};
+
+template <std::size_t count>
+bool among(const std::array<std::string_view, count>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string_view without_brackets(std::string_view text) {
+    const bool bracketed = text.size() >= 2 && ((text.front() == '[' && text.back() == ']') ||
+                                                (text.front() == '(' && text.back() == ')'));
+    return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
+}
+
+bool is_unit(std::string_view field) {
+    const std::string_view bare = without_brackets(field);
+    const std::string name = lower_text(bare);
+    return bare.size() < field.size() || field.empty() || seconds_per(bare) ||
+           among(other_units, name) || is_known_unit(bare);
+}
+
+bool is_unit_line(std::span<const std::string> fields) {
+    return std::all_of(fields.begin(), fields.end(), is_unit) &&
+           std::any_of(fields.begin(), fields.end(), [](const auto& f) { return !f.empty(); });
+}
+
+// "Sequence,Volt,Volt" and "Time,Volt,Volt": units but for the first column.
+bool is_unit_line_behind_axis(std::span<const std::string> fields) {
+    const std::string first = lower_text(fields[0]);
+    return fields.size() > 1 && !fields[0].empty() &&
+           (is_time_name(first) || is_counter_name(first)) && is_unit_line(fields.subspan(1)) &&
+           std::ranges::none_of(fields.subspan(1), [](const auto& f) { return f.empty(); });
+}
+
+// Small letters and digits of a field, without the rest: "Vertical Units :" is verticalunits.
+std::string label_of(std::string_view field) {
+    std::string label;
+    for (const char c : lower_text(field)) {
+        if (std::string_view(" \t_-.:=").find(c) == std::string_view::npos) {
+            label += c;
+        }
+    }
+    return label;
+}
+
+// "CH1:V": what stands behind the channel's name. A name keeps it.
+std::string_view behind_colon(std::string_view field) {
+    const auto colon = field.rfind(':');
+    return trimmed(colon == std::string_view::npos ? field : field.substr(colon + 1));
+}
+
+bool has_equals_sign(const std::string& field) {
+    return field.find('=') != std::string::npos;
+}
+
+// The lines above a table, with what they tell of its columns.
+class HeaderLines {
+public:
+    explicit HeaderLines(const LinesAbove& above)
+        : lines_(above.lines),
+          names_from_(above.names_from),
+          delimiter_(above.delimiter),
+          used_(static_cast<std::size_t>(above.used)) {
+        header_.columns.resize(static_cast<std::size_t>(above.columns));
+    }
+
+    TextHeader run() {
+        find_last_lines();
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            take_labelled(i);
+        }
+        for (std::size_t i = 0; i < units_.size(); ++i) {
+            Channel& column = header_.columns[i];
+            if (column.unit.empty()) {
+                column.unit = to_utf8(without_brackets(units_[i]));
+            }
+        }
+        for (std::size_t i = 0; i < header_.columns.size(); ++i) {
+            Channel& column = header_.columns[i];
+            column.name = column.name.empty() && i < names_.size() ? names_[i] : column.name;
+            column.unit = column.unit.empty() && i < labelled_.size() ? labelled_[i] : column.unit;
+        }
+        return std::move(header_);
+    }
+
+private:
+    // The fields of a line that has one for each column; nothing where it has not. What stands
+    // behind the last column is a remark or no name.
+    std::optional<std::vector<std::string>> row_of_names(const std::string& line) const {
+        std::vector<std::string> fields = header_fields(line, delimiter_);
+        const std::size_t columns = header_.columns.size();
+        const auto is_extra = [](const std::string& field) {
+            return field.empty() || is_remark_name(field) || is_rate_key(field) ||
+                   label_of(field) == "start" || has_equals_sign(field) ||
+                   parse_field(field, false).has_value();
+        };
+        if (fields.size() < used_ ||
+            (fields.size() > columns &&
+             !std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(columns), fields.end(),
+                          is_extra))) {
+            return std::nullopt;
+        }
+        fields.resize(std::min(fields.size(), used_));
+        return fields;
+    }
+
+    // Whether a line says one thing of something, or of each channel, and names no columns.
+    bool is_setting(const std::string& line) const {
+        const std::vector<std::string> fields = header_fields(line, delimiter_);
+        if (fields.empty() || fields[0].ends_with(':') || is_rate_key(fields[0]) ||
+            is_label(fields) || std::all_of(fields.begin(), fields.end(), has_equals_sign)) {
+            return true;
+        }
+        if (fields[0].empty() || is_time_name(fields[0]) || is_counter_name(fields[0])) {
+            return fields.size() > 1 && std::all_of(fields.begin() + 1, fields.end(), is_clock);
+        }
+        const auto is_value = [](const std::string& field) {
+            return is_clock(field) || parse_field(field, false).has_value();
+        };
+        return is_pairs(fields) || std::all_of(fields.begin() + 1, fields.end(), is_value);
+    }
+
+    // "Source,CH1,Source,CH2": a name and a value for each channel, over its two columns.
+    static bool is_pairs(const std::vector<std::string>& fields) {
+        return fields.size() >= 4 && !fields[0].empty() && fields[0] == fields[2];
+    }
+
+    static bool is_clock(const std::string& field) { return parse_clock(field).has_value(); }
+
+    static bool is_label(const std::vector<std::string>& fields) {
+        const std::string label = label_of(fields[0]);
+        return fields.size() > 2 && (among(name_labels, label) || among(unit_labels, label) ||
+                                     among(other_labels, label));
+    }
+
+    void find_last_lines() {
+        for (std::size_t i = lines_.size(); i-- > names_from_;) {
+            const std::string& line = lines_[i];
+            if (trimmed(line).empty()) {
+                continue;
+            }
+            const auto fields = row_of_names(line);
+            if (fields && units_.empty() && is_unit_line(*fields)) {
+                ++header_.lines_used;
+                units_ = *fields;
+                continue;
+            }
+            if (fields && units_.empty() && is_unit_line_behind_axis(*fields) && named_above(i)) {
+                ++header_.lines_used;
+                units_ = *fields;
+                continue;
+            }
+            if (fields && is_setting(line)) {
+                continue;
+            }
+            if (fields) {
+                ++header_.lines_used;
+                header_.has_remarks = ends_with_remark(line);
+                for (std::size_t j = 0; j < fields->size(); ++j) {
+                    header_.columns[j] = name_and_unit((*fields)[j]);
+                }
+            }
+            return;
+        }
+    }
+
+    bool ends_with_remark(const std::string& line) const {
+        const std::vector<std::string> fields = header_fields(line, delimiter_);
+        return fields.size() > header_.columns.size() && is_remark_name(fields.back());
+    }
+
+    bool named_above(std::size_t line) const {
+        while (line > 0 && trimmed(lines_[line - 1]).empty()) {
+            --line;
+        }
+        return line > 0 && row_of_names(lines_[line - 1]);
+    }
+
+    void take_labelled(std::size_t line) {
+        const std::vector<std::string> fields = header_fields(lines_[line], delimiter_);
+        if (fields.empty()) {
+            return;
+        }
+        const std::string label = label_of(fields[0]);
+        std::vector<std::string>* values = among(name_labels, label)   ? &names_
+                                           : among(unit_labels, label) ? &labelled_
+                                                                       : nullptr;
+        if (!values || !values->empty()) {
+            return;
+        }
+        std::vector<std::string> found;
+        if (fields.size() == 1 && line + 1 < lines_.size()) {
+            found = row_of_names(lines_[line + 1]).value_or(std::vector<std::string>{});
+            header_.lines_used += found.empty() ? 0 : 1;
+        } else if (is_pairs(fields)) {
+            for (std::size_t i = 0; i + 1 < fields.size(); i += 2) {
+                found.insert(found.end(), {fields[i + 1], std::string()});
+            }
+        } else if (fields.size() > 2) {
+            found = fields;
+            found[0].clear();
+        }
+        if (found.empty()) {
+            return;
+        }
+        ++header_.lines_used;
+        for (std::string& value : found) {
+            value = to_utf8(values == &labelled_ ? behind_colon(value) : trimmed(value));
+        }
+        *values = std::move(found);
+    }
+
+    std::span<const std::string> lines_;
+    std::size_t names_from_;
+    char delimiter_;
+    std::size_t used_;
+    TextHeader header_;
+    std::vector<std::string> units_;
+    std::vector<std::string> names_;     // of lines that say so
+    std::vector<std::string> labelled_;  // units, likewise
+};
+
+}  // namespace
+
+TextHeader read_header(const LinesAbove& above) {
+    return HeaderLines(above).run();
+}
+
+}  // namespace vybeg

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/recording/samples/column_words.h"
+#include "core/recording/samples/recording.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// What the lines above the numbers call the columns.
+struct TextHeader {
+    std::vector<Channel> columns;  // one per column; empty names and units where they are unknown
+    int lines_used = 0;            // how many lines that took
+    bool has_remarks = false;      // the names end with one that may have remarks below it
+};
+
+// The lines above a table of so many columns.
+struct LinesAbove {
+    std::span<const std::string> lines;
+    std::size_t names_from = 0;  // lines above this one hold numbers, and do not name the columns
+    char delimiter = ',';
+    int columns = 0;
+    int used = 0;  // columns but for those at the end that are empty in all rows
+};
+
+// Names and units from the lines above the first row of numbers, of which the last ones count:
+// "t [s];S_C [V]", "C (V)", "# C, V", or names and below them a line of units; for what these leave
+// open, lines that say what they hold ("TraceName,C,D", "Vertical Units,V,V").
+TextHeader read_header(const LinesAbove& above);
+
+}  // namespace vybeg

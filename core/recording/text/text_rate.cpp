@@ -1,0 +1,341 @@
+#include "core/recording/text/text_rate.h"
+
+#include "core/recording/bytes/text_encoding.h"
+#include "core/recording/samples/column_words.h"
+#include "core/recording/samples/text_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::array<std::string_view, 24> rate_keys{"fs",
+                                                     "sr",
+                                                     "rate",
+                                                     "samplerate",
+                                                     "samplingrate",
+                                                     "samplingfreq",
+                                                     "samplefreq",
+                                                     "fsample",
+                                                     "scanrate",
+                                                     "samplefrequency",
+                                                     "updaterate",
+                                                     "acquisitionrate",
+                                                     "messrate",
+                                                     "samplingfrequency",
+                                                     "abtastrate",
+                                                     "abtastfrequenz",
+                                                     "sampling",
+                                                     "samplespersecond",
+                                                     "frequencyofsampling",
+                                                     "частотадискретизации",
+                                                     "частотасбора",
+                                                     "частотаопроса",
+                                                     "частотаоцифровки",
+                                                     "частотавыборки"};
+constexpr std::array<std::string_view, 24> step_keys{"dt",
+                                                     "increment",
+                                                     "wfincrement",
+                                                     "sampleinterval",
+                                                     "samplinginterval",
+                                                     "sampleperiod",
+                                                     "samplingperiod",
+                                                     "tinc",
+                                                     "xinc",
+                                                     "xincr",
+                                                     "xincrement",
+                                                     "timeincrement",
+                                                     "timeinterval",
+                                                     "deltax",
+                                                     "deltat",
+                                                     "delta",
+                                                     "timestep",
+                                                     "hresolution",
+                                                     "hinc",
+                                                     "abtastintervall",
+                                                     "шагповремени",
+                                                     "шагдискретизации",
+                                                     "периоддискретизации",
+                                                     "интервалдискретизации"};
+
+struct RateUnit {
+    std::string_view name;
+    double hertz;
+};
+constexpr std::array<RateUnit, 20> rate_units{
+    {{"hz", 1},      {"khz", 1e3},  {"mhz", 1e6},   {"ghz", 1e9},     {"гц", 1},
+     {"кгц", 1e3},   {"мгц", 1e6},  {"s/s", 1},     {"sa/s", 1},      {"ks/s", 1e3},
+     {"ksa/s", 1e3}, {"ms/s", 1e6}, {"msa/s", 1e6}, {"gs/s", 1e9},    {"gsa/s", 1e9},
+     {"sps", 1},     {"ksps", 1e3}, {"1/s", 1},     {"samples/s", 1}, {"samples/sec", 1}}};
+
+constexpr std::size_t longest_line_with_rate = 4096;  // bytes; what is longer is no header
+constexpr double agreement = 1e-6;                    // relative, besides what the digits explain
+
+// Small letters without what separates words.
+std::string plain_key(std::string_view text) {
+    std::string key;
+    for (const char c : lower_text(text)) {
+        if (std::string_view(" \t_-.\"'").find(c) == std::string_view::npos) {
+            key += c;
+        }
+    }
+    return key;
+}
+
+enum class KeyKind { none, rate, step };
+
+struct Key {
+    KeyKind kind = KeyKind::none;
+    std::string unit;  // in brackets or behind a comma
+};
+
+Key key_of(std::string_view text) {
+    text = trimmed(text);
+    while (!text.empty() && (text.back() == ':' || text.back() == '=')) {
+        text = trimmed(text.substr(0, text.size() - 1));
+    }
+    const auto known = [](const auto& keys, const std::string& key) {
+        return std::ranges::find(keys, std::string_view(key)) != keys.end();
+    };
+    Channel named = name_and_unit(text);
+    for (const std::string& name : {plain_key(text), plain_key(named.name)}) {
+        const std::string unit = name == plain_key(text) ? std::string() : named.unit;
+        if (known(rate_keys, name)) {
+            return {KeyKind::rate, unit};
+        }
+        if (known(step_keys, name)) {
+            return {KeyKind::step, unit};
+        }
+    }
+    return {};
+}
+
+// The number at the start of a text, with what stands before a colon left out ("Analog:2E-06").
+struct NumberText {
+    std::string number;
+    double value = 0;
+    std::string unit;  // directly behind it, in small letters
+};
+
+std::optional<NumberText> number_at_start(std::string_view text) {
+    text = trimmed(text);
+    const auto is_number = [](char c) {
+        return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '+' || c == '-';
+    };
+    if (const auto colon = text.find(':'); colon != std::string_view::npos) {
+        if (!text.empty() && !is_number(text.front())) {
+            text = trimmed(text.substr(colon + 1));
+        }
+    }
+    std::size_t end = 0;
+    while (end < text.size() && (is_number(text[end]) ||
+                                 ((text[end] == 'e' || text[end] == 'E' || text[end] == 'D') &&
+                                  end > 0 && end + 1 < text.size() && is_number(text[end + 1])))) {
+        ++end;
+    }
+    NumberText found;
+    found.number = usual_number(text.substr(0, end));
+    while (!found.number.empty() && (found.number.back() == '.' || found.number.back() == ',')) {
+        found.number.pop_back();
+    }
+    std::ranges::replace(found.number, ',', '.');
+    if (found.number.empty()) {
+        return std::nullopt;
+    }
+    const auto value = parse_field(found.number, false);
+    if (!value || !std::isfinite(*value) || !(*value > 0)) {
+        return std::nullopt;
+    }
+    found.value = *value;
+    std::string_view unit = trimmed(text.substr(end));
+    if (unit.starts_with('(') || unit.starts_with('[')) {
+        unit.remove_prefix(1);
+    }
+    found.unit = lower_text(unit.substr(0, unit.find_first_of(" \t,;|()[]\"")));
+    while (found.unit.ends_with('.')) {
+        found.unit.pop_back();
+    }
+    return found;
+}
+
+// Seconds or hertz per unit; nothing where the unit is none of its kind.
+std::optional<double> factor_of(KeyKind kind, const std::string& unit) {
+    if (kind == KeyKind::step) {
+        return seconds_per(unit);
+    }
+    const std::string small = lower_text(unit);
+    const auto found = std::ranges::find(rate_units, std::string_view(small), &RateUnit::name);
+    return found == rate_units.end() ? std::nullopt : std::optional(found->hertz);
+}
+
+std::optional<WrittenRate> written(const Key& key, const NumberText& number,
+                                   const std::string& unit_behind) {
+    double factor = 1;
+    for (const std::string& unit : {number.unit, key.unit, unit_behind}) {
+        if (unit.empty()) {
+            continue;
+        }
+        const auto known = factor_of(key.kind, unit);
+        if (!known) {
+            return std::nullopt;  // counts something else
+        }
+        factor = *known;
+        break;
+    }
+    const double value = number.value * factor;
+    const double hz = key.kind == KeyKind::rate ? value : 1 / value;
+    if (!std::isfinite(hz) || !(hz > 0)) {
+        return std::nullopt;
+    }
+    return WrittenRate{hz, written_relative_sd(number.number, number.value)};
+}
+
+class RateSearch {
+public:
+    RateSearch(std::span<const std::string> lines, char delimiter, int columns)
+        : lines_(lines), delimiter_(delimiter), columns_(static_cast<std::size_t>(columns)) {}
+
+    std::vector<WrittenRate> run() {
+        for (std::size_t i = 0; i < lines_.size() && agree_; ++i) {
+            if (lines_[i].size() <= longest_line_with_rate) {
+                in_fields(i);
+                in_words(i);
+            }
+        }
+        return agree_ ? found_ : std::vector<WrittenRate>{};
+    }
+
+private:
+    // Keys that are whole fields, with their values in the fields behind them or in the line below.
+    void in_fields(std::size_t line) {
+        const std::vector<std::string> fields = header_fields(lines_[line], delimiter_);
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            const Key key = key_of(fields[i]);
+            if (key.kind == KeyKind::none) {
+                continue;
+            }
+            std::vector<WrittenRate> rates(columns_);
+            bool any = false;
+            for (std::size_t j = i + 1; j < fields.size(); ++j) {
+                const auto number = number_at_start(fields[j]);
+                if (!number && !fields[j].empty()) {
+                    break;
+                }
+                const std::string behind = unit_behind(fields, j + 1, key.kind);
+                const auto rate = number ? written(key, *number, behind) : std::nullopt;
+                if (rate) {
+                    rates[std::min(j, columns_ - 1)] = *rate;
+                    any = true;
+                }
+            }
+            if (!any && line + 1 < lines_.size()) {
+                const std::vector<std::string> below = header_fields(lines_[line + 1], delimiter_);
+                const auto number = i < below.size() ? number_at_start(below[i]) : std::nullopt;
+                if (const auto rate = number ? written(key, *number, "") : std::nullopt) {
+                    rates.assign(columns_, *rate);
+                    any = true;
+                }
+            }
+            if (any) {
+                add(std::move(rates));
+            }
+        }
+    }
+
+    // "key: value" and "key = value" within a line.
+    void in_words(std::size_t line) {
+        const std::string text = to_utf8(without_comment_mark(lines_[line]));
+        for (std::size_t at = text.find_first_of(":="); at != std::string::npos;
+             at = text.find_first_of(":=", at + 1)) {
+            const std::string_view before = std::string_view(text).substr(0, at);
+            Key key = key_of(behind_last(before, {"\t", ";", "|", "  ", "\""}));
+            if (key.kind == KeyKind::none) {
+                key = key_of(behind_last(before, {"\t", ";", "|", "  ", "\"", ",", ". "}));
+            }
+            if (key.kind == KeyKind::none) {
+                continue;
+            }
+            std::string_view value = std::string_view(text).substr(at + 1);
+            value.remove_prefix(std::min(value.find_first_not_of(" \t,;|\""), value.size()));
+            const auto number = number_at_start(value);
+            if (const auto rate = number ? written(key, *number, "") : std::nullopt) {
+                add(std::vector<WrittenRate>(columns_, *rate));
+            }
+        }
+    }
+
+    static std::string_view behind_last(std::string_view text,
+                                        std::initializer_list<std::string_view> separators) {
+        std::size_t begin = 0;
+        for (const std::string_view separator : separators) {
+            const std::size_t at = text.rfind(separator);
+            begin = at == std::string_view::npos ? begin : std::max(begin, at + separator.size());
+        }
+        return text.substr(begin);
+    }
+
+    static std::string unit_behind(const std::vector<std::string>& fields, std::size_t at,
+                                   KeyKind kind) {
+        return at < fields.size() && factor_of(kind, fields[at]) ? fields[at] : std::string();
+    }
+
+    // Takes what a line says of the columns; the rest of them have the rate of the first that has
+    // one.
+    void add(std::vector<WrittenRate> rates) {
+        const auto first = std::ranges::find_if(rates, [](const auto& r) { return r.hz > 0; });
+        const WrittenRate rest = *first;
+        for (WrittenRate& rate : rates) {
+            rate = rate.hz > 0 ? rate : rest;
+        }
+        if (found_.empty()) {
+            found_ = std::move(rates);
+            return;
+        }
+        for (std::size_t i = 0; i < columns_; ++i) {
+            WrittenRate& known = found_[i];
+            const double allowed = agreement + 2 * (known.relative_sd + rates[i].relative_sd);
+            agree_ = agree_ && std::abs(known.hz / rates[i].hz - 1) <= allowed;
+            known = rates[i].relative_sd < known.relative_sd ? rates[i] : known;
+        }
+    }
+
+    std::span<const std::string> lines_;
+    char delimiter_;
+    std::size_t columns_;
+    std::vector<WrittenRate> found_;
+    bool agree_ = true;
+};
+
+}  // namespace
+
+std::vector<WrittenRate> header_rates(std::span<const std::string> lines, char delimiter,
+                                      int columns) {
+    return RateSearch(lines, delimiter, columns).run();
+}
+
+bool is_rate_key(std::string_view text) {
+    return key_of(text).kind != KeyKind::none;
+}
+
+double written_relative_sd(std::string_view number, double value) {
+    const bool exponent = number.find_first_of("eE") != std::string_view::npos;
+    const bool point = number.find('.') != std::string_view::npos;
+    if (!exponent && !point) {
+        return 0;
+    }
+    constexpr int digits_of_a_short_number = 6;
+    constexpr double least_without_exponent = 1e-4;  // a number below it has its places fixed
+    const NumberDigits digits = digits_of(number);
+    const double last = std::pow(10.0, -digits.decimals);
+    const bool fixed =
+        !exponent && (number.back() == '0' || std::abs(value) < least_without_exponent);
+    const double sixth =
+        std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits_of_a_short_number);
+    return (fixed ? last : std::min(last, sixth)) / std::sqrt(12.0) / std::abs(value);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,271 @@
+#include "core/recording/text/text_recording.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/samples/column_words.h"
+#include "core/recording/samples/memory_source.h"
+#include "core/recording/samples/reader_rules.h"
+#include "core/recording/samples/scaled_source.h"
+#include "core/recording/samples/unit_ratio.h"
+#include "core/recording/text/text_head.h"
+#include "core/recording/text/text_scan.h"
+#include "core/recording/text/text_source.h"
+#include "core/recording/text/text_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+std::vector<TimeGap> gaps_of(const EvenTimes& even) {
+    std::vector<TimeGap> gaps;
+    for (std::size_t s = 1; s < even.stretches.size(); ++s) {
+        const RowStretch& before = even.stretches[s - 1];
+        const TimeGap gap{before.first_frame + before.rows - 1, even.stretches[s].first_frame};
+        if (gap.after > gap.before + 1) {
+            gaps.push_back(gap);
+        }
+    }
+    return gaps;
+}
+
+std::int64_t frame_of(const EvenTimes& even, std::int64_t row) {
+    const auto behind = std::ranges::upper_bound(even.stretches, row, {}, &RowStretch::first_row);
+    const RowStretch& stretch = *std::prev(behind);
+    return stretch.first_frame + row - stretch.first_row;
+}
+
+// Samples whose time or place tells their frame, and what is known of them.
+struct Samples {
+    std::shared_ptr<const SampleSource> source;
+    std::optional<SampleRate> rate;
+    std::int64_t first_missing = -1;  // frame
+    std::vector<Diagnostic> diagnostics;
+};
+
+Samples streamed(TextTable table, TextScan scan) {
+    Samples samples;
+    samples.first_missing = scan.first_missing_row;
+    if (scan.even) {
+        samples.rate =
+            SampleRate{scan.even->rate_hz, RateOrigin::time_column, scan.even->rate_relative_sd};
+        report_gaps(gaps_of(*scan.even), scan.even->rate_hz, samples.diagnostics);
+        if (samples.first_missing >= 0) {
+            samples.first_missing = frame_of(*scan.even, samples.first_missing);
+        }
+    }
+    samples.source = text_source(std::move(table), std::move(scan));
+    return samples;
+}
+
+// Uneven times are brought onto a grid, which takes all of them at once.
+Result<Samples> resampled(const TextTable& table, const TextScan& scan, const JobControl& job) {
+    const auto rows = read_timed_rows(table, scan, job);
+    if (!rows) {
+        return rows.error();
+    }
+    auto grid = to_uniform_grid(*rows, table.blocks.file().path().string());
+    if (!grid) {
+        return grid.error();
+    }
+    Samples samples;
+    samples.rate = SampleRate{grid->rate_hz, RateOrigin::time_column, grid->rate_relative_sd};
+    if (scan.first_missing_row >= 0) {
+        const double after =
+            rows->time_s[static_cast<std::size_t>(scan.first_missing_row)] - rows->time_s[0];
+        samples.first_missing = static_cast<std::int64_t>(std::floor(after * grid->rate_hz + 0.5));
+    }
+    samples.diagnostics = std::move(grid->diagnostics);
+    samples.source = std::make_shared<MemorySource>(std::move(grid->c), std::move(grid->d));
+    return samples;
+}
+
+// The rate that the lines above the table name, where the times leave it open or are known less
+// well.
+std::optional<SampleRate> better_rate(const std::optional<SampleRate>& of_times,
+                                      const TextTable& table) {
+    if (table.format.rates.empty()) {
+        return of_times;
+    }
+    const WrittenRate& written = table.format.rates[static_cast<std::size_t>(table.columns.c)];
+    const SampleRate named{written.hz, RateOrigin::file, written.relative_sd};
+    if (!of_times) {
+        return named;
+    }
+    constexpr double deviations = 3;
+    constexpr double arithmetic = 1e-12;
+    const double apart = std::abs(named.hz / of_times->hz - 1);
+    const bool agree =
+        apart <= deviations * (named.relative_sd + of_times->relative_sd) + arithmetic;
+    return agree && named.relative_sd < of_times->relative_sd ? named : *of_times;
+}
+
+const Channel& channel_of(const FoundSamples& found, int number) {
+    return found.channels[static_cast<std::size_t>(number - 1)];
+}
+
+// What the units of the two channels ask for.
+void check_units(const TextTable& table, const OpenOptions& options, FoundSamples& found) {
+    const Channel& c = channel_of(found, options.channel_c);
+    const Channel& d = channel_of(found, options.channel_d);
+    const std::string& unit_c = table.format.units[static_cast<std::size_t>(table.columns.c)];
+    const std::string& unit_d = table.format.units[static_cast<std::size_t>(table.columns.d)];
+    if (table.columns.d_factor != 1) {
+        found.diagnostics.push_back(
+            {DiagnosticKind::unit_converted, {d.name, unit_d, unit_c}, -1, 0});
+    } else if (!unit_c.empty() && !unit_d.empty() && !unit_ratio(unit_d, unit_c)) {
+        found.diagnostics.push_back(
+            {DiagnosticKind::units_differ, {c.name, unit_c, d.name, unit_d}, -1, 0});
+    }
+}
+
+void report_over_range(const std::array<std::int64_t, 2>& counts, const OpenOptions& options,
+                       FoundSamples& found) {
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const int number = i == 0 ? options.channel_c : options.channel_d;
+        if (counts[i] > 0) {
+            found.diagnostics.push_back({DiagnosticKind::over_range,
+                                         {channel_of(found, number).name, integer_text(counts[i])},
+                                         -1,
+                                         0});
+        }
+    }
+}
+
+// Adds rate, samples and diagnostics.
+Status take_table(const FileBytes& file, TextTable table, const OpenOptions& options,
+                  const JobControl& job, FoundSamples& found) {
+    auto scan = scan_text(table, job);
+    if (!scan) {
+        return scan.error();
+    }
+    found.frames = scan->rows();
+    if (const Status status = check_frames(file, found.frames); !status) {
+        return status;
+    }
+    const std::int64_t missing = scan->missing_samples;
+    const std::int64_t rows_with_missing = scan->rows_with_missing;
+    // Nobody needs to be told of lines that were said to be skipped.
+    const bool said = options.text && options.text->lines_to_skip;
+    const std::int64_t above = said ? 0 : table.header_lines - table.format.header_lines_used;
+    const std::int64_t lines_ignored = above + scan->lines_ignored;
+    const auto over_range = scan->over_range;
+    check_units(table, options, found);
+    const TextTable looked_at = table;
+    const bool uneven = table.columns.time >= 0 && !scan->even;
+    auto samples = uneven ? resampled(table, *scan, job)
+                          : Result(streamed(std::move(table), std::move(*scan)));
+    if (!samples) {
+        return samples.error();
+    }
+    // Samples that were brought onto a grid have its rate.
+    found.own_rate = uneven ? samples->rate : better_rate(samples->rate, looked_at);
+    constexpr double arithmetic = 1e-12;  // what is less comes from the times' sums
+    if (found.own_rate && !(found.own_rate->relative_sd > arithmetic)) {
+        found.own_rate->relative_sd = 0;
+    }
+    found.diagnostics.insert(found.diagnostics.end(), samples->diagnostics.begin(),
+                             samples->diagnostics.end());
+    if (missing > 0) {
+        found.diagnostics.push_back({DiagnosticKind::missing_samples,
+                                     {integer_text(missing)},
+                                     samples->first_missing,
+                                     rows_with_missing});
+    }
+    report_over_range(over_range, options, found);
+    if (lines_ignored > 0) {
+        found.diagnostics.push_back(
+            {DiagnosticKind::text_lines_ignored, {integer_text(lines_ignored)}, -1, 0});
+    }
+    found.source = std::move(samples->source);
+    return {};
+}
+
+}  // namespace
+
+Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
+                                const OpenOptions& options) {
+    const std::vector<int> columns = channel_columns(format);
+    TextColumns chosen{.time = format.time_column,
+                       .c = columns[static_cast<std::size_t>(options.channel_c - 1)],
+                       .d = columns[static_cast<std::size_t>(options.channel_d - 1)]};
+    const auto c = static_cast<std::size_t>(chosen.c);
+    const auto d = static_cast<std::size_t>(chosen.d);
+    const auto differ = [&](const std::string& what) {
+        return file.error(ErrorCode::format_unsupported,
+                          {"text", "columns " + std::to_string(chosen.c + 1) + " and " +
+                                       std::to_string(chosen.d + 1) + " of different " + what});
+    };
+    if (!format.own_times.empty()) {
+        if (format.own_times[c] != format.own_times[d]) {
+            return differ("times");
+        }
+        chosen.time = format.own_times[c];
+    }
+    constexpr double same_rate = 1e-9;
+    if (!format.rates.empty() &&
+        std::abs(format.rates[c].hz / format.rates[d].hz - 1) > same_rate) {
+        return differ("sample rates");
+    }
+    chosen.d_factor = unit_ratio(format.units[d], format.units[c]).value_or(1);
+    return chosen;
+}
+
+Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
+                               const OpenOptions& options, const JobControl& job) {
+    const TextChoice choice = options.text.value_or(TextChoice{});
+    const auto head = read_text_head(file, choice.lines_to_skip, job);
+    if (!head) {
+        return head.error();
+    }
+    const auto found = find_text_format(*file, *head, choice);
+    if (!found) {
+        return found.error();
+    }
+    const TextFormat& format = *found;
+    const auto channels = static_cast<int>(channel_columns(format).size());
+    if (const Status status = check_channels(*file, channels, options); !status) {
+        return status.error();
+    }
+    const auto chosen = columns_for(*file, format, options);
+    if (!chosen) {
+        return chosen.error();
+    }
+    if (chosen->time < 0 && format.rates.empty() && !options.rate_hz) {
+        return file->error(ErrorCode::rate_unknown);  // before the work of reading it
+    }
+    TextFormat used = format;
+    if (chosen->time != format.time_column) {
+        const auto time = static_cast<std::size_t>(chosen->time);
+        used.time_column = chosen->time;
+        used.time_unit_s = seconds_per(time_unit({format.names[time], format.units[time]}))
+                               .value_or(format.time_unit_s);
+    }
+    return find_table(file, used, *chosen);
+}
+
+Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                            const JobControl& job) {
+    auto table = choose_table(file, options, job);
+    if (!table) {
+        return table.error();
+    }
+    FoundSamples found;
+    found.format = format_text(table->format);
+    const double scale = options.text ? options.text->scale : 1;
+    found.channels = channels_of(table->format, scale);
+    if (const Status status = take_table(*file, std::move(*table), options, job, found); !status) {
+        return status.error();
+    }
+    if (scale != 1) {
+        found.source = scaled_source(std::move(found.source), scale);
+    }
+    return complete_recording(*file, std::move(found), options);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,265 @@
+#include "core/recording/text/text_scan.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/samples/text_fields.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Blocks between two looks at the stop token: some ten milliseconds.
+constexpr std::int64_t blocks_at_once = 16;
+
+// The finest digits of the times seen so far.
+class FinestDigits {
+public:
+    void add(const NumberDigits& digits) {
+        decimals_ = std::max(decimals_, digits.decimals);
+        significant_ = std::max(significant_, digits.significant);
+    }
+    void add(const FinestDigits& other) { add({other.decimals_, other.significant_}); }
+
+    TimeResolution resolution(double unit_s) const {
+        return {std::pow(10.0, -static_cast<double>(decimals_)) * unit_s, significant_};
+    }
+
+private:
+    int decimals_ = std::numeric_limits<int>::min();
+    int significant_ = 1;
+};
+
+// What is found in one block; rows and lines are counted from its start.
+struct BlockScan {
+    Status read;
+    std::int64_t rows = 0;
+    std::int64_t lines = 0;
+    std::int64_t lines_ignored = 0;
+    std::int64_t missing_samples = 0;
+    std::int64_t rows_with_missing = 0;
+    std::int64_t first_missing_row = -1;
+    std::optional<TextFault> fault;  // in the last line
+    bool backwards = false;          // the time in the last line lies below the one before
+    double before = 0;               // of these, in the column's unit
+    double time = 0;
+    double first_time = 0;  // in the column's unit
+    double last_time = 0;
+    std::int64_t first_line = 0;     // of the first row
+    std::int64_t repeated_line = 0;  // of the first row whose time is that of the row before
+    double repeated = 0;             // this time
+    std::array<std::int64_t, 2> over_range{};
+    FinestDigits digits;
+    TimeLine times{0};
+};
+
+class BlockScanner {
+public:
+    BlockScanner(const TextTable& table, const TimeLine& empty) : table_(table), empty_(empty) {}
+
+    BlockScan scan(std::int64_t index) const {
+        BlockScan found;
+        found.times = empty_;
+        TextBlock block;
+        found.read = table_.blocks.read(index, block);
+        if (!found.read) {
+            return found;
+        }
+        TextRows rows(table_.format, table_.columns, block, SampleUse::check);
+        while (!found.backwards && rows.next()) {
+            take(rows, found);
+        }
+        found.fault = rows.fault();
+        found.lines = rows.lines();
+        found.lines_ignored = rows.ignored();
+        return found;
+    }
+
+private:
+    void take(const TextRows& row, BlockScan& found) const {
+        if (table_.columns.time >= 0 && !take_time(row, found)) {
+            return;
+        }
+        const int missing = (std::isnan(row.c()) ? 1 : 0) + (std::isnan(row.d()) ? 1 : 0);
+        if (missing > 0) {
+            found.over_range[0] += row.c_over_range() ? 1 : 0;
+            found.over_range[1] += row.d_over_range() ? 1 : 0;
+            found.missing_samples += missing;
+            if (found.rows_with_missing++ == 0) {
+                found.first_missing_row = found.rows;
+            }
+        }
+        ++found.rows;
+    }
+
+    bool take_time(const TextRows& row, BlockScan& found) const {
+        if (found.rows == 0) {
+            found.first_time = row.time();
+            found.first_line = row.lines();
+        } else if (row.time() <= found.last_time) {
+            if (row.time() < found.last_time) {
+                found.backwards = true;
+                found.before = found.last_time;
+                found.time = row.time();
+                return false;
+            }
+            if (found.repeated_line == 0) {
+                found.repeated_line = row.lines();
+                found.repeated = row.time();
+            }
+        }
+        found.last_time = row.time();
+        found.digits.add(row.time_digits());
+        found.times.add(row.time() * table_.format.time_unit_s);
+        return true;
+    }
+
+    const TextTable& table_;
+    TimeLine empty_;  // to begin with
+};
+
+// Puts the findings of the blocks together, in their order.
+class ScanSum {
+public:
+    ScanSum(const TextTable& table, const TimeLine& empty) : table_(table), times_(empty) {}
+
+    Status take(const BlockScan& block) {
+        if (!block.read) {
+            return block.read;
+        }
+        const bool timed = table_.columns.time >= 0 && block.rows > 0;
+        if (timed && scan_.rows() > 0 && block.first_time <= last_time_) {
+            if (block.first_time < last_time_) {
+                return backwards(block.first_line, block.first_time, last_time_);
+            }
+            note_repeated(block.first_line, block.first_time);
+        }
+        if (block.repeated_line > 0) {
+            note_repeated(block.repeated_line, block.repeated);
+        }
+        if (block.backwards) {
+            return backwards(block.lines, block.time, block.before);
+        }
+        if (block.fault) {
+            return fault_error(table_.blocks.file(), line(block.lines), *block.fault);
+        }
+        if (block.rows_with_missing > 0 && scan_.rows_with_missing == 0) {
+            scan_.first_missing_row = scan_.rows() + block.first_missing_row;
+        }
+        scan_.missing_samples += block.missing_samples;
+        for (std::size_t i = 0; i < scan_.over_range.size(); ++i) {
+            scan_.over_range[i] += block.over_range[i];
+        }
+        scan_.rows_with_missing += block.rows_with_missing;
+        scan_.lines_ignored += block.lines_ignored;
+        lines_ += block.lines;
+        if (timed) {
+            last_time_ = block.last_time;
+            digits_.add(block.digits);
+            times_.append(block.times);
+        }
+        scan_.first_rows.push_back(scan_.rows() + block.rows);
+        return {};
+    }
+
+    Result<TextScan> finish() {
+        if (table_.columns.time >= 0 && scan_.rows() > 0) {
+            scan_.resolution = digits_.resolution(table_.format.time_unit_s);
+            scan_.even = times_.judge(scan_.resolution);
+        }
+        if (repeated_ && !scan_.even) {
+            return *repeated_;
+        }
+        return std::move(scan_);
+    }
+
+private:
+    // Equal times follow each other where they are written more coarsely than they step; of times
+    // that are even otherwise it is no error.
+    void note_repeated(std::int64_t in_block, double time) {
+        if (!repeated_) {
+            repeated_ = backwards(in_block, time, time);
+        }
+    }
+
+    std::int64_t line(std::int64_t in_block) const {
+        return table_.format.lines_to_skip + lines_ + in_block;
+    }
+
+    Error backwards(std::int64_t in_block, double time, double before) const {
+        return table_.blocks.file().error(
+            ErrorCode::text_time_backwards,
+            {integer_text(line(in_block)), round_trip_text(time), round_trip_text(before)});
+    }
+
+    const TextTable& table_;
+    TextScan scan_;
+    std::int64_t lines_ = 0;  // of the blocks so far
+    double last_time_ = 0;
+    std::optional<Error> repeated_;  // the first time that is the one before again
+    FinestDigits digits_;
+    TimeLine times_;
+};
+
+// A line to which no time has been added: with about the step and resolution of the first block
+// that has them, a step of 0 where none does.
+Result<TimeLine> empty_line(const TextTable& table) {
+    TextBlock block;
+    for (std::int64_t index = 0; table.columns.time >= 0 && index < table.blocks.count(); ++index) {
+        if (const Status status = table.blocks.read(index, block); !status) {
+            return status.error();
+        }
+        TimedSamples samples;
+        FinestDigits digits;
+        TextRows rows(table.format, table.columns, block, SampleUse::check);
+        while (rows.next()) {
+            samples.time_s.push_back(rows.time() * table.format.time_unit_s);
+            digits.add(rows.time_digits());
+        }
+        samples.resolution = digits.resolution(table.format.time_unit_s);
+        const double step_s = samples.time_s.size() > 1 ? typical_step(samples) : 0;
+        if (step_s > 0) {
+            return TimeLine(step_s, samples.resolution);
+        }
+    }
+    return TimeLine(0);
+}
+
+}  // namespace
+
+Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
+    const auto empty = empty_line(table);
+    if (!empty) {
+        return empty.error();
+    }
+    const BlockScanner scanner(table, *empty);
+    ScanSum sum(table, *empty);
+    std::vector<BlockScan> blocks;
+    const std::int64_t count = table.blocks.count();
+    for (std::int64_t first = 0; first < count; first += blocks_at_once) {
+        blocks.resize(static_cast<std::size_t>(std::min(blocks_at_once, count - first)));
+        tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+            if (!job.cancelled()) {
+                blocks[i] = scanner.scan(first + static_cast<std::int64_t>(i));
+            }
+        });
+        if (job.cancelled()) {
+            return table.blocks.file().error(ErrorCode::interrupted);
+        }
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            if (const Status status = sum.take(blocks[i]); !status) {
+                return status.error();
+            }
+            const auto done = static_cast<double>(first) + static_cast<double>(i + 1);
+            job.report(done / static_cast<double>(count));
+        }
+    }
+    return sum.finish();
+}
+
+}  // namespace vybeg

@@ -1,0 +1,196 @@
+#include "core/recording/text/text_source.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t rows_for_threads = std::int64_t{1}
+                                          << 14;  // less is read by the caller alone
+
+// The block with a row, by the first rows of all.
+std::int64_t block_of(const std::vector<std::int64_t>& first_rows, std::int64_t row) {
+    return std::upper_bound(first_rows.begin(), first_rows.end(), row) - first_rows.begin() - 1;
+}
+
+// The file has been found in order when it was opened.
+Error changed(const TextTable& table) {
+    return table.blocks.file().error(ErrorCode::file_read_failed,
+                                     {"the file was changed while it was read"});
+}
+
+struct BlockSamples {
+    std::int64_t index = -1;
+    std::vector<double> c;
+    std::vector<double> d;
+};
+
+class TextSource final : public SampleSource {
+public:
+    TextSource(TextTable table, std::vector<std::int64_t> first_rows,
+               std::vector<RowStretch> stretches)
+        : table_(std::move(table)),
+          first_rows_(std::move(first_rows)),
+          stretches_(std::move(stretches)) {
+        table_.columns.time = -1;  // it has done its part
+    }
+
+    std::int64_t frames() const override {
+        return stretches_.back().first_frame + stretches_.back().rows;
+    }
+
+    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
+        const std::int64_t end = first + static_cast<std::int64_t>(c.size());
+        auto stretch = std::upper_bound(
+            stretches_.begin(), stretches_.end(), first,
+            [](std::int64_t frame, const RowStretch& s) { return frame < s.first_frame; });
+        stretch -= 1;  // the first one begins at frame 0
+        if (stretches_.size() > 1) {
+            std::ranges::fill(c, missing);
+            std::ranges::fill(d, missing);
+        }
+        for (; stretch != stretches_.end() && stretch->first_frame < end; ++stretch) {
+            const std::int64_t from = std::max(stretch->first_frame, first);
+            const std::int64_t to = std::min(stretch->first_frame + stretch->rows, end);
+            if (from >= to) {
+                continue;
+            }
+            const auto part = [&](std::span<double> all) {
+                return all.subspan(static_cast<std::size_t>(from - first),
+                                   static_cast<std::size_t>(to - from));
+            };
+            const std::int64_t row = stretch->first_row + from - stretch->first_frame;
+            if (const Status status = read_rows(row, part(c), part(d)); !status) {
+                return status;
+            }
+        }
+        return {};
+    }
+
+private:
+    Status read_rows(std::int64_t first, std::span<double> c, std::span<double> d) const {
+        const std::int64_t end = first + static_cast<std::int64_t>(c.size());
+        const std::int64_t first_block = block_of(first_rows_, first);
+        const std::int64_t last_block = block_of(first_rows_, end - 1);
+        std::vector<Status> read(static_cast<std::size_t>(last_block - first_block + 1));
+        const auto read_block = [&](std::int64_t index) {
+            const auto samples = block_samples(index, index == last_block);
+            read[static_cast<std::size_t>(index - first_block)] =
+                samples ? Status{} : Status(samples.error());
+            if (!samples) {
+                return;
+            }
+            const std::int64_t begin = first_rows_[static_cast<std::size_t>(index)];
+            const std::int64_t from = std::max(begin, first);
+            const std::int64_t to =
+                std::min(begin + static_cast<std::int64_t>((*samples)->c.size()), end);
+            const auto copy = [&](const std::vector<double>& values, std::span<double> out) {
+                std::copy_n(values.begin() + (from - begin), to - from,
+                            out.begin() + (from - first));
+            };
+            copy((*samples)->c, c);
+            copy((*samples)->d, d);
+        };
+        if (end - first < rows_for_threads) {
+            for (std::int64_t index = first_block; index <= last_block; ++index) {
+                read_block(index);
+            }
+        } else {
+            // Isolated: while it waits, this thread takes no other work, which could be long.
+            tbb::this_task_arena::isolate(
+                [&] { tbb::parallel_for(first_block, last_block + 1, read_block); });
+        }
+        const auto failed = std::ranges::find_if(read, [](const Status& s) { return !s; });
+        return failed == read.end() ? Status{} : *failed;
+    }
+
+    // A block's samples; they are kept until another block's are.
+    Result<std::shared_ptr<const BlockSamples>> block_samples(std::int64_t index, bool keep) const {
+        {
+            const std::lock_guard lock(mutex_);
+            if (kept_ && kept_->index == index) {
+                return kept_;
+            }
+        }
+        TextBlock block;
+        if (const Status status = table_.blocks.read(index, block); !status) {
+            return status.error();
+        }
+        const auto at = static_cast<std::size_t>(index);
+        const auto count = static_cast<std::size_t>(first_rows_[at + 1] - first_rows_[at]);
+        auto samples = std::make_shared<BlockSamples>();
+        samples->index = index;
+        samples->c.reserve(count);
+        samples->d.reserve(count);
+        TextRows rows(table_.format, table_.columns, block, SampleUse::read);
+        while (rows.next() && samples->c.size() <= count) {
+            samples->c.push_back(rows.c());
+            samples->d.push_back(rows.d());
+        }
+        if (rows.fault() || samples->c.size() != count) {
+            return changed(table_);
+        }
+        if (keep) {
+            const std::lock_guard lock(mutex_);
+            kept_ = samples;
+        }
+        return std::shared_ptr<const BlockSamples>(std::move(samples));
+    }
+
+    TextTable table_;
+    std::vector<std::int64_t> first_rows_;
+    std::vector<RowStretch> stretches_;
+    mutable std::mutex mutex_;
+    mutable std::shared_ptr<const BlockSamples> kept_;
+};
+
+}  // namespace
+
+std::shared_ptr<const SampleSource> text_source(TextTable table, TextScan scan) {
+    std::vector<RowStretch> stretches{{0, 0, scan.rows()}};
+    if (scan.even) {
+        stretches = std::move(scan.even->stretches);
+    }
+    return std::make_shared<TextSource>(std::move(table), std::move(scan.first_rows),
+                                        std::move(stretches));
+}
+
+Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& scan,
+                                     const JobControl& job) {
+    TimedSamples samples;
+    samples.resolution = scan.resolution;
+    for (std::vector<double>* values : {&samples.time_s, &samples.c, &samples.d}) {
+        values->reserve(static_cast<std::size_t>(scan.rows()));
+    }
+    TextBlock block;
+    const std::int64_t count = table.blocks.count();
+    for (std::int64_t index = 0; index < count; ++index) {
+        if (job.cancelled()) {
+            return table.blocks.file().error(ErrorCode::interrupted);
+        }
+        if (const Status status = table.blocks.read(index, block); !status) {
+            return status.error();
+        }
+        TextRows rows(table.format, table.columns, block, SampleUse::read);
+        while (rows.next() && static_cast<std::int64_t>(samples.c.size()) < scan.rows()) {
+            samples.time_s.push_back(rows.time() * table.format.time_unit_s);
+            samples.c.push_back(rows.c());
+            samples.d.push_back(rows.d());
+        }
+        job.report(static_cast<double>(index) / static_cast<double>(count));
+    }
+    if (static_cast<std::int64_t>(samples.c.size()) != scan.rows()) {
+        return changed(table);
+    }
+    return samples;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,36 @@
+#include "core/recording/text/text_table.h"
+
+#include "core/recording/samples/text_fields.h"
+#include "core/recording/text/text_lines.h"
+
+#include <array>
+#include <string_view>
+
+namespace vybeg {
+
+Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFormat& format,
+                             const TextColumns& columns) {
+    std::array<char, 4> bytes{};
+    const auto got = file->read(0, bytes);
+    if (!got) {
+        return got.error();
+    }
+    const std::string_view head(bytes.data(), static_cast<std::size_t>(*got));
+    auto begin = static_cast<std::int64_t>(mark_length(head));
+    std::int64_t header_lines = 0;
+    TextLines lines(file);
+    while (lines.number() < format.lines_to_skip) {
+        const auto line = lines.next();
+        if (!line) {
+            return line.error();
+        }
+        if (!*line) {
+            break;
+        }
+        header_lines += trimmed(**line).empty() ? 0 : 1;
+        begin = lines.position();
+    }
+    return TextTable{TextBlocks(file, encoding_of(head), begin), format, columns, header_lines};
+}
+
+}  // namespace vybeg

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/recording/text/text_blocks.h"
+#include "core/recording/text/text_layout.h"
+#include "core/recording/text/text_rows.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace vybeg {
+
+// A table of numbers in a text file: where its lines stand, and what is read of them.
+struct TextTable {
+    TextBlocks blocks;
+    TextFormat format;
+    TextColumns columns;
+    std::int64_t header_lines = 0;  // of those above the table, the ones that are not blank
+};
+
+// Finds the first line below those that `format` skips. Errors: file_read_failed, format_damaged.
+Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFormat& format,
+                             const TextColumns& columns);
+
+}  // namespace vybeg

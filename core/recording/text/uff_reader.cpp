@@ -1,0 +1,324 @@
+#include "core/recording/text/uff_reader.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/samples/column_source.h"
+#include "core/recording/samples/reader_rules.h"
+#include "core/recording/samples/text_fields.h"
+#include "core/recording/text/uff_dataset.h"
+#include "core/recording/text/uff_lines.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr std::string_view separator = "-1";  // before and behind each dataset
+constexpr std::string_view time_history = "58";
+constexpr std::int64_t lines_per_report = 1 << 14;
+constexpr std::size_t most_channels = 4096;
+
+bool is_dataset_number(std::string_view text) {
+    return !text.empty() && text.size() <= 6 &&
+           text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// "58b" and the numbers behind it.
+bool is_binary_dataset(std::string_view line) {
+    const std::size_t end = std::min(line.find_first_of("bB"), line.size());
+    return end < line.size() && is_dataset_number(line.substr(0, end));
+}
+
+// Numbers that were text, as the bytes of a column.
+class HeldNumbers final : public ByteSource {
+public:
+    explicit HeldNumbers(std::vector<double> values) : values_(std::move(values)) {}
+
+    std::int64_t size() const override {
+        return static_cast<std::int64_t>(values_.size() * sizeof(double));
+    }
+
+    Status read(std::int64_t offset, std::span<char> out) const override {
+        std::memcpy(out.data(), reinterpret_cast<const char*>(values_.data()) + offset, out.size());
+        return {};
+    }
+
+private:
+    std::vector<double> values_;
+};
+
+// The samples of a channel that is read: values of text so far, or a place in the file.
+struct UffSamples {
+    std::vector<double> values;
+    std::optional<SampleColumn> binary;
+
+    SampleColumn take() {
+        if (binary) {
+            return std::move(*binary);
+        }
+        const auto count = static_cast<std::int64_t>(values.size());
+        constexpr bool big_endian = std::endian::native == std::endian::big;
+        return {std::make_shared<HeldNumbers>(std::move(values)),
+                NumberType::f64,
+                {even_run(count, 0, sizeof(double), big_endian)}};
+    }
+};
+
+// Takes a file's lines one after the other and keeps the samples of the two channels that are asked
+// for.
+class UffFile {
+public:
+    UffFile(std::shared_ptr<const FileBytes> file, const OpenOptions& options)
+        : shared_(std::move(file)), file_(*shared_), options_(options) {}
+
+    // Bytes that follow the line last taken and are no lines.
+    std::int64_t bytes_to_skip() { return std::exchange(to_skip_, 0); }
+
+    // `ended`: the line has a line end; without one its last number may be cut off.
+    // `behind`: where in the file the next line begins.
+    Status take(std::string_view line, std::int64_t number, bool ended, std::int64_t behind) {
+        if (trimmed(line) == separator) {
+            return take_separator();
+        }
+        switch (place_) {
+            case Place::outside: return {};
+            case Place::number: return take_number(trimmed(line));
+            case Place::header: return take_header(line, behind);
+            case Place::data: return ended ? take_data(line, number) : Status{};
+        }
+        return {};
+    }
+
+    Result<Recording> finish() {
+        if (channels_.empty()) {
+            return unsupported("no time response (dataset 58)");
+        }
+        const UffFunction& first = channels_.front();
+        FoundSamples found;
+        found.format = "UFF, dataset " + std::string(any_binary_ ? "58b" : "58") + ", " +
+                       std::to_string(channels_.size()) + " channels";
+        if (std::isfinite(1 / first.step_s) && first.step_s > 0) {
+            found.own_rate = SampleRate{1 / first.step_s, RateOrigin::file, first.step_relative_sd};
+        }
+        found.channels = numbered_channels(static_cast<int>(channels_.size()));
+        for (std::size_t i = 0; i < channels_.size(); ++i) {
+            found.channels[i].unit = channels_[i].unit;
+            if (!channels_[i].name.empty()) {
+                found.channels[i].name = channels_[i].name;
+            }
+        }
+        found.start = first.start;
+        found.promised_frames = first.count;
+        found.source = column_source(c_.take(), d_.take());
+        found.frames = found.source->frames();
+        return complete_recording(file_, std::move(found), options_);
+    }
+
+private:
+    enum class Place { outside, number, header, data };
+
+    Error damaged(const std::string& reason) const {
+        return file_.error(ErrorCode::format_damaged, {"UFF", reason});
+    }
+
+    Error unsupported(const std::string& what) const {
+        return file_.error(ErrorCode::format_unsupported, {"UFF", what});
+    }
+
+    Status take_separator() {
+        if (place_ == Place::header) {
+            return damaged("a dataset 58 ends within its header");
+        }
+        if (place_ == Place::data && is_channel_ && taken_ < channels_.back().count) {
+            return damaged("a dataset 58 has " + integer_text(taken_) +
+                           " values, and its header says " + integer_text(channels_.back().count));
+        }
+        // Datasets of other kinds, too, end with a separator.
+        const bool begins = place_ == Place::number || (place_ == Place::outside && !skipping_);
+        place_ = begins ? Place::number : Place::outside;
+        skipping_ = false;
+        return {};
+    }
+
+    Status take_number(std::string_view line) {
+        binary_.reset();
+        if (is_binary_dataset(line)) {
+            if (line.substr(0, line.find_first_of("bB")) != time_history) {
+                return unsupported("binary data of another dataset than 58 (" +
+                                   std::string(line.substr(0, 6)) + ")");
+            }
+            binary_ = parse_uff_binary(line);
+            if (!binary_ || binary_->header_lines != uff_header_lines) {
+                return damaged("the first line of a dataset 58b cannot be understood");
+            }
+        }
+        place_ = line == time_history || binary_ ? Place::header : Place::outside;
+        skipping_ = place_ == Place::outside;
+        header_.clear();
+        return {};
+    }
+
+    Status take_header(std::string_view line, std::int64_t behind) {
+        header_.emplace_back(line);
+        if (header_.size() < uff_header_lines) {
+            return {};
+        }
+        auto function = parse_uff_header(header_);
+        if (!function) {
+            return damaged("the header of a dataset 58 cannot be understood");
+        }
+        place_ = Place::data;
+        taken_ = 0;
+        is_channel_ = function->is_time_response();
+        to_skip_ = binary_ ? binary_->bytes : 0;
+        if (!is_channel_) {
+            return {};
+        }
+        if (function->is_complex) {
+            return unsupported("complex values");
+        }
+        if (!function->is_even) {
+            return unsupported("unevenly spaced values");
+        }
+        if (channels_.size() == most_channels) {
+            return unsupported("more than " + std::to_string(most_channels) + " channels");
+        }
+        is_channel_ = channels_.empty() || (channels_.front().count == function->count &&
+                                            channels_.front().step_s == function->step_s);
+        if (is_channel_) {
+            channels_.push_back(std::move(*function));
+            return binary_ ? take_binary(behind) : Status{};
+        }
+        return {};
+    }
+
+    // The numbers of the last channel, which begin at `at`.
+    Status take_binary(std::int64_t at) {
+        const UffFunction& function = channels_.back();
+        constexpr int ieee = 2, single_precision = 2, double_precision = 4;
+        constexpr int little_endian = 1, of_big_endian = 2;
+        if (binary_->float_format != ieee) {
+            return unsupported(binary_->float_format == 1 ? "floats of DEC VMS"
+                               : binary_->float_format == 3
+                                   ? "floats of IBM 5/370"
+                                   : "binary numbers of an unknown format");
+        }
+        if (function.data_type != single_precision && function.data_type != double_precision) {
+            return unsupported("binary values of the type " + std::to_string(function.data_type));
+        }
+        if (binary_->byte_order != little_endian && binary_->byte_order != of_big_endian) {
+            return damaged("the byte order of a dataset 58b is neither 1 nor 2");
+        }
+        const NumberType type =
+            function.data_type == single_precision ? NumberType::f32 : NumberType::f64;
+        const std::int64_t width = bytes_of(type);
+        if (function.count > binary_->bytes / width || function.count * width != binary_->bytes) {
+            return damaged("a dataset 58b has " + integer_text(binary_->bytes) +
+                           " bytes, and its header says " + integer_text(function.count) +
+                           " values of " + std::to_string(width));
+        }
+        any_binary_ = true;
+        taken_ = function.count;
+        const std::int64_t present =
+            std::min(function.count, std::max<std::int64_t>(file_.size() - at, 0) / width);
+        const auto channel = static_cast<int>(channels_.size());
+        for (auto& [wanted, samples] :
+             {std::pair(options_.channel_c, &c_), std::pair(options_.channel_d, &d_)}) {
+            if (channel == wanted) {
+                samples->binary = SampleColumn{
+                    bytes_,
+                    type,
+                    {even_run(present, at, width, binary_->byte_order == of_big_endian)}};
+            }
+        }
+        return {};
+    }
+
+    Status take_data(std::string_view line, std::int64_t number) {
+        if (!is_channel_ || (binary_ && trimmed(line).empty())) {
+            return {};
+        }
+        const auto channel = static_cast<int>(channels_.size());
+        values_.clear();
+        if (!parse_uff_values(line, values_)) {
+            return damaged("line " + integer_text(number) + " is not a row of numbers");
+        }
+        taken_ += static_cast<std::int64_t>(values_.size());
+        if (taken_ > channels_.back().count) {
+            return damaged("line " + integer_text(number) +
+                           " has more values than the header says");
+        }
+        if (channel == options_.channel_c) {
+            c_.values.insert(c_.values.end(), values_.begin(), values_.end());
+        }
+        if (channel == options_.channel_d) {
+            d_.values.insert(d_.values.end(), values_.begin(), values_.end());
+        }
+        return {};
+    }
+
+    std::shared_ptr<const FileBytes> shared_;
+    const FileBytes& file_;
+    const OpenOptions& options_;
+    std::shared_ptr<const ByteSource> bytes_ = file_part(shared_, 0, file_.size());
+    std::optional<UffBinary> binary_;  // of this dataset, where its values are no text
+    bool any_binary_ = false;
+    std::int64_t to_skip_ = 0;
+    Place place_ = Place::outside;
+    bool skipping_ = false;    // inside of a dataset of another kind
+    bool is_channel_ = false;  // the values of this dataset are the last channel's
+    std::int64_t taken_ = 0;   // of them
+    std::vector<std::string> header_;
+    std::vector<double> values_;
+    std::vector<UffFunction> channels_;
+    UffSamples c_;
+    UffSamples d_;
+};
+
+}  // namespace
+
+bool is_uff(std::string_view head) {
+    const std::size_t end = head.find_first_of("\r\n");
+    if (end == head.npos || trimmed(head.substr(0, end)) != separator) {
+        return false;
+    }
+    head.remove_prefix(std::min(head.find_first_not_of("\r\n", end), head.size()));
+    const std::string_view second = trimmed(head.substr(0, head.find_first_of("\r\n")));
+    return is_dataset_number(second) || is_binary_dataset(second);
+}
+
+Result<Recording> open_uff(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                           const JobControl& job) {
+    UffLines lines(file);
+    UffFile content(file, options);
+    for (;;) {
+        const auto line = lines.next();
+        if (!line) {
+            return line.error();
+        }
+        if (!*line) {
+            return content.finish();
+        }
+        if (const Status status =
+                content.take(**line, lines.number(), lines.ended(), lines.position());
+            !status) {
+            return status.error();
+        }
+        lines.skip(content.bytes_to_skip());
+        if (lines.number() % lines_per_report == 0) {
+            if (job.cancelled()) {
+                return file->error(ErrorCode::interrupted);
+            }
+            job.report(std::min(
+                1.0, static_cast<double>(lines.position()) / static_cast<double>(file->size())));
+        }
+    }
+}
+
+}  // namespace vybeg

@@ -1,0 +1,258 @@
+#include "core/recording/variables/variable_choice.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/samples/column_words.h"
+#include "core/recording/samples/rate_name.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::int64_t most_channels = 4096;
+constexpr std::size_t most_names_listed = 20;
+
+class Choosing {
+public:
+    Choosing(const FileBytes& file, const Catalogue& catalogue, const OpenOptions& options)
+        : file_(file), catalogue_(catalogue), options_(options) {}
+
+    Status choose() {
+        const Status status = name(0).empty() ? choose_longest() : choose_named(name(0), name(1));
+        if (!status) {
+            return status;
+        }
+        const FileVariable& first = variable(choice_.channels[0].variable);
+        choice_.frames = first.frames;
+        for (const ChannelPlace& place : choice_.channels) {
+            const FileVariable& of = variable(place.variable);
+            choice_.names.push_back(
+                {of.channels == 1 ? of.name : std::to_string(place.channel + 1), of.unit});
+        }
+        return choose_rate_of(first);
+    }
+
+    VariableChoice take() { return std::move(choice_); }
+
+private:
+    std::string name(std::size_t place) const {
+        return place < options_.variables.size() ? options_.variables[place] : "";
+    }
+
+    const FileVariable& variable(std::int64_t place) const {
+        return catalogue_.variables[static_cast<std::size_t>(place)];
+    }
+
+    std::int64_t count() const { return static_cast<std::int64_t>(catalogue_.variables.size()); }
+
+    Result<std::int64_t> find(const std::string& wanted) const {
+        std::string names;
+        for (std::int64_t i = 0; i < count(); ++i) {
+            const FileVariable& candidate = variable(i);
+            if (candidate.name == wanted || candidate.name == "/" + wanted) {
+                if (!candidate.unsupported.empty()) {
+                    return unsupported(candidate);
+                }
+                return i;
+            }
+            if (static_cast<std::size_t>(i) < most_names_listed) {
+                names += (i == 0 ? "" : ", ") + candidate.name;
+            } else if (static_cast<std::size_t>(i) == most_names_listed) {
+                names += ", ...";
+            }
+        }
+        return file_.error(ErrorCode::variable_missing,
+                           {wanted, names.empty() ? "no arrays of numbers" : names});
+    }
+
+    Status choose_named(const std::string& c, const std::string& d) {
+        const auto first = find(c);
+        if (!first) {
+            return first.error();
+        }
+        if (d.empty()) {
+            add_all_channels(*first);
+            return choice_.channels.empty() ? none_found(0) : Status();
+        }
+        const auto second = find(d);
+        if (!second) {
+            return second.error();
+        }
+        for (const std::int64_t place : {*first, *second}) {
+            if (variable(place).channels != 1) {
+                return wrong_names(variable(place).name + " has " +
+                                   integer_text(variable(place).channels) +
+                                   " channels and stands alone");
+            }
+        }
+        if (variable(*first).frames != variable(*second).frames) {
+            return wrong_names("they have " + integer_text(variable(*first).frames) + " and " +
+                               integer_text(variable(*second).frames) + " samples");
+        }
+        choice_.channels = {{*first, 0}, {*second, 0}};
+        return {};
+    }
+
+    Error wrong_names(const std::string& reason) const {
+        return {ErrorCode::setting_invalid,
+                file_.path().string(),
+                {"--variables", name(0) + "," + name(1), reason}};
+    }
+
+    void add_all_channels(std::int64_t place) {
+        const std::int64_t channels = variable(place).channels;
+        for (std::int64_t i = 0; i < channels && channels <= most_channels; ++i) {
+            choice_.channels.push_back({place, i});
+        }
+    }
+
+    bool is_candidate(const FileVariable& of) const {
+        return of.unsupported.empty() && of.frames > 1 && of.channels >= 1 &&
+               of.channels <= most_channels && !is_time_name(last_name(of.name)) &&
+               last_name(of.name) != "index";  // pandas numbers its rows
+    }
+
+    // Vectors of this length among the candidates.
+    std::vector<std::int64_t> vectors_of(std::int64_t frames) const {
+        std::vector<std::int64_t> found;
+        for (std::int64_t i = 0; i < count(); ++i) {
+            if (is_candidate(variable(i)) && variable(i).channels == 1 &&
+                variable(i).frames == frames) {
+                found.push_back(i);
+            }
+        }
+        return found;
+    }
+
+    Status choose_longest() {
+        std::optional<std::int64_t> array;
+        std::vector<std::int64_t> lengths;
+        for (std::int64_t i = 0; i < count(); ++i) {
+            if (!is_candidate(variable(i))) {
+                continue;
+            }
+            if (variable(i).channels == 1) {
+                lengths.push_back(variable(i).frames);
+            } else if (!array || variable(i).frames > variable(*array).frames) {
+                array = i;
+            }
+        }
+        std::sort(lengths.rbegin(), lengths.rend());
+        const auto pair = std::adjacent_find(lengths.begin(), lengths.end());
+        if (pair != lengths.end() && (!array || *pair >= variable(*array).frames)) {
+            for (const std::int64_t place : vectors_of(*pair)) {
+                choice_.channels.push_back({place, 0});
+            }
+        } else if (array) {
+            add_all_channels(*array);
+        } else {
+            return none_found(lengths.size());
+        }
+        return {};
+    }
+
+    Error none_found(std::size_t vectors) const {
+        for (const FileVariable& candidate : catalogue_.variables) {
+            if (!candidate.unsupported.empty()) {
+                return unsupported(candidate);
+            }
+        }
+        return file_.error(ErrorCode::too_few_channels,
+                           {std::to_string(std::min<std::size_t>(vectors, 1)), "2"});
+    }
+
+    Error unsupported(const FileVariable& of) const {
+        return file_.error(ErrorCode::format_unsupported,
+                           {catalogue_.format, of.unsupported + " (" + of.name + ")"});
+    }
+
+    Status choose_rate_of(const FileVariable& c) {
+        if (!name(2).empty()) {
+            return choose_named_rate();
+        }
+        if (c.rate_hz) {
+            choice_.rate = SampleRate{*c.rate_hz, RateOrigin::file};
+            return {};
+        }
+        const std::string own = c.name.substr(0, c.name.size() - last_name(c.name).size());
+        for (const bool near : {true, false}) {
+            for (std::int64_t i = 0; i < count() && !choice_.rate; ++i) {
+                const FileVariable& of = variable(i);
+                const auto rate = of.value && (!near || of.name.starts_with(own))
+                                      ? rate_by_name(last_name(of.name), *of.value)
+                                      : std::nullopt;
+                if (rate) {
+                    choice_.rate = SampleRate{*rate, RateOrigin::file};
+                }
+            }
+            for (std::int64_t i = 0; i < count() && !choice_.rate && !choice_.time; ++i) {
+                if ((!near || variable(i).name.starts_with(own)) && is_time(variable(i))) {
+                    choice_.time = i;
+                }
+            }
+        }
+        if (choice_.rate) {
+            choice_.time.reset();
+        } else if (choice_.time) {
+            choice_.time_unit_s = unit_of_times(variable(*choice_.time)).value_or(1);
+        }
+        return {};
+    }
+
+    // Seconds, unless the name or the unit tells otherwise. Whole numbers without a unit count
+    // something, and nobody knows what.
+    static std::optional<double> unit_of_times(const FileVariable& of) {
+        const std::string unit = time_unit({std::string(last_name(of.name)), of.unit});
+        if (unit.empty()) {
+            return of.type.ends_with("float") ? std::optional(1.0) : std::nullopt;
+        }
+        return seconds_per(unit);
+    }
+
+    bool is_time(const FileVariable& of) const {
+        return is_time_name(last_name(of.name)) && of.unsupported.empty() && of.channels == 1 &&
+               of.frames == choice_.frames && unit_of_times(of);
+    }
+
+    Status choose_named_rate() {
+        const auto place = find(name(2));
+        if (!place) {
+            return place.error();
+        }
+        const FileVariable& of = variable(*place);
+        if (of.value) {
+            const auto meant = rate_by_name(last_name(of.name), *of.value);
+            choice_.rate = SampleRate{meant.value_or(*of.value), RateOrigin::file};
+        } else if (of.frames == choice_.frames && of.channels == 1) {
+            choice_.time = *place;
+            choice_.time_unit_s = unit_of_times(of).value_or(1);
+        }
+        if (!choice_.time && !(choice_.rate && choice_.rate->hz > 0 &&
+                               choice_.rate->hz <= std::numeric_limits<double>::max())) {
+            return Error{ErrorCode::setting_invalid,
+                         file_.path().string(),
+                         {"--variables", name(2), "it holds no sample rate and no times"}};
+        }
+        return {};
+    }
+
+    const FileBytes& file_;
+    const Catalogue& catalogue_;
+    const OpenOptions& options_;
+    VariableChoice choice_;
+};
+
+}  // namespace
+
+Result<VariableChoice> choose_variables(const FileBytes& file, const Catalogue& catalogue,
+                                        const OpenOptions& options) {
+    Choosing choosing(file, catalogue, options);
+    if (const Status status = choosing.choose(); !status) {
+        return status.error();
+    }
+    return choosing.take();
+}
+
+}  // namespace vybeg

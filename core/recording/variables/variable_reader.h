@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/recording/variables/reader_process.h"
+#include "core/recording/variables/variable_choice.h"
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+// What vybeg-reader is to be told about a file.
+struct LibraryFormat {
+    std::string kind;  // "mat", "mat73", "hdf5"
+    std::string name;  // "MAT 5", ...
+};
+
+// Samples of the variables that a file's catalogue lists, on demand. For several threads at once.
+class VariableReader {
+public:
+    VariableReader() = default;
+    VariableReader(const VariableReader&) = delete;
+    VariableReader& operator=(const VariableReader&) = delete;
+    virtual ~VariableReader() = default;
+
+    // Fills `out` with the samples of a channel from the frame `first` on; infinite ones are NaN.
+    virtual Status read(const ChannelPlace& place, std::int64_t first,
+                        std::span<double> out) const = 0;
+};
+
+// The same through vybeg-reader. A helper that died or was given up is replaced at the next read: a
+// damaged stretch does not cost the rest of the recording. Errors: those of ReaderProcess.
+class LibraryVariables final : public VariableReader {
+public:
+    LibraryVariables(std::shared_ptr<const FileBytes> file, LibraryFormat format,
+                     std::unique_ptr<ReaderProcess> process);
+
+    Status read(const ChannelPlace& place, std::int64_t first,
+                std::span<double> out) const override;
+
+private:
+    std::shared_ptr<const FileBytes> file_;
+    LibraryFormat format_;
+    mutable std::mutex mutex_;
+    mutable std::unique_ptr<ReaderProcess> process_;
+};
+
+inline constexpr std::int64_t frames_per_request = std::int64_t{1} << 16;
+
+// Two channels of `frames` frames, read on demand.
+std::shared_ptr<const SampleSource> variable_source(std::shared_ptr<const VariableReader> reader,
+                                                    ChannelPlace c, ChannelPlace d,
+                                                    std::int64_t frames);
+
+}  // namespace vybeg

@@ -1,0 +1,121 @@
+#include "core/recording/variables/variable_recording.h"
+
+#include "core/recording/samples/memory_source.h"
+#include "core/recording/samples/reader_rules.h"
+#include "core/recording/variables/time_variable.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// A file of which only samples and rate are not found yet.
+struct Opening {
+    const VariableFile& variables;
+    VariableChoice choice;
+    ChannelPlace c;
+    ChannelPlace d;
+    std::optional<TimeVariable> time;  // where it is what gives the rate
+};
+
+// All three columns at once: only where the times are uneven, which nothing but all of them tells.
+Status take_uneven(const Opening& opening, FoundSamples& found) {
+    const VariableReader& reader = *opening.variables.reader;
+    const auto frames = static_cast<std::size_t>(opening.choice.frames);
+    TimedSamples samples{std::vector<double>(frames), std::vector<double>(frames),
+                         std::vector<double>(frames), opening.time->resolution};
+    for (std::size_t at = 0; at < frames; at += frames_per_request) {
+        const std::size_t count = std::min<std::size_t>(frames_per_request, frames - at);
+        const auto block = [&](std::vector<double>& column) {
+            return std::span(column).subspan(at, count);
+        };
+        const auto first = static_cast<std::int64_t>(at);
+        Status status = opening.time->read(reader, first, block(samples.time_s));
+        status = status ? reader.read(opening.c, first, block(samples.c)) : status;
+        status = status ? reader.read(opening.d, first, block(samples.d)) : status;
+        if (!status) {
+            return status;
+        }
+    }
+    auto grid = to_uniform_grid(samples, opening.variables.file->path().string());
+    if (!grid) {
+        return grid.error();
+    }
+    found.own_rate = SampleRate{grid->rate_hz, RateOrigin::time_column};
+    found.diagnostics = std::move(grid->diagnostics);
+    found.source = std::make_shared<MemorySource>(std::move(grid->c), std::move(grid->d));
+    return {};
+}
+
+Status take_samples(const Opening& opening, const OpenOptions& options, const JobControl& job,
+                    FoundSamples& found) {
+    found.own_rate = opening.choice.rate;
+    if (opening.time) {
+        const auto steps = scan_times(*opening.variables.file, *opening.variables.reader,
+                                      *opening.time, opening.choice.frames, job);
+        if (!steps) {
+            return steps.error();
+        }
+        if (steps->is_time && !steps->even) {
+            return take_uneven(opening, found);
+        }
+        if (steps->is_time) {
+            found.own_rate = SampleRate{1 / steps->step_s, RateOrigin::time_column};
+        }
+    }
+    // Before the work of unpacking.
+    if (const auto rate = choose_rate(*opening.variables.file, found.own_rate, options); !rate) {
+        return rate.error();
+    }
+    auto source = opening.variables.source(opening.c, opening.d, opening.choice.frames);
+    if (!source) {
+        return source.error();
+    }
+    found.source = std::move(*source);
+    return {};
+}
+
+}  // namespace
+
+Result<Recording> open_variables(const VariableFile& from, const OpenOptions& options,
+                                 const JobControl& job) {
+    const FileBytes& file = *from.file;
+    auto choice = choose_variables(file, from.catalogue, options);
+    if (!choice) {
+        return choice.error();
+    }
+    const auto channels = static_cast<int>(choice->channels.size());
+    if (const Status status = check_channels(file, channels, options); !status) {
+        return status.error();
+    }
+    if (const Status status = check_frames(file, choice->frames); !status) {
+        return status.error();
+    }
+    FoundSamples found;
+    found.channels = choice->names;
+    found.frames = choice->frames;
+    found.never_closed = from.catalogue.not_closed;
+    Opening opening{from, {}, {}, {}, {}};
+    opening.c = choice->channels[static_cast<std::size_t>(options.channel_c - 1)];
+    opening.d = choice->channels[static_cast<std::size_t>(options.channel_d - 1)];
+    const auto& variables = from.catalogue.variables;
+    found.format = from.format + ", " +
+                   variables[static_cast<std::size_t>(opening.c.variable)].type + ", " +
+                   std::to_string(channels) + " channels";
+    if (choice->time) {
+        opening.time = TimeVariable{{*choice->time, 0}, choice->time_unit_s, {}};
+        const std::string& type = variables[static_cast<std::size_t>(*choice->time)].type;
+        constexpr int digits_of_32_bits = 7;
+        if (type == "32 bit float") {
+            opening.time->resolution.significant_digits = digits_of_32_bits;
+        }
+    }
+    opening.choice = std::move(*choice);
+    if (const Status status = take_samples(opening, options, job, found); !status) {
+        return status.error();
+    }
+    return complete_recording(file, std::move(found), options);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,225 @@
+#include "core/resonator/fit/fit_start.h"
+
+#include "core/resonator/fit/pencil_start.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::size_t first_windows = 4;
+constexpr int short_steps = 12;  // of a fit to the first windows
+constexpr int all_steps = 60;
+constexpr int polish_steps = 200;  // of the best fit, where it did not converge
+constexpr double same_cost = 1e-6;
+constexpr double close_behind = 1.2;
+constexpr double hopeless = 100;  // chi^2 over the number of residuals that is not polished
+
+// 1/tau from the envelope: a straight line through log |z|, weighted with |z|.
+double envelope_decay(const ScaledRun& run) {
+    double weight = 0;
+    double mean_t = 0;
+    double mean = 0;
+    for (std::size_t k = 0; k < run.size(); ++k) {
+        const double size = run.z[k].norm();
+        weight += size;
+        mean_t += size * run.time_s[k];
+        mean += size > 0 ? size * std::log(size) : 0;
+    }
+    mean_t /= weight;
+    mean /= weight;
+    double spread = 0;
+    double moment = 0;
+    for (std::size_t k = 0; k < run.size(); ++k) {
+        const double size = run.z[k].norm();
+        const double t = run.time_s[k] - mean_t;
+        spread += size * t * t;
+        moment += size > 0 ? size * t * (std::log(size) - mean) : 0;
+    }
+    return -moment / spread;
+}
+
+// A still wave: frequency and start from the first windows.
+void set_still_wave(const FitProblem& problem, std::size_t index, Eigen::VectorXd& p) {
+    const ScaledRun& run = problem.runs[index];
+    const std::size_t count = std::min(first_windows, run.size());
+    std::complex<double> step = 0;
+    for (std::size_t k = 1; k < count; ++k) {
+        step += run.z[k - 1].dot(run.z[k]);
+    }
+    const double f = std::arg(step) / (2 * pi * (run.time_s[1] - run.time_s[0]));
+    Eigen::Vector2cd start = Eigen::Vector2cd::Zero();
+    for (std::size_t k = 0; k < count; ++k) {
+        start += std::polar(1.0 / static_cast<double>(count),
+                            -2 * pi * f * (run.time_s[k] - run.reference_s)) *
+                 run.z[k];
+    }
+    const Eigen::Index at = problem.layout.at(index, 0);
+    p.segment<5>(at) << start[0].real(), start[0].imag(), start[1].real(), start[1].imag(), f;
+}
+
+std::size_t longest(const FitProblem& problem) {
+    std::size_t most = 0;
+    for (const ScaledRun& run : problem.runs) {
+        most = std::max(most, run.size());
+    }
+    return most;
+}
+
+// Number of residuals of the first `windows` windows of each run.
+double residuals(const FitProblem& problem, std::size_t windows) {
+    double count = 0;
+    for (const ScaledRun& run : problem.runs) {
+        count += 4 * static_cast<double>(std::min(windows, run.size()));
+    }
+    return count;
+}
+
+bool above_noise(const FitProblem& problem, const MapFit& fit) {
+    return fit.cost > problem.noise_ratio * residuals(problem, longest(problem));
+}
+
+// The fit to the first windows, and to more and more of them.
+struct Lengthened {
+    Eigen::VectorXd p;
+    bool at_noise = true;  // the last of those fits left no more than twice the noise
+};
+
+Lengthened fit_lengthening(FitProblem problem, FirstFit kind, const JobControl& job) {
+    Lengthened out{still_waves(problem)};
+    const Priors all = problem.priors;
+    const std::size_t windows = longest(problem);
+    for (std::size_t count = first_windows; count < windows; count += count / 2 + 1) {
+        problem.priors = all;
+        set_damping(problem.priors, problem.damping_share * out.p[decay_at]);
+        problem.priors = first_priors(problem.priors, problem.layout, kind);
+        const MapFit fit = minimise(problem, out.p, short_steps, job, count);
+        out.p = fit.p;
+        if (kind == FirstFit::drifting_wave && count > 2 * first_windows &&
+            fit.cost > hopeless * residuals(problem, count)) {
+            return {out.p, false};
+        }
+        out.at_noise = fit.cost < problem.noise_ratio * residuals(problem, count);
+    }
+    return out;
+}
+
+// From the fit of each run alone: its shared parameters for all, everyone's own ones.
+void try_alone(FitProblem& problem, const JobControl& job, MapFit& best) {
+    struct Alone {
+        double residual = 0;
+        Eigen::VectorXd shared;
+    };
+    std::vector<Alone> alone;
+    Eigen::VectorXd own = best.p;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const std::array breaks{problem.runs[k].breaks_s.size()};
+        FitProblem one{problem.runs.subspan(k, 1),
+                       ParameterLayout(breaks),
+                       {},
+                       problem.noise_ratio,
+                       problem.damping_share};
+        const auto part = [&](const Eigen::VectorXd& of_all) {
+            Eigen::VectorXd of_one(one.layout.size());
+            of_one << of_all.head(shared_count), own_of(problem.layout, of_all, k);
+            return of_one;
+        };
+        one.priors = {part(problem.priors.mean), part(problem.priors.sd)};
+        const MapFit fit = fit_from_nothing(one, job);
+        own.segment(problem.layout.at(k, 0), problem.layout.own_size(k)) =
+            own_of(one.layout, fit.p, 0);
+        alone.push_back(
+            {fit.cost / static_cast<double>(problem.runs[k].size()), fit.p.head(shared_count)});
+    }
+    std::ranges::sort(alone, {}, &Alone::residual);
+    alone.resize(std::min<std::size_t>(alone.size(), 2));
+    for (const Alone& candidate : alone) {
+        own.head(shared_count) = candidate.shared;
+        MapFit fit = minimise(problem, own, all_steps, job);
+        if (fit.cost < best.cost) {
+            best = std::move(fit);
+        }
+    }
+}
+
+}  // namespace
+
+Eigen::VectorXd still_waves(const FitProblem& problem) {
+    Eigen::VectorXd p = problem.priors.mean;
+    double decay = 0;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        set_still_wave(problem, k, p);
+        decay += envelope_decay(problem.runs[k]) / static_cast<double>(problem.runs.size());
+    }
+    p[decay_at] = decay;
+    return p;
+}
+
+MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
+    const Lengthened lengthened = fit_lengthening(problem, FirstFit::moving_wave, job);
+    set_damping(problem.priors, problem.damping_share * lengthened.p[decay_at]);
+    MapFit best{lengthened.p, std::numeric_limits<double>::infinity()};
+    const auto try_start = [&](const Eigen::VectorXd& start) {
+        MapFit fit = minimise(problem, start, all_steps, job);
+        // Close behind the best, and still on its way.
+        if (!fit.converged && fit.cost > best.cost && fit.cost < close_behind * best.cost) {
+            fit = minimise(problem, fit.p, polish_steps, job);
+        }
+        const double cost = fit.cost;
+        if (cost < best.cost) {
+            best = std::move(fit);
+        }
+        return cost;
+    };
+    if (lengthened.at_noise) {
+        try_start(lengthened.p);
+    }
+    // What a drift does to a still wave, rates that it does not see can do as well: from there the
+    // fit would not come back. Where a small split as well keeps that start above the noise, it is
+    // tried if the other one has not come down to it.
+    const Lengthened drifting = fit_lengthening(problem, FirstFit::drifting_wave, job);
+    const double count = residuals(problem, longest(problem));
+    if (drifting.at_noise || best.cost > noise_bound(count) * count) {
+        try_start(drifting.p);
+    }
+    // A noise that is not white leaves the best start above the windows' noise: where two ways of
+    // their own come down to the same place, it is taken.
+    bool confirmed = false;
+    for (const Pencil kind : {Pencil::two_channels, Pencil::delayed}) {
+        if (confirmed || !above_noise(problem, best)) {
+            break;
+        }
+        if (const std::optional<Eigen::VectorXd> start = pencil_start(problem, kind)) {
+            const double before = best.cost;
+            const double found = try_start(*start);
+            confirmed = std::abs(found - before) < same_cost * before;
+        }
+    }
+    // Lengthening that never came down to the noise is the last resort: it ends far from a minimum.
+    if (!confirmed && !lengthened.at_noise && above_noise(problem, best)) {
+        try_start(lengthened.p);
+    }
+    if (!confirmed && problem.runs.size() > 1 && above_noise(problem, best)) {
+        try_alone(problem, job, best);
+    }
+    if (!best.converged && best.cost < hopeless * residuals(problem, longest(problem))) {
+        best = minimise(problem, best.p, polish_steps, job);
+    }
+    return best;
+}
+
+MapFit fit_from(FitProblem& problem, const Eigen::VectorXd& p, const JobControl& job) {
+    set_damping(problem.priors, problem.damping_share * p[decay_at]);
+    return minimise(problem, p, all_steps, job);
+}
+
+}  // namespace vybeg

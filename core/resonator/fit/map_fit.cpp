@@ -1,0 +1,183 @@
+#include "core/resonator/fit/map_fit.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr double no_cost = std::numeric_limits<double>::infinity();
+constexpr double first_damping = 1e-8;
+constexpr double least_damping = 1e-12;
+constexpr double most_damping = 1e6;
+constexpr double least_gain = 1e-5;
+
+struct Cost {
+    double data = 0;
+    double all = 0;
+};
+
+double prior_cost(const FitProblem& problem, const Eigen::VectorXd& p) {
+    double sum = 0;
+    for (Eigen::Index k = 0; k < p.size(); ++k) {
+        if (problem.priors.sd[k] > 0) {
+            const double off = (p[k] - problem.priors.mean[k]) / problem.priors.sd[k];
+            sum += off * off;
+        }
+    }
+    if (problem.held) {
+        const double off =
+            (problem.held->direction.dot(p) - problem.held->value) / problem.held->sd;
+        sum += off * off;
+    }
+    return sum;
+}
+
+Cost cost_of(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t windows) {
+    Cost cost;
+    const Eigen::VectorXd shared = p.head(shared_count);
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        cost.data +=
+            chi_square(run, shared, own_of(problem.layout, p, k), std::min(windows, run.size()));
+    }
+    cost.all = cost.data + prior_cost(problem, p);
+    // A motion that grows beyond all numbers is no candidate.
+    if (!std::isfinite(cost.all)) {
+        cost.all = no_cost;
+    }
+    return cost;
+}
+
+// Normal matrix and right-hand side of the active parameters.
+struct Normal {
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd right;
+};
+
+Normal normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& active,
+                 const Eigen::VectorXd& p, std::size_t windows) {
+    const ParameterLayout& layout = problem.layout;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(p.size(), p.size());
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(p.size());
+    const bool with_cubic = problem.priors.sd[cubic_at] > 0;
+    const Eigen::VectorXd shared = p.head(shared_count);
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        const Linearised at = linearised(run, shared, own_of(layout, p, k),
+                                         std::min(windows, run.size()), with_cubic);
+        add_symmetric(layout, k, at.by_parameter.transpose() * at.by_parameter, matrix);
+        const Eigen::VectorXd toward = at.by_parameter.transpose() * at.residual;
+        right.head(shared_count) += toward.head(shared_count);
+        right.segment(layout.at(k, 0), layout.own_size(k)) = toward.tail(layout.own_size(k));
+    }
+    for (const Eigen::Index k : active) {
+        const double weight = 1 / (problem.priors.sd[k] * problem.priors.sd[k]);
+        matrix(k, k) += weight;
+        if (weight > 0) {
+            right[k] += weight * (problem.priors.mean[k] - p[k]);
+        }
+    }
+    if (problem.held) {
+        const Eigen::VectorXd row = problem.held->direction / problem.held->sd;
+        matrix += row * row.transpose();
+        right += row * (problem.held->value / problem.held->sd - row.dot(p));
+    }
+    return {matrix(active, active), right(active)};
+}
+
+}  // namespace
+
+void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
+                   Eigen::MatrixXd& sum) {
+    const Eigen::Index own = layout.own_size(run);
+    const Eigen::Index first = layout.at(run, 0);
+    sum.topLeftCorner(shared_count, shared_count) +=
+        square.topLeftCorner(shared_count, shared_count);
+    sum.block(first, 0, own, shared_count) += square.bottomLeftCorner(own, shared_count);
+    sum.block(0, first, shared_count, own) += square.topRightCorner(shared_count, own);
+    sum.block(first, first, own, own) += square.bottomRightCorner(own, own);
+}
+
+Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, std::size_t run) {
+    return p.segment(layout.at(run, 0), layout.own_size(run));
+}
+
+std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::VectorXd& p,
+                                   bool with_cubic) {
+    std::vector<Linearised> runs;
+    const Eigen::VectorXd shared = p.head(shared_count);
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        runs.push_back(linearised(problem.runs[k], shared, own_of(problem.layout, p, k),
+                                  problem.runs[k].size(), with_cubic));
+    }
+    return runs;
+}
+
+Eigen::MatrixXd information(const FitProblem& problem, std::span<const Linearised> runs) {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.layout.size(), problem.layout.size());
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        add_symmetric(problem.layout, k, runs[k].by_parameter.transpose() * runs[k].by_parameter,
+                      sum);
+    }
+    return sum;
+}
+
+MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int steps,
+                const JobControl& job, std::size_t windows) {
+    const std::vector<Eigen::Index> active = problem.priors.active();
+    MapFit fit{start};
+    Cost now = cost_of(problem, fit.p, windows);
+    double damping = first_damping;
+    for (int step = 0; step < steps && !fit.converged && !job.cancelled(); ++step) {
+        const Normal normal = normal_of(problem, active, fit.p, windows);
+        // Unit diagonal: the parameters' units differ by many powers of ten.
+        const Eigen::VectorXd unit =
+            normal.matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
+        const Eigen::VectorXd inverse = unit.cwiseInverse();
+        const Eigen::MatrixXd scaled = inverse.asDiagonal() * normal.matrix * inverse.asDiagonal();
+        const Eigen::VectorXd right = inverse.asDiagonal() * normal.right;
+        double gain = 0;
+        while (damping <= most_damping) {
+            Eigen::MatrixXd damped = scaled;
+            damped.diagonal().array() += damping;
+            const Eigen::VectorXd move = inverse.asDiagonal() * damped.ldlt().solve(right);
+            Eigen::VectorXd moved = fit.p;
+            moved(active) += move;
+            const Cost then =
+                moved.allFinite() ? cost_of(problem, moved, windows) : Cost{no_cost, no_cost};
+            if (then.all <= now.all * (1 + 1e-9)) {
+                gain = now.all - then.all;
+                if (gain >= 0) {
+                    fit.p = moved;
+                    now = then;
+                }
+                break;
+            }
+            damping = std::max(10 * damping, 1e-7);
+        }
+        fit.last_gain = gain;
+        fit.converged = std::abs(gain) < least_gain * (1 + 1e-6 * now.all);
+        damping = std::max(damping / 30, least_damping);
+    }
+    fit.cost = now.all;
+    fit.chi2 = now.data;
+    return fit;
+}
+
+double degrees_of_freedom(const FitProblem& problem) {
+    double degrees = 0;
+    for (const ScaledRun& run : problem.runs) {
+        degrees += 4 * static_cast<double>(run.size());
+    }
+    for (const Eigen::Index k : problem.priors.active()) {
+        degrees -= prior_kind(problem.layout, k) == PriorKind::channel ? 0 : 1;
+    }
+    return degrees;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/resonator/model/phasor_model.h"
+#include "core/resonator/model/priors.h"
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// A row (direction . p - value)/sd beside the priors, which holds a direction of the parameters.
+struct HeldDirection {
+    Eigen::VectorXd direction;
+    double value = 0;
+    double sd = 1;
+};
+
+// The sum of squares whose minimum is the maximum of the posterior: weighted residuals of the
+// windows, priors, and a held direction where one is set.
+struct FitProblem {
+    std::span<const ScaledRun> runs;
+    ParameterLayout layout;
+    Priors priors;
+    double noise_ratio =
+        2;  // of chi^2 to the residuals' number, above which other starts are tried
+    double damping_share = 1;  // width of the damping anisotropy's prior, in units of 1/tau
+    std::optional<HeldDirection> held = {};
+};
+
+// A run's own parameters among all.
+Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, std::size_t run);
+
+// Adds a run's symmetric matrix, shared parameters before its own, to one of all parameters.
+void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
+                   Eigen::MatrixXd& sum);
+
+// Derivatives of every run's residuals at p (phasor_model.h).
+std::vector<Linearised> linearised(const FitProblem& problem, const Eigen::VectorXd& p,
+                                   bool with_cubic);
+
+// The information matrix J^T J of all parameters, held ones too, from those derivatives.
+Eigen::MatrixXd information(const FitProblem& problem, std::span<const Linearised> runs);
+
+struct MapFit {
+    Eigen::VectorXd p;
+    double cost = 0;       // of data, priors and held direction
+    double chi2 = 0;       // of the data
+    double last_gain = 0;  // fall of the cost in the last step
+    bool converged = false;
+};
+
+// Levenberg and Marquardt from p, the normal matrix scaled to a unit diagonal, at most `steps` of
+// them; ends where a step lowers the cost by less than 1e-5, a three-hundredth of a standard
+// deviation. With `windows`, only so many of the first windows of each run count. One thread, the
+// same bits every time. A cancelled job ends it early. Precondition: the cost at p is finite.
+MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& p, int steps,
+                const JobControl& job,
+                std::size_t windows = std::numeric_limits<std::size_t>::max());
+
+// Number of residuals less that of the parameters that no prior describes.
+double degrees_of_freedom(const FitProblem& problem);
+
+// The largest chi^2 per degree of freedom that white noise leaves: six deviations above one.
+inline double noise_bound(double dof) {
+    return 1 + 6 * std::sqrt(2 / dof);
+}
+
+}  // namespace vybeg

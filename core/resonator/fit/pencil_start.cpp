@@ -1,0 +1,191 @@
+#include "core/resonator/fit/pencil_start.h"
+
+#include "core/numerics/phase.h"
+#include "core/resonator/fit/delayed_pencil.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace vybeg {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Vector2cd;
+using Matrix = Eigen::Matrix2cd;
+using std::numbers::pi;
+
+// Calls use(k, l) for windows whose distance in time is `lag` steps, gaps or not.
+template <class Use>
+void for_pairs(const ScaledRun& run, std::size_t lag, const Use& use) {
+    const double wanted = static_cast<double>(lag) * run.step_s;
+    for (std::size_t k = 0, l = 0; k < run.size(); ++k) {
+        while (l < run.size() && run.time_s[l] - run.time_s[k] < wanted - run.step_s / 4) {
+            ++l;
+        }
+        if (l < run.size() && run.time_s[l] - run.time_s[k] < wanted + run.step_s / 4) {
+            use(k, l);
+        }
+    }
+}
+
+// Steps between the ends of a run.
+std::size_t steps(const ScaledRun& run) {
+    return static_cast<std::size_t>(
+        std::lround((run.time_s.back() - run.time_s.front()) / run.step_s));
+}
+
+// Mean frequency of vectors w_k, Hz: from the turn over one step, then over longer and longer lags,
+// each resolving the whole turns of the next.
+double mean_frequency(const ScaledRun& run, const std::vector<Vector2cd>& w) {
+    double f = 0;
+    for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, steps(run) / 2); lag *= 2) {
+        Complex sum = 0;
+        for_pairs(run, lag, [&](std::size_t k, std::size_t l) { sum += w[k].dot(w[l]); });
+        if (sum != Complex{}) {
+            const double seconds = static_cast<double>(lag) * run.step_s;
+            f += wrap(std::arg(sum) - 2 * pi * f * seconds) / (2 * pi * seconds);
+        }
+    }
+    return f;
+}
+
+// z without the run's own frequency.
+std::vector<Vector2cd> aligned(const ScaledRun& run, double f) {
+    std::vector<Vector2cd> z(run.size());
+    for (std::size_t k = 0; k < run.size(); ++k) {
+        z[k] = std::polar(1.0, -2 * pi * f * run.time_s[k]) * run.z[k];
+    }
+    return z;
+}
+
+// Sums of z(t + lag) z(t)^H and z(t) z(t)^H.
+struct PencilSums {
+    Matrix late = Matrix::Zero();
+    Matrix early = Matrix::Zero();
+    double noise = 0;  // what noise alone adds to each diagonal entry of `early`
+};
+
+void add(PencilSums& pencil, const ScaledRun& run, const std::vector<Vector2cd>& z,
+         std::size_t lag) {
+    for_pairs(run, lag, [&](std::size_t k, std::size_t l) {
+        pencil.late += z[l] * z[k].adjoint();
+        pencil.early += z[k] * z[k].adjoint();
+        pencil.noise += 2 / (run.weight[k] * run.weight[k]);
+    });
+}
+
+// log(E)/lag; nothing where the phasors show one direction only, or a mode grows or turns too far.
+std::optional<SlowRates> rates_of(const PencilSums& pencil, double seconds) {
+    const Eigen::SelfAdjointEigenSolver<Matrix> seen(pencil.early, Eigen::EigenvaluesOnly);
+    if (!(seen.eigenvalues()[0] > 4 * pencil.noise)) {
+        return std::nullopt;
+    }
+    const Eigen::ComplexEigenSolver<Matrix> modes(pencil.late * pencil.early.inverse());
+    const Matrix v = modes.eigenvectors();
+    const Complex determinant = v.determinant();
+    if (modes.eigenvalues().cwiseAbs().minCoeff() < 1e-6 || std::abs(determinant) < 1e-6) {
+        return std::nullopt;
+    }
+    Vector2cd logs = modes.eigenvalues().array().log() / seconds;
+    return vybeg::rates_of(Matrix(v * logs.asDiagonal() * v.inverse()));
+}
+
+// Every run's frequency and start under given rates: the phasors are carried back by exp(-N t), the
+// frequency is the mean turn of what remains over lags that grow, the start is linear.
+Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rates) {
+    Eigen::VectorXd p = problem.priors.mean;
+    for (int k = 0; k < rate_count; ++k) {
+        if (problem.priors.sd[k] > 0) {
+            p[k] = rates.*all_rates[static_cast<std::size_t>(k)];
+        }
+    }
+    SlowRates no_decay = rates;
+    no_decay.decay_per_s = 0;
+    const SlowDynamics turning(no_decay);
+    const SlowDynamics motion(rates);
+    for (std::size_t index = 0; index < problem.runs.size(); ++index) {
+        const ScaledRun& run = problem.runs[index];
+        std::vector<Vector2cd> back(run.size());
+        for (std::size_t k = 0; k < run.size(); ++k) {
+            back[k] = turning.propagator(-run.time_s[k]) * run.z[k];
+        }
+        const double f = mean_frequency(run, back);
+        Matrix normal = Matrix::Zero();
+        Vector2cd right = Vector2cd::Zero();
+        for (std::size_t k = 0; k < run.size(); ++k) {
+            const double t = run.time_s[k];
+            const Matrix basis = run.weight[k] *
+                                 std::polar(1.0, 2 * pi * f * (t - run.reference_s)) *
+                                 motion.propagator(t);
+            normal += basis.adjoint() * basis;
+            right += basis.adjoint() * (run.weight[k] * run.z[k]);
+        }
+        const Vector2cd start = normal.inverse() * right;
+        p.segment<5>(problem.layout.at(index, 0)) << start[0].real(), start[0].imag(),
+            start[1].real(), start[1].imag(), f;
+    }
+    return p;
+}
+
+double chi_square_at(const FitProblem& problem, const Eigen::VectorXd& p) {
+    double sum = 0;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        sum += chi_square(problem.runs[k], p.head(shared_count), own_of(problem.layout, p, k),
+                          problem.runs[k].size());
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind) {
+    const std::span<const ScaledRun> runs = problem.runs;
+    std::optional<Eigen::VectorXd> best;
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const std::optional<SlowRates>& rates) {
+        if (!rates) {
+            return;
+        }
+        Eigen::VectorXd p = parameters_under(problem, *rates);
+        const double chi2 = chi_square_at(problem, p);
+        if (chi2 < least) {
+            least = chi2;
+            best = std::move(p);
+        }
+    };
+    std::vector<std::vector<Vector2cd>> z;
+    std::size_t longest = 0;
+    for (const ScaledRun& run : runs) {
+        z.push_back(aligned(run, mean_frequency(run, run.z)));
+        longest = std::max(longest, steps(run));
+    }
+    for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, longest / 3); lag *= 4) {
+        PencilSums all;
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            if (kind == Pencil::delayed) {
+                consider(delayed_pencil(runs[k], z[k], lag));
+                continue;
+            }
+            PencilSums one;
+            add(one, runs[k], z[k], lag);
+            consider(rates_of(one, static_cast<double>(lag) * runs[k].step_s));
+            if (std::abs(runs[k].step_s / runs[0].step_s - 1) < 1e-3) {
+                all.late += one.late;
+                all.early += one.early;
+                all.noise += one.noise;
+            }
+        }
+        if (runs.size() > 1 && kind == Pencil::two_channels) {
+            consider(rates_of(all, static_cast<double>(lag) * runs[0].step_s));
+        }
+    }
+    return best;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/resonator/fit/map_fit.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace vybeg {
+
+// The Gaussian about the maximum of the posterior, in the parameters that are not held. With F the
+// data's information, L the priors' precision and S = (F + L)^-1, the covariance S has three parts:
+// what the data leave, what is known of the channels, and what rests on priors that state nothing.
+struct Posterior {
+    Eigen::VectorXd p;                 // all parameters, at the maximum
+    std::vector<Eigen::Index> active;  // rows and columns of the matrices below
+    std::vector<Linearised> runs;      // residuals and derivatives at p
+    Eigen::MatrixXd information;       // F of all parameters, held ones too
+    Eigen::MatrixXd covariance;        // S
+    Eigen::MatrixXd root;              // R, S = R R^T
+    Eigen::VectorXd alone_sd;          // of each parameter with all others known
+    // The parts in the basis of R, a part P standing for R P R^T: parameters that are hardly told
+    // apart leave no digit of P R^T.
+    Eigen::MatrixXd data;     // S F S, or S (sum X' V X) S where the residual is coloured
+    Eigen::MatrixXd known;    // S L S of the channels
+    Eigen::MatrixXd nothing;  // S L S of the physical priors
+
+    // The covariance of quantities by their gradients (a row each) in the active parameters.
+    Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& gradient) const {
+        const Eigen::MatrixXd in_root = gradient * root;
+        return in_root * (data + known + nothing) * in_root.transpose();
+    }
+    // That of the active parameters from `first` on.
+    Eigen::MatrixXd covariance_of(Eigen::Index first, Eigen::Index count) const {
+        const auto rows = root.middleRows(first, count);
+        return rows * (data + known + nothing) * rows.transpose();
+    }
+};
+
+// With white noise.
+Posterior posterior(const FitProblem& problem, const MapFit& fit);
+
+}  // namespace vybeg

@@ -1,0 +1,183 @@
+#include "core/resonator/fit/score_test.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector2cd;
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+constexpr Complex i{0, 1};
+
+// Columns of which the parameters leave less than this share show nothing of their own.
+constexpr double own_share = 1e-6;
+constexpr std::array settling_shares{0.03, 0.05, 0.07, 0.1,
+                                     0.14, 0.2,  0.28, 0.4};  // of the longest run
+
+// A frequency that begins a Hz off in each run and settles with a time constant common to all.
+Effect settling_effect(const FitProblem& problem, const Posterior& at, double settling_s) {
+    Effect effect;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()),
+                                     static_cast<Index>(problem.runs.size()));
+        for (std::size_t window = 0; window < run.size(); ++window) {
+            const double phase =
+                -2 * pi * settling_s * std::expm1(-run.time_s[window] / settling_s);
+            put_effect(by, window, static_cast<Index>(k),
+                       run.weight[window] * phase * i * expected_phasor(run, at.runs[k], window));
+        }
+        effect.push_back(std::move(by));
+    }
+    return effect;
+}
+
+// Derivatives of the phasors, weighted, by the parameters along an effect's columns.
+MatrixXd along_parameters(const FitProblem& problem, const Posterior& at, const Effect& effect) {
+    MatrixXd along = MatrixXd::Zero(at.information.rows(), effect.front().cols());
+    for (std::size_t k = 0; k < effect.size(); ++k) {
+        const Index first = problem.layout.at(k, 0);
+        const Index own = problem.layout.own_size(k);
+        const MatrixXd cross = at.runs[k].by_parameter.transpose() * effect[k];
+        along.topRows(shared_count) += cross.topRows(shared_count);
+        along.middleRows(first, own) += cross.bottomRows(own);
+    }
+    return along;
+}
+
+}  // namespace
+
+VectorXd gradient_in_root(const FitProblem& problem, const Posterior& at) {
+    Effect residual;
+    for (const Linearised& run : at.runs) {
+        residual.emplace_back(run.residual);
+    }
+    const VectorXd along = along_parameters(problem, at, residual);
+    return at.root.transpose() * along(at.active);
+}
+
+VectorXd followed(const FitProblem& problem, const Posterior& at, const Effect& effect) {
+    const VectorXd along = along_parameters(problem, at, effect);
+    return -at.root * (at.root.transpose() * along(at.active));
+}
+
+Effect damping_effect(const FitProblem& problem, const Posterior& at) {
+    Effect effect;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 1);
+        double integral = 0;
+        double last_s = 0;
+        for (std::size_t window = 0; window < run.size(); ++window) {
+            const Vector2cd z = expected_phasor(run, at.runs[k], window);
+            const double before = window > 0 ? (run.z[window - 1]).squaredNorm() : z.squaredNorm();
+            integral +=
+                (run.time_s[window] - last_s) * (before + z.squaredNorm()) / 2 / run.power_kept;
+            last_s = run.time_s[window];
+            put_effect(by, window, 0, -integral * run.weight[window] * z);
+        }
+        effect.push_back(std::move(by));
+    }
+    return effect;
+}
+
+Effect pickoff_effect(const FitProblem& problem, const Posterior& at) {
+    Effect effect;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 2);
+        for (std::size_t window = 0; window < run.size(); ++window) {
+            const Vector2cd z = expected_phasor(run, at.runs[k], window);
+            const double weight = run.weight[window] / run.power_kept;
+            put_effect(by, window, 0, {weight * std::norm(z[0]) * z[0], 0});
+            put_effect(by, window, 1, {0, weight * std::norm(z[1]) * z[1]});
+        }
+        effect.push_back(std::move(by));
+    }
+    return effect;
+}
+
+Score score(const FitProblem& problem, const Posterior& at, const Effect& effect) {
+    const Index count = effect.front().cols();
+    MatrixXd square = MatrixXd::Zero(count, count);
+    VectorXd with_residual = VectorXd::Zero(count);
+    for (std::size_t k = 0; k < effect.size(); ++k) {
+        square += effect[k].transpose() * effect[k];
+        with_residual += effect[k].transpose() * at.runs[k].residual;
+    }
+    const MatrixXd along = along_parameters(problem, at, effect);
+    const MatrixXd seen = at.root.transpose() * along(at.active, Eigen::all);
+    const VectorXd whole = square.diagonal();
+    square -= seen.transpose() * seen;
+    with_residual -= seen.transpose() * gradient_in_root(problem, at);
+    for (Index k = 0; k < count; ++k) {
+        if (square(k, k) <= own_share * whole[k]) {
+            square.row(k).setZero();
+            square.col(k).setZero();
+            square(k, k) = 1;
+            with_residual[k] = 0;
+        }
+    }
+    Score out;
+    out.inverse = square.ldlt().solve(MatrixXd::Identity(count, count));
+    out.size = out.inverse * with_residual;
+    out.fall = with_residual.dot(out.size);
+    return out;
+}
+
+Vector2cd expected_phasor(const ScaledRun& run, const Linearised& at, std::size_t window) {
+    const auto left = at.residual.segment<4>(4 * static_cast<Index>(window));
+    return run.z[window] -
+           Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3])) / run.weight[window];
+}
+
+void put_effect(MatrixXd& effect, std::size_t window, Index column, const Vector2cd& weighted) {
+    effect.block<4, 1>(4 * static_cast<Index>(window), column) << weighted[0].real(),
+        weighted[0].imag(), weighted[1].real(), weighted[1].imag();
+}
+
+Score cubic_score(const FitProblem& problem, const Posterior& posterior) {
+    Effect effect;
+    for (const Linearised& run : posterior.runs) {
+        effect.emplace_back(run.by_parameter.col(cubic_at));
+    }
+    return score(problem, posterior, effect);
+}
+
+SettlingScore settling_score(const FitProblem& problem, const Posterior& posterior) {
+    double longest_s = 0;
+    for (const ScaledRun& run : problem.runs) {
+        longest_s = std::max(longest_s, run.duration_s);
+    }
+    SettlingScore best;
+    const auto consider = [&](double settling_s) {
+        const Score found =
+            score(problem, posterior, settling_effect(problem, posterior, settling_s));
+        if (found.fall > best.fall) {
+            best = {found.fall, found.size.cwiseAbs().maxCoeff(), settling_s};
+        }
+    };
+    for (const double share : settling_shares) {
+        consider(share * longest_s);
+    }
+    for (const double closer : {1.2, 1.1, 1.05, 1.025, 1.0125}) {
+        const double middle_s = best.time_s;
+        consider(middle_s * closer);
+        consider(middle_s / closer);
+    }
+    return best;
+}
+
+}  // namespace vybeg

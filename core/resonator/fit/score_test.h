@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/resonator/fit/posterior.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace vybeg {
+
+// What the residual says about effects that the model does not hold (Rao's score test): by how much
+// chi^2 would fall, and the sizes they would have, were they fitted along with the parameters.
+// Exact where they are small.
+
+// Derivatives of the weighted phasors by the sizes of an effect: a matrix for each run, rows as its
+// residuals.
+using Effect = std::vector<Eigen::MatrixXd>;
+
+struct Score {
+    double fall = 0;          // of chi^2
+    Eigen::VectorXd size;     // of each column
+    Eigen::MatrixXd inverse;  // covariance of the sizes where noise is that of the windows
+};
+Score score(const FitProblem& problem, const Posterior& posterior, const Effect& effect);
+
+// The change of the active parameters by a unit of an effect of one column.
+Eigen::VectorXd followed(const FitProblem& problem, const Posterior& posterior,
+                         const Effect& effect);
+
+// The derivative of -chi^2/2 by the active parameters, in the basis of the posterior's root.
+Eigen::VectorXd gradient_in_root(const FitProblem& problem, const Posterior& posterior);
+
+// A damping that follows the amplitude: log |z| falls by `per_power` times the integral of |z|^2.
+Effect damping_effect(const FitProblem& problem, const Posterior& posterior);
+
+// Pick-offs whose gain follows the amplitude: of C by the power of C, of D by that of D.
+Effect pickoff_effect(const FitProblem& problem, const Posterior& posterior);
+
+// What the model expects in a window of a run.
+Eigen::Vector2cd expected_phasor(const ScaledRun& run, const Linearised& at, std::size_t window);
+
+// Writes a window's weighted change into a column.
+void put_effect(Eigen::MatrixXd& effect, std::size_t window, Eigen::Index column,
+                const Eigen::Vector2cd& weighted);
+
+// The cubic spring b of the parameters.
+Score cubic_score(const FitProblem& problem, const Posterior& posterior);
+
+// Frequencies that settle: one amplitude for each run, with the best common time constant.
+struct SettlingScore {
+    double fall = 0;
+    double most_hz = 0;  // largest of the runs' amplitudes
+    double time_s = 0;
+};
+SettlingScore settling_score(const FitProblem& problem, const Posterior& posterior);
+
+}  // namespace vybeg

@@ -1,0 +1,41 @@
+#include "core/resonator/model/fitted_motion.h"
+
+#include "core/resonator/model/phasor_model.h"
+
+namespace vybeg {
+namespace {
+
+std::vector<Phasors> expected(const FittedMotion& motion, std::size_t index,
+                              const Eigen::VectorXd& shared, const std::vector<double>& time_s) {
+    const FittedMotion::Run& run = motion.runs[index];
+    ScaledRun frame = run.frame;
+    frame.time_s = time_s;
+    std::vector<Phasors> phasors;
+    for (const Eigen::Vector2cd& z : expected_phasors(frame, shared, run.own, time_s.size())) {
+        phasors.push_back({motion.scale * z[0], motion.scale * z[1]});
+    }
+    return phasors;
+}
+
+}  // namespace
+
+SlowRates FittedMotion::rates() const {
+    return rates_of(shared);
+}
+
+std::vector<Phasors> predicted_phasors(const FittedMotion& motion, std::size_t run,
+                                       const std::vector<double>& time_s) {
+    return expected(motion, run, motion.shared, time_s);
+}
+
+std::vector<Phasors> predicted_waves(const FittedMotion& motion, std::size_t run,
+                                     const std::vector<double>& time_s) {
+    Eigen::VectorXd ideal = motion.shared;
+    for (const int error : {skew_at, phase_at, crosstalk_at, phase_drift_at, gain_drift_at}) {
+        ideal[error] = 0;
+    }
+    ideal[kappa_at] = 1;
+    return expected(motion, run, ideal, time_s);
+}
+
+}  // namespace vybeg

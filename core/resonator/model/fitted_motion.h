@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/estimators/wave/wave_state.h"
+#include "core/resonator/model/scaled_run.h"
+#include "core/resonator/model/slow_dynamics.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace vybeg {
+
+// The motion that a fit found, to draw it, to compare it with the phasors, and to derive curves
+// from M.
+struct FittedMotion {
+    struct Run {
+        double f_ref_hz = 0;  // as of the run's phasors
+        ScaledRun frame;      // without windows: reference, power, duration, breaks
+        Eigen::VectorXd own;  // parameters.h
+    };
+
+    double scale = 1;        // recording units of a scaled unit
+    Eigen::VectorXd shared;  // parameters.h
+    std::vector<Run> runs;
+
+    // M without the runs' frequencies; with a skew for the free model.
+    SlowRates rates() const;
+};
+
+// What the fit expects of windows of the run at the given instants, in rising order: c and d as the
+// pick-offs give them relative to the run's f_ref_hz, recording units. Precondition: run <
+// runs.size().
+std::vector<Phasors> predicted_phasors(const FittedMotion& motion, std::size_t run,
+                                       const std::vector<double>& time_s);
+
+// The wave itself at those instants, free of the channels' errors.
+std::vector<Phasors> predicted_waves(const FittedMotion& motion, std::size_t run,
+                                     const std::vector<double>& time_s);
+
+}  // namespace vybeg

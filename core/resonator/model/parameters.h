@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/resonator/model/slow_dynamics.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// The parameters of a set of runs in one vector (FIT model): those of the resonator and of the
+// channels, which all runs share, then each run's own. All are always there; one that is held has a
+// prior of width zero.
+
+// Shared parameters. The first rate_count are the rates in M, in the order of all_rates.
+enum SharedParameter : int {
+    split_cos_at,      // split cos 4theta_w, Hz
+    split_sin_at,      // split sin 4theta_w, Hz
+    damping_cos_at,    // g cos 4theta_tau, 1/s
+    damping_sin_at,    // g sin 4theta_tau, 1/s
+    rotation_at,       // r, 1/s; d theta_A/dt = -r/2
+    free_rotation_at,  // imaginary part of r: zero but in the free model
+    decay_at,          // 1/tau, 1/s
+    kappa_at,          // gain ratio, D = kappa S_D
+    skew_at,           // non-orthogonality, rad: D's pick-off sees sin(skew) C
+    phase_at,          // of D against C, rad; a delay of D is -2 pi f delay
+    crosstalk_at,      // of C into D in quadrature
+    phase_drift_at,    // of D over the run, rad
+    gain_drift_at,     // of D over the run
+    cubic_at,          // b, Hz per scaled unit^2: isotropic cubic spring
+    shared_count
+};
+
+// A run's own parameters; after them the phase (rad) of each break of the run.
+enum OwnParameter : int {
+    start_at,          // Re c, Im c, Re d, Im d at t = 0, scaled units
+    frequency_at = 4,  // Hz from f_ref, at the run's reference instant and power
+    drift_at,          // Hz/s
+    own_count
+};
+
+// Where each run's own parameters begin, and how many there are in all.
+class ParameterLayout {
+public:
+    // `breaks[k]` phase breaks in run k.
+    explicit ParameterLayout(std::span<const std::size_t> breaks) {
+        Eigen::Index next = shared_count;
+        for (const std::size_t count : breaks) {
+            first_.push_back(next);
+            next += own_count + static_cast<Eigen::Index>(count);
+        }
+        first_.push_back(next);
+    }
+
+    std::size_t runs() const { return first_.size() - 1; }
+    Eigen::Index size() const { return first_.back(); }
+    Eigen::Index at(std::size_t run, int own) const { return first_[run] + own; }
+    Eigen::Index own_size(std::size_t run) const { return first_[run + 1] - first_[run]; }
+
+private:
+    std::vector<Eigen::Index> first_;
+};
+
+}  // namespace vybeg

@@ -1,0 +1,282 @@
+#include "core/resonator/model/phasor_model.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace vybeg {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Vector2cd;
+using std::numbers::pi;
+
+constexpr Complex i{0, 1};
+
+// Column of a run's own parameter among the derivatives.
+constexpr int own_column(int own) {
+    return int{shared_count} + own;
+}
+
+// Derivatives that the motion itself has: by the rates, by the start, by the cubic term.
+constexpr int start_column = rate_count;
+constexpr int cubic_column = rate_count + 4;
+constexpr int motion_columns = rate_count + 5;
+using MotionDerivatives = Eigen::Matrix<Complex, 2, motion_columns>;
+
+struct Motion {
+    Vector2cd z;
+    MotionDerivatives by;
+};
+
+// z and its derivatives through exp(M t).
+Motion propagated(const SlowDynamics::Propagation& step, const Motion& from) {
+    Motion to{step.value * from.z, step.value * from.by};
+    for (int rate = 0; rate < rate_count; ++rate) {
+        to.by.col(rate) += step.by_rate[static_cast<std::size_t>(rate)] * from.z;
+    }
+    return to;
+}
+
+// The phases that the cubic term gives u+ and u- in the time t.
+Motion kicked(const Motion& from, double cubic, double t, const ScaledRun& run) {
+    // The spring feels the whole amplitude, of which a window's mean has lost a part.
+    const double g = 2 * pi / 3 * t / run.power_kept;
+    const Complex plus = from.z[0] + i * from.z[1];
+    const Complex minus = from.z[0] - i * from.z[1];
+    const double p = std::norm(plus) + 2 * std::norm(minus) - 3 * run.power;
+    const double m = std::norm(minus) + 2 * std::norm(plus) - 3 * run.power;
+    const Complex turn_plus = std::polar(1.0, cubic * g * p);
+    const Complex turn_minus = std::polar(1.0, cubic * g * m);
+    const auto back = [](Complex u_plus, Complex u_minus) {
+        return Vector2cd((u_plus + u_minus) / 2.0, (u_plus - u_minus) / (2.0 * i));
+    };
+    Motion to;
+    to.z = back(turn_plus * plus, turn_minus * minus);
+    for (int k = 0; k < motion_columns; ++k) {
+        const Complex d_plus = from.by(0, k) + i * from.by(1, k);
+        const Complex d_minus = from.by(0, k) - i * from.by(1, k);
+        const double more_plus = 2 * (std::conj(plus) * d_plus).real();
+        const double more_minus = 2 * (std::conj(minus) * d_minus).real();
+        double by_p = cubic * g * (more_plus + 2 * more_minus);
+        double by_m = cubic * g * (more_minus + 2 * more_plus);
+        if (k == cubic_column) {
+            by_p += g * p;
+            by_m += g * m;
+        }
+        to.by.col(k) =
+            back(turn_plus * (d_plus + i * by_p * plus), turn_minus * (d_minus + i * by_m * minus));
+    }
+    return to;
+}
+
+// Where a product with exp(M h) leads from one window to the next: not over gaps, nor so often that
+// rounding adds up.
+class Walk {
+public:
+    bool step_to(double time_s, double step_s) {
+        constexpr int most_steps = 64;
+        const bool whole = std::abs(time_s - time_s_ - step_s) < 1e-10 * step_s;
+        steps_ = whole && steps_ < most_steps ? steps_ + 1 : 0;
+        time_s_ = time_s;
+        return steps_ > 0;
+    }
+
+private:
+    double time_s_ = -std::numeric_limits<double>::infinity();
+    int steps_ = 0;
+};
+
+// The motion z at the windows, without the run's own phase.
+class MotionSteps {
+public:
+    MotionSteps(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
+                bool with_cubic)
+        : run_(run), dynamics_(rates_of(shared)), cubic_(shared[cubic_at]), steps_(with_cubic) {
+        now_.z = start_of(own);
+        now_.by.setZero();
+        for (int k = 0; k < 2; ++k) {
+            now_.by(k, start_column + 2 * k) = 1;
+            now_.by(k, start_column + 2 * k + 1) = i;
+        }
+        begin_ = now_;
+    }
+
+    // For windows in their order.
+    Motion at(std::size_t window) {
+        const double t = run_.time_s[window];
+        if (!steps_) {
+            // Whole steps from the window before, exactly from the start now and then.
+            if (walk_.step_to(t, run_.step_s)) {
+                if (!step_) {
+                    step_ = dynamics_.propagation(run_.step_s);
+                }
+                now_ = propagated(*step_, now_);
+            } else {
+                now_ = propagated(dynamics_.propagation(t), begin_);
+            }
+            return now_;
+        }
+        // A gap is crossed in steps of a window.
+        const double length = t - time_s_;
+        const auto count = std::max(1.0, std::round(length / run_.step_s));
+        const double h = length / count;
+        if (!step_ || std::abs(h - h_) > 1e-9 * h_) {
+            step_ = dynamics_.propagation(h);
+            h_ = h;
+        }
+        for (double k = 0; k < count; ++k) {
+            now_ = kicked(now_, cubic_, h / 2, run_);
+            now_ = kicked(propagated(*step_, now_), cubic_, h / 2, run_);
+        }
+        time_s_ = t;
+        return now_;
+    }
+
+private:
+    const ScaledRun& run_;
+    SlowDynamics dynamics_;
+    double cubic_;
+    bool steps_;
+    Motion begin_;
+    Motion now_;
+    Walk walk_;
+    double time_s_ = 0;
+    double h_ = 0;
+    std::optional<SlowDynamics::Propagation> step_;
+};
+
+// What a window's time, the channels and the run's frequency make of the motion.
+struct Channels {
+    Complex phase;  // e^{i phi}
+    Complex gain;   // e^{i phi} g/kappa of D
+    Complex cross;  // e^{i phi} (sin skew + i crosstalk)/kappa
+    double u = 0;
+    double x = 0;
+};
+
+Channels channels_at(const ScaledRun& run, const Eigen::VectorXd& shared,
+                     const Eigen::VectorXd& own, double t) {
+    Channels channels;
+    channels.u = t - run.reference_s;
+    channels.x = t / run.duration_s;
+    double phi = 2 * pi * channels.u * (own[frequency_at] + own[drift_at] * channels.u / 2);
+    for (std::size_t k = 0; k < run.breaks_s.size(); ++k) {
+        if (t > run.breaks_s[k]) {
+            phi += own[own_count + static_cast<Eigen::Index>(k)];
+        }
+    }
+    channels.phase = std::polar(1.0, phi);
+    const double kappa = shared[kappa_at];
+    channels.gain = std::polar((1 + shared[gain_drift_at] * channels.x) / kappa,
+                               phi + shared[phase_at] + shared[phase_drift_at] * channels.x);
+    channels.cross =
+        channels.phase * (Complex(std::sin(shared[skew_at]), shared[crosstalk_at]) / kappa);
+    return channels;
+}
+
+Vector2cd seen(const Channels& channels, const Vector2cd& z) {
+    return {channels.phase * z[0], channels.gain * z[1] + channels.cross * z[0]};
+}
+
+}  // namespace
+
+SlowRates rates_of(const Eigen::VectorXd& shared) {
+    SlowRates rates;
+    for (int k = 0; k < rate_count; ++k) {
+        rates.*all_rates[static_cast<std::size_t>(k)] = shared[k];
+    }
+    return rates;
+}
+
+Vector2cd start_of(const Eigen::VectorXd& own) {
+    return {Complex{own[start_at], own[start_at + 1]},
+            Complex{own[start_at + 2], own[start_at + 3]}};
+}
+
+std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
+                                        const Eigen::VectorXd& own, std::size_t windows) {
+    std::vector<Vector2cd> expected;
+    expected.reserve(windows);
+    if (shared[cubic_at] == 0) {
+        const SlowDynamics dynamics(rates_of(shared));
+        const Vector2cd start = start_of(own);
+        const Eigen::Matrix2cd step = dynamics.propagator(run.step_s);
+        Walk walk;
+        Vector2cd z = start;
+        for (std::size_t k = 0; k < windows; ++k) {
+            const double t = run.time_s[k];
+            z = walk.step_to(t, run.step_s) ? Vector2cd(step * z) : dynamics.propagator(t) * start;
+            expected.push_back(seen(channels_at(run, shared, own, t), z));
+        }
+        return expected;
+    }
+    MotionSteps motion(run, shared, own, true);
+    for (std::size_t k = 0; k < windows; ++k) {
+        expected.push_back(seen(channels_at(run, shared, own, run.time_s[k]), motion.at(k).z));
+    }
+    return expected;
+}
+
+Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& shared,
+                      const Eigen::VectorXd& own, std::size_t windows, bool with_cubic) {
+    const auto rows = static_cast<Eigen::Index>(4 * windows);
+    Linearised out{Eigen::VectorXd(rows), RowMajor::Zero(rows, shared_count + own.size())};
+    MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0);
+    const double kappa = shared[kappa_at];
+    for (std::size_t k = 0; k < windows; ++k) {
+        const Channels channels = channels_at(run, shared, own, run.time_s[k]);
+        const Motion at = motion.at(k);
+        const double weight = run.weight[k];
+        const Vector2cd expected = seen(channels, at.z);
+        const auto row = static_cast<Eigen::Index>(4 * k);
+        const Vector2cd left = weight * (run.z[k] - expected);
+        out.residual.segment<4>(row) << left[0].real(), left[0].imag(), left[1].real(),
+            left[1].imag();
+        const auto put = [&](int column, const Vector2cd& by) {
+            out.by_parameter(row, column) = weight * by[0].real();
+            out.by_parameter(row + 1, column) = weight * by[0].imag();
+            out.by_parameter(row + 2, column) = weight * by[1].real();
+            out.by_parameter(row + 3, column) = weight * by[1].imag();
+        };
+        for (int rate = 0; rate < rate_count; ++rate) {
+            put(rate, seen(channels, at.by.col(rate)));
+        }
+        for (int part = 0; part < 4; ++part) {
+            put(own_column(start_at + part), seen(channels, at.by.col(start_column + part)));
+        }
+        if (with_cubic) {
+            put(cubic_at, seen(channels, at.by.col(cubic_column)));
+        }
+        const Complex d_gain = channels.gain * at.z[1];
+        const Complex d_cross = channels.phase * at.z[0] / kappa;
+        put(kappa_at, {0, -expected[1] / kappa});
+        put(skew_at, {0, std::cos(shared[skew_at]) * d_cross});
+        put(crosstalk_at, {0, i * d_cross});
+        put(phase_at, {0, i * d_gain});
+        put(phase_drift_at, {0, i * channels.x * d_gain});
+        put(gain_drift_at, {0, channels.x / (1 + shared[gain_drift_at] * channels.x) * d_gain});
+        put(own_column(frequency_at), 2 * pi * channels.u * i * expected);
+        put(own_column(drift_at), pi * channels.u * channels.u * i * expected);
+        for (std::size_t at_break = 0; at_break < run.breaks_s.size(); ++at_break) {
+            if (run.time_s[k] > run.breaks_s[at_break]) {
+                put(own_column(own_count + static_cast<int>(at_break)), i * expected);
+            }
+        }
+    }
+    return out;
+}
+
+double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
+                  std::size_t windows) {
+    const std::vector<Vector2cd> expected = expected_phasors(run, shared, own, windows);
+    double sum = 0;
+    for (std::size_t k = 0; k < windows; ++k) {
+        sum += run.weight[k] * run.weight[k] * (run.z[k] - expected[k]).squaredNorm();
+    }
+    return sum;
+}
+
+}  // namespace vybeg

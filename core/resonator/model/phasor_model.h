@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/resonator/model/parameters.h"
+#include "core/resonator/model/scaled_run.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// The model of a run's window phasors, in scaled units:
+//
+//     dz/dt = M z + i (2 pi b/3) (2 |z|^2 z + (z.z) conj z),  z(0) = z0
+//     phi = 2 pi (f u + drift u^2/2) + breaks before t,       u = t - reference_s
+//     C = e^{i phi} z_1
+//     D = e^{i phi} (g z_2 + (sin skew + i crosstalk) z_1)/kappa,
+//     g = (1 + gain_drift x) e^{i (phase + phase_drift x)},    x = t/duration
+//
+// M without imaginary trace (slow_dynamics.h). In u+- = z_1 +- i z_2 the cubic term is a phase
+// rate, (2 pi b/3)(|u+|^2 + 2 |u-|^2 - 3 P) for u+ and likewise for u-; P, the run's power, makes f
+// hardly depend on b. With b = 0 the motion is exp(M t) z0; else it takes Strang steps from window
+// to window, half of the cubic phase on each side of exp(M h). The mean over a window commutes with
+// exp(M t): z0 is the start as a window sees it, and no window is too long for the linear model.
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// The phasors that the model expects in the first `windows` windows of a run. `own`: the run's own
+// parameters, own_count and one for each break.
+std::vector<Eigen::Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
+                                               const Eigen::VectorXd& own, std::size_t windows);
+
+// Weighted residuals (measured less expected) of the first `windows` windows, Re c, Im c, Re d, Im
+// d of each; and the derivatives of the expected ones, weighted alike: a row for each residual, the
+// shared parameters before the own ones. The derivative by the cubic term is there only where
+// `with_cubic`.
+struct Linearised {
+    Eigen::VectorXd residual;
+    RowMajor by_parameter;
+};
+Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& shared,
+                      const Eigen::VectorXd& own, std::size_t windows, bool with_cubic);
+
+// The sum of the squared weighted residuals.
+double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
+                  std::size_t windows);
+
+// The rates among the shared parameters.
+SlowRates rates_of(const Eigen::VectorXd& shared);
+
+// z0 among a run's own parameters.
+Eigen::Vector2cd start_of(const Eigen::VectorXd& own);
+
+}  // namespace vybeg

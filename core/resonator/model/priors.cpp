@@ -1,0 +1,116 @@
+#include "core/resonator/model/priors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vybeg {
+namespace {
+
+constexpr double flat = std::numeric_limits<double>::infinity();
+
+Priors flat_priors(std::span<const ScaledRun> runs, const ParameterLayout& layout) {
+    Priors priors{Eigen::VectorXd::Zero(layout.size()),
+                  Eigen::VectorXd::Constant(layout.size(), flat)};
+    priors.mean[kappa_at] = 1;
+    for (const int held : {kappa_at, skew_at, phase_at, crosstalk_at, phase_drift_at, gain_drift_at,
+                           cubic_at, free_rotation_at}) {
+        priors.sd[held] = 0;
+    }
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        priors.sd[layout.at(run, drift_at)] = 0.1 / runs[run].duration_s;
+    }
+    return priors;
+}
+
+}  // namespace
+
+std::vector<Eigen::Index> Priors::active() const {
+    std::vector<Eigen::Index> indices;
+    for (Eigen::Index k = 0; k < sd.size(); ++k) {
+        if (sd[k] > 0) {
+            indices.push_back(k);
+        }
+    }
+    return indices;
+}
+
+PriorKind prior_kind(const ParameterLayout& layout, Eigen::Index parameter) {
+    switch (parameter) {
+        case split_cos_at:
+        case split_sin_at:
+        case damping_cos_at:
+        case damping_sin_at:
+        case rotation_at:
+        case free_rotation_at:
+        case cubic_at: return PriorKind::physical;
+        case kappa_at:
+        case skew_at:
+        case phase_at:
+        case crosstalk_at:
+        case phase_drift_at:
+        case gain_drift_at: return PriorKind::channel;
+        default: break;
+    }
+    for (std::size_t run = 0; run < layout.runs(); ++run) {
+        if (parameter == layout.at(run, drift_at)) {
+            return PriorKind::physical;
+        }
+    }
+    return PriorKind::none;
+}
+
+Priors structured_priors(std::span<const ScaledRun> runs, const ParameterLayout& layout,
+                         const ChannelTolerance& tolerance) {
+    Priors priors = flat_priors(runs, layout);
+    priors.sd[split_cos_at] = priors.sd[split_sin_at] = 3;
+    priors.sd[damping_cos_at] = priors.sd[damping_sin_at] = 1;
+    priors.sd[rotation_at] = 3;
+    priors.sd[kappa_at] = tolerance.kappa;
+    priors.sd[skew_at] = tolerance.skew_rad;
+    priors.sd[phase_at] = tolerance.phase_rad;
+    priors.sd[crosstalk_at] = tolerance.crosstalk;
+    priors.sd[phase_drift_at] = tolerance.phase_drift;
+    priors.sd[gain_drift_at] = tolerance.gain_drift;
+    return priors;
+}
+
+Priors free_priors(std::span<const ScaledRun> runs, const ParameterLayout& layout) {
+    Priors priors = flat_priors(runs, layout);
+    // In units of what turns by a radian, or falls by e, from one window to the next.
+    double fastest = 0;
+    for (const ScaledRun& run : runs) {
+        fastest = std::max(fastest, 1 / run.step_s);
+    }
+    for (const int rate : {split_cos_at, split_sin_at, damping_cos_at, damping_sin_at, rotation_at,
+                           free_rotation_at}) {
+        priors.sd[rate] = 100 * fastest;
+    }
+    return priors;
+}
+
+void open_cubic(Priors& priors, std::span<const ScaledRun> runs) {
+    double power = 0;
+    for (const ScaledRun& run : runs) {
+        power += run.power / static_cast<double>(runs.size());
+    }
+    priors.sd[cubic_at] = 1 / power;
+}
+
+void set_damping(Priors& priors, double width_per_s) {
+    priors.sd[damping_cos_at] = priors.sd[damping_sin_at] = std::max(std::abs(width_per_s), 1e-6);
+}
+
+Priors first_priors(Priors priors, const ParameterLayout& layout, FirstFit kind) {
+    for (Eigen::Index k = 0; k < layout.size(); ++k) {
+        const bool physical = prior_kind(layout, k) == PriorKind::physical;
+        const bool drift = physical && k >= shared_count;
+        const bool held = kind == FirstFit::moving_wave ? drift : physical && !drift;
+        if (prior_kind(layout, k) == PriorKind::channel || k == cubic_at || held) {
+            priors.sd[k] = 0;
+        }
+    }
+    return priors;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// Why a number of the resonator is not given.
+enum class ReasonCode {
+    none,                 // it is given
+    one_direction,        // args: another start angle (deg), seconds. The wave hardly moves.
+    within_noise,         // args: greatest value, unit. The difference between the modes.
+    confounded_rotation,  // args: another start angle (deg), seconds. Seen only with the damping.
+    free_model,           // the free model knows modes, no axes
+    modes_not_apart,      // the modes' difference is within its noise
+    no_decay,             // args: least tau (s)
+    circular_wave,        // no angle where a_A = |a_B|
+    few_angles,           // no drift function: the waves stand at too few angles
+    kappa_like_damping,   // gain ratio and damping anisotropy look the same
+    as_given,             // the recordings narrow the tolerance of the channels by less than ten
+    held,                 // a channel error without a tolerance: taken as zero
+    not_nonlinear,        // args: limit, unit. The phasors need no dependence on the amplitude.
+    drift_not_seen,       // within this recording a drift looks like something else
+    decay_limits,         // args: least and greatest tau (s)
+    grows,                // args: rate of growth, its sd (1/s)
+    amplitude_or_time,    // a settling frequency explains the phasors as well
+    rests_on_unseen,      // more than half of its variance is of parameters that are not seen
+    too_few_windows,      // not enough windows for it in this run
+    not_converged,        // the fit stopped early
+};
+
+struct Reason {
+    ReasonCode code = ReasonCode::none;
+    std::vector<std::string> args;
+
+    friend bool operator==(const Reason&, const Reason&) = default;
+};
+
+// A number with its standard deviation, or the reason why there is none; then both are NaN.
+struct Estimate {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    double sd = std::numeric_limits<double>::quiet_NaN();  // statistical
+    Reason reason;
+    // Combined standard uncertainty: sd and what the channels' tolerances add. NaN where there are
+    // none.
+    double u = std::numeric_limits<double>::quiet_NaN();
+
+    bool given() const { return reason.code == ReasonCode::none; }
+    double uncertainty() const { return u >= sd ? u : sd; }
+};
+
+// The name of a reason as it stands in JSON, e.g. "one-direction".
+std::string reason_name(ReasonCode code);
+
+// English sentence template, %1, %2, ... are the arguments; translated like those of messages.h.
+const char* message_template(ReasonCode code);
+
+// The whole English sentence.
+std::string english(const Reason& reason);
+
+}  // namespace vybeg

@@ -1,0 +1,349 @@
+#include "core/resonator/noise/residual_noise.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace vybeg {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Points of a series: the cost grows with their cube, and the widest line has half a point's width.
+constexpr std::size_t most_points = 110;
+constexpr int widths = 8;
+constexpr double narrowest_width = 0.28;  // half width times duration
+// A direction of the residual is absorbed by the fit where it holds this share of its variance.
+constexpr double absorbed_share = 0.02;
+constexpr double least_rise = 4;
+constexpr double negligible_weight = 1e-4;
+// Decades of the variance of a part over that of the white noise of a point.
+constexpr double first_decade = -3;
+constexpr double last_decade = 8;
+constexpr double decade_step = 0.2;
+constexpr std::size_t coarse_step = 3;  // of decade_step, for a first look
+// What lies so far below the best has no weight.
+constexpr double hopeless = 13;
+
+// One series of one run, ready for the likelihood.
+struct Block {
+    const ResidualSeries* run = nullptr;
+    std::size_t series = 0;
+    MatrixXd residual_and_absorbed;  // x, then an orthonormal basis of what the fit absorbs
+};
+
+// V0 + a K with V0 = L L': the columns of L^-1 [x, U] in the eigenvectors of L^-1 K L^-T.
+struct Spectrum {
+    VectorXd eigenvalues;
+    MatrixXd rotated;
+    double log_determinant = 0;  // of V0
+};
+
+// log likelihood of V = V0 + a K, up to a constant: with U orthonormal,
+// ln|Q'VQ| = ln|V| + ln|U'V^-1 U|, and x'Q(Q'VQ)^-1 Q'x = x'V^-1 x less what U explains of it.
+double log_likelihood(const Spectrum& at, double a) {
+    const VectorXd weight = (1 + a * at.eigenvalues.array()).inverse();
+    const MatrixXd square = at.rotated.transpose() * weight.asDiagonal() * at.rotated;
+    double log_determinant = at.log_determinant - weight.array().log().sum();
+    double quadratic = square(0, 0);
+    const Index absorbed = square.rows() - 1;
+    if (absorbed > 0) {
+        const Eigen::LLT<MatrixXd> inner(square.bottomRightCorner(absorbed, absorbed));
+        const VectorXd cross = square.col(0).tail(absorbed);
+        quadratic -= cross.dot(inner.solve(cross));
+        log_determinant += 2 * inner.matrixLLT().diagonal().array().log().sum();
+    }
+    return -(log_determinant + quadratic) / 2;
+}
+
+Block block_of(const ResidualSeries& run, std::size_t series, const MatrixXd& root) {
+    const MatrixXd seen = run.by_parameter[series] * root;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> principal(seen.transpose() * seen);
+    const VectorXd& share = principal.eigenvalues();
+    Index absorbed = 0;
+    while (absorbed < share.size() && share[share.size() - 1 - absorbed] > absorbed_share) {
+        ++absorbed;
+    }
+    absorbed = std::min(absorbed, seen.rows() - 1);
+    Block block{&run, series, MatrixXd(seen.rows(), absorbed + 1)};
+    block.residual_and_absorbed.col(0) = run.residual[series];
+    block.residual_and_absorbed.rightCols(absorbed) =
+        seen * principal.eigenvectors().rightCols(absorbed) *
+        share.tail(absorbed).cwiseSqrt().cwiseInverse().asDiagonal();
+    return block;
+}
+
+// The covariance of a part in one run's series, in units of their noise.
+MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
+    const VectorXd scale =
+        shape.of_phase ? VectorXd(run.size / std::sqrt(run.size.squaredNorm() /
+                                                       static_cast<double>(run.size.size())))
+                       : run.noise;
+    return scale.asDiagonal() * shape_covariance(shape, run.time_s, run.window_s) *
+           scale.asDiagonal();
+}
+
+bool concerns(const NoiseShape& shape, std::size_t series) {
+    return !shape.of_phase || series == ResidualSeries::phase;
+}
+
+class Search {
+public:
+    Search(const std::vector<ResidualSeries>& series, const MatrixXd& root, double longest_s) {
+        for (const ResidualSeries& run : series) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                blocks_.push_back(block_of(run, k, root));
+            }
+        }
+        for (int k = 0; k < widths; ++k) {
+            const double width = std::ldexp(narrowest_width / longest_s, k);
+            common_.push_back({width, false});
+            phase_.push_back({width, true});
+        }
+        common_.push_back({std::numeric_limits<double>::infinity(), false});
+        phase_.push_back({0, true});
+    }
+
+    ResidualNoise find() {
+        ResidualNoise noise;
+        std::vector<ResidualNoise::Part> given;
+        bool left_common = true;
+        bool left_phase = true;
+        while (left_common || left_phase) {
+            std::optional<Trial> best;
+            const double now = likelihood_of(given);
+            for (const bool phase : {false, true}) {
+                if (phase ? left_phase : left_common) {
+                    Trial trial = try_shapes(phase ? phase_ : common_, given);
+                    if (!best || trial.top > best->top) {
+                        best = std::move(trial);
+                    }
+                }
+            }
+            if (best->top < now + least_rise) {
+                break;
+            }
+            given.push_back(best->part);
+            noise.narrowest =
+                noise.narrowest || best->part.shape.half_width_hz == common_[0].half_width_hz;
+            add_mean(*best, noise.parts);
+            (best->part.shape.of_phase ? left_phase : left_common) = false;
+        }
+        return noise;
+    }
+
+private:
+    struct Trial {
+        double top = -std::numeric_limits<double>::infinity();
+        ResidualNoise::Part part;
+        struct Row {
+            double likelihood = -std::numeric_limits<double>::infinity();
+            ResidualNoise::Part part;
+        };
+        std::vector<Row> table;
+    };
+
+    // V of the windows' own noise and the given parts in a block.
+    MatrixXd covariance(const Block& block, const std::vector<ResidualNoise::Part>& given) const {
+        const Index n = block.residual_and_absorbed.rows();
+        MatrixXd v =
+            is_white(block.run->correlation) ? MatrixXd::Identity(n, n) : block.run->correlation;
+        for (const ResidualNoise::Part& part : given) {
+            if (concerns(part.shape, block.series)) {
+                v += part.variance * part_covariance(part.shape, *block.run);
+            }
+        }
+        return v;
+    }
+
+    // The spectrum of V0 alone: a K of zero.
+    Spectrum plain(const Block& block, const std::vector<ResidualNoise::Part>& given) const {
+        Spectrum at;
+        at.rotated = block.residual_and_absorbed;
+        at.eigenvalues = VectorXd::Zero(at.rotated.rows());
+        if (!is_white(block, given)) {
+            const Eigen::LLT<MatrixXd> factor(covariance(block, given));
+            factor.matrixL().solveInPlace(at.rotated);
+            at.log_determinant = 2 * factor.matrixLLT().diagonal().array().log().sum();
+        }
+        return at;
+    }
+
+    double likelihood_of(const std::vector<ResidualNoise::Part>& given) const {
+        double sum = 0;
+        for (const Block& block : blocks_) {
+            sum += log_likelihood(plain(block, given), 0);
+        }
+        return sum;
+    }
+
+    // Spectra of one shape in all blocks; blocks of one run share the eigenvectors where V0 is
+    // white.
+    std::vector<Spectrum> spectra(const NoiseShape& shape,
+                                  const std::vector<ResidualNoise::Part>& given) const {
+        std::vector<Spectrum> all;
+        const ResidualSeries* known = nullptr;
+        Eigen::SelfAdjointEigenSolver<MatrixXd> eigen;
+        for (const Block& block : blocks_) {
+            if (!concerns(shape, block.series)) {
+                continue;
+            }
+            Spectrum at;
+            if (is_white(block, given)) {
+                if (known != block.run && !(known != nullptr && same_grid(*known, *block.run))) {
+                    eigen.compute(part_covariance(shape, *block.run));
+                }
+                known = shape.of_phase ? nullptr : block.run;
+                at.rotated = block.residual_and_absorbed;
+            } else {
+                const Eigen::LLT<MatrixXd> factor(covariance(block, given));
+                MatrixXd k = part_covariance(shape, *block.run);
+                factor.matrixL().solveInPlace(k);
+                k.transposeInPlace();
+                factor.matrixL().solveInPlace(k);
+                eigen.compute((k + k.transpose()) / 2);
+                known = nullptr;
+                at.rotated = factor.matrixL().solve(block.residual_and_absorbed);
+                at.log_determinant = 2 * factor.matrixLLT().diagonal().array().log().sum();
+            }
+            at.eigenvalues = eigen.eigenvalues().cwiseMax(0);
+            at.rotated = eigen.eigenvectors().transpose() * at.rotated;
+            all.push_back(std::move(at));
+        }
+        return all;
+    }
+
+    static bool is_white(const MatrixXd& correlation) { return correlation.size() == 0; }
+
+    // Whether V0 of a block is the unit matrix.
+    static bool is_white(const Block& block, const std::vector<ResidualNoise::Part>& given) {
+        return is_white(block.run->correlation) &&
+               std::ranges::none_of(given, [&](const ResidualNoise::Part& part) {
+                   return concerns(part.shape, block.series);
+               });
+    }
+
+    static bool same_grid(const ResidualSeries& a, const ResidualSeries& b) {
+        return a.time_s == b.time_s && a.noise == b.noise && a.window_s == b.window_s;
+    }
+
+    Trial try_shapes(const std::vector<NoiseShape>& shapes,
+                     const std::vector<ResidualNoise::Part>& given) const {
+        const auto steps =
+            static_cast<std::size_t>(std::lround((last_decade - first_decade) / decade_step)) + 1;
+        Trial trial;
+        trial.table.resize(shapes.size() * steps);
+        double unconcerned = 0;
+        for (const Block& block : blocks_) {
+            if (!concerns(shapes.front(), block.series)) {
+                unconcerned += log_likelihood(plain(block, given), 0);
+            }
+        }
+        const auto row = [&](std::size_t k, std::size_t step) -> Trial::Row& {
+            return trial.table[k * steps + step];
+        };
+        const auto evaluate = [&](std::size_t k, const std::vector<Spectrum>& all,
+                                  std::size_t step) {
+            const double a = std::pow(10, first_decade + decade_step * static_cast<double>(step));
+            double sum = unconcerned;
+            for (const Spectrum& at : all) {
+                sum += log_likelihood(at, a);
+            }
+            row(k, step) = {sum, {shapes[k], a}};
+            return sum;
+        };
+        // A first look at some variances, then those around the best of them, as far as they count.
+        tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
+            const std::vector<Spectrum> all = spectra(shapes[k], given);
+            double best = -std::numeric_limits<double>::infinity();
+            for (std::size_t step = 0; step < steps; step += coarse_step) {
+                best = std::max(best, evaluate(k, all, step));
+            }
+            for (bool more = true; more;) {
+                more = false;
+                for (std::size_t step = 0; step < steps; ++step) {
+                    const std::size_t from = step - std::min(step, coarse_step - 1);
+                    const std::size_t to = std::min(step + coarse_step, steps);
+                    bool near = false;
+                    for (std::size_t other = from; other < to; ++other) {
+                        near = near || row(k, other).likelihood >= best - hopeless;
+                    }
+                    if (near && std::isinf(row(k, step).likelihood)) {
+                        best = std::max(best, evaluate(k, all, step));
+                        more = true;
+                    }
+                }
+            }
+        });
+        for (const Trial::Row& each : trial.table) {
+            if (each.likelihood > trial.top) {
+                trial.top = each.likelihood;
+                trial.part = each.part;
+            }
+        }
+        return trial;
+    }
+
+    static void add_mean(const Trial& trial, std::vector<ResidualNoise::Part>& parts) {
+        double sum = 0;
+        for (const Trial::Row& row : trial.table) {
+            sum += std::exp(row.likelihood - trial.top);
+        }
+        for (const Trial::Row& row : trial.table) {
+            const double weight = std::exp(row.likelihood - trial.top);
+            if (weight > negligible_weight) {
+                parts.push_back({row.part.shape, row.part.variance * weight / sum});
+            }
+        }
+    }
+
+    std::vector<Block> blocks_;
+    std::vector<NoiseShape> common_;
+    std::vector<NoiseShape> phase_;
+};
+
+}  // namespace
+
+NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posterior) {
+    double longest_s = 0;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const std::size_t merge = (problem.runs[k].size() + most_points - 1) / most_points;
+        series_.push_back(residual_series(problem, posterior, k, merge));
+        longest_s = std::max(longest_s, problem.runs[k].duration_s);
+    }
+    noise_ = Search(series_, posterior.root, longest_s).find();
+}
+
+MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
+    if (noise_.as_expected()) {
+        return posterior.data;
+    }
+    const Index size = posterior.covariance.rows();
+    MatrixXd sum = MatrixXd::Zero(size, size);
+    for (const ResidualSeries& run : series_) {
+        MatrixXd common = MatrixXd::Zero(run.size.size(), run.size.size());
+        MatrixXd of_phase = common;
+        for (const ResidualNoise::Part& part : noise_.parts) {
+            (part.shape.of_phase ? of_phase : common) +=
+                part.variance * part_covariance(part.shape, run);
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            const MatrixXd& x = run.by_parameter[k];
+            sum += x.transpose() * common * x;
+            if (k == ResidualSeries::phase) {
+                sum += x.transpose() * of_phase * x;
+            }
+        }
+    }
+    return posterior.data + posterior.root.transpose() * sum * posterior.root;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,195 @@
+#include "core/resonator/results/describe_fit.h"
+
+#include "core/base/number_text.h"
+#include "core/resonator/fit/unseen_directions.h"
+#include "core/resonator/noise/residual_noise.h"
+#include "core/resonator/results/misfit_cause.h"
+#include "core/resonator/results/raw_parameters.h"
+#include "core/resonator/results/resonator_estimates.h"
+#include "core/resonator/runs/decay_time.h"
+#include "core/resonator/runs/envelope_decay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Of the last step: a tenth of a standard deviation. Along what is not seen a fit creeps for ever.
+constexpr double unfinished_gain = 0.01;
+// Size of split and anisotropy from which on they are given, standard deviations.
+constexpr double vector_needs = 3;
+constexpr double vector_needs_coloured = 5;
+
+std::string recording_number(std::size_t run) {
+    return integer_text(static_cast<std::int64_t>(run) + 1);
+}
+
+class Description {
+public:
+    Description(const SolvedSet& solved, const JobControl& job)
+        : solved_(solved), problem_(*solved.problem), job_(job) {}
+
+    ResonatorFit made() {
+        const double dof = degrees_of_freedom(problem_);
+        const double ratio = solved_.fit.chi2 / dof;
+        fit_.model = solved_.model;
+        fit_.chi2_per_dof = ratio;
+        FittedSet set;
+        set.model = solved_.model;
+        set.problem = &problem_;
+        set.fit = solved_.fit;
+        set.posterior = posterior(problem_, solved_.fit);
+        set.scale = solved_.scale;
+        set.cubic_limit = solved_.cubic_limit;
+        set.amplitude_or_time = solved_.amplitude_or_time;
+        set.split_needs = vector_needs;
+        set.context.layout = &problem_.layout;
+        for (std::size_t k = 0; k < solved_.runs.size(); ++k) {
+            set.context.f_ref_hz.push_back(solved_.runs[k].f_ref_hz);
+            set.context.window_s.push_back(solved_.runs[k].window_s);
+            set.context.power.push_back(problem_.runs[k].power_sums);
+            set.context.power_kept.push_back(problem_.runs[k].power_kept);
+        }
+        set_covariance(ratio, dof, set);
+        std::vector<ProfilePoint> beside;
+        if (fit_.model == ResonatorModel::structured) {
+            beside =
+                unseen_directions(problem_, set.fit, set.posterior, std::max(1.0, ratio), job_);
+        }
+        set.context.order = mode_order(set);
+        set.variances = reported_variances(set.posterior, set.context, beside);
+        fit_.motion = motion_of(solved_);
+        add_estimates(set, solved_.runs, fit_);
+        fit_.raw = raw_parameters(set, solved_.runs);
+        add_envelopes();
+        warn();
+        return std::move(fit_);
+    }
+
+private:
+    void set_covariance(double ratio, double dof, FittedSet& set) {
+        const double scatter = 4 * std::sqrt(2 / dof);
+        if (ratio > 1 + scatter) {
+            if (const auto cause =
+                    misfit_cause(problem_, set.posterior, solved_.fine, solved_.scale)) {
+                fit_.warnings.push_back(*cause);
+            }
+        }
+        const NoiseEstimate noise(problem_, set.posterior);
+        fit_.noise = noise.noise();
+        if (!noise.noise().white()) {
+            set.posterior.data = noise.covariance(set.posterior);
+            set.split_needs = vector_needs_coloured;
+            fit_.warnings.push_back({DiagnosticKind::residual_coloured, {short_text(ratio, 3)}});
+            if (noise.noise().narrowest) {
+                double longest_s = 0;
+                for (const ScaledRun& run : problem_.runs) {
+                    longest_s = std::max(longest_s, run.duration_s);
+                }
+                fit_.warnings.push_back(
+                    {DiagnosticKind::noise_too_narrow, {short_text(0.2 / longest_s, 2)}});
+            }
+            return;
+        }
+        if (ratio > 1 + scatter) {
+            set.posterior.data *= ratio;
+            fit_.warnings.push_back({DiagnosticKind::residual_above_noise, {short_text(ratio, 3)}});
+        } else if (ratio < 1 - 2 * scatter) {
+            fit_.warnings.push_back({DiagnosticKind::residual_below_noise, {short_text(ratio, 3)}});
+        }
+    }
+
+    // Modes are named by frequency where the frequencies differ, else by their decay.
+    ModeOrder mode_order(const FittedSet& set) const {
+        const Posterior& at = set.posterior;
+        const std::complex<double> s = std::sqrt(square_half_difference(at.p));
+        const Eigen::RowVectorXd by = (square_gradient(at) / (2.0 * s)).imag().transpose();
+        const double sd = std::sqrt(at.covariance_of(by)(0, 0));
+        return std::abs(s.imag()) < 5 * sd ? ModeOrder::decay : ModeOrder::frequency;
+    }
+
+    void add_envelopes() {
+        double squares = 0;
+        double count = 0;
+        for (std::size_t k = 0; k < problem_.runs.size(); ++k) {
+            const ScaledRun& run = problem_.runs[k];
+            const std::vector<Eigen::Vector2cd> expected =
+                expected_phasors(run, fit_.motion.shared, fit_.motion.runs[k].own, run.size());
+            for (std::size_t window = 0; window < run.size(); ++window) {
+                squares += (run.z[window] - expected[window]).squaredNorm();
+                count += 4;
+            }
+            const double f_hz = solved_.runs[k].f_ref_hz + fit_.motion.runs[k].own[frequency_at];
+            add_envelope(k, envelope_decay(run, expected), f_hz);
+        }
+        fit_.residual_rms = solved_.scale * std::sqrt(squares / count);
+    }
+
+    void add_envelope(std::size_t run, const EnvelopeDecay& envelope, double f_hz) {
+        Estimate& q = fit_.runs[run].q_envelope;
+        const double sd = envelope.sd;
+        if (!std::isfinite(sd)) {
+            q.reason = {ReasonCode::too_few_windows, {}};
+            return;
+        }
+        const double factor = std::numbers::pi * f_hz;
+        const Estimate tau = decay_time(envelope.per_s, sd, sd);
+        q = tau.given() ? Estimate{factor * tau.value, factor * tau.sd, {}} : tau;
+        if (std::abs(envelope.per_s - envelope.model_per_s) > 3 * sd) {
+            fit_.warnings.push_back({DiagnosticKind::q_disagrees,
+                                     {recording_number(run), short_text(factor / envelope.per_s, 4),
+                                      short_text(factor / envelope.model_per_s, 4)}});
+        }
+    }
+
+    void warn() {
+        for (std::size_t k = 0; k < fit_.runs.size(); ++k) {
+            const Estimate& drift = fit_.runs[k].drift_hz_per_s;
+            if (drift.given() && std::abs(drift.value) > 4 * drift.uncertainty()) {
+                fit_.warnings.push_back(
+                    {DiagnosticKind::frequency_drifts,
+                     {recording_number(k), short_text(drift.value, 3), short_text(drift.sd, 2)}});
+            }
+        }
+        const Estimate& power = fit_.resonator.frequency_per_power;
+        if (power.given()) {
+            fit_.warnings.push_back({DiagnosticKind::frequency_follows_amplitude,
+                                     {short_text(power.value, 3), short_text(power.sd, 2)}});
+        }
+        if (!solved_.fit.converged && solved_.fit.last_gain > unfinished_gain) {
+            fit_.warnings.push_back({DiagnosticKind::fit_not_converged, {}});
+            refuse_all({ReasonCode::not_converged, {}}, fit_);
+        }
+    }
+
+    const SolvedSet& solved_;
+    const FitProblem& problem_;
+    const JobControl& job_;
+    ResonatorFit fit_;
+};
+
+}  // namespace
+
+FittedMotion motion_of(const SolvedSet& set) {
+    FittedMotion motion{.scale = set.scale, .shared = set.fit.p.head(shared_count), .runs = {}};
+    for (std::size_t k = 0; k < set.runs.size(); ++k) {
+        ScaledRun frame = set.problem->runs[k];
+        frame.time_s.clear();
+        frame.z.clear();
+        frame.weight.clear();
+        motion.runs.push_back(
+            {set.runs[k].f_ref_hz, std::move(frame), own_of(set.problem->layout, set.fit.p, k)});
+    }
+    return motion;
+}
+
+ResonatorFit describe(const SolvedSet& set, const JobControl& job) {
+    return Description(set, job).made();
+}
+
+}  // namespace vybeg

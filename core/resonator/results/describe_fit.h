@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/resonator/fit/map_fit.h"
+#include "core/resonator/results/resonator_result.h"
+
+#include <span>
+
+namespace vybeg {
+
+// A set of runs whose most likely parameters are found.
+struct SolvedSet {
+    std::span<const PhasorRun> runs;  // as fitted
+    std::span<const PhasorRun> fine;  // before their windows were merged
+    const FitProblem* problem = nullptr;
+    MapFit fit;
+    ResonatorModel model{};
+    double scale = 1;                // recording units of a scaled unit
+    Estimate cubic_limit;            // b and its sd where it is held at zero; scaled units
+    bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
+};
+
+FittedMotion motion_of(const SolvedSet& set);
+
+// What the parameters say of the resonator and of each run, with deviations and warnings. A fit
+// that has not converged gives no number, but its motion and the warning.
+ResonatorFit describe(const SolvedSet& set, const JobControl& job);
+
+}  // namespace vybeg

@@ -1,0 +1,263 @@
+#include "core/resonator/results/misfit_cause.h"
+
+#include "core/base/number_text.h"
+#include "core/resonator/fit/score_test.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector2cd;
+using std::numbers::pi;
+
+constexpr Complex i{0, 1};
+
+// Share of chi^2 beyond the noise that a cause takes away. A line is never only a line: its decay
+// and its neighbours stay.
+constexpr double most_of_it = 0.8;
+constexpr double most_by_line = 0.5;
+constexpr double least_fall = 25;
+constexpr double least_cycles = 3;  // of a line's distance from the wave, over a run
+constexpr double lines_per_cycle = 3;
+
+Effect channel_effect(const Posterior& at, int error) {
+    Effect effect;
+    for (const Linearised& run : at.runs) {
+        effect.emplace_back(run.by_parameter.col(error));
+    }
+    return effect;
+}
+
+// A mode at `f_hz` that decays like the wave: both parts of its phasor in each channel and run.
+Effect line_effect(const FitProblem& problem, const Posterior& at, std::span<const double> f_ref_hz,
+                   double f_hz) {
+    Effect effect;
+    const std::size_t runs = problem.runs.size();
+    for (std::size_t k = 0; k < runs; ++k) {
+        const ScaledRun& run = problem.runs[k];
+        MatrixXd by =
+            MatrixXd::Zero(4 * static_cast<Index>(run.size()), 4 * static_cast<Index>(runs));
+        for (std::size_t window = 0; window < run.size(); ++window) {
+            const double t = run.time_s[window];
+            const Complex turn =
+                std::polar(run.weight[window] * std::exp(-std::abs(at.p[decay_at]) * t),
+                           2 * pi * (f_hz - f_ref_hz[k]) * t);
+            const auto first = 4 * static_cast<Index>(k);
+            put_effect(by, window, first, {turn, 0});
+            put_effect(by, window, first + 1, {i * turn, 0});
+            put_effect(by, window, first + 2, {0, turn});
+            put_effect(by, window, first + 3, {0, i * turn});
+        }
+        effect.push_back(std::move(by));
+    }
+    return effect;
+}
+
+// A run's residual, weighted as a mode that decays like the wave shows in it.
+struct DampedResidual {
+    double f_ref_hz = 0;
+    double step_s = 0;
+    std::vector<double> time_s;
+    std::vector<Vector2cd> left;
+    double norm = 0;
+};
+
+std::vector<DampedResidual> damped_residuals(const FitProblem& problem, const Posterior& at,
+                                             std::span<const double> f_ref_hz) {
+    std::vector<DampedResidual> all;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        DampedResidual damped{f_ref_hz[k], run.step_s, run.time_s, {}, 0};
+        for (std::size_t window = 0; window < run.size(); ++window) {
+            const double size =
+                run.weight[window] * std::exp(-std::abs(at.p[decay_at]) * run.time_s[window]);
+            const auto left = at.runs[k].residual.segment<4>(4 * static_cast<Index>(window));
+            damped.left.push_back(size *
+                                  Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3])));
+            damped.norm += size * size;
+        }
+        all.push_back(std::move(damped));
+    }
+    return all;
+}
+
+// The part of the residual's square that a line at `f_hz` takes in all runs, without what the
+// parameters follow of it.
+double line_power(const std::vector<DampedResidual>& runs, double f_hz) {
+    double sum = 0;
+    for (const DampedResidual& run : runs) {
+        const double rate = -2 * pi * (f_hz - run.f_ref_hz);
+        const Complex step = std::polar(1.0, rate * run.step_s);
+        Vector2cd along = Vector2cd::Zero();
+        Complex turn;
+        double last_s = -std::numeric_limits<double>::infinity();
+        for (std::size_t window = 0; window < run.time_s.size(); ++window) {
+            const double t = run.time_s[window];
+            const bool follows = std::abs(t - last_s - run.step_s) < 1e-6 * run.step_s;
+            turn = follows ? turn * step : std::polar(1.0, rate * t);
+            along += turn * run.left[window];
+            last_s = t;
+        }
+        sum += along.squaredNorm() / run.norm;
+    }
+    return sum;
+}
+
+// Which of the frequencies `spacing_hz` apart, alike in merged windows, a line has in the fine
+// ones.
+double unaliased(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
+                 double scale, double f_hz, double spacing_hz) {
+    std::vector<DampedResidual> residuals;
+    double band_hz = 0;
+    for (std::size_t k = 0; k < fine.size(); ++k) {
+        ScaledRun frame = scaled_run(fine[k], scale);  // of the fit, with the fine windows
+        band_hz = std::max(band_hz, 0.5 / frame.step_s);
+        frame.duration_s = problem.runs[k].duration_s;
+        frame.reference_s = problem.runs[k].reference_s;
+        frame.power = problem.runs[k].power;
+        const std::vector<Vector2cd> model = expected_phasors(
+            frame, at.p.head(shared_count), own_of(problem.layout, at.p, k), frame.size());
+        DampedResidual damped{fine[k].f_ref_hz, frame.step_s, frame.time_s, {}, 1};
+        for (std::size_t window = 0; window < frame.size(); ++window) {
+            const double size = std::exp(-std::abs(at.p[decay_at]) * frame.time_s[window]);
+            damped.left.push_back(size * (frame.z[window] - model[window]));
+        }
+        residuals.push_back(std::move(damped));
+    }
+    const double wave_hz = fine[0].f_ref_hz + at.p[problem.layout.at(0, frequency_at)];
+    const auto reach = static_cast<int>(band_hz / spacing_hz) + 1;
+    double best_hz = f_hz;
+    double most = 0;
+    for (int alias = -reach; alias <= reach; ++alias) {
+        const double there_hz = f_hz + alias * spacing_hz;
+        if (std::abs(there_hz - wave_hz) > band_hz) {
+            continue;
+        }
+        const double power = line_power(residuals, there_hz);
+        if (power > most) {
+            most = power;
+            best_hz = there_hz;
+        }
+    }
+    return best_hz;
+}
+
+struct Line {
+    double f_hz = 0;
+    double fall = 0;
+    double per_cent = 0;
+};
+
+// The strongest line within the windows' band, away from the wave.
+Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
+                    std::span<const double> f_ref_hz, double scale) {
+    double longest_s = 0;
+    double step_s = std::numeric_limits<double>::infinity();
+    for (const ScaledRun& run : problem.runs) {
+        longest_s = std::max(longest_s, run.duration_s);
+        step_s = std::min(step_s, run.step_s);
+    }
+    const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
+    const double step_hz = 1 / (lines_per_cycle * longest_s);
+    const double band_hz = 0.5 / step_s;
+    const std::vector<DampedResidual> residuals = damped_residuals(problem, at, f_ref_hz);
+    Line best;
+    double most = 0;
+    for (double off = least_cycles / longest_s; off < band_hz; off += step_hz) {
+        for (const double f_hz : {wave_hz - off, wave_hz + off}) {
+            const double power = line_power(residuals, f_hz);
+            if (power > most) {
+                most = power;
+                best.f_hz = f_hz;
+            }
+        }
+    }
+    if (most == 0) {
+        return best;
+    }
+    const Score line = score(problem, at, line_effect(problem, at, f_ref_hz, best.f_hz));
+    best.fall = line.fall;
+    best.f_hz = unaliased(problem, at, fine, scale, best.f_hz, 1 / step_s);
+    const double turn = pi * (best.f_hz - wave_hz) * problem.runs[0].window_s;
+    const double kept = turn == 0 ? 1 : std::abs(std::sin(turn) / turn);
+    best.per_cent = 100 * line.size.head(4).norm() / kept / problem.runs[0].z[0].norm();
+    return best;
+}
+
+struct ChannelError {
+    int parameter;
+    const char* name;  // as --tolerance names it
+    double unit;       // of the printed size
+    const char* unit_name;
+};
+
+}  // namespace
+
+std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterior& posterior,
+                                       std::span<const PhasorRun> fine, double scale) {
+    std::vector<double> f_ref_hz;
+    for (const PhasorRun& run : fine) {
+        f_ref_hz.push_back(run.f_ref_hz);
+    }
+    double chi2 = 0;
+    for (const Linearised& run : posterior.runs) {
+        chi2 += run.residual.squaredNorm();
+    }
+    const double beyond = chi2 - degrees_of_freedom(problem);
+    double best = std::max(most_of_it * beyond, least_fall);
+    std::optional<Diagnostic> cause;
+    const auto consider = [&](double fall, DiagnosticKind kind, std::vector<std::string> args) {
+        if (fall > best) {
+            best = fall;
+            cause = Diagnostic{kind, std::move(args)};
+        }
+    };
+    const std::array<ChannelError, 5> errors{
+        {{skew_at, "skew", 180 / pi, " deg"},
+         {phase_at, "delay", -1e9 / (2 * pi * f_ref_hz[0]), " ns"},
+         {crosstalk_at, "crosstalk", 1, ""},
+         {phase_drift_at, "phase-drift", 1, " rad"},
+         {gain_drift_at, "gain-drift", 1, ""}}};
+    for (const ChannelError& error : errors) {
+        // The free model takes the channels as any two views.
+        if (problem.priors.sd[free_rotation_at] == 0 && problem.priors.sd[error.parameter] == 0) {
+            const Score found =
+                score(problem, posterior, channel_effect(posterior, error.parameter));
+            consider(found.fall, DiagnosticKind::misfit_channel,
+                     {error.name, short_text(found.size[0] * error.unit, 2) + error.unit_name});
+        }
+    }
+    const Score damping = score(problem, posterior, damping_effect(problem, posterior));
+    consider(damping.fall, DiagnosticKind::misfit_damping,
+             {short_text(damping.size[0] / (scale * scale), 2)});
+    // The gain follows |c|^2: at the largest amplitude the scaled one is 1.
+    const Score pickoff = score(problem, posterior, pickoff_effect(problem, posterior));
+    consider(pickoff.fall, DiagnosticKind::misfit_pickoff,
+             {short_text(100 * pickoff.size[0], 2), short_text(100 * pickoff.size[1], 2)});
+    const SettlingScore settling = settling_score(problem, posterior);
+    if (settling.fall > 0) {
+        consider(settling.fall, DiagnosticKind::misfit_settling,
+                 {short_text(settling.most_hz, 2), short_text(settling.time_s, 2)});
+    }
+    if (cause) {
+        return cause;
+    }
+    const Line line = strongest_line(problem, posterior, fine, f_ref_hz, scale);
+    best = std::max(most_by_line * beyond, least_fall);
+    consider(line.fall, DiagnosticKind::misfit_neighbour,
+             {short_text(line.f_hz, 6), short_text(line.per_cent, 2)});
+    return cause;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,248 @@
+#include "core/resonator/results/passport.h"
+
+#include "core/resonator/results/resonator_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+// Marks a text for lupdate, as in core/base/messages.cpp.
+#define VYBEG_MESSAGE(context, text) text
+
+namespace vybeg {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double single_changed_from = 3;  // deviations
+constexpr double same_direction = 0.1;     // rad of 2theta_A
+constexpr double unseen_split_hz = 3;      // prior deviation of the split in the fit
+
+// Chance of a normal number beyond z deviations, to both sides.
+double chance_beyond(double z) {
+    return std::erfc(z / std::numbers::sqrt2);
+}
+
+// Scatter of the frequency from run to run: what it does without any change of the gyro. Zero for
+// less than two runs.
+double frequency_spread(const std::vector<RunEstimate>& runs) {
+    double squares = 0;
+    double count = 0;
+    for (const RunEstimate& run : runs) {
+        if (run.f_offset_hz.given()) {
+            squares += run.f_offset_hz.value * run.f_offset_hz.value;
+            count += 1;
+        }
+    }
+    return count > 1 ? std::sqrt(squares / (count - 1)) : 0;
+}
+
+// Of two angles 2theta_A.
+double apart(const Estimate& one, const Estimate& other) {
+    return std::abs(std::remainder(one.value - other.value, std::numbers::pi));
+}
+
+// Differences as they are found; the verdicts come when all are there.
+class Comparison {
+public:
+    Comparison(const Passport& passport, const ResonatorFit& now, const CompareOptions& options)
+        : passport_(passport),
+          now_(now),
+          options_(options),
+          spread_hz_(std::hypot(frequency_spread(passport.runs), frequency_spread(now.runs))) {}
+
+    std::vector<Difference> differences() {
+        for (const ResonatorParameter& parameter : resonator_parameters) {
+            add({parameter.name, parameter.unit, passport_.resonator.*parameter.member,
+                 now_.resonator.*parameter.member},
+                parameter.member == &ResonatorEstimate::f_mean_hz, parameter.period);
+        }
+        add_modes();
+        add_directions("f_hz", "Hz", &ResonatorEstimate::f_mean_hz, &RunEstimate::direction_f_hz);
+        add_directions("tau_s", "s", &ResonatorEstimate::tau_s, &RunEstimate::direction_tau_s);
+        judge();
+        return std::move(differences_);
+    }
+
+private:
+    // `besides`: a part of u of its own.
+    void add(Difference difference, bool is_frequency, double period = 0,
+             Incomparable why = Incomparable::none, double besides = 0) {
+        const Estimate& then = difference.then;
+        const Estimate& now = difference.now;
+        if (!then.given() && !now.given()) {
+            return;
+        }
+        difference.relative = difference.change = difference.sd = difference.u = nan;
+        if (why == Incomparable::none) {
+            why = !then.given()  ? Incomparable::then_unknown
+                  : !now.given() ? Incomparable::now_unknown
+                                 : Incomparable::none;
+        }
+        if (why != Incomparable::none) {
+            difference.why = why;
+            difference.verdict = Verdict::not_comparable;
+            differences_.push_back(std::move(difference));
+            return;
+        }
+        const double change = now.value - then.value;
+        difference.change = period > 0 ? std::remainder(change, period) : change;
+        difference.sd = std::hypot(then.sd, now.sd);
+        difference.u = std::hypot(then.uncertainty(), now.uncertainty(), besides);
+        if (is_frequency) {
+            difference.u = std::hypot(difference.u, spread_hz_);
+            difference.limit = options_.f_limit_ppm * 1e-6 * std::abs(then.value);
+        }
+        // A part of what is hardly above its noise says nothing.
+        if (period == 0 && std::abs(then.value) > single_changed_from * then.uncertainty()) {
+            difference.relative = change / then.value;
+        }
+        differences_.push_back(std::move(difference));
+    }
+
+    void add_modes() {
+        const std::size_t modes = std::max(passport_.modes.size(), now_.modes.size());
+        const bool alike = passport_.mode_order && *passport_.mode_order == now_.mode_order;
+        const bool both = !passport_.modes.empty() && !now_.modes.empty();
+        const Incomparable order =
+            alike || !both ? Incomparable::none : Incomparable::other_mode_order;
+        const Reason not_apart{ReasonCode::modes_not_apart, {}};
+        const auto told = [](const Reason& reason) { return reason.code != ReasonCode::none; };
+        for (std::size_t k = 0; k < modes; ++k) {
+            for (const ModeParameter& parameter : mode_parameters) {
+                const auto of = [&](const std::vector<ModeEstimate>& side, const Reason& none) {
+                    return k < side.size() ? side[k].*parameter.member : Estimate{.reason = none};
+                };
+                add({"modes[" + std::to_string(k) + "]." + parameter.name, parameter.unit,
+                     of(passport_.modes, not_apart),
+                     of(now_.modes, told(now_.no_modes) ? now_.no_modes : not_apart)},
+                    parameter.member == &ModeEstimate::f_hz, 0, order);
+            }
+        }
+    }
+
+    // The run of the passport that starts nearest to a direction; null: none within the limit.
+    const RunEstimate* run_at(const Estimate& two_theta_A) const {
+        const RunEstimate* nearest = nullptr;
+        double least = same_direction;
+        for (const RunEstimate& run : passport_.runs) {
+            if (!run.two_theta_A_rad.given() || !two_theta_A.given()) {
+                continue;
+            }
+            const double distance = apart(run.two_theta_A_rad, two_theta_A);
+            if (distance <= least) {
+                least = distance;
+                nearest = &run;
+            }
+        }
+        return nearest;
+    }
+
+    void add_directions(const std::string& name, const char* unit,
+                        Estimate ResonatorEstimate::*of_resonator, Estimate RunEstimate::*member) {
+        if ((passport_.resonator.*of_resonator).given() && (now_.resonator.*of_resonator).given()) {
+            return;
+        }
+        const Estimate none{.reason = {ReasonCode::rests_on_unseen, {}}};
+        const bool is_frequency = member == &RunEstimate::direction_f_hz;
+        for (std::size_t k = 0; k < now_.runs.size(); ++k) {
+            const RunEstimate& run = now_.runs[k];
+            const RunEstimate* then = run_at(run.two_theta_A_rad);
+            const double apart_rad =
+                then != nullptr ? apart(then->two_theta_A_rad, run.two_theta_A_rad) : 0;
+            // d f / d 2theta_A is up to the split, d tau / d 2theta_A up to g tau^2: unseen here,
+            // so that their priors of the fit stand for them.
+            const double slope = is_frequency ? unseen_split_hz : std::abs((run.*member).value);
+            add({"runs[" + std::to_string(k) + "].direction." + name, unit,
+                 then != nullptr ? then->*member : none, now_.runs[k].*member},
+                is_frequency, 0,
+                then != nullptr ? Incomparable::none : Incomparable::other_direction,
+                apart_rad > 0 ? slope * apart_rad : 0);
+        }
+    }
+
+    void judge() {
+        const auto compared = std::ranges::count_if(differences_, [](const Difference& each) {
+            return each.verdict != Verdict::not_comparable;
+        });
+        const double limit = changed_from(static_cast<std::size_t>(compared));
+        for (Difference& each : differences_) {
+            if (each.verdict != Verdict::not_comparable) {
+                const bool changed =
+                    each.deviations() >= limit && std::abs(each.change) > each.limit;
+                each.verdict = changed ? Verdict::changed : Verdict::unchanged;
+            }
+        }
+    }
+
+    const Passport& passport_;
+    const ResonatorFit& now_;
+    const CompareOptions& options_;
+    double spread_hz_;
+    std::vector<Difference> differences_;
+};
+
+}  // namespace
+
+const char* verdict_name(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::unchanged: return "unchanged";
+        case Verdict::changed: return "changed";
+        case Verdict::not_comparable: return "not comparable";
+    }
+    return "";
+}
+
+const char* message_template(Incomparable why) {
+    switch (why) {
+        case Incomparable::other_direction:
+            return VYBEG_MESSAGE("Reason",
+                                 "It belongs to one direction, and no recording of the other side "
+                                 "starts within 3 degrees of it.");
+        case Incomparable::other_mode_order:
+            return VYBEG_MESSAGE("Reason",
+                                 "The modes of both sides are not named by the same: one by "
+                                 "frequency, the other by decay.");
+        case Incomparable::none:
+        case Incomparable::now_unknown:
+        case Incomparable::then_unknown: break;
+    }
+    return "";
+}
+
+std::string incomparable_text(const Difference& difference) {
+    switch (difference.why) {
+        case Incomparable::now_unknown: return "now: " + english(difference.now.reason);
+        case Incomparable::then_unknown:
+            return "in the passport: " + english(difference.then.reason);
+        default: return message_template(difference.why);
+    }
+}
+
+double Difference::deviations() const {
+    // Two values without any deviation, such as those given by hand, differ or do not.
+    return change == 0 ? 0 : std::abs(change) / u;
+}
+
+double changed_from(std::size_t count) {
+    if (count <= 1) {
+        return single_changed_from;
+    }
+    // 1 - (1 - p)^(1/count), solved by halving: the chance falls with the deviations.
+    const double alone = chance_beyond(single_changed_from);
+    const double each = -std::expm1(std::log1p(-alone) / static_cast<double>(count));
+    double low = single_changed_from;
+    double high = 10;
+    for (int step = 0; step < 60; ++step) {
+        const double middle = (low + high) / 2;
+        (chance_beyond(middle) > each ? low : high) = middle;
+    }
+    return high;
+}
+
+std::vector<Difference> compare(const Passport& passport, const ResonatorFit& now,
+                                const CompareOptions& options) {
+    return Comparison(passport, now, options).differences();
+}
+
+}  // namespace vybeg

@@ -1,0 +1,92 @@
+#include "core/resonator/results/reported_variances.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg {
+namespace {
+
+// Central differences over this share of a parameter's deviation with all others known: alone, a
+// parameter that depends on others would leave what is linear within its whole deviation.
+constexpr double difference_share = 0.03;
+
+// Of a variance: what a profile must add for the direction to count as unseen.
+constexpr double unseen_share = 0.25;
+
+double by_shorter_way(double difference, double period) {
+    return period > 0 ? std::remainder(difference, period) : difference;
+}
+
+// Parameters to both sides of the maximum along one of them.
+struct Neighbours {
+    Eigen::VectorXd up;
+    Eigen::VectorXd down;
+    double step = 0;  // between them, as rounding has left it
+};
+
+Neighbours neighbours(const Posterior& posterior, Eigen::Index k) {
+    const Eigen::Index at = posterior.active[static_cast<std::size_t>(k)];
+    const double h = difference_share * posterior.alone_sd[k];
+    Neighbours near{posterior.p, posterior.p, 0};
+    near.up[at] += h;
+    near.down[at] -= h;
+    near.step = near.up[at] - near.down[at];
+    return near;
+}
+
+}  // namespace
+
+Eigen::VectorXcd square_gradient(const Posterior& posterior) {
+    Eigen::VectorXcd by(static_cast<Eigen::Index>(posterior.active.size()));
+    for (Eigen::Index k = 0; k < by.size(); ++k) {
+        const Neighbours near = neighbours(posterior, k);
+        by[k] = (square_half_difference(near.up) - square_half_difference(near.down)) / near.step;
+    }
+    return by;
+}
+
+double ReportedVariances::sd(Eigen::Index quantity) const {
+    return std::sqrt(std::max(data[quantity] + nothing[quantity], 0.0));
+}
+
+double ReportedVariances::u(Eigen::Index quantity) const {
+    return std::sqrt(std::max(total(quantity), 0.0));
+}
+
+ReportedVariances reported_variances(const Posterior& posterior, const QuantityContext& context,
+                                     const std::vector<ProfilePoint>& beside) {
+    ReportedVariances out;
+    out.value = quantities(posterior.p, context);
+    const Eigen::VectorXd period = quantity_periods(context.layout->runs());
+    const Eigen::Index count = out.value.size();
+    out.gradient.resize(count, static_cast<Eigen::Index>(posterior.active.size()));
+    for (Eigen::Index k = 0; k < out.gradient.cols(); ++k) {
+        const Neighbours near = neighbours(posterior, k);
+        const Eigen::VectorXd difference =
+            quantities(near.up, context) - quantities(near.down, context);
+        for (Eigen::Index q = 0; q < count; ++q) {
+            out.gradient(q, k) = by_shorter_way(difference[q], period[q]) / near.step;
+        }
+    }
+    const Eigen::MatrixXd in_root = out.gradient * posterior.root;
+    const auto variances = [&](const Eigen::MatrixXd& part) {
+        return Eigen::VectorXd((in_root * part).cwiseProduct(in_root).rowwise().sum());
+    };
+    out.data = variances(posterior.data);
+    out.known = variances(posterior.known);
+    out.nothing = variances(posterior.nothing);
+    for (const ProfilePoint& point : beside) {
+        const Eigen::VectorXd there = quantities(point.p, context);
+        for (Eigen::Index q = 0; q < count; ++q) {
+            const double off = by_shorter_way(there[q] - out.value[q], period[q]);
+            const double missing = off * off / point.rise - out.total(q);
+            if (missing > 0) {
+                // A little is the quantity's own bend along a direction that is seen.
+                (missing > unseen_share * out.total(q) ? out.nothing : out.data)[q] += missing;
+            }
+        }
+    }
+    return out;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,357 @@
+#include "core/resonator/results/resonator_estimates.h"
+
+#include "core/base/number_text.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/run_parameters.h"
+#include "core/resonator/results/sensitivities.h"
+#include "core/resonator/runs/decay_time.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vybeg {
+namespace {
+
+using Eigen::Index;
+using std::numbers::pi;
+
+// Shares of a variance that priors which state nothing may have: of a parameter of its own (its
+// deviation is a tenth of the prior's), and of a derived quantity.
+constexpr double own_share = 0.01;
+constexpr double derived_share = 0.5;
+constexpr double axis_needs = 5;  // standard deviations of the vector
+constexpr double modes_need = 5;  // of the modes' difference
+constexpr double narrowed = 0.1;  // of a channel's tolerance
+constexpr double limit_sd = 2;
+constexpr double much_turned_deg = 22.5;
+constexpr double clear_value = 20;    // standard deviations
+constexpr double circular_below = 5;  // standard deviations of the smaller travelling wave
+
+class Estimates {
+public:
+    Estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit)
+        : set_(set), runs_(runs), at_(set.variances), fit_(fit) {}
+
+    void add() {
+        const double share = 1 / static_cast<double>(runs_.size());
+        for (const PhasorRun& run : runs_) {
+            f_ref_hz_ += share * run.f_ref_hz;
+        }
+        add_runs();
+        if (set_.model == ResonatorModel::structured) {
+            add_resonator();
+        } else {
+            add_free();
+        }
+        add_modes();
+    }
+
+private:
+    bool unseen(Index quantity, double share) const {
+        return at_.nothing[quantity] > share * at_.total(quantity);
+    }
+
+    // A rotation that is many times what an anisotropy allowed by passivity could feign is seen.
+    bool known_against_itself(Index quantity) const {
+        return std::abs(at_.value[quantity]) > clear_value * at_.u(quantity);
+    }
+
+    Estimate number(Index quantity, double factor = 1, double origin = 0) const {
+        const double u = at_.known[quantity] > 0 ? at_.u(quantity) * std::abs(factor)
+                                                 : std::numeric_limits<double>::quiet_NaN();
+        return {origin + factor * at_.value[quantity], at_.sd(quantity) * std::abs(factor), {}, u};
+    }
+
+    Estimate derived(Index quantity, const Reason& reason, double factor = 1,
+                     double origin = 0) const {
+        return unseen(quantity, derived_share) ? Estimate{.reason = reason}
+                                               : number(quantity, factor, origin);
+    }
+
+    Index of_run(std::size_t run, RunQuantity quantity) const {
+        return quantity_of_run(run, quantity);
+    }
+
+    // Covariance of two parameters side by side, with all its parts.
+    Eigen::Matrix2d pair_covariance(int first) const {
+        const auto found = std::ranges::find(set_.posterior.active, Index{first});
+        const Index k = found - set_.posterior.active.begin();
+        const Posterior& p = set_.posterior;
+        return p.covariance_of(k, 2);
+    }
+
+    // How far the wave of any run turns, degrees of theta_A.
+    double turned_deg() const {
+        double most = 0;
+        for (std::size_t run = 0; run < runs_.size(); ++run) {
+            double low = 0;
+            double high = 0;
+            double angle = 0;
+            double last = 0;
+            bool first = true;
+            for (const Phasors& wave :
+                 predicted_waves(fit_.motion, run, set_.problem->runs[run].time_s)) {
+                const double two_theta = to_wave_state(wave).two_theta_A;
+                angle = first ? two_theta : angle + std::remainder(two_theta - last, pi);
+                last = two_theta;
+                low = first ? angle : std::min(low, angle);
+                high = first ? angle : std::max(high, angle);
+                first = false;
+            }
+            most = std::max(most, (high - low) / 2 * 180 / pi);
+        }
+        return most;
+    }
+
+    // What would show the rest: the start angle halfway between those that show the same.
+    Reason other_direction(ReasonCode code) const {
+        const double theta = at_.value[of_run(0, two_theta_of)] / 2;
+        const double other = std::remainder(theta * 180 / pi + 22.5, 90.0);
+        return {code,
+                {short_text(std::round(10 * other) / 10, 4),
+                 short_text(std::ceil(runs_[0].time_s.back() + runs_[0].window_s / 2), 4)}};
+    }
+
+    // Size and axis of the vector that begins at `first` among the parameters.
+    void add_vector(int first, SharedQuantity size, SharedQuantity axis, const char* unit,
+                    const Reason& reason, Estimate& size_out, Estimate& axis_out) const {
+        if (unseen(size, own_share) || unseen(axis, own_share)) {
+            size_out = axis_out = Estimate{.reason = reason};
+            return;
+        }
+        const double length = at_.value[size];
+        const double most =
+            std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(pair_covariance(first))
+                          .eigenvalues()[1]);
+        const Reason within{ReasonCode::within_noise,
+                            {short_text(length + limit_sd * most, 3), unit}};
+        size_out = length < set_.split_needs * most ? Estimate{.reason = within} : number(size);
+        axis_out = length < std::max(axis_needs, set_.split_needs) * most
+                       ? Estimate{.reason = within}
+                       : number(axis);
+    }
+
+    Estimate channel(SharedQuantity quantity, int parameter, double factor) const {
+        const double told = set_.problem->priors.sd[parameter];
+        if (told == 0) {
+            const bool ratio = parameter == kappa_at;
+            return {.reason = {ratio ? ReasonCode::as_given : ReasonCode::held, {}}};
+        }
+        if (at_.u(quantity) > narrowed * told) {
+            return {.reason = {ReasonCode::as_given, {}}};
+        }
+        return number(quantity, factor);
+    }
+
+    // pi f / decay for a frequency and a decay rate among the quantities.
+    Estimate quality(Index decay, double f_hz, const Estimate& tau) const {
+        if (!tau.given()) {
+            return tau;
+        }
+        // The frequency's part is below 1e-9 of Q wherever the decay is seen at all.
+        const double q = pi * f_hz / at_.value[decay];
+        return {q, q * tau.sd / tau.value, {}, q * tau.u / tau.value};
+    }
+
+    Estimate decay_time_of(Index decay, const Reason& reason) const {
+        if (unseen(decay, derived_share)) {
+            return {.reason = reason};
+        }
+        const Estimate rate = number(decay);
+        return decay_time(rate.value, rate.sd, rate.u);
+    }
+
+    void add_resonator() {
+        ResonatorEstimate& out = fit_.resonator;
+        const Reason one_direction = other_direction(ReasonCode::one_direction);
+        const bool turned = turned_deg() > much_turned_deg;
+        const Reason damping = turned ? Reason{ReasonCode::kappa_like_damping, {}} : one_direction;
+        out.f_mean_hz = derived(f_mean_of, one_direction, 1, f_ref_hz_);
+        add_vector(split_cos_at, split_of, theta_w_of, "Hz", one_direction, out.split_hz,
+                   out.theta_w_rad);
+        add_vector(damping_cos_at, damping_of, theta_tau_of, "1/s", damping,
+                   out.damping_anisotropy_per_s, out.theta_tau_rad);
+        out.tau_s = decay_time_of(decay_of, one_direction);
+        out.q = quality(decay_of, f_ref_hz_ + at_.value[f_mean_of], out.tau_s);
+        out.angle_rate_rad_s =
+            unseen(angle_rate_of, own_share) && !known_against_itself(angle_rate_of)
+                ? Estimate{.reason = other_direction(ReasonCode::confounded_rotation)}
+                : number(angle_rate_of);
+        out.kappa = channel(kappa_of, kappa_at, 1);
+        out.non_orthogonality_rad = channel(skew_of, skew_at, 1);
+        out.delay_s = channel(phase_of, phase_at, -1 / (2 * pi * f_ref_hz_));
+        const double power_unit = 1 / (set_.scale * set_.scale);
+        if (set_.problem->priors.sd[cubic_at] > 0) {
+            out.frequency_per_power =
+                set_.amplitude_or_time ? Estimate{.reason = {ReasonCode::amplitude_or_time, {}}}
+                : unseen(cubic_of, own_share) ? Estimate{.reason = {ReasonCode::drift_not_seen, {}}}
+                                              : number(cubic_of, power_unit);
+        } else {
+            const Estimate& limit = set_.cubic_limit;
+            const double most = std::abs(limit.value) + limit_sd * limit.sd;
+            out.frequency_per_power.reason = {ReasonCode::not_nonlinear,
+                                              {short_text(most * power_unit, 3)}};
+        }
+        if (!out.tau_s.given() && out.tau_s.reason.code == ReasonCode::one_direction) {
+            fit_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
+        }
+        fit_.sensitivities = sensitivities(set_, out, f_ref_hz_);
+        add_drift_terms();
+    }
+
+    void add_free() {
+        const Estimate none{.reason = {ReasonCode::free_model, {}}};
+        for (const ResonatorParameter& parameter : resonator_parameters) {
+            fit_.resonator.*parameter.member = none;
+        }
+        for (RunEstimate& run : fit_.runs) {
+            run.split_sin_hz = run.direction_f_hz = run.direction_tau_s = none;
+        }
+        fit_.sensitivities.assign(resonator_parameters.size(), {});
+    }
+
+    void add_modes() {
+        fit_.mode_order = set_.context.order;
+        const Posterior& p = set_.posterior;
+        // |s^2| against the largest deviation of its two parts.
+        const Eigen::VectorXcd gradient = square_gradient(p);
+        Eigen::MatrixXd by(2, gradient.size());
+        by << gradient.real().transpose(), gradient.imag().transpose();
+        const Eigen::Matrix2d spread = p.covariance_of(by);
+        const double most =
+            std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[1]);
+        const bool apart = std::abs(square_half_difference(p.p)) > modes_need * most;
+        const bool seen =
+            !unseen(mode_f_of, derived_share) && !unseen(mode_f_of + 1, derived_share);
+        if (!apart || !seen) {
+            fit_.no_modes = {apart ? ReasonCode::rests_on_unseen : ReasonCode::modes_not_apart, {}};
+            return;
+        }
+        for (const int k : {0, 1}) {
+            ModeEstimate mode;
+            mode.f_hz = number(mode_f_of + k, 1, f_ref_hz_);
+            mode.tau_s = decay_time_of(mode_decay_of + k, {ReasonCode::rests_on_unseen, {}});
+            mode.q = quality(mode_decay_of + k, mode.f_hz.value, mode.tau_s);
+            fit_.modes.push_back(mode);
+        }
+    }
+
+    // Largest statistical deviations of the travelling waves u+- = c +- i d of a run's start, but
+    // for the phase common to both: it turns along with frequencies that are not seen.
+    struct TravellingSd {
+        double plus = 0;
+        double minus = 0;
+    };
+
+    TravellingSd travelling_sd(std::size_t run) const {
+        const Posterior& p = set_.posterior;
+        const Index first =
+            std::ranges::find(p.active, set_.problem->layout.at(run, start_at)) - p.active.begin();
+        const Eigen::Vector4d wave = p.p.segment<4>(set_.problem->layout.at(run, start_at));
+        const Eigen::Vector4d turned =
+            Eigen::Vector4d(-wave[1], wave[0], -wave[3], wave[2]).normalized();
+        const Eigen::Matrix4d rest = Eigen::Matrix4d::Identity() - turned * turned.transpose();
+        const Eigen::MatrixXd rows = rest * p.root.middleRows<4>(first);
+        const Eigen::Matrix4d start = rows * (p.data + p.nothing) * rows.transpose();
+        const auto largest = [&](double sign) {
+            Eigen::Matrix<double, 2, 4> of_start;
+            of_start << 1, 0, 0, -sign, 0, 1, sign, 0;
+            const Eigen::Matrix2d spread = of_start * start * of_start.transpose();
+            return std::sqrt(
+                Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[1]);
+        };
+        return {largest(1), largest(-1)};
+    }
+
+    void add_runs() {
+        const Reason rests{ReasonCode::rests_on_unseen, {}};
+        for (std::size_t k = 0; k < runs_.size(); ++k) {
+            const auto at = [&](RunQuantity quantity) { return of_run(k, quantity); };
+            RunEstimate run;
+            run.f_offset_hz = derived(at(f_offset_of), rests);
+            run.a_A = derived(at(a_A_of), rests, set_.scale);
+            run.a_B = derived(at(a_B_of), rests, set_.scale);
+            run.drift_hz_per_s = derived(at(run_drift_of), {ReasonCode::drift_not_seen, {}});
+            const TravellingSd sd = travelling_sd(k);
+            const double smaller = at_.value[at(a_A_of)] - std::abs(at_.value[at(a_B_of)]);
+            if (smaller < circular_below * std::min(sd.plus, sd.minus)) {
+                const Estimate circular{.reason = {ReasonCode::circular_wave, {}}};
+                // Both amplitudes have a cusp where a travelling wave vanishes.
+                run.a_A.sd = run.a_B.sd = set_.scale * std::hypot(sd.plus, sd.minus) / 2;
+                run.two_theta_A_rad = run.split_sin_hz = circular;
+                run.direction_f_hz = run.direction_tau_s = circular;
+            } else {
+                run.two_theta_A_rad = derived(at(two_theta_of), rests);
+                run.split_sin_hz = derived(at(split_sin_of), rests);
+                run.direction_f_hz = derived(at(direction_f_of), rests, 1, runs_[k].f_ref_hz);
+                run.direction_tau_s = decay_time_of(at(direction_decay_of), rests);
+            }
+            fit_.runs.push_back(run);
+        }
+    }
+
+    void add_drift_terms() {
+        const ResonatorEstimate& out = fit_.resonator;
+        DriftTerms& terms = fit_.drift_terms;
+        // An anisotropy within its noise is a drift known to be small.
+        const auto seen = [](const Estimate& estimate) {
+            return estimate.given() || estimate.reason.code == ReasonCode::within_noise;
+        };
+        terms.given = seen(out.damping_anisotropy_per_s) && out.angle_rate_rad_s.given();
+        const std::array<Index, 3> parameters{rotation_at, damping_cos_at, damping_sin_at};
+        const Posterior& p = set_.posterior;
+        const Eigen::MatrixXd covariance = p.covariance_of(0, p.root.rows());
+        for (std::size_t k = 0; k < 3; ++k) {
+            terms.value[k] = p.p[parameters[k]];
+            const Index row = std::ranges::find(p.active, parameters[k]) - p.active.begin();
+            for (std::size_t l = 0; l < 3; ++l) {
+                const Index column = std::ranges::find(p.active, parameters[l]) - p.active.begin();
+                terms.covariance[3 * k + l] = covariance(row, column);
+            }
+        }
+    }
+
+    const FittedSet& set_;
+    std::span<const PhasorRun> runs_;
+    const ReportedVariances& at_;
+    ResonatorFit& fit_;
+    double f_ref_hz_ = 0;
+};
+
+}  // namespace
+
+void add_estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit) {
+    Estimates(set, runs, fit).add();
+    const ResonatorEstimate& given = fit.resonator;
+    fit.identifiable = {.split = given.split_hz.given(),
+                        .theta_w = given.theta_w_rad.given(),
+                        .tau = given.tau_s.given(),
+                        .damping_anisotropy = given.damping_anisotropy_per_s.given(),
+                        .theta_tau = given.theta_tau_rad.given(),
+                        .rotation = given.angle_rate_rad_s.given(),
+                        .kappa = given.kappa.given()};
+}
+
+void refuse_all(const Reason& reason, ResonatorFit& fit) {
+    const Estimate none{.reason = reason};
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        fit.resonator.*parameter.member = none;
+    }
+    for (RunEstimate& run : fit.runs) {
+        for (const RunParameter& parameter : run_parameters) {
+            if (parameter.member != &RunEstimate::q_envelope) {
+                run.*parameter.member = none;
+            }
+        }
+    }
+    fit.modes.clear();
+    fit.no_modes = reason;
+    fit.sensitivities.assign(resonator_parameters.size(), {});
+    fit.identifiable = {};
+    fit.drift_terms.given = false;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,362 @@
+#include "core/resonator/results/resonator_fit.h"
+
+#include "core/base/number_text.h"
+#include "core/resonator/fit/fit_start.h"
+#include "core/resonator/fit/phase_break.h"
+#include "core/resonator/fit/refit_in_phase.h"
+#include "core/resonator/fit/score_test.h"
+#include "core/resonator/results/describe_fit.h"
+#include "core/resonator/results/structured_test.h"
+#include "core/resonator/runs/merge_windows.h"
+#include "core/resonator/runs/needed_windows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Each run has four to six parameters of its own; eight windows are 32 numbers.
+constexpr std::size_t least_windows = 8;
+// Of one run, where its motion within a window allows: the fit's time grows with their number.
+constexpr std::size_t enough_windows = 150;
+// Fall of chi^2 from which on a dependence of the frequency on the amplitude is fitted.
+constexpr double cubic_fall = 25;
+constexpr int cubic_steps = 200;
+
+double largest_amplitude(std::span<const PhasorRun> runs) {
+    double most = 0;
+    for (const PhasorRun& run : runs) {
+        for (std::size_t k = 0; k < run.c.size(); ++k) {
+            most = std::max({most, std::abs(run.c[k]), std::abs(run.d[k])});
+        }
+    }
+    return most;
+}
+
+std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale) {
+    std::vector<ScaledRun> scaled;
+    for (const PhasorRun& run : runs) {
+        scaled.push_back(scaled_run(run, scale));
+    }
+    return scaled;
+}
+
+// The whole fit of one set, step by step.
+class SetFit {
+public:
+    // `fine`: the runs before their windows were merged.
+    SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
+           const FitOptions& options, const JobControl& job)
+        : runs_(std::move(runs)),
+          fine_(fine),
+          scaled_(scaled_runs(runs_, scale)),
+          scale_(scale),
+          options_(options),
+          job_(job),
+          problem_{scaled_, layout_of(scaled_), {}} {
+        problem_.priors = structured_priors(scaled_, problem_.layout, options.tolerance);
+    }
+
+    // Finds the most likely parameters; the number of windows of a run that they ask for.
+    NeededWindows solve() {
+        main_ = fit_still_in_phase(problem_, fit_from_nothing(problem_, job_), job_);
+        try_cubic();
+        choose_model();
+        main_ = refit_in_phase(problem_, main_, job_);
+        return needed_windows(motion_of(solved()), fine_);
+    }
+
+    // Whether these windows are explained about as well as those of another solution.
+    bool explains_as_much_as(const SetFit& other) const {
+        const double dof = degrees_of_freedom(problem_);
+        const bool structured = model_ == other.model_ || other.model_ == ResonatorModel::free;
+        return structured &&
+               chi2_per_dof() < std::max(1.5 * other.chi2_per_dof(), noise_bound(dof));
+    }
+
+    double chi2() const { return main_.chi2; }
+    double chi2_per_dof() const { return main_.chi2 / degrees_of_freedom(problem_); }
+    bool at_noise() const { return chi2_per_dof() < noise_bound(degrees_of_freedom(problem_)); }
+
+    // A step of a run's phase that would explain more of the residual than a frequency that
+    // settles.
+    std::optional<PhaseBreak> unexplained_break() const {
+        const Posterior at = posterior(problem_, main_);
+        const std::optional<PhaseBreak> found = phase_break(problem_, at);
+        if (!found) {
+            return {};
+        }
+        const double settling = settling_score(problem_, at).fall;
+        const double dof = degrees_of_freedom(problem_);
+        const bool settles =
+            settling > found->fall &&
+            main_.chi2 - settling < std::max(noise_bound(dof) * dof, main_.chi2 / 5);
+        return settles ? std::nullopt : found;
+    }
+
+    // How far a run's phase steps at the break at `time_s`, rad in (-pi, pi]; none where no window
+    // lies beyond it.
+    std::optional<double> step_at(std::size_t run, double time_s) const {
+        const std::vector<double>& breaks = scaled_[run].breaks_s;
+        const auto found = std::ranges::find(breaks, time_s);
+        if (found == breaks.end()) {
+            return {};
+        }
+        const auto place = found - breaks.begin();
+        return std::remainder(own_of(problem_.layout, main_.p, run)[own_count + place],
+                              2 * std::numbers::pi);
+    }
+
+    // What the parameters say of the resonator.
+    ResonatorFit described() const {
+        ResonatorFit fit = describe(solved(), job_);
+        fit.free_over_structured = free_over_structured_;
+        fit.warnings.insert(fit.warnings.begin(), warnings_.begin(), warnings_.end());
+        return fit;
+    }
+
+private:
+    static ParameterLayout layout_of(const std::vector<ScaledRun>& runs) {
+        std::vector<std::size_t> breaks;
+        for (const ScaledRun& run : runs) {
+            breaks.push_back(run.breaks_s.size());
+        }
+        return ParameterLayout(breaks);
+    }
+
+    SolvedSet solved() const {
+        return {runs_, fine_, &problem_, main_, model_, scale_, cubic_limit_, amplitude_or_time_};
+    }
+
+    // A dependence of the frequency on the amplitude is opened where the data ask for it: always
+    // open it would cost elliptic waves their rotation.
+    void try_cubic() {
+        const Posterior at = posterior(problem_, main_);
+        const Score score = cubic_score(problem_, at);
+        const double dof = degrees_of_freedom(problem_);
+        double scale = std::max(1.0, (main_.chi2 - score.fall) / dof);
+        cubic_limit_ = {score.size[0], std::sqrt(score.inverse(0, 0) * scale), {}};
+        if (score.fall < cubic_fall * scale / 4) {
+            return;
+        }
+        FitProblem with = problem_;
+        open_cubic(with.priors, scaled_);
+        MapFit fit = minimise(with, main_.p, 60, job_);
+        scale = std::max(1.0, fit.chi2 / degrees_of_freedom(with));
+        if (main_.chi2 - fit.chi2 <= cubic_fall * scale) {
+            return;
+        }
+        // A frequency that settles falls with the amplitude, too.
+        const double settling = main_.chi2 - settling_score(problem_, at).fall;
+        if (settling < fit.chi2 - cubic_fall * scale) {
+            return;
+        }
+        amplitude_or_time_ = settling < fit.chi2 + cubic_fall * scale;
+        main_ = std::move(fit);
+        problem_.priors = with.priors;
+        polish_cubic();
+    }
+
+    // Without the cubic term the other parameters have stood in for it, far from where they belong:
+    // the way back is long, or begins anew at still waves.
+    void polish_cubic() {
+        if (main_.converged) {
+            return;
+        }
+        Eigen::VectorXd anew = still_waves(problem_);
+        anew[cubic_at] = main_.p[cubic_at];
+        for (const Eigen::VectorXd& start : {main_.p, anew}) {
+            MapFit fit = minimise(problem_, start, cubic_steps, job_);
+            if (fit.cost < main_.cost) {
+                main_ = std::move(fit);
+            }
+        }
+    }
+
+    void choose_model() {
+        using Model = FitOptions::Model;
+        if (options_.model == Model::structured) {
+            return;
+        }
+        FitProblem free = problem_;
+        free.priors = free_priors(scaled_, problem_.layout);
+        Eigen::VectorXd start = main_.p;
+        start[kappa_at] = 1;
+        for (const int held :
+             {skew_at, phase_at, crosstalk_at, phase_drift_at, gain_drift_at, cubic_at}) {
+            start[held] = 0;
+        }
+        MapFit free_fit = fit_near_or_from_nothing(free, start);
+        const StructuredVerdict verdict =
+            test_structured(problem_, main_, free, free_fit, options_.tolerance, job_);
+        free_over_structured_ = verdict.free_over_structured;
+        if (options_.model == Model::automatic && verdict.structured) {
+            return;
+        }
+        if (options_.model == Model::automatic) {
+            warnings_.push_back({DiagnosticKind::structured_refused, {verdict.reason}});
+        }
+        model_ = ResonatorModel::free;
+        problem_.priors = std::move(free.priors);
+        main_ = std::move(free_fit);
+    }
+
+    // |z|^2 of channels of unknown scale beats, so that the free model has no cubic term.
+    MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
+        MapFit near = minimise(problem, start, 60, job_);
+        const double dof = degrees_of_freedom(problem);
+        const double ratio = noise_bound(dof);
+        if (near.chi2 < ratio * dof) {
+            return near;
+        }
+        // Channels that see nearly one mixture hide the second mode in a chi^2 of two.
+        FitProblem anew = problem;
+        anew.noise_ratio = ratio;
+        anew.damping_share = std::numeric_limits<double>::infinity();
+        MapFit fit = fit_from_nothing(anew, job_);
+        return fit.cost < near.cost ? fit : near;
+    }
+
+    std::vector<PhasorRun> runs_;
+    std::span<const PhasorRun> fine_;
+    std::vector<ScaledRun> scaled_;
+    double scale_;
+    const FitOptions& options_;
+    const JobControl& job_;
+    FitProblem problem_;
+    MapFit main_;
+    Estimate cubic_limit_;
+    bool amplitude_or_time_ = false;
+    ResonatorModel model_{};
+    double free_over_structured_ = 0;
+    std::vector<Diagnostic> warnings_;
+};
+
+// The runs with about `windows` of them each.
+std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windows) {
+    std::vector<PhasorRun> merged;
+    for (const PhasorRun& run : runs) {
+        merged.push_back(merge_windows(run, windows));
+    }
+    return merged;
+}
+
+// The set with as many windows of a run as its solution asks for.
+std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double scale,
+                                   const FitOptions& options, const JobControl& job) {
+    auto set = std::make_unique<SetFit>(merged(good, enough_windows), good, scale, options, job);
+    const NeededWindows needed = set->solve();
+    const double windows = std::max(needed.by_motion, needed.by_line);
+    if (windows > static_cast<double>(enough_windows)) {
+        auto finer = std::make_unique<SetFit>(merged(good, static_cast<std::size_t>(windows) + 1),
+                                              good, scale, options, job);
+        finer->solve();
+        // A line may be a disturbance far from the carrier, which longer windows average out.
+        if (needed.by_motion > static_cast<double>(enough_windows) ||
+            finer->explains_as_much_as(*set)) {
+            return finer;
+        }
+    }
+    return set;
+}
+
+struct OpenedPhases {
+    std::vector<PhasorRun> runs;
+    std::vector<PhaseBreak> breaks;
+    std::unique_ptr<SetFit> set;  // of the runs; none where no break explains the residual
+};
+
+// Opens the phase at a step. Where modes turn against each other the number of samples shows, too:
+// those that have the step's phase are tried.
+void open_phase(OpenedPhases& opened, PhaseBreak step, double scale, const FitOptions& options,
+                const JobControl& job) {
+    constexpr double clear_fall = 9;
+    const PhasorRun before = opened.runs[step.run];
+    std::vector<int> numbers = possible_samples(step, before.f_ref_hz, before.rate_hz);
+    numbers.insert(numbers.begin(), 0);
+    OpenedPhases best;
+    for (const int samples : numbers) {
+        step.shift_s = samples == 0 ? 0 : samples / before.rate_hz;
+        // A set refers to the runs that it is made of.
+        OpenedPhases next{opened.runs, opened.breaks, {}};
+        next.runs[step.run] = with_break(before, step);
+        next.set = solved_set(next.runs, scale, options, job);
+        next.breaks.push_back(step);
+        const double needed = clear_fall * std::max(1.0, next.set->chi2_per_dof());
+        if (!best.set || next.set->chi2() < best.set->chi2() - needed) {
+            best = std::move(next);
+        }
+    }
+    opened = std::move(best);
+}
+
+// The set with its phases left open where they step. One step takes nearly all of the residual
+// away, several leave nothing but noise: less would find steps in any phase that wanders.
+OpenedPhases with_open_phases(const std::vector<PhasorRun>& good, const SetFit& closed,
+                              double scale, const FitOptions& options, const JobControl& job) {
+    constexpr std::size_t most_breaks = 4;
+    constexpr double nearly_none = 0.2;
+    OpenedPhases opened{good, {}, {}};
+    while (opened.breaks.size() < most_breaks) {
+        const std::optional<PhaseBreak> step =
+            (opened.set ? *opened.set : closed).unexplained_break();
+        if (!step) {
+            break;
+        }
+        open_phase(opened, *step, scale, options, job);
+    }
+    if (opened.breaks.empty()) {
+        return opened;
+    }
+    const bool most = opened.breaks.size() == 1 &&
+                      opened.set->chi2_per_dof() - 1 < nearly_none * (closed.chi2_per_dof() - 1);
+    if (most || opened.set->at_noise()) {
+        return opened;
+    }
+    return {good, {}, {}};
+}
+
+}  // namespace
+
+Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& options,
+                                   const JobControl& job) {
+    std::vector<PhasorRun> good;
+    for (const PhasorRun& run : runs) {
+        good.push_back(usable_windows(run));
+        if (good.back().time_s.size() < least_windows) {
+            return Error{ErrorCode::fit_too_few_windows,
+                         "recording " + std::to_string(good.size()),
+                         {integer_text(static_cast<std::int64_t>(good.back().time_s.size())),
+                          integer_text(least_windows)}};
+        }
+    }
+    const double scale = largest_amplitude(good);
+    if (good.empty() || scale <= 0) {
+        return Error{ErrorCode::fit_failed, "the recordings", {"there is no wave"}};
+    }
+    std::unique_ptr<SetFit> set = solved_set(good, scale, options, job);
+    OpenedPhases opened = with_open_phases(good, *set, scale, options, job);
+    if (opened.set) {
+        set = std::move(opened.set);
+    }
+    ResonatorFit fit = set->described();
+    for (PhaseBreak& step : opened.breaks) {
+        step.step_rad = set->step_at(step.run, step.time_s).value_or(step.step_rad);
+        fit.warnings.push_back({DiagnosticKind::fitted_phase_step,
+                                {integer_text(static_cast<std::int64_t>(step.run) + 1),
+                                 short_text(step.step_rad, 3), short_text(step.time_s, 4)}});
+    }
+    fit.phase_breaks = std::move(opened.breaks);
+    if (job.cancelled()) {
+        return Error{ErrorCode::interrupted, {}, {}};
+    }
+    return fit;
+}
+
+}  // namespace vybeg

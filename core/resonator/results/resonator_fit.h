@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+#include "core/resonator/model/channel_tolerance.h"
+#include "core/resonator/model/phasor_run.h"
+#include "core/resonator/results/resonator_result.h"
+
+#include <span>
+
+namespace vybeg {
+
+struct FitOptions {
+    enum class Model { automatic, structured, free };
+    Model model = Model::automatic;
+    ChannelTolerance tolerance{};
+};
+
+// Fits one resonator to all runs together (METHOD section 8): one M; each run its own start,
+// frequency and drift. One model with all its parameters and priors, everything reported from one
+// covariance; a parameter is given where the data narrow its prior. Standard deviations follow the
+// residual as it is, coloured or white. The same bits for any number of threads.
+// Errors: fit_too_few_windows, fit_failed, interrupted.
+Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& options,
+                                   const JobControl& job);
+
+}  // namespace vybeg

@@ -1,0 +1,122 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/resonator/fit/phase_break.h"
+#include "core/resonator/model/derived_quantities.h"
+#include "core/resonator/model/fitted_motion.h"
+#include "core/resonator/model/reason.h"
+#include "core/resonator/noise/noise_shape.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// structured: the pick-offs are a calibrated cos/sin pair, M has the form of METHOD section 8;
+// free: M is any complex 2x2 matrix, and only its modes are told.
+enum class ResonatorModel { structured, free };
+
+// A normal mode: an eigenvalue i 2 pi f - 1/tau of M.
+struct ModeEstimate {
+    Estimate f_hz;
+    Estimate tau_s;
+    Estimate q;
+};
+
+struct ResonatorEstimate {
+    Estimate f_mean_hz;    // of both modes, mean of the runs
+    Estimate split_hz;     // f_p - f_q >= 0
+    Estimate theta_w_rad;  // axis of the faster mode, (-pi/4, pi/4]
+    Estimate tau_s;
+    Estimate q;                         // pi f_mean tau
+    Estimate damping_anisotropy_per_s;  // 1/tau_1 - 1/tau_2 >= 0
+    Estimate theta_tau_rad;             // axis of larger damping, (-pi/4, pi/4]
+    Estimate angle_rate_rad_s;          // d theta_A/dt = -k Omega = -r/2
+    Estimate kappa;                     // D = kappa S_D
+    Estimate non_orthogonality_rad;     // of the pick-offs
+    Estimate delay_s;                   // of D behind C
+    Estimate frequency_per_power;       // Hz per squared recording unit of |z|^2 = a_A^2 + a_B^2
+};
+
+// Change of a parameter per unit of an assumed error of the channels, or of an effect of the
+// amplitude that the model holds at zero; all others as they are.
+struct ChannelSensitivity {
+    double kappa = 0;
+    double skew_deg = 0;
+    double delay_s = 0;
+    double crosstalk = 0;
+    double phase_drift_rad = 0;
+    double gain_drift = 0;
+    double cubic_hz = 0;       // cubic spring: Hz at the set's largest amplitude
+    double pickoff_share = 0;  // of the gain of both channels, grown at the largest amplitude
+    double damping_share = 0;  // of 1/tau that the damping grows by at the largest amplitude
+
+    friend bool operator==(const ChannelSensitivity&, const ChannelSensitivity&) = default;
+};
+
+// Frequencies of a run that drifts are those of its reference instant, the mean time weighted with
+// the power.
+struct RunEstimate {
+    Estimate f_offset_hz;  // of this run from f_mean_hz; the runs' offsets have mean zero
+    Estimate a_A;          // at the start of the recording, as the next two, recording units
+    Estimate a_B;
+    Estimate two_theta_A_rad;
+    Estimate split_sin_hz;    // split * sin 4(theta_A - theta_w) at the start
+    Estimate direction_f_hz;  // of a wave that stays in the direction in which this one starts
+    Estimate
+        direction_tau_s;  // likewise: what a still wave shows where f_mean and tau are not seen
+    Estimate q_envelope;  // pi f tau, tau of the power |z|^2 alone
+    Estimate drift_hz_per_s;
+};
+
+// The fitted numbers themselves, for a passport: named, with their whole covariance.
+struct RawParameters {
+    std::vector<std::string> names;
+    std::vector<double> values;
+    std::vector<double> covariance;  // row by row, names.size() squared
+};
+
+// What the recordings can tell at all.
+struct Identifiable {
+    bool split = false;
+    bool theta_w = false;
+    bool tau = false;
+    bool damping_anisotropy = false;
+    bool theta_tau = false;
+    bool rotation = false;
+    bool kappa = false;
+};
+
+// Rotation and damping anisotropy, what the drift of the angle is made of, with their covariance:
+// r, g cos 4theta_tau, g sin 4theta_tau.
+struct DriftTerms {
+    std::array<double, 3> value{};
+    std::array<double, 9> covariance{};  // row by row
+    bool given = false;
+};
+
+struct ResonatorFit {
+    ResonatorModel model{};
+    std::vector<ModeEstimate> modes;  // two in mode_order, or none
+    ModeOrder mode_order{};
+    Reason no_modes;              // why, where there are none
+    ResonatorEstimate resonator;  // each with reason free_model for the free model
+    // Of the resonator's parameters, in the order of resonator_parameters.h; NaN where one is not
+    // given.
+    std::vector<ChannelSensitivity> sensitivities;
+    std::vector<RunEstimate> runs;  // as the runs given
+    Identifiable identifiable;
+    DriftTerms drift_terms;
+    double residual_rms = 0;          // of the windows' phasors per signal, recording units
+    double chi2_per_dof = 0;          // squared residuals in units of the windows' sd
+    double free_over_structured = 0;  // fall of chi^2 (over chi^2/dof of the free fit, if above 1)
+                                      // from structured to free M; about 1 by chance
+    ResidualNoise noise;
+    RawParameters raw;
+    FittedMotion motion;
+    std::vector<PhaseBreak> phase_breaks;  // found by the fit and left open
+    std::vector<Diagnostic> warnings;
+};
+
+}  // namespace vybeg

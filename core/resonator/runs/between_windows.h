@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace vybeg {
+
+// Phasors between the middles of windows, from the means of 2 reach windows in a row: the weights
+// of least squares for which every frequency up to a quarter of a cycle per window (a beat of four
+// windows and more) passes unchanged, to 1e-6.
+class BetweenWindows {
+public:
+    static constexpr std::size_t reach = 8;   // windows on each side
+    static constexpr std::size_t parts = 16;  // of the way from a window to the next
+
+    BetweenWindows();
+
+    // The phasor `part` parts behind the middle of the window before the last `reach` means.
+    std::complex<double> at(std::size_t part, std::span<const std::complex<double>> means) const;
+
+    // The phase from that middle to the next one: of the power of both channels, the sum over steps
+    // so short that unequal modes count by their power.
+    double phase(std::span<const std::complex<double>> c,
+                 std::span<const std::complex<double>> d) const;
+
+    // Of a window's noise variance, at a middle.
+    double noise_gain() const { return weights_.row(0).squaredNorm(); }
+
+private:
+    Eigen::MatrixXd weights_;  // a row for each part
+};
+
+}  // namespace vybeg

@@ -1,0 +1,26 @@
+#include "core/resonator/runs/decay_time.h"
+
+#include "core/base/number_text.h"
+
+namespace vybeg {
+
+Estimate decay_time(double per_s, double sd, double u) {
+    constexpr double given_from = 5;
+    constexpr double limit = 2;
+    const double width = u > sd ? u : sd;
+    if (per_s >= given_from * width) {
+        return {1 / per_s, sd / (per_s * per_s), {}, u / (per_s * per_s)};
+    }
+    const double fastest = per_s + limit * width;
+    if (fastest <= 0) {
+        return {.reason = {ReasonCode::grows, {short_text(-per_s, 3), short_text(width, 2)}}};
+    }
+    const double slowest = per_s - limit * width;
+    if (slowest > 0) {
+        return {.reason = {ReasonCode::decay_limits,
+                           {short_text(1 / fastest, 3), short_text(1 / slowest, 3)}}};
+    }
+    return {.reason = {ReasonCode::no_decay, {short_text(1 / fastest, 3)}}};
+}
+
+}  // namespace vybeg

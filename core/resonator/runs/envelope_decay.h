@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/resonator/model/scaled_run.h"
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace vybeg {
+
+// The decay of the power |z|^2 of a run, free of phase and frequency: a weighted straight line
+// through log |z|^2, down to a power of 100 noise variances.
+struct EnvelopeDecay {
+    double per_s = 0;        // 1/tau, half the slope
+    double sd = 0;           // from the scatter about the line, no less than that of the noise;
+                             // infinite for fewer than three usable windows
+    double model_per_s = 0;  // the same line through the power of `expected`
+};
+
+// `expected`: the phasors of a fitted motion in the run's windows, scaled units.
+EnvelopeDecay envelope_decay(const ScaledRun& run, std::span<const Eigen::Vector2cd> expected);
+
+}  // namespace vybeg

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/resonator/model/phasor_run.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace vybeg {
+
+// The slow variables of one run at a few points, for pictures and passports: means over stretches
+// of consecutive windows, with their standard deviations. Times in s from the start of the
+// recording, amplitudes in recording units, angles in rad, frequency in Hz.
+struct RunTrack {
+    std::vector<double> time_s;
+    std::vector<double> a_A;
+    std::vector<double> a_B;
+    std::vector<double> sd_a;         // of a_A and of a_B
+    std::vector<double> two_theta_A;  // unwrapped modulo pi, the first one in (-pi/2, pi/2]
+    std::vector<double> sd_two_theta_A;
+    std::vector<double> f_hz;  // mean rate of phase, weighted with power; NaN for a lone window
+    std::vector<double> sd_f_hz;
+
+    friend bool operator==(const RunTrack&, const RunTrack&) = default;
+};
+
+// At most `most_points` of them; the windows are shared out evenly. Precondition: most_points >= 1.
+RunTrack run_track(const PhasorRun& run, std::size_t most_points);
+
+}  // namespace vybeg

@@ -1,0 +1,359 @@
+#include "core/resonator/runs/wave_motion.h"
+
+#include "core/estimators/wave/wave_state.h"
+#include "core/numerics/phase.h"
+#include "core/resonator/runs/between_windows.h"
+#include "core/resonator/runs/decay_time.h"
+#include "core/resonator/runs/mean_rate.h"
+#include "core/resonator/runs/merge_windows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <span>
+
+namespace vybeg {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr std::size_t least_windows = 8;
+// A wave, and the smaller of its travelling waves, below this many deviations is left out.
+constexpr double seen = 5;
+// An outlier stands this many deviations (robust ones of the scatter, at least the noise's) off.
+constexpr double outlier = 6;
+
+template <class Windows>
+double power_of(const Windows& run, std::size_t k) {
+    return std::norm(run.c[k]) + std::norm(run.d[k]);
+}
+
+// z_j^H z_k: its angle is the phase from window j to window k.
+template <class Windows>
+Complex product(const Windows& run, std::size_t j, std::size_t k) {
+    return std::conj(run.c[j]) * run.c[k] + std::conj(run.d[j]) * run.d[k];
+}
+
+// Series of the windows listed, and which windows those of the angle are.
+struct Motion {
+    RateSeries phase;      // rad
+    RateSeries amplitude;  // logarithm
+    RateSeries theta;      // rad
+    RateSeries quadrature;
+    std::vector<std::size_t> angles;
+};
+
+void add(RateSeries& series, double time_s, double value, double sd) {
+    series.time_s.push_back(time_s);
+    series.value.push_back(value);
+    series.sd.push_back(sd);
+}
+
+std::size_t breaks_before(const PhasorRun& run, double time_s) {
+    const auto behind = std::ranges::upper_bound(run.phase_breaks_s, time_s);
+    return static_cast<std::size_t>(behind - run.phase_breaks_s.begin());
+}
+
+// Whether three windows touch, without a break of the phase.
+bool in_a_row(const PhasorRun& run, std::size_t before, std::size_t at, std::size_t behind) {
+    constexpr double even = 0.01;
+    const auto touch = [&](std::size_t j, std::size_t k) {
+        return std::abs(run.time_s[k] - run.time_s[j] - run.window_s) < even * run.window_s;
+    };
+    return touch(before, at) && touch(at, behind) &&
+           breaks_before(run, run.time_s[before]) == breaks_before(run, run.time_s[behind]);
+}
+
+// Phasors at the middles of windows. A mean over w is z + (w^2/24) z'', which counts the mode that
+// lies further from the reference less than the other one: z'' by the neighbours is taken away. A
+// slope keeps its variance, because what is slow passes with a gain of one.
+struct Middles {
+    std::vector<Complex> c;
+    std::vector<Complex> d;
+    std::vector<double> noise_gain;  // of the variance of one window
+};
+
+Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
+    constexpr double share = 1.0 / 24;
+    Middles out{run.c, run.d, std::vector<double>(run.c.size(), 1)};
+    for (std::size_t i = 0; i < windows.size() && windows.size() > 2; ++i) {
+        const std::size_t centre = std::clamp<std::size_t>(i, 1, windows.size() - 2);
+        const std::size_t before = windows[centre - 1];
+        const std::size_t at = windows[centre];
+        const std::size_t behind = windows[centre + 1];
+        if (!in_a_row(run, before, at, behind)) {
+            continue;
+        }
+        const auto bend = [&](const std::vector<Complex>& z) {
+            return share * (z[before] - 2.0 * z[at] + z[behind]);
+        };
+        out.c[windows[i]] -= bend(run.c);
+        out.d[windows[i]] -= bend(run.d);
+        out.noise_gain[windows[i]] = i == centre ? std::pow(1 + 2 * share, 2) + 2 * share * share
+                                                 : std::pow(1 - share, 2) + 5 * share * share;
+    }
+    return out;
+}
+
+// What the noise of a window adds to the phase of all windows behind it: the wave moves on from z
+// by a part v across it (the phase does not count that part, but the noise turns z towards it),
+// which gives |v| sd / |z|^2. Without the mean of what noise makes of |v|^2 itself; with the
+// product of the noises of two windows.
+double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, std::size_t behind) {
+    const double power = power_of(run, k);
+    const auto across = [&](std::size_t j) {
+        return (run.c[k] * run.d[j] - run.d[k] * run.c[j]) *
+               std::polar(1.0, -std::arg(product(run, k, j)));
+    };
+    const double variance = run.sd[k] * run.sd[k];
+    const double noise = 2 * (run.sd[before] * run.sd[before] + run.sd[behind] * run.sd[behind]);
+    const double v = std::norm(across(behind) - across(before)) / power;
+    return ((v - noise) * variance + 4 * variance * variance) / (power * power);
+}
+
+// Phase per second between windows that follow each other at the usual distance.
+double usual_rate(const PhasorRun& run, const std::vector<std::size_t>& windows) {
+    Complex sum = 0;
+    for (std::size_t i = 1; i < windows.size(); ++i) {
+        if (run.time_s[windows[i]] - run.time_s[windows[i - 1]] < 1.5 * run.window_s) {
+            sum += product(run, windows[i - 1], windows[i]);
+        }
+    }
+    return std::arg(sum) / run.window_s;
+}
+
+// Whether modes turn against each other by so much from window to window that differences of three
+// windows do not follow them.
+bool beats_fast(const PhasorRun& run, const std::vector<std::size_t>& windows, double rate) {
+    constexpr double fast = 0.15;  // rad, root mean square
+    const Complex back = std::polar(1.0, -rate * run.window_s);
+    double change = 0;
+    double power = 0;
+    for (std::size_t i = 1; i < windows.size(); ++i) {
+        const std::size_t k = windows[i];
+        const std::size_t before = windows[i - 1];
+        if (run.time_s[k] - run.time_s[before] < 1.5 * run.window_s) {
+            change += std::norm(run.c[k] * back - run.c[before]) +
+                      std::norm(run.d[k] * back - run.d[before]) -
+                      4 * (run.sd[k] * run.sd[k] + run.sd[before] * run.sd[before]);
+            power += power_of(run, k);
+        }
+    }
+    return change > fast * fast * power;
+}
+
+// The windows of a fast beat: those with enough others in a row on both sides have their phasors,
+// and the phase from the one before, by interpolation.
+class FastBeat {
+public:
+    FastBeat(const PhasorRun& run, const std::vector<std::size_t>& windows, Middles& z)
+        : phases_(windows.size(), std::numeric_limits<double>::quiet_NaN()) {
+        constexpr std::size_t reach = BetweenWindows::reach;
+        const BetweenWindows between;
+        std::size_t in_row = 0;  // windows that end with this one
+        for (std::size_t last = 0; last < windows.size(); ++last) {
+            const bool follows =
+                last > 1 && in_a_row(run, windows[last - 2], windows[last - 1], windows[last]);
+            in_row = follows ? in_row + 1 : 2;
+            if (in_row < 2 * reach) {
+                continue;
+            }
+            const std::size_t first = windows[last + 1 - 2 * reach];
+            const std::size_t k = last + 1 - reach;  // in the list, behind the middle
+            const auto means = [first](const std::vector<Complex>& all) {
+                return std::span(all).subspan(first, 2 * reach);
+            };
+            phases_[k] = between.phase(means(run.c), means(run.d));
+            z.c[windows[k - 1]] = between.at(0, means(run.c));
+            z.d[windows[k - 1]] = between.at(0, means(run.d));
+            z.noise_gain[windows[k - 1]] = between.noise_gain();
+        }
+    }
+
+    // From the window before the i-th of the list to it; NaN near ends and gaps.
+    double phase(std::size_t i) const { return phases_[i]; }
+
+private:
+    std::vector<double> phases_;
+};
+
+Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
+    const double rate = usual_rate(run, windows);
+    Middles z = middles_of(run, windows);
+    std::optional<FastBeat> beat;
+    if (beats_fast(run, windows, rate)) {
+        beat.emplace(run, windows, z);
+    }
+    Motion motion;
+    double phase = 0;
+    double two_theta = 0;
+    std::size_t part = 0;
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+        const std::size_t k = windows[i];
+        const double t = run.time_s[k];
+        const std::size_t own = breaks_before(run, t);
+        if (i > 0) {
+            // Beyond the usual rate, so that gaps are bridged on the right turn.
+            const double usual = rate * (t - run.time_s[windows[i - 1]]);
+            const double beyond = std::arg(product(z, windows[i - 1], k) * std::polar(1.0, -usual));
+            phase += usual + (part == own ? beyond : 0);
+        }
+        if (beat && i > 0 && !std::isnan(beat->phase(i))) {
+            phase = motion.phase.value.back() + beat->phase(i);
+        } else if (i > 1 && in_a_row(run, windows[i - 2], windows[i - 1], k)) {
+            // A step counts the mean rate less a sixth of what its cube makes of unequal modes; two
+            // steps at once show that eightfold.
+            phase +=
+                std::arg(product(z, windows[i - 2], windows[i - 1]) *
+                         product(z, windows[i - 1], k) * std::conj(product(z, windows[i - 2], k))) /
+                6;
+        }
+        const double power = power_of(z, k);
+        const double sd = run.sd[k];
+        add(motion.phase, t, phase, sd / std::sqrt(power));
+        part = own;
+        motion.phase.part.push_back(part);
+        const bool inside = i > 0 && i + 1 < windows.size();
+        motion.phase.step_variance.push_back(
+            inside ? step_variance(run, windows[i - 1], k, windows[i + 1]) : 0);
+        add(motion.amplitude, t, std::log(power - 4 * z.noise_gain[k] * sd * sd) / 2,
+            sd / std::sqrt(power));
+        const WaveState state = to_wave_state({z.c[k], z.d[k]});
+        if (state.a_A - std::abs(state.a_B) < seen * std::numbers::sqrt2 * sd) {
+            continue;
+        }
+        two_theta = motion.angles.empty()
+                        ? state.two_theta_A
+                        : nearest_branch(state.two_theta_A, two_theta, std::numbers::pi);
+        const double across = (state.a_A + state.a_B) * (state.a_A - state.a_B);
+        add(motion.theta, t, two_theta / 2, sd * std::sqrt(power) / (2 * across));
+        add(motion.quadrature, t, state.a_B / state.a_A,
+            sd * std::sqrt(power) / (state.a_A * state.a_A));
+        motion.angles.push_back(k);
+    }
+    return motion;
+}
+
+// Marks the windows (those of the series, in their order) that stand out of a series' scatter.
+void mark_outliers(const RateSeries& series, const std::vector<std::size_t>& windows,
+                   std::vector<bool>& out) {
+    if (series.value.size() < least_windows) {
+        return;
+    }
+    const std::vector<double> trend = trend_of(series);
+    std::vector<double> off;
+    for (std::size_t i = 0; i < trend.size(); ++i) {
+        off.push_back(std::abs(series.value[i] - trend[i]) / series.sd[i]);
+    }
+    std::vector<double> sorted = off;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
+    const double limit = outlier * std::max(1.0, 1.4826 * *middle);
+    for (std::size_t i = 0; i < off.size(); ++i) {
+        if (off[i] > limit) {
+            out[windows[i]] = true;
+        }
+    }
+}
+
+Motion motion_without_outliers(const PhasorRun& run) {
+    std::vector<std::size_t> windows;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        if (power_of(run, k) > seen * seen * run.sd[k] * run.sd[k]) {
+            windows.push_back(k);
+        }
+    }
+    constexpr int passes = 4;
+    for (int pass = 0; pass < passes; ++pass) {
+        Motion motion = motion_of(run, windows);
+        std::vector<bool> out(run.time_s.size(), false);
+        mark_outliers(motion.phase, windows, out);
+        mark_outliers(motion.amplitude, windows, out);
+        mark_outliers(motion.theta, motion.angles, out);
+        mark_outliers(motion.quadrature, motion.angles, out);
+        if (std::erase_if(windows, [&](std::size_t k) { return out[k]; }) == 0) {
+            return motion;
+        }
+    }
+    return motion_of(run, windows);
+}
+
+// What correlation from window to window makes of the variance of a mean over many of them.
+double inflation_of(const PhasorRun& run) {
+    if (run.noise_correlation.empty()) {
+        return 1;
+    }
+    constexpr double least =
+        0.05;  // where the band is so narrow that the lags' sum is all rounding
+    return std::max(
+        least,
+        2 * std::accumulate(run.noise_correlation.begin(), run.noise_correlation.end(), 0.0) - 1);
+}
+
+// Windows so long that the products of their noise from one to the next add up to far less than
+// that noise itself: of N phasors' steps, 4 N (sd/|z|)^4 against (sd/|z|)^2.
+PhasorRun clear_windows(const PhasorRun& run) {
+    constexpr double least = 0.008;
+    double noise = 0;
+    double power = 0;
+    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+        noise += run.sd[k] * run.sd[k];
+        power += power_of(run, k);
+    }
+    const auto count = static_cast<double>(run.time_s.size());
+    const double together = std::ceil(std::sqrt(4 * count * noise / (least * power)));
+    if (!(together > 1) || count < 2 * together * static_cast<double>(least_windows)) {
+        return run;
+    }
+    return merge_windows(run, static_cast<std::size_t>(count / together));
+}
+
+Estimate missing(ReasonCode code) {
+    Estimate estimate;
+    estimate.reason.code = code;
+    return estimate;
+}
+
+Estimate given(double value, double sd) {
+    Estimate estimate;
+    estimate.value = value;
+    estimate.sd = sd;
+    return estimate;
+}
+
+}  // namespace
+
+WaveMotion wave_motion(const PhasorRun& windows) {
+    const PhasorRun run = clear_windows(windows);
+    const Motion motion = motion_without_outliers(run);
+    WaveMotion found;
+    if (motion.phase.value.size() < least_windows) {
+        found.f_hz = found.tau_s = found.theta_rate_rad_s = found.quadrature_rate_per_s =
+            found.decay_per_s = missing(ReasonCode::too_few_windows);
+        return found;
+    }
+    constexpr double two_pi = 2 * std::numbers::pi;
+    const bool circular =
+        motion.angles.size() < std::max(least_windows, motion.phase.value.size() / 2);
+    std::vector<RateSeries> series{motion.phase, motion.amplitude};
+    if (!circular) {
+        series.insert(series.end(), {motion.theta, motion.quadrature});
+    }
+    const std::vector<MeanRate> rates = mean_rates(series, inflation_of(run));
+    found.f_hz = given(run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi);
+    found.decay_per_s = given(-rates[1].value, rates[1].sd);
+    found.tau_s =
+        decay_time(-rates[1].value, rates[1].sd, std::numeric_limits<double>::quiet_NaN());
+    found.theta_rate_rad_s =
+        circular ? missing(ReasonCode::circular_wave) : given(rates[2].value, rates[2].sd);
+    found.quadrature_rate_per_s =
+        circular ? missing(ReasonCode::circular_wave) : given(rates[3].value, rates[3].sd);
+    return found;
+}
+
+}  // namespace vybeg

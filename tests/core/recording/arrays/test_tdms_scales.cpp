@@ -1,0 +1,170 @@
+// Scales of channels, groups and files, one after the other, and those that are refused.
+#include "tests/core/recording/arrays/tdms_case.h"
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+const Values table_in{1, 2, 5};
+const Values table_out{10, 30, 0};
+
+double by_table(double x) {
+    return x <= 1 ? 10 : x <= 2 ? 10 + 20 * (x - 1) : x <= 5 ? 30 - 10 * (x - 2) : 0;
+}
+
+void add_scales_by_place() {
+    struct Kind {
+        const char* name;
+        std::function<Properties(const Tdms&)> properties;
+        std::function<double(double)> value;
+    };
+    const std::vector<Kind> kinds{
+        {"linear", [](const Tdms& t) { return linear(t, 0, 0.25, -1); },
+         [](double x) { return 0.25 * x - 1; }},
+        {"polynomial",
+         [](const Tdms& t) {
+             return polynomial(t, 0, {10, 1, -2, 3});
+         },
+         [](double x) { return 10 + x - 2 * x * x + 3 * x * x * x; }},
+        {"table", [](const Tdms& t) { return table(t, 0, table_in, table_out); }, by_table}};
+    for (const Kind& kind : kinds) {
+        for (const bool big_endian : {false, true}) {
+            const Tdms t{big_endian};
+            const Properties scale = number_of_scales(t, 1) + kind.properties(t);
+            for (const bool interleave : {false, true}) {
+                const auto row = [&](const char* place, const Owners& owners) {
+                    add(QString("%1 scale of the %2, %3, %4")
+                            .arg(kind.name, place, order_of(big_endian),
+                                 interleave ? "interleaved" : "contiguous"),
+                        {scaled_file(t, owners, interleave), each(raw_c, kind.value), raw_d});
+                };
+                row("channel", {.channel = scale});
+                row("group", {.group = scale});
+                row("root", {.root = scale});
+            }
+        }
+    }
+}
+
+void add_precedence() {
+    for (const bool big_endian : {false, true}) {
+        const Tdms t{big_endian};
+        const auto by = [&](double slope) {
+            return number_of_scales(t, 1) + linear(t, 0, slope, 0);
+        };
+        const Properties scaled{t.words("NI_Scaling_Status", "scaled")};
+        const auto row = [&](const char* name, const Owners& owners, double slope) {
+            add(QString("%1, %2").arg(name, order_of(big_endian)),
+                {scaled_file(t, owners), each(raw_c, [=](double x) { return slope * x; }), raw_d});
+        };
+        row("channel before group and root", {by(2), by(3), by(5)}, 2);
+        row("group before root", {{}, by(3), by(5)}, 3);
+        row("a scaled channel in a group with scales", {scaled, by(3), {}}, 1);
+        row("a scaled group in a file with scales", {{}, scaled, by(5)}, 1);
+        row("no scales at all", {Properties{t.whole("NI_Number_Of_Scales", 0)}, {}, {}}, 1);
+    }
+}
+
+void add_chains() {
+    const Tdms t;
+    const auto row = [&](const char* name, const Properties& scales,
+                         const std::function<double(double)>& value) {
+        add(name, {scaled_file(t, {.channel = scales}), each(raw_c, value), raw_d});
+    };
+    const auto two = number_of_scales(t, 2);
+    const auto three = number_of_scales(t, 3);
+    row("linear of linear", two + linear(t, 0, 2, 1) + linear(t, 1, -3, 4, 0),
+        [](double x) { return -3 * (2 * x + 1) + 4; });
+    row("polynomial of linear", two + linear(t, 0, 0.5, 1) + polynomial(t, 1, {1, 0, 2}, 0),
+        [](double x) { return 1 + 2 * (0.5 * x + 1) * (0.5 * x + 1); });
+    row("linear of polynomial", two + polynomial(t, 0, {1, 0, 2}) + linear(t, 1, 0.5, 1, 0),
+        [](double x) { return 0.5 * (1 + 2 * x * x) + 1; });
+    row("table of linear", two + linear(t, 0, 0.5, 1) + table(t, 1, table_in, table_out, 0),
+        [](double x) { return by_table(0.5 * x + 1); });
+    row("linear of table", two + table(t, 0, table_in, table_out) + linear(t, 1, 2, 1, 0),
+        [](double x) { return 2 * by_table(x) + 1; });
+    row("polynomial of table of linear",
+        three + linear(t, 0, 1, 1) + table(t, 1, table_in, table_out, 0) +
+            polynomial(t, 2, {1, 0, 0, 1}, 1),
+        [](double x) { return 1 + std::pow(by_table(x + 1), 3); });
+    row("the second of three is not on the way",
+        three + linear(t, 0, 2, 0) + linear(t, 1, 1e9, 0, 0) + linear(t, 2, 5, 1, 0),
+        [](double x) { return 10 * x + 1; });
+    row("the last of two takes the raw numbers", two + linear(t, 0, 1e9, 0) + linear(t, 1, 5, 1),
+        [](double x) { return 5 * x + 1; });
+    Properties bare = linear(t, 0, 3, 1);
+    bare.pop_back();  // without its input source
+    row("no input source", number_of_scales(t, 1) + bare, [](double x) { return 3 * x + 1; });
+    row("no number of scales", linear(t, 0, 2, 1) + linear(t, 1, -3, 4, 0),
+        [](double x) { return -3 * (2 * x + 1) + 4; });
+    row("polynomial of four coefficients without their number",
+        number_of_scales(t, 1) + polynomial(t, 0, {1, 2, 3, 4}, raw_numbers, false),
+        [](double x) { return 1 + 2 * x + 3 * x * x + 4 * x * x * x; });
+    row("polynomial of one coefficient", number_of_scales(t, 1) + polynomial(t, 0, {7}),
+        [](double) { return 7.0; });
+    row("a falling table", number_of_scales(t, 1) + table(t, 0, {5, 2, 1}, {0, 30, 10}), by_table);
+    row("a table of one value", number_of_scales(t, 1) + table(t, 0, {3}, {4}),
+        [](double) { return 4.0; });
+}
+
+void add_refused_scales() {
+    const Tdms t;
+    const auto row = [&](const QString& name, const std::string& refusal,
+                         const Properties& scales) {
+        add(name, {scaled_file(t, {.channel = scales}), {}, {}, {}, refusal});
+    };
+    const auto one = number_of_scales(t, 1);
+    for (const char* sensor : {"Thermocouple", "RTD", "Strain", "Thermistor", "Add", "Subtract"}) {
+        row(QString("a %1 scale").arg(sensor), std::string("format-unsupported:") + sensor,
+            one + Properties{t.words(of_scale(0, "Scale_Type"), sensor)});
+        row(QString("a %1 scale before a linear one").arg(sensor),
+            std::string("format-unsupported:") + sensor,
+            number_of_scales(t, 2) + Properties{t.words(of_scale(0, "Scale_Type"), sensor)} +
+                linear(t, 1, 2, 0, 0));
+    }
+    row("a scale without description", "format-unsupported:describe", one);
+    row("a linear scale without slope", "format-damaged:slope",
+        one + Properties{t.words(of_scale(0, "Scale_Type"), "Linear"),
+                         t.real(of_scale(0, "Linear_Y_Intercept"), 1)});
+    Properties polynomial_cut = polynomial(t, 0, {1, 2, 3});
+    polynomial_cut.pop_back();
+    row("a polynomial without its last coefficient", "format-damaged:coefficients",
+        one + polynomial_cut);
+    row("a table that turns", "format-damaged:rises", one + table(t, 0, {1, 3, 2}, {1, 2, 3}));
+    row("a table of unequal columns", "format-damaged:values", one + table(t, 0, {1, 2}, {1}));
+    row("scales in a ring", "format-damaged:input",
+        number_of_scales(t, 2) + linear(t, 0, 1, 0, 1) + linear(t, 1, 1, 0, 0));
+    row("an input that does not exist", "format-damaged:input", one + linear(t, 0, 1, 0, 7));
+    row("two thousand million scales", "format-damaged:number",
+        number_of_scales(t, 2000000000) + linear(t, 0, 1, 0));
+}
+
+}  // namespace
+
+class TestTdmsScales : public QObject {
+    Q_OBJECT
+
+private slots:
+    void a_file_is_read_as_its_layout_says_data();
+    void a_file_is_read_as_its_layout_says();
+
+private:
+    Folder folder_;
+};
+
+void TestTdmsScales::a_file_is_read_as_its_layout_says_data() {
+    QTest::addColumn<TdmsCase>("row");
+    add_scales_by_place();
+    add_precedence();
+    add_chains();
+    add_refused_scales();
+}
+
+void TestTdmsScales::a_file_is_read_as_its_layout_says() {
+    QFETCH(TdmsCase, row);
+    check(folder_, row);
+}
+
+QTEST_GUILESS_MAIN(TestTdmsScales)
+#include "test_tdms_scales.moc"

@@ -1,0 +1,111 @@
+// Compressed variables of MAT 5 are unpacked once on the way from start to end: counted in bytes
+// that are read of the file, not in time.
+#include "core/recording/mat_hdf5/library_file.h"
+#include "tests/core/recording/python_script.h"
+#include "tests/core/recording/recording_files.h"
+
+#include <map>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+constexpr std::int64_t frames = 3000000;
+constexpr std::int64_t at_once = 1 << 16;
+
+// Bytes that this process has read until now.
+std::int64_t bytes_read() {
+    std::ifstream stream("/proc/self/io");
+    std::string name;
+    std::int64_t count = 0;
+    stream >> name >> count;
+    return name == "rchar:" ? count : -1;
+}
+
+}  // namespace
+
+class TestPackedVariables : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void a_pass_unpacks_each_byte_once_data();
+    void a_pass_unpacks_each_byte_once();
+    void packed_bytes_that_are_wrong_are_an_error();
+
+private:
+    Folder folder_;
+};
+
+void TestPackedVariables::initTestCase() {
+    run_python(folder_.file(""), R"(
+import scipy.io as sio
+random = np.random.default_rng(5)
+c, d = random.integers(0, 30000, (2, 3000000)).astype('i2')
+sio.savemat('vectors', {'C': c, 'D': d}, do_compression=True)
+sio.savemat('columns', {'run': np.stack([c, d], 1)}, do_compression=True)
+sio.savemat('rows', {'run': np.stack([c, d], 0)}, do_compression=True)
+sio.savemat('struct', {'run': {'C': c, 'D': d}}, do_compression=True)
+c.astype('f8').tofile('c')
+d.astype('f8').tofile('d')
+)");
+}
+
+void TestPackedVariables::a_pass_unpacks_each_byte_once_data() {
+    QTest::addColumn<double>("passes");  // over the whole file, C and D together
+    QTest::newRow("vectors") << 1.0;
+    // D stands behind C in the same packed bytes, and is read with a decoder of its own.
+    QTest::newRow("columns") << 1.5;
+    QTest::newRow("struct") << 1.5;
+    QTest::newRow("rows") << 2.0;
+}
+
+void TestPackedVariables::a_pass_unpacks_each_byte_once() {
+    QFETCH(double, passes);
+    const auto path = folder_.file(QTest::currentDataTag());
+    const auto file = open_mat_file(path.string());
+    QVERIFY(file);
+    const auto& variables = (*file)->catalogue().variables;
+    const std::int64_t variable_d = variables.size() == 2 ? 1 : 0;
+    QCOMPARE(variables[0].frames, frames);
+    const std::map<std::string, SampleRequest> places{{"c", {0, 0, 0, 0}},
+                                                      {"d", {variable_d, 1 - variable_d, 0, 0}}};
+    std::map<std::string, std::vector<double>> samples;
+    const std::int64_t before = bytes_read();
+    for (std::int64_t at = 0; at < frames; at += at_once) {
+        for (const auto& [name, place] : places) {
+            const std::int64_t count = std::min(at_once, frames - at);
+            std::vector<double> part(static_cast<std::size_t>(count));
+            QVERIFY((*file)->read({place.variable, place.channel, at, count}, part));
+            samples[name].insert(samples[name].end(), part.begin(), part.end());
+        }
+    }
+    const auto read = static_cast<double>(bytes_read() - before);
+    const auto size = static_cast<double>(std::filesystem::file_size(path));
+    QVERIFY2(read > 0.9 * passes * size && read < 1.15 * passes * size,
+             qPrintable(QString::number(read / size)));
+    for (const auto& [name, found] : samples) {
+        const std::string bytes = bytes_of(folder_.file(name));
+        QCOMPARE(bytes.size(), found.size() * sizeof(double));
+        QVERIFY(std::memcmp(bytes.data(), found.data(), bytes.size()) == 0);
+    }
+}
+
+void TestPackedVariables::packed_bytes_that_are_wrong_are_an_error() {
+    const std::string bytes = bytes_of(folder_.file("vectors"));
+    // In the middle of C: its beginning can still be read, and D.
+    std::string damaged = bytes;
+    damaged.replace(bytes.size() / 4, 4096, 4096, '\xFF');
+    const auto file = open_mat_file(folder_.write("damaged", damaged).string());
+    QVERIFY(file);
+    std::vector<double> part(1000);
+    QVERIFY((*file)->read({0, 0, 0, 1000}, part));
+    const Status end = (*file)->read({0, 0, frames - 1000, 1000}, part);
+    QVERIFY(!end);
+    QCOMPARE(end.error().code, ErrorCode::format_damaged);
+    QVERIFY((*file)->read({1, 0, frames - 1000, 1000}, part));
+}
+
+QTEST_GUILESS_MAIN(TestPackedVariables)
+#include "test_packed_variables.moc"

@@ -1,0 +1,299 @@
+// Files after the layouts of oscilloscopes, data acquisition programs and spreadsheets, each with
+// the channels, units, rate and samples that it holds (tests/data/text/expected.json).
+#include "core/recording/samples/text_fields.h"
+#include "core/recording/text/text_clock.h"
+#include "tests/core/recording/recording_files.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <set>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+constexpr std::size_t layouts_wanted = 65;
+
+std::filesystem::path data_file(const QString& name) {
+    return std::filesystem::path(VYBEG_TEST_DATA) / "text" / name.toStdString();
+}
+
+QJsonArray layouts() {
+    QFile file(QString::fromStdString(data_file("expected.json").string()));
+    if (!file.open(QIODevice::ReadOnly)) {
+        qFatal("tests/data/text/expected.json cannot be read");
+    }
+    return QJsonDocument::fromJson(file.readAll()).object()["layouts"].toArray();
+}
+
+QString channels_text(const Recording& recording) {
+    QStringList texts;
+    for (const Channel& channel : recording.channels) {
+        texts << QString::fromStdString(channel.name + " [" + channel.unit + "]");
+    }
+    return texts.join(", ");
+}
+
+// The first sample that differs by more than rounding, and both values; empty where none does.
+QString difference(const std::vector<double>& read, const QJsonArray& expected) {
+    if (read.size() != static_cast<std::size_t>(expected.size())) {
+        return QString("%1 samples instead of %2").arg(read.size()).arg(expected.size());
+    }
+    for (int i = 0; i < expected.size(); ++i) {
+        const double value = read[static_cast<std::size_t>(i)];
+        const bool missing = expected[i].isNull();
+        // 1e-6 V is half a digit of the coarsest of the files, whose units are converted.
+        const double tolerance = 1e-6 * (1 + std::abs(expected[i].toDouble()));
+        if (std::isnan(value) != missing ||
+            (!missing && std::abs(value - expected[i].toDouble()) > tolerance)) {
+            return QString("sample %1 is %2 instead of %3")
+                .arg(i)
+                .arg(value)
+                .arg(missing ? QString("nan") : QString::number(expected[i].toDouble()));
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+class TestTextLayouts : public QObject {
+    Q_OBJECT
+
+private slots:
+    void there_are_as_many_layouts_as_wanted_and_each_has_its_file() {
+        std::set<QString> files;
+        for (const QJsonValue& layout : layouts()) {
+            const QString name = layout["file"].toString();
+            QVERIFY2(std::filesystem::exists(data_file(name)), qPrintable(name));
+            files.insert(name);
+        }
+        QVERIFY2(files.size() >= layouts_wanted, qPrintable(QString::number(files.size())));
+    }
+
+    void every_layout_gives_its_channels_units_rate_and_samples_data() {
+        QTest::addColumn<QJsonObject>("layout");
+        for (const QJsonValue& layout : layouts()) {
+            QTest::newRow(qPrintable(layout["file"].toString())) << layout.toObject();
+        }
+    }
+
+    void every_layout_gives_its_channels_units_rate_and_samples() {
+        QFETCH(QJsonObject, layout);
+        OpenOptions options;
+        if (layout.contains("rate_option_hz")) {
+            options.rate_hz = layout["rate_option_hz"].toDouble();
+        }
+        const auto recording = open(data_file(layout["file"].toString()), options);
+        QVERIFY2(recording, recording ? "" : english(recording.error()).c_str());
+
+        QStringList channels;
+        for (const QJsonValue& channel : layout["channels"].toArray()) {
+            channels << channel["name"].toString() + " [" + channel["unit"].toString() + "]";
+        }
+        QCOMPARE(channels_text(*recording), channels.join(", "));
+
+        const double rate = layout["rate_hz"].toDouble();
+        const double sd = recording->rate_relative_sd;
+        const double allowed_sd = layout["rate_relative_sd_at_most"].toDouble();
+        QCOMPARE(QString::fromStdString(rate_origin_name(recording->rate_from)),
+                 layout["rate_from"].toString());
+        QVERIFY2(sd >= 0 && sd <= allowed_sd,
+                 qPrintable(QString("sd %1, at most %2").arg(sd).arg(allowed_sd)));
+        // Rounding leaves an interval open that reaches two deviations at most.
+        QVERIFY2(std::abs(recording->rate_hz / rate - 1) <= 2.001 * sd + 1e-9,
+                 qPrintable(QString("rate %1, expected %2, relative sd %3")
+                                .arg(recording->rate_hz, 0, 'g', 12)
+                                .arg(rate, 0, 'g', 12)
+                                .arg(sd)));
+
+        const Samples samples = read_all(*recording);
+        QCOMPARE(difference(samples.c, layout["c"].toArray()), QString());
+        QCOMPARE(difference(samples.d, layout["d"].toArray()), QString());
+
+        QStringList warnings;
+        for (const Diagnostic& diagnostic : recording->diagnostics) {
+            if (diagnostic.kind != DiagnosticKind::text_lines_ignored) {
+                warnings << QString::fromStdString(kind_name(diagnostic.kind));
+            }
+        }
+        QStringList expected;
+        for (const QJsonValue& warning : layout["warnings"].toArray()) {
+            expected << warning.toString();
+        }
+        QCOMPARE(warnings.join(", "), expected.join(", "));
+    }
+
+    void units_without_a_known_ratio_are_warned_of_and_not_converted() {
+        const Folder folder;
+        for (const char* units : {"V,g", "V,m/s", "V,counts", "mV,A"}) {
+            const QStringList unit = QString(units).split(',');
+            const std::string text =
+                QString("t [s],C [%1],D [%2]\n").arg(unit[0], unit[1]).toStdString() +
+                rows("T,C,D\n");
+            const Recording recording = opened(folder.write("run.csv", text));
+            QCOMPARE(read_all(recording).d[3], 2.5 * 3);
+            const Diagnostic* differ = find(recording, DiagnosticKind::units_differ);
+            QVERIFY2(differ, units);
+            QCOMPARE(differ->args, (std::vector<std::string>{"C", unit[0].toStdString(), "D",
+                                                             unit[1].toStdString()}));
+        }
+    }
+
+    void d_is_converted_to_the_unit_of_c_whichever_channels_they_are() {
+        const Folder folder;
+        const std::string text = "t [s],C [V],D [mV]\n" + rows("T,C,D\n");
+        OpenOptions swapped;
+        swapped.channel_c = 2;
+        swapped.channel_d = 1;
+        const Recording plain = opened(folder.write("run.csv", text));
+        const Recording other = opened(folder.write("run.csv", text), swapped);
+        QCOMPARE(read_all(plain).c[3], 1.5 * 3);
+        QVERIFY(std::abs(read_all(plain).d[3] - 2.5e-3 * 3) < 1e-15);
+        QCOMPARE(read_all(other).c[3], 2.5 * 3);
+        QVERIFY(std::abs(read_all(other).d[3] - 1.5e3 * 3) < 1e-9);
+        QCOMPARE(find(other, DiagnosticKind::unit_converted)->args,
+                 (std::vector<std::string>{"C", "V", "mV"}));
+    }
+
+    void channels_whose_own_times_differ_are_refused_together() {
+        const Folder folder;
+        std::string text = "X_Value,C,X_Value,D,E\n";
+        for (int i = 0; i < 12; ++i) {
+            text += QString("%1,%2,%3,%4,%5\n")
+                        .arg(i * 1e-3)
+                        .arg(i % 5)
+                        .arg(i * 2e-3)
+                        .arg(i % 3)
+                        .arg(i % 4)
+                        .toStdString();
+        }
+        const auto path = folder.write("run.csv", text);
+        const auto wrong = open(path);
+        QVERIFY(!wrong);
+        QCOMPARE(wrong.error().code, ErrorCode::format_unsupported);
+        // D and E share their times, which are those of their rate.
+        OpenOptions options;
+        options.channel_c = 2;
+        options.channel_d = 3;
+        QVERIFY(std::abs(opened(path, options).rate_hz - 500) < 0.5);
+    }
+
+    void a_header_that_contradicts_itself_or_the_times_gives_no_rate() {
+        const Folder folder;
+        const std::string two = "# sample rate: 1000 Hz\n# dt: 0.002 s\nC,D\n" + rows("C,D\n");
+        const auto wrong = open(folder.write("two.csv", two));
+        QVERIFY(!wrong);
+        QCOMPARE(wrong.error().code, ErrorCode::rate_unknown);
+        const std::string times = "# sample rate: 2000 Hz\nt,C,D\n" + rows("T,C,D\n");
+        const Recording recording = opened(folder.write("times.csv", times));
+        QCOMPARE(recording.rate_from, RateOrigin::time_column);
+        QVERIFY(std::abs(recording.rate_hz - 1000) < 1e-6);
+    }
+
+    void whole_numbers_that_rise_by_one_and_times_again_are_no_channels() {
+        const Folder folder;
+        std::string text = "t,C,counted,clock,D\n";
+        for (int i = 0; i < 12; ++i) {
+            text += QString("%1,%2,%3,%1,%4\n")
+                        .arg(i * 1e-3)
+                        .arg(i % 5)
+                        .arg(100 + i)
+                        .arg(i % 3)
+                        .toStdString();
+        }
+        const Recording recording = opened(folder.write("run.csv", text));
+        QCOMPARE(channels_text(recording), QString("C [], D []"));
+        // Of two columns both are channels, whatever they hold.
+        OpenOptions at_10_hz;
+        at_10_hz.rate_hz = 10;
+        const auto ramp = folder.write("ramp.csv", "1,9\n2,8\n3,8\n4,9\n5,7\n6,9\n");
+        QCOMPARE(opened(ramp, at_10_hz).channels.size(), 2u);
+    }
+
+    void fields_that_are_numbers_in_their_own_way_data() {
+        QTest::addColumn<QByteArray>("field");
+        QTest::addColumn<double>("value");
+        QTest::newRow("Fortran") << QByteArray("-1.5D+03") << -1500.0;
+        QTest::newRow("Fortran, small") << QByteArray("2d-1") << 0.2;
+        QTest::newRow("minus") << QByteArray(
+                                      "\xE2\x88\x92"
+                                      "2.5")
+                               << -2.5;
+        QTest::newRow("minus in the exponent") << QByteArray(
+                                                      "1e\xE2\x88\x92"
+                                                      "2")
+                                               << 0.01;
+        const double infinite = std::numeric_limits<double>::infinity();
+        QTest::newRow("infinity sign") << QByteArray("\xE2\x88\x9E") << infinite;
+        QTest::newRow("negative") << QByteArray("-\xE2\x88\x9E") << -infinite;
+        QTest::newRow("both signs") << QByteArray("\xE2\x88\x92\xE2\x88\x9E") << -infinite;
+        QTest::newRow("SCPI") << QByteArray("9.9E+37") << infinite;
+        QTest::newRow("SCPI, no number") << QByteArray("9.91E+37") << no_value;
+        QTest::newRow("R") << QByteArray("NA") << no_value;
+        QTest::newRow("word") << QByteArray("OVLD") << infinite;
+    }
+    void fields_that_are_numbers_in_their_own_way() {
+        QFETCH(QByteArray, field);
+        QFETCH(double, value);
+        const auto read = parse_field(field.toStdString(), false);
+        QVERIFY(read);
+        QVERIFY2(*read == value || (std::isnan(*read) && std::isnan(value)),
+                 qPrintable(QString("%1 instead of %2").arg(*read).arg(value)));
+        for (const char* none : {"D", "1D", "DD", "1.5D+", "1-", "12:30", "\xE2\x88\x92"}) {
+            QVERIFY2(!parse_field(none, false), none);
+        }
+    }
+
+    void dates_and_times_of_day_data() {
+        QTest::addColumn<QByteArray>("field");
+        QTest::addColumn<double>("seconds");  // NaN: no time of day
+        QTest::newRow("plain") << QByteArray("01:02:03.25") << 3723.25;
+        QTest::newRow("comma") << QByteArray("1:02:03,5") << 3723.5;
+        QTest::newRow("ISO") << QByteArray("2024-05-01T01:02:03.000001Z") << 3723.000001;
+        QTest::newRow("zone") << QByteArray("2024-05-01 01:02:03+03:00") << 3723.0;
+        QTest::newRow("Russian") << QByteArray("01.05.2024 01:02:03") << 3723.0;
+        QTest::newRow("afternoon") << QByteArray("5/1/2024 1:02:03.5 PM") << 46923.5;
+        QTest::newRow("midnight") << QByteArray("12:00:01 AM") << 1.0;
+        QTest::newRow("named month") << QByteArray("01-May-2024 01:02:03") << 3723.0;
+        for (const char* none :
+             {"12", "12.5", "12:30", "1:2:3:", "1.2.3", "25:61:00", "5/1/24 x"}) {
+            QTest::newRow(none) << QByteArray(none) << no_value;
+        }
+    }
+    void dates_and_times_of_day() {
+        QFETCH(QByteArray, field);
+        QFETCH(double, seconds);
+        const std::string text = field.toStdString();
+        const auto clock = parse_clock(text);
+        const bool timed = clock && clock->timed;
+        QCOMPARE(timed, !std::isnan(seconds));
+        if (timed) {
+            const double read = seconds_after(*clock, 0);
+            QVERIFY2(std::abs(read - seconds) < 1e-9, qPrintable(QString::number(read, 'g', 12)));
+        }
+    }
+
+private:
+    // Twelve rows: time in steps of 1 ms, C = 1.5 k and D = 2.5 k of a k that rises and falls.
+    // `form`: a row with T, C and D for the numbers.
+    static std::string rows(const char* form) {
+        std::string text;
+        for (int i = 0; i < 12; ++i) {
+            const int k = i < 6 ? i : 12 - i;
+            text += QString(form)
+                        .replace('T', QString::number(i * 1e-3))
+                        .replace('C', QString::number(1.5 * k))
+                        .replace('D', QString::number(2.5 * k))
+                        .toStdString();
+        }
+        return text;
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTextLayouts)
+#include "test_text_layouts.moc"

@@ -1,0 +1,209 @@
+// What vybeg-reader may no longer do once it has a file open.
+#include "core/recording/variables/reader_process.h"
+#include "tests/core/recording/demo_files.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <thread>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+const char* const script = R"(
+import scipy.io as sio
+sio.savemat('run.mat', {'C': c, 'D': d, 'fs': fs})
+sio.savemat('packed.mat', {'C': c, 'D': d, 'fs': fs}, do_compression=True)
+import h5py
+with h5py.File('run.h5', 'w') as f:
+    for name, x in (('C', c), ('D', d)):
+        f.create_dataset(name, data=x, chunks=(1000,), compression='gzip')
+)";
+
+std::shared_ptr<const FileBytes> file_at(const std::filesystem::path& path) {
+    const auto file = FileBytes::open(path);
+    if (!file) {
+        qFatal("%s", english(file.error()).c_str());
+    }
+    return *file;
+}
+
+std::string proc_text(pid_t id, const char* name) {
+    return bytes_of("/proc/" + std::to_string(id) + "/" + name);
+}
+
+// "NoNewPrivs:\t1" of /proc/PID/status as {"NoNewPrivs", "1"}.
+std::map<std::string, std::string> status_of(pid_t id) {
+    std::map<std::string, std::string> fields;
+    std::istringstream lines(proc_text(id, "status"));
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t colon = line.find(':');
+        const std::size_t value = line.find_first_not_of("\t ", colon + 1);
+        if (colon != line.npos && value != line.npos) {
+            fields[line.substr(0, colon)] = line.substr(value);
+        }
+    }
+    return fields;
+}
+
+// The hard limit of a resource, as /proc/PID/limits names it.
+std::string hard_limit(pid_t id, const std::string& resource) {
+    std::istringstream lines(proc_text(id, "limits"));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(resource)) {
+            std::istringstream words(line.substr(resource.size()));
+            std::string soft, hard;
+            words >> soft >> hard;
+            return hard;
+        }
+    }
+    return "not listed";
+}
+
+[[maybe_unused]] bool kernel_has_seccomp() {
+    return bytes_of("/proc/sys/kernel/seccomp/actions_avail").find("kill_process") !=
+           std::string::npos;
+}
+
+// Why the list of system calls cannot be tried here; empty where it can.
+const char* no_list() {
+#ifdef __SANITIZE_ADDRESS__
+    return "AddressSanitizer: vybeg-reader runs WITHOUT its list of allowed system calls.";
+#else
+    return kernel_has_seccomp() ? "" : "This kernel has NO seccomp: vybeg-reader has only limits.";
+#endif
+}
+
+}  // namespace
+
+class TestReaderConfinement : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void a_helper_has_no_privileges_environment_or_resources_data();
+    void a_helper_has_no_privileges_environment_or_resources();
+    void a_helper_that_does_more_than_read_is_stopped_data();
+    void a_helper_that_does_more_than_read_is_stopped();
+    void a_helper_may_use_two_seconds_of_processor_time();
+    void a_helper_that_has_to_wait_is_waited_for();
+
+private:
+    Folder folder_;
+    Samples demo_;
+};
+
+void TestReaderConfinement::initTestCase() {
+    demo_ = demo_second();
+    write_with_python(folder_, demo_, script);
+}
+
+void TestReaderConfinement::a_helper_has_no_privileges_environment_or_resources_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("kind");
+    QTest::newRow("MAT") << "run.mat"
+                         << "mat";
+    QTest::newRow("MAT, packed") << "packed.mat"
+                                 << "mat";
+    QTest::newRow("HDF5") << "run.h5"
+                          << "hdf5";
+}
+
+void TestReaderConfinement::a_helper_has_no_privileges_environment_or_resources() {
+    QFETCH(QString, file);
+    QFETCH(QString, kind);
+    const auto process =
+        ReaderProcess::start(file_at(folder_.file(file.toStdString())), kind.toStdString(), "X");
+    QVERIFY(process);
+    // It works: the first sample to be read opens nothing more.
+    std::vector<double> samples(33333);
+    QVERIFY((*process)->read({0, 0, 0, 33333}, samples));
+    QCOMPARE(worst_difference(samples, demo_.c), 0.0);
+    QVERIFY((*process)->read({1, 0, 0, 33333}, samples));
+    QCOMPARE(worst_difference(samples, demo_.d), 0.0);
+
+    const pid_t id = (*process)->id();
+    const auto status = status_of(id);
+    QCOMPARE(status.at("NoNewPrivs"), std::string("1"));
+    QCOMPARE(hard_limit(id, "Max file size"), std::string("0"));
+    QCOMPARE(hard_limit(id, "Max processes"), std::string("0"));
+    QCOMPARE(hard_limit(id, "Max core file size"), std::string("0"));
+    QCOMPARE(hard_limit(id, "Max cpu time"), std::string("36000"));
+    if (*no_list() != 0) {
+        QSKIP(no_list());
+    }
+    QCOMPARE(proc_text(id, "environ"), std::string());
+    QCOMPARE(hard_limit(id, "Max open files"), std::string("8"));
+    QCOMPARE(status.at("Seccomp"), std::string("2"));
+}
+
+void TestReaderConfinement::a_helper_that_does_more_than_read_is_stopped_data() {
+    QTest::addColumn<QString>("deed");
+    for (const char* deed :
+         {"open", "write", "pipe", "fork", "connect", "run", "remove", "kill", "code"}) {
+        QTest::newRow(deed) << deed;
+    }
+}
+
+void TestReaderConfinement::a_helper_that_does_more_than_read_is_stopped() {
+    QFETCH(QString, deed);
+    // The deed itself can be done: only the confinement is in its way.
+    QProcess unbound;
+    unbound.start(QCoreApplication::applicationDirPath() + "/vybeg-reader-misbehaving", {deed});
+    QVERIFY(unbound.waitForFinished(30000));
+    QCOMPARE(unbound.exitCode(), 40);
+
+    const auto process =
+        ReaderProcess::start(file_at(folder_.file("run.mat")), "mat:" + deed.toStdString(), "MAT 5",
+                             "vybeg-reader-misbehaving");
+    QVERIFY(process);
+    std::vector<double> samples(10);
+    const Status status = (*process)->read({0, 0, 0, 10}, samples);
+    if (*no_list() != 0) {
+        QSKIP(no_list());
+    }
+    QVERIFY(!status);
+    QCOMPARE(status.error().args,
+             (std::vector<std::string>{
+                 "MAT 5", "its library was stopped when it tried to do more than read"}));
+}
+
+void TestReaderConfinement::a_helper_may_use_two_seconds_of_processor_time() {
+    const auto process = ReaderProcess::start(file_at(folder_.file("run.mat")), "mat:spin", "MAT 5",
+                                              "vybeg-reader-misbehaving");
+    QVERIFY(process);
+    std::vector<double> samples(10);
+    const Status status = (*process)->read({0, 0, 0, 10}, samples);
+    QVERIFY(!status);
+    QCOMPARE(status.error().args,
+             (std::vector<std::string>{
+                 "MAT 5", "its library did not come to an end within 2 s of processor time"}));
+}
+
+void TestReaderConfinement::a_helper_that_has_to_wait_is_waited_for() {
+    const auto process = ReaderProcess::start(file_at(folder_.file("run.mat")), "mat", "MAT 5");
+    QVERIFY(process);
+    const pid_t id = (*process)->id();
+    QCOMPARE(::kill(id, SIGSTOP), 0);
+    std::thread later([id] {
+        std::this_thread::sleep_for(std::chrono::seconds(4));
+        ::kill(id, SIGCONT);
+    });
+    QElapsedTimer timer;
+    timer.start();
+    std::vector<double> samples(100);
+    const Status status = (*process)->read({0, 0, 0, 100}, samples);
+    later.join();
+    QVERIFY2(status, status ? "" : english(status.error()).c_str());
+    QVERIFY2(timer.elapsed() >= 3900, qPrintable(QString::number(timer.elapsed())));
+    QCOMPARE(samples[99], demo_.c[99]);
+}
+
+QTEST_GUILESS_MAIN(TestReaderConfinement)
+#include "test_reader_confinement.moc"

@@ -1,0 +1,152 @@
+// The part of the document that lets a run follow the settings.
+#include "ui/document/document.h"
+#include "ui/words/error_text.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Whether the search for the carrier and the offsets gives the same with both.
+bool sameSearch(const Settings& a, const Settings& b) {
+    return a.from_s == b.from_s && a.to_s == b.to_s && a.band == b.band && a.filter == b.filter &&
+           a.calibration == b.calibration && a.repair_lost == b.repair_lost;
+}
+
+}  // namespace
+
+void Document::setLive(bool live) {
+    if (live == live_) {
+        return;
+    }
+    live_ = live;
+    emit liveChanged();
+    if (live_) {
+        catchUp(current_);
+    }
+}
+
+RunEntry* Document::liveRun(int recording_id) {
+    const auto found = std::ranges::find_if(runs_, [recording_id](const RunEntry& entry) {
+        return entry.live && entry.recording_id == recording_id;
+    });
+    return found == runs_.end() ? nullptr : &*found;
+}
+
+// A recording to which the engineer turns shows the settings of the panel; it may do so already.
+void Document::catchUp(int recording_id) {
+    const bool shown = std::ranges::any_of(runs_, [&](const RunEntry& entry) {
+        return entry.recording_id == recording_id && entry.requested == settings_ &&
+               !entry.partial();
+    });
+    if (live_ && !shown) {
+        follow(recording_id);
+    }
+}
+
+void Document::follow(int recording_id) {
+    const RecordingEntry* entry = recording(recording_id);
+    if (!entry || !entry->recording) {
+        return;
+    }
+    // The key of a live request is its recording: the newer one stops the one before.
+    const auto asked = requests_.find(recording_id);
+    if (asked != requests_.end() && asked->second.settings == settings_) {
+        return;
+    }
+    enter(recording_id, {recording_id, settings_, 0, true});
+    fraction_ = 0;
+    job_.analyseLive(
+        recording_id, *entry->recording, withKnownCarrier(*entry, settings_), visible_,
+        [this, recording_id, requested = settings_](AnalysisOutcome outcome) {
+            showLive(recording_id, requested, std::move(outcome));
+        },
+        [this, recording_id](Result<AnalysisOutcome> result) {
+            whenLive(recording_id, std::move(result));
+        });
+    emit busyChanged();
+}
+
+void Document::showLive(int recording_id, const Settings& requested, AnalysisOutcome outcome) {
+    learnCarrier(recording_id, requested, outcome.analysis->settings);
+    RunEntry* live = liveRun(recording_id);
+    const bool is_new = !live;
+    if (is_new) {
+        // Its name says nothing of the settings, which change; its row does.
+        const RecordingEntry& entry = *recording(recording_id);
+        runs_.push_back(newRun(entry, QFileInfo(entry.path).completeBaseName()));
+        live = &runs_.back();
+        live->live = true;
+    }
+    showOutcome(*live, requested, std::move(outcome));
+    const int id = live->run.id;
+    emit settled(Topic::live);
+    emit runsChanged();
+    if (is_new) {
+        emit runAdded(id);
+    }
+}
+
+void Document::whenLive(int recording_id, Result<AnalysisOutcome> result) {
+    const Settings requested = requests_[recording_id].settings;
+    if (result) {
+        const double seconds = result->analysis->timing.estimate_s;
+        showLive(recording_id, requested, std::move(*result));
+        emit finished(liveRun(recording_id)->run.id, seconds);
+    } else if (result.error().code != ErrorCode::interrupted) {
+        emit reported({Severity::error,
+                       [error = result.error()] { return errorText(error); },
+                       {},
+                       {},
+                       Topic::live});
+        const RecordingEntry& entry = *recording(recording_id);
+        if (!requested.f0_hz && !(entry.f0_search && sameSearch(*entry.f0_search, requested))) {
+            searchCarrier(recording_id);  // the window's fields go on showing what it would be
+        }
+    }
+    requestDone(recording_id);
+}
+
+void Document::forgetLive(int recording_id) {
+    if (requests_.contains(recording_id)) {
+        job_.forgetLive(recording_id);
+        requestDone(recording_id);
+    }
+}
+
+// The search is the same every time, and the longest part of a short recording's analysis.
+Settings Document::withKnownCarrier(const RecordingEntry& entry, Settings settings) {
+    // Lost samples are looked for with the carrier of the file itself, which is another one.
+    const bool known = entry.f0_hz && entry.f0_search && !settings.repair_lost &&
+                       sameSearch(*entry.f0_search, settings);
+    if (known && !settings.f0_hz) {
+        settings.f0_hz = entry.f0_hz;
+        settings.calibration = entry.f0_calibration;
+    }
+    return settings;
+}
+
+void Document::learnCarrier(int recording_id, const Settings& requested, const Settings& used) {
+    RecordingEntry* entry = find(recording_id);
+    if (!entry || requested.f0_hz || !sameSearch(requested, settings_)) {
+        return;
+    }
+    const bool differs = entry->f0_hz != used.f0_hz;
+    entry->f0_hz = used.f0_hz;
+    entry->f0_search = requested;
+    entry->f0_calibration = used.calibration;
+    if (used.calibration.offset_auto) {
+        entry->f0_search.reset();  // the offsets have yet to be found, and from another carrier
+    }
+    if (differs) {
+        emit recordingChanged(recording_id);
+        if (recording_id == current_) {
+            emit carrierChanged();
+        }
+    }
+}
+
+}  // namespace vybeg::ui

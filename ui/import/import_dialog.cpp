@@ -1,0 +1,166 @@
+#include "ui/import/import_dialog.h"
+
+#include "ui/import/import_fields.h"
+#include "ui/import/import_memory.h"
+#include "ui/import/import_preview.h"
+
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int preview_key = 0;
+
+}  // namespace
+
+ImportDialog::ImportDialog(AnalysisJob& job, const QString& path, const OpenOptions& options,
+                           QWidget* parent)
+    : QDialog(parent),
+      job_(&job),
+      path_(path),
+      proposed_(options != OpenOptions{}),
+      raw_proposed_(options.raw.has_value()),
+      title_(new QLabel(this)),
+      fields_(new ImportFields),
+      view_(new ImportPreview(this)),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this)) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    title_->setTextFormat(Qt::PlainText);
+    title_->setWordWrap(true);
+    fields_->setOptions(options);
+    auto* choices = new QScrollArea(this);
+    choices->setWidget(fields_);
+    choices->setWidgetResizable(true);
+    choices->setFrameShape(QFrame::NoFrame);
+    choices->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    choices->setFocusPolicy(Qt::NoFocus);
+    auto* columns = new QHBoxLayout;
+    columns->addWidget(choices);
+    columns->addWidget(view_, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(title_);
+    layout->addLayout(columns, 1);
+    layout->addWidget(buttons_);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
+    connect(fields_, &ImportFields::edited, this, [this] {
+        proposed_ = true;  // the engineer has the word now
+        // A field that is left says again what its keys have said: a click on Open does that, too.
+        if (this->options() != asked_) {
+            refresh();
+        } else {
+            enableOpen();
+        }
+    });
+    retranslate();
+    choices->setMinimumWidth(fields_->sizeHint().width() + 20);
+    resize(980, 620);
+    refresh();
+}
+
+ImportDialog::~ImportDialog() {
+    fields_->disconnect(this);  // a field that loses the focus with the dialog has nobody to tell
+    if (job_) {
+        job_->forget(preview_key);
+    }
+}
+
+OpenOptions ImportDialog::options() const {
+    return fields_->options();
+}
+
+void ImportDialog::refresh() {
+    preview_.reset();
+    enableOpen();
+    asked_ = options();
+    job_->preview(preview_key, path_, asked_,
+                  [this](const Result<RecordingPreview>& result) { take(result); });
+}
+
+std::optional<OpenOptions> ImportDialog::proposal(const RecordingPreview& preview) {
+    const bool unknown = preview.kind == FileKind::unknown;
+    if (!proposed_) {
+        proposed_ = true;
+        raw_proposed_ = unknown;
+        if (const auto last = rememberedImport(importKind(path_, preview, unknown))) {
+            return last;
+        }
+        if (unknown) {
+            OpenOptions raw = options();
+            raw.raw = preview.raw_guess.value_or(RawLayout{});
+            return raw;
+        }
+    }
+    if (options().raw && !raw_proposed_) {
+        raw_proposed_ = true;
+        if (const auto last = rememberedImport(importKind(path_, preview, true))) {
+            return last;
+        }
+        if (preview.raw_guess) {
+            OpenOptions raw = options();
+            raw.raw = preview.raw_guess;
+            return raw;
+        }
+    }
+    return {};
+}
+
+void ImportDialog::take(const Result<RecordingPreview>& result) {
+    if (!result) {
+        view_->setError(result.error());
+        return;
+    }
+    const auto better = proposal(*result);
+    if (better && *better != options()) {
+        fields_->setOptions(*better);
+        refresh();
+        return;
+    }
+    preview_ = *result;
+    fields_->setPreview(*preview_);
+    view_->setPreview(*preview_);
+    enableOpen();
+    const bool lacks_rate = preview_->problem && preview_->problem->code == ErrorCode::rate_unknown;
+    if (!std::exchange(shown_, true) && lacks_rate) {
+        fields_->focusRate();  // all that is missing can be typed at once
+    }
+}
+
+void ImportDialog::enableOpen() {
+    buttons_->button(QDialogButtonBox::Open)
+        ->setEnabled(preview_ && !preview_->problem && fields_->isValid());
+}
+
+void ImportDialog::accept() {
+    if (!buttons_->button(QDialogButtonBox::Open)->isEnabled()) {
+        return;
+    }
+    const OpenOptions chosen_options = options();
+    rememberImport(importKind(path_, *preview_, chosen_options.raw.has_value()), chosen_options);
+    emit chosen(path_, chosen_options);
+    QDialog::accept();
+}
+
+void ImportDialog::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void ImportDialog::retranslate() {
+    setWindowTitle(tr("Import"));
+    title_->setText(tr("How to read %1").arg(QFileInfo(path_).fileName()));
+}
+
+}  // namespace vybeg::ui

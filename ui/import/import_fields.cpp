@@ -1,0 +1,370 @@
+#include "ui/import/import_fields.h"
+
+#include "ui/widgets/number_field.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr std::array delimiters = {',', ';', '\t', ' ', '|'};
+constexpr std::array time_units = {1.0, 1e-3, 1e-6, 1e-9};
+constexpr int most_columns = 200;  // offered in a list
+
+// What is being typed into the field; otherwise, and while that is no number, its value, which may
+// have more digits than are shown.
+std::optional<double> typed(const NumberField& field) {
+    return field.isModified() && field.isValid() ? readNumber(field.text()) : field.value();
+}
+
+// Of a list whose first entry is "automatic".
+template <class List>
+int indexOf(const List& list, const auto& value) {
+    const auto* const found = std::ranges::find(list, value);
+    return found == list.end() ? 0 : static_cast<int>(found - list.begin()) + 1;
+}
+
+void select(QComboBox& box, int number) {
+    int index = box.findData(number);
+    if (index < 0) {
+        // Not in the file, or not known yet.
+        box.addItem(QString::number(number), number);
+        index = box.count() - 1;
+    }
+    box.setCurrentIndex(index);
+}
+
+QString named(int number, const Channel& channel) {
+    const QString name = QString::fromStdString(channel.name);
+    QString text = QString::number(number);
+    if (!name.isEmpty() && name != text) {
+        text += QStringLiteral(": ") + name;
+    }
+    return channel.unit.empty()
+               ? text
+               : QStringLiteral("%1 [%2]").arg(text, QString::fromStdString(channel.unit));
+}
+
+}  // namespace
+
+ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
+    form_->setContentsMargins(0, 0, 0, 0);
+    form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    const auto add = [this](Row row, const char* name, auto* field) {
+        labels_[row] = new QLabel(this);
+        labels_[row]->setBuddy(field);
+        field->setObjectName(QLatin1String(name));
+        fields_[row] = field;
+        form_->addRow(labels_[row], field);
+        return field;
+    };
+    const auto list = [this, &add](Row row, const char* name, int entries) {
+        auto* box = add(row, name, new QComboBox(this));
+        box->addItems(QStringList(entries));
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(16);
+        connect(box, &QComboBox::currentIndexChanged, this, &ImportFields::edited);
+        return box;
+    };
+    const auto number = [this, &add](Row row, const char* name, double lowest, double highest) {
+        auto* field = add(row, name, new NumberField(this));
+        field->setLimits(lowest, highest);
+        connect(field, &QLineEdit::textEdited, this, &ImportFields::edited);
+        connect(field, &NumberField::valueEdited, this, &ImportFields::edited);
+        return field;
+    };
+    const auto words = [this, &add](Row row, const char* name) {
+        auto* field = add(row, name, new QLineEdit(this));
+        connect(field, &QLineEdit::textEdited, this, &ImportFields::edited);
+        return field;
+    };
+    read_as_ = list(read_as, "read_as", 3);
+    delimiter_ = list(delimiter, "delimiter", static_cast<int>(delimiters.size()) + 1);
+    decimal_ = list(decimal, "decimal", 3);
+    skip_lines_ = number(skip_lines, "skip_lines", 0, static_cast<double>(most_skipped_lines));
+    skip_lines_->setInteger(true);
+    skip_lines_->setOptional(true);
+    time_column_ = list(time_column, "time_column", 2);
+    time_unit_ = list(time_unit, "time_unit", static_cast<int>(time_units.size()) + 1);
+    raw_type_ = list(raw_type, "raw_type", 4);
+    raw_order_ = list(raw_order, "raw_order", 2);
+    raw_channels_ = add(raw_channels, "raw_channels", new QSpinBox(this));
+    raw_channels_->setRange(1, 4096);
+    connect(raw_channels_, &QSpinBox::valueChanged, this, &ImportFields::edited);
+    raw_skip_ = number(raw_skip, "raw_skip", 0, 1e15);
+    raw_skip_->setInteger(true);
+    variables_ = words(variables, "variables");
+    channel_c_ = list(channel_c, "channel_c", 0);
+    channel_d_ = list(channel_d, "channel_d", 0);
+    rate_ = number(rate, "rate", 1e-9, 1e12);
+    rate_->setOptional(true);
+    scale_ = number(scale, "scale", -1e30, 1e30);
+    unit_ = words(unit, "unit");
+    time_column_->setItemData(1, 0);
+    setOptions({});
+    retranslate();
+    connect(this, &ImportFields::edited, this, &ImportFields::showRows);
+}
+
+void ImportFields::setOptions(const OpenOptions& options) {
+    const QSignalBlocker blocker(this);
+    const TextChoice text = options.text.value_or(TextChoice{});
+    const RawLayout raw = options.raw.value_or(RawLayout{});
+    read_as_->setCurrentIndex(static_cast<int>(options.raw    ? ReadAs::raw
+                                               : options.text ? ReadAs::text
+                                                              : ReadAs::content));
+    delimiter_->setCurrentIndex(text.delimiter ? indexOf(delimiters, *text.delimiter) : 0);
+    decimal_->setCurrentIndex(!text.decimal_comma ? 0 : *text.decimal_comma ? 2 : 1);
+    skip_lines_->setValue(text.lines_to_skip
+                              ? std::optional(static_cast<double>(*text.lines_to_skip))
+                              : std::nullopt);
+    if (text.time_column) {
+        select(*time_column_, *text.time_column);
+    } else {
+        time_column_->setCurrentIndex(0);
+    }
+    time_unit_->setCurrentIndex(text.time_unit_s ? indexOf(time_units, *text.time_unit_s) : 0);
+    raw_type_->setCurrentIndex(static_cast<int>(raw.type));
+    raw_order_->setCurrentIndex(raw.big_endian ? 1 : 0);
+    raw_channels_->setValue(raw.channels);
+    raw_skip_->setValue(static_cast<double>(raw.skip_bytes));
+    QStringList names;
+    for (const std::string& name : options.variables) {
+        names << QString::fromStdString(name);
+    }
+    variables_->setText(names.join(QStringLiteral(", ")));
+    select(*channel_c_, options.channel_c);
+    select(*channel_d_, options.channel_d);
+    rate_->setValue(options.rate_hz);
+    scale_->setValue(options.raw ? raw.scale : text.scale);
+    unit_->setText(QString::fromStdString(options.unit));
+    showRows();
+}
+
+ImportFields::ReadAs ImportFields::readAs() const {
+    return static_cast<ReadAs>(read_as_->currentIndex());
+}
+
+bool ImportFields::isText() const {
+    return readAs() == ReadAs::text ||
+           (readAs() == ReadAs::content && preview_ && preview_->kind == FileKind::text);
+}
+
+bool ImportFields::hasVariables() const {
+    return readAs() == ReadAs::content && preview_ &&
+           (preview_->kind == FileKind::library || preview_->kind == FileKind::npz);
+}
+
+TextChoice ImportFields::textChoice() const {
+    TextChoice choice;
+    const auto listed = [](const QComboBox& box, const auto& list) {
+        const int index = box.currentIndex();
+        return index > 0 ? std::optional(list[static_cast<std::size_t>(index - 1)]) : std::nullopt;
+    };
+    choice.delimiter = listed(*delimiter_, delimiters);
+    choice.decimal_comma = listed(*decimal_, std::array{false, true});
+    if (const auto lines = typed(*skip_lines_)) {
+        choice.lines_to_skip = static_cast<std::int64_t>(*lines);
+    }
+    if (time_column_->currentIndex() > 0) {
+        choice.time_column = time_column_->currentData().toInt();
+    }
+    choice.time_unit_s = listed(*time_unit_, time_units);
+    choice.scale = typed(*scale_).value_or(1);
+    return choice;
+}
+
+RawLayout ImportFields::rawLayout() const {
+    return {.type = static_cast<RawType>(raw_type_->currentIndex()),
+            .big_endian = raw_order_->currentIndex() == 1,
+            .channels = raw_channels_->value(),
+            .skip_bytes = static_cast<std::int64_t>(typed(*raw_skip_).value_or(0)),
+            .scale = typed(*scale_).value_or(1)};
+}
+
+OpenOptions ImportFields::options() const {
+    OpenOptions options;
+    options.rate_hz = typed(*rate_);
+    options.channel_c = channel_c_->currentData().toInt();
+    options.channel_d = channel_d_->currentData().toInt();
+    options.unit = unit_->text().trimmed().toStdString();
+    if (readAs() == ReadAs::raw) {
+        options.raw = rawLayout();
+    } else if (isText()) {
+        const TextChoice choice = textChoice();
+        if (readAs() == ReadAs::text || choice != TextChoice{}) {
+            options.text = choice;
+        }
+    } else if (hasVariables() && !variables_->text().trimmed().isEmpty()) {
+        for (const QString& name : variables_->text().split(QLatin1Char(','))) {
+            options.variables.push_back(name.trimmed().toStdString());
+        }
+    }
+    return options;
+}
+
+bool ImportFields::isValid() const {
+    return std::ranges::all_of(
+        std::array{skip_lines_, raw_skip_, rate_, scale_},
+        [](const NumberField* field) { return field->isHidden() || field->isValid(); });
+}
+
+void ImportFields::setPreview(const RecordingPreview& preview) {
+    preview_ = preview;
+    showAutomatic();
+    showColumns();
+    showChannels(*channel_c_);
+    showChannels(*channel_d_);
+    showRows();
+}
+
+void ImportFields::showRows() {
+    const bool raw = readAs() == ReadAs::raw;
+    for (const Row row : {delimiter, decimal, skip_lines, time_column, time_unit}) {
+        form_->setRowVisible(fields_[row], isText());
+    }
+    for (const Row row : {raw_type, raw_order, raw_channels, raw_skip}) {
+        form_->setRowVisible(fields_[row], raw);
+    }
+    form_->setRowVisible(variables_, hasVariables());
+    form_->setRowVisible(scale_, raw || isText());
+}
+
+// The first entry of each list, and the empty fields, say what was found without being told.
+void ImportFields::showAutomatic() {
+    const auto automatic = [this](const QString& value) {
+        return value.isEmpty() ? tr("automatic") : tr("automatic: %1").arg(value);
+    };
+    // What is found for a choice that is automatic stands in the format that is used.
+    const auto format = [this](bool is_automatic) {
+        return !preview_                        ? nullptr
+               : is_automatic && preview_->used ? &*preview_->used
+               : preview_->guessed              ? &*preview_->guessed
+                                                : nullptr;
+    };
+    const auto entry = [&](QComboBox& box, auto&& value) {
+        const TextFormat* found = format(box.currentIndex() == 0);
+        box.setItemText(0, automatic(found ? value(*found) : QString()));
+    };
+    entry(*delimiter_, [this](const TextFormat& found) {
+        return delimiter_->itemText(indexOf(delimiters, found.delimiter));
+    });
+    entry(*decimal_, [this](const TextFormat& found) {
+        return decimal_->itemText(found.decimal_comma ? 2 : 1);
+    });
+    entry(*time_column_, [this](const TextFormat& found) {
+        const auto column = static_cast<std::size_t>(found.time_column);
+        return found.time_column < 0 ? time_column_->itemText(1)
+                                     : named(found.time_column + 1, {found.names[column], {}});
+    });
+    entry(*time_unit_, [this](const TextFormat& found) {
+        const int index = indexOf(time_units, found.time_unit_s);
+        return found.time_column >= 0 && index > 0 ? time_unit_->itemText(index) : QString();
+    });
+    const TextFormat* lines = format(!typed(*skip_lines_));
+    skip_lines_->setPlaceholderText(
+        automatic(lines ? QLocale().toString(lines->lines_to_skip) : QString()));
+    const bool needed = preview_ && !preview_->rate_hz && preview_->time_column < 0;
+    rate_->setPlaceholderText(needed                                   ? tr("needed")
+                              : preview_ && preview_->time_column >= 0 ? tr("from the time column")
+                                                                       : tr("from the file"));
+    unit_->setPlaceholderText(tr("from the file"));
+}
+
+void ImportFields::focusRate() {
+    rate_->setFocus();
+}
+
+void ImportFields::showColumns() {
+    const QSignalBlocker blocker(time_column_);
+    const TextFormat* format = preview_->used ? &*preview_->used : nullptr;
+    const bool said = time_column_->currentIndex() > 0;
+    const int chosen = said ? time_column_->currentData().toInt() : 0;
+    while (time_column_->count() > 2) {
+        time_column_->removeItem(2);
+    }
+    for (int column = 0; format && column < std::min(format->columns, most_columns); ++column) {
+        const auto i = static_cast<std::size_t>(column);
+        time_column_->addItem(named(column + 1, {format->names[i], format->units[i]}), column + 1);
+    }
+    if (said) {
+        select(*time_column_, chosen);
+    }
+}
+
+void ImportFields::showChannels(QComboBox& box) {
+    const QSignalBlocker blocker(box);
+    const int chosen = box.currentData().toInt();
+    box.clear();
+    const int count = std::min(static_cast<int>(preview_->channels.size()), most_columns);
+    for (int channel = 1; channel <= count; ++channel) {
+        box.addItem(named(channel, preview_->channels[static_cast<std::size_t>(channel - 1)]),
+                    channel);
+    }
+    select(box, chosen);
+}
+
+void ImportFields::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void ImportFields::retranslate() {
+    const auto set = [this](Row row, const QString& label, const QString& tip) {
+        labels_[row]->setText(label);
+        labels_[row]->setToolTip(tip);
+        fields_[row]->setAccessibleName(label);
+        fields_[row]->setToolTip(tip);
+    };
+    const auto list = [](QComboBox& box, int first, const QStringList& texts) {
+        for (int i = 0; i < texts.size(); ++i) {
+            box.setItemText(first + i, texts[i]);
+        }
+    };
+    set(read_as, tr("Read as"), tr("By its content, or as what it is said to be"));
+    set(delimiter, tr("Separator"), tr("What stands between the columns"));
+    set(decimal, tr("Decimal sign"), tr("Of the numbers in the file"));
+    set(skip_lines, tr("Lines to skip"), tr("Above the first row of numbers"));
+    set(time_column, tr("Time column"),
+        tr("Gives the sample rate and is no channel; all other columns are"));
+    set(time_unit, tr("Unit of time"), tr("Of the time column"));
+    set(raw_type, tr("Sample type"), tr("How each sample is stored"));
+    set(raw_order, tr("Byte order"), tr("Little endian: the lowest byte comes first"));
+    set(raw_channels, tr("Channels"), tr("Interleaved: a sample of each, then the next of each"));
+    set(raw_skip, tr("Header"), tr("Bytes before the first sample"));
+    set(variables, tr("Variables"),
+        tr("Names of the variables that hold C and D and, third, the rate, with commas between "
+           "them"));
+    set(channel_c, tr("Channel C"), tr("Counted from 1; a time column does not count"));
+    set(channel_d, tr("Channel D"), tr("Counted from 1; a time column does not count"));
+    set(rate, tr("Sample rate"), tr("Used where the file has no rate of its own"));
+    set(scale, tr("Scale"), tr("Recording units per count or per unit of the file"));
+    set(unit, tr("Unit"), tr("Of the samples, once they are scaled"));
+    rate_->setUnit(tr("Hz"));
+    raw_skip_->setUnit(tr("bytes"));
+    variables_->setPlaceholderText(tr("the first that fit"));
+    list(*read_as_, 0, {tr("what it is by content"), tr("text"), tr("raw samples")});
+    list(*delimiter_, 1,
+         {tr("comma"), tr("semicolon"), tr("tab"), tr("spaces"), tr("vertical bar")});
+    list(*decimal_, 1, {tr("point"), tr("comma")});
+    list(*time_column_, 1, {tr("none")});
+    list(*time_unit_, 1, {tr("s"), tr("ms"), tr("µs"), tr("ns")});
+    list(*raw_type_, 0,
+         {tr("16 bit integer"), tr("32 bit integer"), tr("32 bit float"), tr("64 bit float")});
+    list(*raw_order_, 0, {tr("little endian"), tr("big endian")});
+    showAutomatic();
+}
+
+}  // namespace vybeg::ui

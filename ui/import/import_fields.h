@@ -1,0 +1,100 @@
+#pragma once
+
+#include "core/recording/open/recording_preview.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace vybeg::ui {
+
+class NumberField;
+
+// The choices of an import. What the content tells stands as "automatic" with the value that was
+// found; only the rows that concern the kind of file are shown. Keeps no state but that of its
+// fields.
+class ImportFields : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ImportFields(QWidget* parent = nullptr);
+
+    // Emits nothing.
+    void setOptions(const OpenOptions& options);
+    OpenOptions options() const;
+    // Whether every field that is shown has an acceptable text.
+    void focusRate();
+    bool isValid() const;
+    // What these options lead to: values of the automatic choices, names of the channels.
+    void setPreview(const RecordingPreview& preview);
+
+signals:
+    // Something was changed, by every key.
+    void edited();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    enum Row {
+        read_as,
+        delimiter,
+        decimal,
+        skip_lines,
+        time_column,
+        time_unit,
+        raw_type,
+        raw_order,
+        raw_channels,
+        raw_skip,
+        variables,
+        channel_c,
+        channel_d,
+        rate,
+        scale,
+        unit,
+        row_count
+    };
+    enum class ReadAs { content, text, raw };
+
+    ReadAs readAs() const;
+    bool isText() const;
+    bool hasVariables() const;
+    void showRows();
+    void showAutomatic();
+    void showColumns();
+    void showChannels(QComboBox& box);
+    TextChoice textChoice() const;
+    RawLayout rawLayout() const;
+    void retranslate();
+
+    QFormLayout* form_;
+    std::array<QLabel*, row_count> labels_{};
+    std::array<QWidget*, row_count> fields_{};
+    QComboBox* read_as_;
+    QComboBox* delimiter_;
+    QComboBox* decimal_;
+    NumberField* skip_lines_;
+    QComboBox* time_column_;
+    QComboBox* time_unit_;
+    QComboBox* raw_type_;
+    QComboBox* raw_order_;
+    QSpinBox* raw_channels_;
+    NumberField* raw_skip_;
+    QLineEdit* variables_;
+    QComboBox* channel_c_;
+    QComboBox* channel_d_;
+    NumberField* rate_;
+    NumberField* scale_;
+    QLineEdit* unit_;
+    std::optional<RecordingPreview> preview_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/recording/open/recording_preview.h"
+#include "ui/widgets/theme.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QCustomPlot;
+class QLabel;
+class QTableWidget;
+
+namespace vybeg::ui {
+
+// How a recording begins: the first rows as a table, with the columns of C, D and the time marked,
+// and the first samples as curves. What stands in the way is told above.
+class ImportPreview : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ImportPreview(QWidget* parent = nullptr);
+
+    void setPreview(const RecordingPreview& preview);
+    void setError(const Error& error);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showProblem();
+    void fillTable();
+    void drawSamples();
+    void applyLook();
+    void retranslate();
+
+    QLabel* what_;  // the format, or the problem
+    QTableWidget* table_;
+    QCustomPlot* plot_;
+    Theme theme_;
+    std::optional<Error> error_;
+    RecordingPreview preview_;
+};
+
+}  // namespace vybeg::ui

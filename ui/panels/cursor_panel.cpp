@@ -1,0 +1,198 @@
+#include "ui/panels/cursor_panel.h"
+
+#include "ui/panels/run_list.h"
+#include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int shown_count = static_cast<int>(shown_slow_variables.size());
+
+struct Reading {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    double sd = std::numeric_limits<double>::quiet_NaN();
+};
+
+// The window whose centre is nearest; a track is never empty.
+std::size_t nearestRow(const Track& track, double time_s) {
+    const auto times = track.time_s();
+    const auto after = std::ranges::lower_bound(times, time_s);
+    auto row = static_cast<std::size_t>(after - times.begin());
+    if (row == times.size() || (row > 0 && time_s - times[row - 1] < times[row] - time_s)) {
+        --row;
+    }
+    return row;
+}
+
+Reading readingAt(const Analysis& analysis, SlowVariable variable, std::size_t row,
+                  const DisplayUnits& units) {
+    const DisplayScale scale = displayScale(variable, units, analysis.f0_hz());
+    const double stored = analysis.track.values(variable)[row];
+    Reading reading{scale.value(stored), std::numeric_limits<double>::quiet_NaN()};
+    if (info(variable).has_sd) {
+        reading.sd = scale.sd(stored, analysis.track.sds(variable)[row]);
+    }
+    return reading;
+}
+
+std::vector<const RunEntry*> visibleRuns(const Document& document) {
+    std::vector<const RunEntry*> visible;
+    for (const RunEntry& entry : document.runs()) {
+        if (entry.run.visible && entry.run.analysis->track.rows() > 0) {
+            visible.push_back(&entry);
+        }
+    }
+    return visible;
+}
+
+}  // namespace
+
+CursorPanel::CursorPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      time_(new QLabel(this)),
+      table_(new QTableWidget(this)) {
+    time_->setContentsMargins(6, 2, 6, 2);
+    time_->setWordWrap(true);
+    time_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    table_->setRowCount(shown_count + 1);
+    table_->setItemDelegate(new IndexDelegate(table_));
+    table_->verticalHeader()->hide();
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
+    table_->setIconSize({28, 14});
+    table_->setWordWrap(true);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(time_);
+    layout->addWidget(table_, 1);
+    connect(&document_, &Document::runsChanged, this, &CursorPanel::refresh);
+    retranslate();
+}
+
+void CursorPanel::setTime(std::optional<double> time_s) {
+    time_s_ = time_s;
+    refresh();
+}
+
+void CursorPanel::setUnits(const DisplayUnits& units) {
+    units_ = units;
+    retranslate();
+}
+
+double CursorPanel::shownTime(const Run& first) const {
+    return time_s_.value_or(first.analysis->track.time_s().front());
+}
+
+void CursorPanel::refresh() {
+    const auto runs = visibleRuns(document_);
+    table_->setVisible(!runs.empty());
+    if (runs.empty()) {
+        time_->setText(tr("The values of every shown run at the mouse appear here."));
+        return;
+    }
+    const double time_s = shownTime(runs.front()->run);
+    time_->setText(tr("t = %1 s").arg(QLocale().toString(time_s, 'f', 5)));
+    table_->setColumnCount(static_cast<int>(runs.size()) + 1);
+    bool any_flag = false;
+    for (int column = 1; column < table_->columnCount(); ++column) {
+        const RunEntry& entry = *runs[static_cast<std::size_t>(column - 1)];
+        const Analysis& analysis = *entry.run.analysis;
+        const std::size_t row = nearestRow(analysis.track, time_s);
+        auto* header = new QTableWidgetItem(runIcon(entry.run), entry.run.name);
+        header->setToolTip(entry.run.recording);
+        table_->setHorizontalHeaderItem(column, header);
+        const auto set = [this, column](int line, const QString& text) {
+            auto* item = new QTableWidgetItem(text);
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            table_->setItem(line, column, item);
+        };
+        for (int line = 0; line < shown_count; ++line) {
+            const Reading reading = readingAt(
+                analysis, shown_slow_variables[static_cast<std::size_t>(line)], row, units_);
+            set(line, valueText(reading.value, reading.sd));
+        }
+        const QString reason = flagsText(analysis.track.flags()[row]);
+        set(shown_count, reason);
+        any_flag = any_flag || !reason.isEmpty();
+    }
+    table_->setRowHidden(shown_count, !any_flag);
+}
+
+QString CursorPanel::tableText() const {
+    const auto runs = visibleRuns(document_);
+    if (runs.empty()) {
+        return {};
+    }
+    const double time_s = shownTime(runs.front()->run);
+    const QLocale locale;
+    const auto number = [&locale](double value) {
+        return std::isnan(value) ? QString()
+                                 : locale.toString(value, 'g', QLocale::FloatingPointShortest);
+    };
+    QStringList lines;
+    QStringList head{tr("t = %1 s").arg(number(time_s))};
+    for (const RunEntry* entry : runs) {
+        head << entry->run.name << tr("sd");
+    }
+    lines << head.join(QLatin1Char('\t'));
+    for (const SlowVariable variable : shown_slow_variables) {
+        const QString unit = displayUnit(variable, units_);
+        const QString symbol = displaySymbol(variable, units_);
+        QStringList cells{unit.isEmpty() ? symbol : QStringLiteral("%1, %2").arg(symbol, unit)};
+        for (const RunEntry* entry : runs) {
+            const Analysis& analysis = *entry->run.analysis;
+            const Reading reading =
+                readingAt(analysis, variable, nearestRow(analysis.track, time_s), units_);
+            cells << number(reading.value) << number(reading.sd);
+        }
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+void CursorPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void CursorPanel::retranslate() {
+    table_->setAccessibleName(tr("Values at the cursor"));
+    table_->setColumnCount(std::max(1, table_->columnCount()));
+    table_->setHorizontalHeaderItem(0, new QTableWidgetItem);
+    for (int line = 0; line < shown_count; ++line) {
+        const SlowVariable variable = shown_slow_variables[static_cast<std::size_t>(line)];
+        const QString unit = displayUnit(variable, units_);
+        const QString symbol = displaySymbol(variable, units_);
+        auto* item = new QTableWidgetItem(
+            unit.isEmpty() ? symbol : QStringLiteral("%1, %2").arg(symbol, unit));
+        item->setToolTip(displayMeaning(variable));
+        table_->setItem(line, 0, item);
+    }
+    table_->setItem(shown_count, 0, new QTableWidgetItem(tr("Reason")));
+    refresh();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/words/display_units.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QTableWidget;
+
+namespace vybeg::ui {
+
+// The values of every visible run at the tracker, with their standard deviations.
+class CursorPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CursorPanel(Document& document, QWidget* parent = nullptr);
+
+    void setTime(std::optional<double> time_s);
+    void setUnits(const DisplayUnits& units);
+    // The table as tab-separated text: value and standard deviation of a run in columns of their
+    // own, in the displayed units and the decimal mark of the interface's language.
+    QString tableText() const;
+
+    QSize sizeHint() const override { return {260, 300}; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+    // The tracker's time, or the first window's before the mouse has been over the plots.
+    double shownTime(const Run& first) const;
+    void retranslate();
+
+    Document& document_;
+    QLabel* time_;
+    QTableWidget* table_;
+    std::optional<double> time_s_;
+    DisplayUnits units_;
+};
+
+}  // namespace vybeg::ui

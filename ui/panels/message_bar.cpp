@@ -1,0 +1,133 @@
+#include "ui/panels/message_bar.h"
+
+#include <QEvent>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr std::size_t most_rows = 3;
+
+QStyle::StandardPixmap iconOf(Severity severity) {
+    switch (severity) {
+        case Severity::info: return QStyle::SP_MessageBoxInformation;
+        case Severity::warning: return QStyle::SP_MessageBoxWarning;
+        case Severity::error: return QStyle::SP_MessageBoxCritical;
+    }
+    return QStyle::SP_MessageBoxInformation;
+}
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
+    layout_->setContentsMargins(0, 0, 0, 0);
+    layout_->setSpacing(2);
+    hide();
+}
+
+void MessageBar::add(const Message& message) {
+    withdraw(message.topic);
+    const QString text = message.text();
+    const auto same =
+        std::ranges::find_if(rows_, [&](const Row& row) { return row.message.text() == text; });
+    if (same != rows_.end()) {
+        remove(same->widget);
+    }
+
+    auto* frame = new QFrame(this);
+    frame->setFrameShape(QFrame::StyledPanel);
+    frame->setAutoFillBackground(true);
+    frame->setBackgroundRole(QPalette::ToolTipBase);
+    frame->setForegroundRole(QPalette::ToolTipText);
+    auto* line = new QHBoxLayout(frame);
+    line->setContentsMargins(8, 3, 4, 3);
+    auto* icon = new QLabel(frame);
+    const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
+    icon->setPixmap(style()->standardIcon(iconOf(message.severity)).pixmap(size));
+    line->addWidget(icon);
+    Row row{message, frame, new QLabel(frame), new QToolButton(frame), nullptr};
+    row.text->setWordWrap(true);
+    row.text->setTextFormat(Qt::PlainText);
+    row.text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    row.text->setForegroundRole(QPalette::ToolTipText);
+    line->addWidget(row.text, 1);
+    if (!message.reopen_path.isEmpty()) {
+        row.action = new QPushButton(frame);
+        connect(row.action, &QPushButton::clicked, this, [this, frame, message] {
+            remove(frame);
+            emit reopenWanted(message.reopen_path, message.reopen_options);
+        });
+        line->addWidget(row.action);
+    }
+    row.close->setAutoRaise(true);
+    row.close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+    connect(row.close, &QToolButton::clicked, this, [this, frame] { remove(frame); });
+    line->addWidget(row.close);
+
+    rows_.insert(rows_.begin(), row);
+    layout_->insertWidget(0, frame);
+    while (rows_.size() > most_rows) {
+        remove(rows_.back().widget);
+    }
+    retranslate();
+    show();
+}
+
+void MessageBar::remove(QWidget* widget) {
+    std::erase_if(rows_, [widget](const Row& row) { return row.widget == widget; });
+    widget->hide();
+    widget->deleteLater();
+    setVisible(!rows_.empty());
+}
+
+void MessageBar::clear() {
+    while (!rows_.empty()) {
+        remove(rows_.back().widget);
+    }
+}
+
+void MessageBar::withdraw(Topic topic) {
+    const auto told = [topic](const Row& row) { return row.message.topic == topic; };
+    if (const auto row = std::ranges::find_if(rows_, told);
+        topic != Topic::none && row != rows_.end()) {
+        remove(row->widget);
+    }
+}
+
+QStringList MessageBar::texts() const {
+    QStringList texts;
+    for (const Row& row : rows_) {
+        texts << row.text->text();
+    }
+    return texts;
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void MessageBar::retranslate() {
+    for (const Row& row : rows_) {
+        row.text->setText(row.message.text());
+        row.widget->setAccessibleName(row.message.text());
+        row.close->setToolTip(tr("Close this message"));
+        row.close->setAccessibleName(tr("Close this message"));
+        if (row.action) {
+            row.action->setText(tr("Import…"));
+        }
+    }
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,85 @@
+#include "ui/panels/recording_drag.h"
+
+#include <QIODevice>
+#include <QMimeData>
+#include <QUrl>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Ids mean something inside this program alone: with its number, another window does not take them.
+QString recordingType() {
+    return QStringLiteral("application/x-vybeg-recordings-%1")
+        .arg(QCoreApplication::applicationPid());
+}
+
+std::vector<int> idsOf(const QList<QListWidgetItem*>& items) {
+    std::vector<int> ids;
+    for (const QListWidgetItem* item : items) {
+        ids.push_back(item->data(Qt::UserRole).toInt());
+    }
+    return ids;
+}
+
+}  // namespace
+
+RecordingDragList::RecordingDragList(QWidget* parent) : QListWidget(parent) {
+    setDragEnabled(true);
+    setDragDropMode(QAbstractItemView::DragOnly);
+}
+
+void RecordingDragList::setRecordings(const std::vector<RecordingEntry>& recordings) {
+    for (int row = count() - 1; row >= 0; --row) {
+        const int id = item(row)->data(Qt::UserRole).toInt();
+        if (std::ranges::find(recordings, id, &RecordingEntry::id) == recordings.end()) {
+            delete takeItem(row);
+        }
+    }
+    // Recordings only ever come at the end.
+    for (std::size_t k = static_cast<std::size_t>(count()); k < recordings.size(); ++k) {
+        (new QListWidgetItem(this))->setData(Qt::UserRole, recordings[k].id);
+    }
+}
+
+std::vector<int> RecordingDragList::selectedRecordings() const {
+    return idsOf(selectedItems());
+}
+
+QStringList RecordingDragList::mimeTypes() const {
+    return {recordingType()};
+}
+
+QMimeData* RecordingDragList::mimeData(const QList<QListWidgetItem*>& items) const {
+    return recordingMimeData(idsOf(items));
+}
+
+QMimeData* recordingMimeData(const std::vector<int>& recording_ids) {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << QList<int>(recording_ids.begin(), recording_ids.end());
+    auto* data = new QMimeData;
+    data->setData(recordingType(), bytes);
+    return data;
+}
+
+std::vector<int> draggedRecordings(const QMimeData& data) {
+    QDataStream stream(data.data(recordingType()));
+    QList<int> ids;
+    stream >> ids;
+    return {ids.begin(), ids.end()};
+}
+
+QStringList localFiles(const QMimeData& data) {
+    QStringList files;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            files << url.toLocalFile();
+        }
+    }
+    return files;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ui/document/document.h"
+
+#include <QListWidget>
+
+#include <vector>
+
+class QMimeData;
+
+namespace vybeg::ui {
+
+// The open recordings as a list whose items can be dragged into a set of runs. An item's
+// Qt::UserRole is the recording's id.
+class RecordingDragList : public QListWidget {
+    Q_OBJECT
+
+public:
+    explicit RecordingDragList(QWidget* parent = nullptr);
+
+    // One item for each; items of recordings that were there before stay the same.
+    void setRecordings(const std::vector<RecordingEntry>& recordings);
+    std::vector<int> selectedRecordings() const;
+
+protected:
+    QStringList mimeTypes() const override;
+    QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
+};
+
+// What is dragged: recordings of this window, or files.
+QMimeData* recordingMimeData(const std::vector<int>& recording_ids);
+std::vector<int> draggedRecordings(const QMimeData& data);
+QStringList localFiles(const QMimeData& data);
+
+}  // namespace vybeg::ui

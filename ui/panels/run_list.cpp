@@ -1,0 +1,249 @@
+#include "ui/panels/run_list.h"
+
+#include "ui/widgets/theme.h"
+#include "ui/words/algorithm_text.h"
+#include "ui/words/display_units.h"
+#include "ui/words/error_text.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStyle>
+
+namespace vybeg::ui {
+
+QIcon runIcon(const Run& run) {
+    constexpr int width = 28;
+    constexpr int height = 14;
+    constexpr int scale = 2;
+    QPixmap pixmap(width * scale, height * scale);
+    pixmap.setDevicePixelRatio(scale);
+    // Its own ground: the line must also be seen on the colour of a selected row.
+    pixmap.fill(QGuiApplication::palette().color(QPalette::Base));
+    QPainter painter(&pixmap);
+    const Theme theme = isDark(QGuiApplication::palette()) ? darkTheme() : lightTheme();
+    painter.setPen(QPen(readable(run.color, theme), 2.5, run.dash, Qt::FlatCap));
+    painter.drawLine(QPointF(2, height / 2.0), QPointF(width - 2, height / 2.0));
+    painter.end();
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);
+    return icon;
+}
+
+RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setAlternatingRowColors(true);
+    setColumnCount(column_count);
+    setIconSize({28, 14});
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+    header()->setStretchLastSection(false);
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    header()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+
+    rename_ = new QAction(this);
+    rename_->setShortcut(Qt::Key_F2);
+    rerun_ = new QAction(this);
+    rerun_->setShortcut(QKeyCombination(Qt::CTRL, Qt::Key_R));
+    remove_ = new QAction(this);
+    remove_->setShortcut(QKeySequence::Delete);
+    for (QAction* action : {rename_, rerun_, remove_}) {
+        action->setShortcutContext(Qt::WidgetShortcut);
+        addAction(action);
+    }
+    connect(rename_, &QAction::triggered, this, [this] {
+        if (currentItem()) {
+            editItem(currentItem(), name);
+        }
+    });
+    connect(rerun_, &QAction::triggered, this, [this] { document_.rerun(currentRun()); });
+    connect(remove_, &QAction::triggered, this, [this] { document_.removeRun(currentRun()); });
+    connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
+        if (column == name) {
+            editItem(item, name);
+        }
+    });
+    connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+        if (column == name) {
+            const int id = item->data(name, Qt::UserRole).toInt();
+            const bool visible = item->checkState(name) == Qt::Checked;
+            const QString text = item->text(name);
+            // Queued: the document's answer rebuilds this list, and with it the item.
+            QMetaObject::invokeMethod(
+                this,
+                [this, id, visible, text] {
+                    document_.setRunVisible(id, visible);
+                    document_.renameRun(id, text);
+                },
+                Qt::QueuedConnection);
+        }
+    });
+    connect(this, &QTreeWidget::currentItemChanged, this,
+            [this] { emit currentRunChanged(currentRun()); });
+    connect(&document_, &Document::runsChanged, this, &RunList::rebuild);
+    connect(&document_, &Document::liveChanged, this, &RunList::rebuild);
+    connect(&document_, &Document::runAdded, this, [this](int id) {
+        for (int row = 0; row < topLevelItemCount(); ++row) {
+            if (topLevelItem(row)->data(name, Qt::UserRole).toInt() == id) {
+                setCurrentItem(topLevelItem(row));
+            }
+        }
+    });
+    retranslate();
+    const int digit = fontMetrics().averageCharWidth();
+    const int widths[column_count] = {27, 14, 25, 7, 23, 25, 12, 10, 40};
+    for (int column = 0; column < column_count; ++column) {
+        setColumnWidth(column, widths[column] * digit);
+    }
+}
+
+int RunList::currentRun() const {
+    return currentItem() ? currentItem()->data(name, Qt::UserRole).toInt() : 0;
+}
+
+void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) {
+    const QLocale locale;
+    const Analysis& analysis = *entry.run.analysis;
+    item.setData(name, Qt::UserRole, entry.run.id);
+    item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable |
+                  Qt::ItemIsEditable);
+    item.setCheckState(name, entry.run.visible ? Qt::Checked : Qt::Unchecked);
+    item.setIcon(name, runIcon(entry.run));
+    item.setText(name, entry.run.name);
+    item.setText(recording, entry.run.recording);
+    item.setText(algorithm, algorithmText(analysis.settings.algorithm));
+    item.setText(window, locale.toString(static_cast<qint64>(analysis.plan.length)));
+    const QString count = locale.toString(static_cast<qint64>(entry.summary.windows));
+    const QString flagged = entry.summary.flagged == 0
+                                ? count
+                                : tr("%1 (%2 flagged)").arg(count).arg(entry.summary.flagged);
+    item.setText(
+        windows,
+        entry.partial()
+            ? tr("%1 of %2").arg(count, locale.toString(static_cast<qint64>(analysis.plan.count)))
+            : flagged);
+    item.setText(frequency, valueText(entry.summary.mean_f_hz, entry.summary.sd_mean_f_hz));
+    item.setText(noise, locale.toString(entry.summary.noise, 'g', 4));
+    const double ms = 1e3 * entry.run.seconds_taken;
+    item.setText(time, entry.partial() ? QString() : locale.toString(ms, 'f', ms < 10 ? 2 : 0));
+    for (int column = 0; column < column_count; ++column) {
+        item.setToolTip(column, item.text(column));
+    }
+    if (entry.live && document_.live()) {
+        QFont font = this->font();
+        font.setItalic(true);
+        item.setFont(name, font);
+        item.setToolTip(name,
+                        tr("Follows the settings while Live is on; Run keeps a run as it is"));
+    }
+    fillNotes(item, entry);
+}
+
+void RunList::fillNotes(QTreeWidgetItem& item, const RunEntry& entry) {
+    QStringList sentences;
+    const bool snaps = entry.summary.leakage_limits() && !entry.requested.snap;
+    if (entry.summary.leakage_limits()) {
+        sentences << tr("Leakage of the window limits the mean frequency, by %1 Hz.")
+                         .arg(QLocale().toString(entry.summary.leakage_f_hz, 'g', 2));
+    }
+    if (entry.summary.at_bound > 0) {
+        sentences << tr(
+            "The frequency of %n window(s) lies at the bound of the search; the mean's "
+            "deviation allows for them.",
+            nullptr, static_cast<int>(entry.summary.at_bound));
+    }
+    for (const Diagnostic& diagnostic : entry.run.analysis->diagnostics) {
+        sentences << diagnosticText(diagnostic);
+    }
+    if (sentences.isEmpty()) {
+        return;
+    }
+    const QString text = sentences.join(QLatin1Char(' '));
+    const QIcon mark = style()->standardIcon(QStyle::SP_MessageBoxWarning);
+    item.setToolTip(notes, sentences.join(QLatin1Char('\n')));
+    if (!snaps) {
+        item.setIcon(notes, mark);
+        item.setText(notes, text);
+        return;
+    }
+    auto* const sign = new QLabel(this);
+    sign->setPixmap(mark.pixmap(fontMetrics().height()));
+    auto* cell = new QWidget(this);
+    auto* snap = new QPushButton(tr("Snap"), cell);
+    snap->setObjectName(QStringLiteral("snapRun"));
+    snap->setToolTip(tr("Analyse again with a window of whole half-periods, which leaks least"));
+    snap->setFixedHeight(fontMetrics().height() + 2);
+    auto* layout = new QHBoxLayout(cell);
+    layout->setContentsMargins(2, 0, 2, 0);
+    layout->addWidget(sign);
+    layout->addWidget(snap);
+    auto* const note = new QLabel(text, cell);
+    note->setObjectName(QStringLiteral("note"));
+    layout->addWidget(note);
+    layout->addStretch(1);
+    setItemWidget(&item, notes, cell);
+    item.setSizeHint(notes, {cell->sizeHint().width(), fontMetrics().height() + 4});
+    // Queued: the new run rebuilds this list, and with it the button.
+    connect(
+        snap, &QPushButton::clicked, &document_,
+        [this, id = entry.run.id] { document_.rerunSnapped(id); }, Qt::QueuedConnection);
+}
+
+void RunList::rebuild() {
+    const int current = currentRun();
+    {
+        const QSignalBlocker blocker(this);
+        clear();
+        for (const RunEntry& entry : document_.runs()) {
+            auto* item = new QTreeWidgetItem(this);
+            fill(*item, entry);
+            if (entry.run.id == current) {
+                setCurrentItem(item);
+            }
+        }
+        if (!currentItem() && topLevelItemCount() > 0) {
+            setCurrentItem(topLevelItem(topLevelItemCount() - 1));
+        }
+    }
+    resizeColumnToContents(time);
+    resizeColumnToContents(notes);
+    for (QAction* action : {rename_, rerun_, remove_}) {
+        action->setEnabled(currentItem() != nullptr);
+    }
+    emit currentRunChanged(currentRun());
+}
+
+void RunList::changeEvent(QEvent* event) {
+    QTreeWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void RunList::retranslate() {
+    setAccessibleName(tr("Runs"));
+    setHeaderLabels({tr("Run"), tr("Recording"), tr("Algorithm"), tr("n"), tr("Windows"),
+                     tr("Mean f, Hz"), tr("Noise"), tr("Time, ms"), tr("Notes")});
+    headerItem()->setToolTip(
+        frequency,
+        tr("Weighted mean of the frequency f_cp over all valid windows ± its standard deviation: "
+           "scatter between windows, leakage of algorithms 1 to 4, bounds of the search"));
+    headerItem()->setToolTip(noise, tr("Noise per sample and channel: residual of the windows, its "
+                                       "degrees of freedom counted"));
+    headerItem()->setToolTip(time, tr("Time in the estimators alone"));
+    headerItem()->setToolTip(window, tr("Window, samples"));
+    rename_->setText(tr("Rename"));
+    rerun_->setText(tr("Run again with its settings"));
+    remove_->setText(tr("Remove"));
+    rebuild();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "ui/values/zoom_stack.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <vector>
+
+namespace vybeg::ui {
+
+// How much room the tick labels of an axis have.
+struct TickRoom {
+    double length = 0;                             // of the axis, pixels
+    double spacing = 0;                            // least distance of two labelled ticks, pixels
+    double gap = 0;                                // least distance between two labels, pixels
+    std::function<double(const QString&)> extent;  // of a label along the axis, pixels
+};
+
+enum class TickSteps { decimal, degrees };
+
+// Ticks of an axis. A label shows (position - offset) / 10^exponent: an axis of 5300.0001 ... 0002
+// reads "100 ... 200", offset 5300, exponent -6. The exponent is a multiple of 3.
+struct AxisTicks {
+    std::vector<double> positions;
+    std::vector<double> between;  // unlabelled ones
+    QStringList labels;           // as many as positions
+    double offset = 0;
+    int offset_decimals = 0;  // that the offset needs
+    int exponent = 0;
+
+    // What the axis' name gets behind it, e.g. " − 5300"; empty without an offset.
+    QString offsetText() const;
+};
+
+// Ticks of a linear axis: the finest step of 1, 2, 5 (degrees also 15, 30, 45, 90) whose labels
+// have room. No label needs more than five digits: beyond that the labels count from an offset.
+AxisTicks linearTicks(const AxisRange& range, const TickRoom& room,
+                      TickSteps steps = TickSteps::decimal);
+
+// Ticks of a logarithmic axis, 0 < lower: decades, in between 2 and 5 where there is room, linear
+// steps over less than a decade.
+AxisTicks logTicks(const AxisRange& range, const TickRoom& room);
+
+// The unit as it stands behind the name: "mHz" for Hz and -3 where it takes prefixes, else
+// "×10⁻³ °".
+QString scaledUnit(const QString& unit, bool takes_prefix, int exponent);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,119 @@
+#include "ui/plots/figure.h"
+
+#include "ui/plots/plot_file.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/plot_stack.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace vybeg::ui {
+namespace {
+
+using Columns = std::vector<FigureColumn>;
+using Stacks = std::vector<std::unique_ptr<PlotStack>>;
+
+// One time axis for all columns.
+AxisRange commonTime(const Columns& columns) {
+    std::vector<Run> runs;
+    for (const FigureColumn& column : columns) {
+        runs.push_back(column.run);
+    }
+    return coveredTime(runs).value_or(AxisRange{0, 1});
+}
+
+// The value axes that show every column of a row.
+std::map<SlowVariable, AxisRange> commonValues(const Stacks& stacks,
+                                               const std::vector<SlowVariable>& variables) {
+    std::map<SlowVariable, AxisRange> common;
+    for (const SlowVariable variable : variables) {
+        for (const auto& stack : stacks) {
+            const AxisRange own = stack->panel(variable)->automaticValues();
+            const auto [known, first] = common.emplace(variable, own);
+            if (!first) {
+                known->second = {std::min(known->second.lower, own.lower),
+                                 std::max(known->second.upper, own.upper)};
+            }
+        }
+    }
+    return common;
+}
+
+void setLetters(const Stacks& stacks, std::size_t rows) {
+    int letter = 0;
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (const auto& stack : stacks) {
+            // After z comes aa: no figure of this program gets there, a wrong letter would be
+            // worse.
+            QString text(QChar('a' + letter % 26));
+            stack->panels()[row]->setLetter(text.repeated(1 + letter / 26));
+            ++letter;
+        }
+    }
+}
+
+// The figure laid out on a plot; calls draw(plot, size).
+template <class Draw>
+void layOut(const Columns& columns, const FigureOptions& options, const Draw& draw) {
+    const QSize size = figureSize(columns.size(), options);
+    const QSize column_size(size.width() / std::max(1, static_cast<int>(columns.size())),
+                            size.height());
+    QCustomPlot plot;
+    preparePlot(plot, lightTheme());
+    Stacks stacks;
+    ZoomState zoom{commonTime(columns), {}};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        stacks.push_back(
+            std::make_unique<PlotStack>(plot, static_cast<int>(i), PlotStack::Head::title));
+        PlotContent content;
+        content.runs = {columns[i].run};
+        // A column holds one run: nothing needs telling apart.
+        content.runs.front().visible = true;
+        content.runs.front().color = runStyle(0).color;
+        content.runs.front().dash = Qt::SolidLine;
+        content.variables = options.variables;
+        content.units = options.units;
+        content.zoom = zoom;
+        stacks.back()->setContent(content);
+        stacks.back()->setTitle(columns[i].title);
+        stacks.back()->prepare(column_size);
+    }
+    if (options.common_value_axes) {
+        zoom.fixed = commonValues(stacks, options.variables);
+    }
+    for (const auto& stack : stacks) {
+        stack->setZoom(zoom);
+    }
+    if (options.letters) {
+        setLetters(stacks, options.variables.size());
+    }
+    draw(plot, size);
+}
+
+}  // namespace
+
+QSize figureSize(std::size_t columns, const FigureOptions& options) {
+    if (!options.size.isEmpty()) {
+        return options.size;
+    }
+    constexpr int strips = 66;
+    return {420 * std::max(1, static_cast<int>(columns)),
+            strips + 150 * static_cast<int>(options.variables.size())};
+}
+
+Status renderFigure(const std::vector<FigureColumn>& columns, const QString& path,
+                    const FigureOptions& options) {
+    Status status;
+    layOut(columns, options,
+           [&](QCustomPlot& plot, QSize size) { status = writePlot(plot, size, path); });
+    return status;
+}
+
+QPicture figurePicture(const std::vector<FigureColumn>& columns, const FigureOptions& options) {
+    QPicture picture;
+    layOut(columns, options,
+           [&](QCustomPlot& plot, QSize size) { picture = toPicture(plot, size); });
+    return picture;
+}
+
+}  // namespace vybeg::ui

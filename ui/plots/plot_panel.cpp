@@ -1,0 +1,246 @@
+#include "ui/plots/plot_panel.h"
+
+#include "ui/plots/crisp_graph.h"
+#include "ui/plots/value_range.h"
+#include "ui/words/index_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <limits>
+
+namespace vybeg::ui {
+namespace {
+
+constexpr int least_left_margin = 60;
+constexpr double unit_gap = 8;
+constexpr double least_mark_spacing = 4;
+
+}  // namespace
+
+PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable)
+    : QCPAxisRect(plot, false),
+      variable_(variable),
+      time_ticker_(new PanelTicker(Qt::Horizontal)),
+      value_ticker_(new PanelTicker(Qt::Vertical)) {
+    setLayer(QStringLiteral("background"));  // below the grid
+    // A full frame; only left and bottom carry ticks.
+    for (const auto type : {QCPAxis::atLeft, QCPAxis::atBottom, QCPAxis::atRight, QCPAxis::atTop}) {
+        QCPAxis* side = addAxis(type);
+        side->setLayer(QStringLiteral("axes"));
+        side->grid()->setLayer(QStringLiteral("grid"));
+        side->setSubTicks(false);
+        side->setTickLengthIn(0);
+        const bool scale = type == QCPAxis::atLeft || type == QCPAxis::atBottom;
+        side->grid()->setVisible(scale);
+        side->setTicks(scale);
+        side->setTickLabels(scale);
+    }
+    timeAxis()->setTicker(time_ticker_);
+    valueAxis()->setTicker(value_ticker_);
+    timeAxis()->setTickLength(0, 4);
+    valueAxis()->setTickLength(0, 4);
+    timeAxis()->setTickLabelPadding(5);
+    valueAxis()->setTickLabelPadding(4);
+    // The labels under the lowest panel have a row of their own: all panels are equally high.
+    setAutoMargins(QCP::msLeft);
+    setMinimumMargins({least_left_margin, 0, 0, 0});
+    setMargins({least_left_margin, head_height, right_margin, foot});
+}
+
+void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
+    units_ = content.units;
+    theme_ = content.theme;
+    marks_s_ = content.marks_s;
+    font_ = font;
+    tick_font_ = font;
+    tick_font_.setPixelSize(std::max(9, font.pixelSize() - 1));
+    removeGraphs();
+    const DisplayScale scale = displayScale(variable_, units_, referenceFrequency(content.runs));
+    for (const Run& run : content.runs) {
+        if (!run.visible || !run.analysis || run.analysis->track.rows() == 0) {
+            continue;
+        }
+        const auto made = std::ranges::find(run.curves, variable_,
+                                            [](const auto& curve) { return curve->variable(); });
+        auto* graph = new CrispGraph(timeAxis(), valueAxis(),
+                                     made == run.curves.end()
+                                         ? std::make_shared<CurveData>(run.analysis, variable_)
+                                         : *made);
+        graph->setScale(scale);
+        graph->setBand(units_.sigma_bands && info(variable_).has_sd);
+        graph->setLook(readable(run.color, theme_), run.dash, theme_.warning);
+        graphs_.push_back(graph);
+    }
+    if (content.trend && content.trend->variable == variable_) {
+        trend_ = mParentPlot->addGraph(timeAxis(), valueAxis());
+        const TrendCurve& curve = *content.trend;
+        trend_->setData(QVector<double>(curve.time_s.begin(), curve.time_s.end()),
+                        QVector<double>(curve.value.begin(), curve.value.end()), true);
+        trend_->setPen(QPen(theme_.text, 1.6, Qt::DashLine));
+        trend_->setSelectable(QCP::stNone);
+    }
+    const bool degrees =
+        info(variable_).quantity == Quantity::angle && units_.angle == AngleUnit::degrees;
+    value_ticker_->setSteps(degrees ? TickSteps::degrees : TickSteps::decimal);
+    value_ticker_->setLogarithmic(scale.logarithmic);
+    valueAxis()->setScaleType(scale.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    // Without a value there is no scale to show.
+    const bool any = std::any_of(graphs_.begin(), graphs_.end(),
+                                 [](const CrispGraph* graph) { return !graph->data().empty(); });
+    valueAxis()->setTickLabels(any);
+    valueAxis()->setTicks(any);
+    setLook(theme_);
+}
+
+void PlotPanel::removeGraphs() {
+    for (CrispGraph* graph : graphs_) {
+        mParentPlot->removePlottable(graph);
+    }
+    graphs_.clear();
+    if (trend_) {
+        mParentPlot->removeGraph(trend_);
+    }
+}
+
+void PlotPanel::setLook(const Theme& theme) {
+    setBackground(QBrush(theme.panelBackground));
+    for (QCPAxis* side : axes()) {
+        side->setBasePen(QPen(theme.axis, 1));
+        side->setTickPen(QPen(theme.axis, 1));
+        side->setTickLabelColor(theme.text);
+        side->setTickLabelFont(tick_font_);
+        side->grid()->setPen(QPen(theme.grid, 1));
+        side->grid()->setZeroLinePen(QPen(theme.zeroLine, 1));
+    }
+    timeAxis()->grid()->setZeroLinePen(Qt::NoPen);
+}
+
+void PlotPanel::setTimeLabels(bool shown) {
+    timeAxis()->setTickLabels(shown);
+}
+
+void PlotPanel::setTime(const AxisRange& time) {
+    timeAxis()->setRange(time.lower, time.upper);
+}
+
+void PlotPanel::setValues(const AxisRange& values) {
+    valueAxis()->setRange(values.lower, values.upper);
+}
+
+AxisRange PlotPanel::time() const {
+    return {timeAxis()->range().lower, timeAxis()->range().upper};
+}
+
+AxisRange PlotPanel::values() const {
+    return {valueAxis()->range().lower, valueAxis()->range().upper};
+}
+
+AxisRange PlotPanel::automaticValues() const {
+    ValueRange range;
+    bool logarithmic = false;
+    for (const CrispGraph* graph : graphs_) {
+        logarithmic = graph->scale().logarithmic;
+        range.add(graph->columns(time(), expected_.width()), graph->scale(),
+                  units_.sigma_bands && info(variable_).has_sd);
+    }
+    return range.range(logarithmic).value_or(logarithmic ? AxisRange{0.1, 1} : AxisRange{0, 1});
+}
+
+QString PlotPanel::headSymbol() const {
+    const AxisTicks& ticks = value_ticker_->ticks();
+    QString text = displaySymbol(variable_, units_);
+    if (ticks.offset != 0) {
+        text += ticks.offsetText();
+        const QString unit = displayUnit(variable_, units_);
+        if (!unit.isEmpty()) {
+            text += unit == QStringLiteral("°") ? unit : ' ' + unit;
+        }
+    }
+    return text;
+}
+
+QString PlotPanel::headUnit() const {
+    return scaledUnit(displayUnit(variable_, units_), takesPrefix(variable_, units_),
+                      value_ticker_->ticks().exponent);
+}
+
+QRectF PlotPanel::readoutArea() const {
+    const QString unit = headUnit();
+    const double used = indexTextWidth(headSymbol(), font_) +
+                        (unit.isEmpty() ? 0 : unit_gap + indexTextWidth(unit, font_));
+    const double from = rect().left() + used + 2 * unit_gap;
+    return {from, double(rect().top() - head_height), std::max(0., rect().right() - from),
+            double(head_height)};
+}
+
+void PlotPanel::update(UpdatePhase phase) {
+    if (phase == upPreparation) {
+        value_ticker_->setRoom(expected_.height(), tick_font_);
+        time_ticker_->setRoom(expected_.width(), tick_font_, right_margin - 2);
+    }
+    QCPAxisRect::update(phase);
+}
+
+QString PlotPanel::emptyReason() const {
+    const bool has_runs = !graphs_.empty();
+    const bool nothing = std::all_of(graphs_.begin(), graphs_.end(),
+                                     [](const CrispGraph* graph) { return graph->data().empty(); });
+    if (!has_runs || !nothing) {
+        return {};
+    }
+    const bool by_design = std::all_of(graphs_.begin(), graphs_.end(), [](const CrispGraph* graph) {
+        const auto flags = graph->data().analysis().track.flags();
+        return std::all_of(flags.begin(), flags.end(),
+                           [](Flags f) { return has(f, Flag::no_quadrature); });
+    });
+    return by_design && variable_ == SlowVariable::a_B
+               ? QCoreApplication::translate("PlotPanel", "not estimated by this algorithm")
+               : QCoreApplication::translate("PlotPanel", "no window has a value");
+}
+
+void PlotPanel::draw(QCPPainter* painter) {
+    QCPAxisRect::draw(painter);
+    drawMarks(*painter);
+    drawHead(*painter);
+    if (const QString reason = emptyReason(); !reason.isEmpty()) {
+        painter->setPen(theme_.mutedText);
+        painter->setFont(font_);
+        painter->drawText(QRectF(rect()), int(Qt::AlignCenter), reason);
+    }
+}
+
+void PlotPanel::drawMarks(QCPPainter& painter) const {
+    painter.setAntialiasing(false);
+    painter.setPen(QPen(theme_.mutedText, 1, Qt::DotLine));
+    double last = -std::numeric_limits<double>::infinity();
+    for (auto mark = std::ranges::lower_bound(marks_s_, time().lower);
+         mark != marks_s_.end() && *mark <= time().upper; ++mark) {
+        const double x = timeAxis()->coordToPixel(*mark);
+        // Marks that cannot be told apart are not drawn one over the other.
+        if (x - last >= least_mark_spacing) {
+            painter.drawLine(QLineF(x, rect().top(), x, rect().bottom()));
+            last = x;
+        }
+    }
+}
+
+void PlotPanel::drawHead(QCPPainter& painter) const {
+    const double base = rect().top() - 7;
+    painter.setPen(theme_.text);
+    const double x =
+        rect().left() + drawIndexText(painter, {double(rect().left()), base}, headSymbol(), font_);
+    painter.setPen(theme_.mutedText);
+    drawIndexText(painter, {x + unit_gap, base}, headUnit(), font_);
+    if (!letter_.isEmpty()) {
+        QFont italic(font_);
+        italic.setItalic(true);
+        painter.setFont(italic);
+        painter.setPen(theme_.text);
+        painter.drawText(
+            QRectF(rect().left(), rect().top() - head_height, rect().width(), head_height - 3),
+            int(Qt::AlignRight | Qt::AlignVCenter), letter_);
+    }
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "ui/plots/panel_ticker.h"
+#include "ui/plots/plot_content.h"
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace vybeg::ui {
+
+class CrispGraph;
+
+// One plot: the curves of one slow variable of all visible runs, and above them a line with its
+// symbol and unit. The right end of that line is free for the readout (readoutArea()).
+class PlotPanel : public QCPAxisRect {
+    Q_OBJECT
+
+public:
+    PlotPanel(QCustomPlot* plot, SlowVariable variable);
+
+    SlowVariable variable() const { return variable_; }
+    const std::vector<CrispGraph*>& graphs() const { return graphs_; }
+
+    // Curves, units and colours; replaces what was there.
+    void setContent(const PlotContent& content, const QFont& font);
+    // Instants marked by thin lines, s, in rising order.
+    void setMarks(const std::vector<double>& times_s) { marks_s_ = times_s; }
+    // The labels of the time axis stand under the lowest panel alone.
+    void setTimeLabels(bool shown);
+    // A letter at the right end of the head line, for figures.
+    void setLetter(const QString& letter) { letter_ = letter; }
+    // The size of the axis rectangle after the layout that is to come, to about its left margin.
+    void setExpectedSize(QSize size) { expected_ = size; }
+    void removeGraphs();
+
+    void setTime(const AxisRange& time);
+    void setValues(const AxisRange& values);
+    AxisRange time() const;
+    AxisRange values() const;
+    // The value axis that shows the visible part of all curves well; {0, 1} without any.
+    AxisRange automaticValues() const;
+
+    QCPAxis* timeAxis() const { return axis(QCPAxis::atBottom); }
+    QCPAxis* valueAxis() const { return axis(QCPAxis::atLeft); }
+    const AxisTicks& timeTicks() const { return time_ticker_->ticks(); }
+
+    // Symbol and unit as they stand in the head line, e.g. "ω_cp/2π − 5300 Hz" and "mHz".
+    QString headSymbol() const;
+    QString headUnit() const;
+    // Where a readout may be drawn: right of symbol and unit.
+    QRectF readoutArea() const;
+    const QFont& headFont() const { return font_; }
+
+    static constexpr int head_height = 21;
+    static constexpr int right_margin = 16;
+    static constexpr int foot = 3;
+
+    void update(UpdatePhase phase) override;
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    void setLook(const Theme& theme);
+    void drawMarks(QCPPainter& painter) const;
+    void drawHead(QCPPainter& painter) const;
+    QString emptyReason() const;
+
+    SlowVariable variable_;
+    QSharedPointer<PanelTicker> time_ticker_;
+    QSharedPointer<PanelTicker> value_ticker_;
+    std::vector<CrispGraph*> graphs_;
+    QPointer<QCPGraph> trend_;
+    DisplayUnits units_;
+    Theme theme_;
+    std::vector<double> marks_s_;
+    QFont font_;
+    QFont tick_font_;
+    QString letter_;
+    QSize expected_{400, 100};
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,181 @@
+#include "ui/plots/plot_stack.h"
+
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/plot_strip.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+namespace {
+
+constexpr int time_strip_height = 42;
+constexpr int head_strip_height = 24;
+// From the foot of the lowest panel to the name of the time axis: ticks and their labels.
+constexpr int tick_label_room = 20;
+
+}  // namespace
+
+void preparePlot(QCustomPlot& plot, const Theme& theme) {
+    plot.plotLayout()->clear();
+    plot.plotLayout()->setRowSpacing(0);
+    plot.plotLayout()->setColumnSpacing(0);
+    plot.setAutoAddPlottableToLegend(false);
+    plot.setInteractions(QCP::iNone);
+    plot.setBackground(QBrush(theme.plotBackground));
+}
+
+QFont plotFont(const QWidget& widget) {
+    QFont font = widget.font();
+    font.setPixelSize(QFontInfo(font).pixelSize());
+    return font;
+}
+
+PlotStack::PlotStack(QCustomPlot& plot, int column, Head head)
+    : plot_(plot), column_(column), head_(head) {
+    QObject::connect(&plot_, &QCustomPlot::afterLayout, &context_, [this] { nameTime(); });
+}
+
+void PlotStack::setContent(const PlotContent& content) {
+    const bool same_panels = std::equal(
+        panels_.begin(), panels_.end(), content.variables.begin(), content.variables.end(),
+        [](const PlotPanel* panel, SlowVariable v) { return panel->variable() == v; });
+    content_ = content;
+    if (!same_panels || panels_.empty()) {
+        build(content);
+    }
+    const QFont font = plotFont(plot_);
+    for (PlotPanel* panel : panels_) {
+        panel->setContent(content, font);
+    }
+    time_strip_->setLook(font, content.theme.text);
+    if (head_strip_) {
+        head_strip_->setLook(font, content.theme.text);
+    }
+    if (head_ == Head::run_names) {
+        std::vector<StripEntry> entries;
+        for (const Run& run : content.runs) {
+            if (run.visible && run.analysis) {
+                entries.push_back(
+                    {run.name, true, true, readable(run.color, content.theme), run.dash});
+            }
+        }
+        // With one curve there is nothing to tell apart.
+        const bool shown = entries.size() > 1;
+        head_strip_->setMinimumSize(10, shown ? head_strip_height : 4);
+        head_strip_->setMaximumSize(QWIDGETSIZE_MAX, shown ? head_strip_height : 4);
+        head_strip_->setEntries(shown ? std::move(entries) : std::vector<StripEntry>(),
+                                Qt::AlignLeft);
+    }
+    setZoom(content.zoom);
+}
+
+void PlotStack::setMarks(const std::vector<double>& times_s) {
+    content_.marks_s = times_s;
+    for (PlotPanel* panel : panels_) {
+        panel->setMarks(times_s);
+    }
+}
+
+void PlotStack::removeElements() {
+    QCPLayoutGrid& grid = *plot_.plotLayout();
+    for (PlotPanel* panel : panels_) {
+        panel->removeGraphs();
+        grid.remove(panel);
+    }
+    panels_.clear();
+    for (PlotStrip* strip : {head_strip_, time_strip_}) {
+        if (strip) {
+            grid.remove(strip);
+        }
+    }
+    head_strip_ = time_strip_ = nullptr;
+    grid.simplify();
+    delete margins_;
+}
+
+void PlotStack::build(const PlotContent& content) {
+    removeElements();
+    QCPLayoutGrid& grid = *plot_.plotLayout();
+    margins_ = new QCPMarginGroup(&plot_);
+    int row = 0;
+    if (head_ != Head::none) {
+        head_strip_ = new PlotStrip(&plot_, head_strip_height);
+        head_strip_->setInset(8, PlotPanel::right_margin, 0);
+        grid.addElement(row++, column_, head_strip_);
+    }
+    for (const SlowVariable variable : content.variables) {
+        auto* panel = new PlotPanel(&plot_, variable);
+        panel->setMarginGroup(QCP::msLeft, margins_);
+        panel->setTimeLabels(variable == content.variables.back());
+        grid.addElement(row++, column_, panel);
+        panels_.push_back(panel);
+    }
+    time_strip_ = new PlotStrip(&plot_, time_strip_height);
+    time_strip_->setInset(0, PlotPanel::right_margin, tick_label_room);
+    grid.addElement(row, column_, time_strip_);
+}
+
+void PlotStack::setTitle(const QString& title) {
+    head_strip_->setEntries({StripEntry{title, false, false, {}, Qt::SolidLine}}, Qt::AlignHCenter);
+    head_strip_->setInset(PlotPanel::right_margin + 44, PlotPanel::right_margin, 0);
+}
+
+void PlotStack::setZoom(const ZoomState& zoom) {
+    content_.zoom = zoom;
+    for (PlotPanel* panel : panels_) {
+        panel->setTime(zoom.time);
+        const auto fixed = zoom.fixed.find(panel->variable());
+        panel->setValues(fixed == zoom.fixed.end() ? panel->automaticValues() : fixed->second);
+    }
+}
+
+void PlotStack::prepare(QSize size) {
+    const int rows = static_cast<int>(panels_.size());
+    const int strips = time_strip_height + (head_strip_ ? head_strip_->height() : 0);
+    const int each = rows > 0 ? (size.height() - strips) / rows : 0;
+    for (PlotPanel* panel : panels_) {
+        panel->setExpectedSize(
+            {std::max(2, size.width() - panel->margins().left() - PlotPanel::right_margin),
+             std::max(1, each - PlotPanel::head_height - PlotPanel::foot)});
+    }
+}
+
+PlotPanel* PlotStack::panel(SlowVariable variable) const {
+    const auto found = std::find_if(panels_.begin(), panels_.end(), [&](const PlotPanel* panel) {
+        return panel->variable() == variable;
+    });
+    return found == panels_.end() ? nullptr : *found;
+}
+
+PlotPanel* PlotStack::panelAt(const QPointF& position) const {
+    const auto found = std::find_if(panels_.begin(), panels_.end(), [&](const PlotPanel* panel) {
+        return panel->outerRect().contains(position.toPoint());
+    });
+    return found == panels_.end() ? nullptr : *found;
+}
+
+QString PlotStack::timeName() const {
+    if (panels_.empty()) {
+        return {};
+    }
+    const AxisTicks& ticks = panels_.back()->timeTicks();
+    const QString second = QCoreApplication::translate("DisplayUnits", "s");
+    const QString offset = ticks.offset == 0 ? QString() : ticks.offsetText() + ' ' + second;
+    return QStringLiteral("t") + offset + QStringLiteral(", ") +
+           scaledUnit(second, true, ticks.exponent);
+}
+
+void PlotStack::nameTime() {
+    if (!time_strip_ || panels_.empty()) {
+        return;
+    }
+    const QRect area = panels_.back()->rect();
+    time_strip_->setInset(area.left() - time_strip_->rect().left(), PlotPanel::right_margin,
+                          tick_label_room);
+    time_strip_->setEntries({StripEntry{timeName(), false, false, {}, Qt::SolidLine}},
+                            Qt::AlignHCenter);
+}
+
+}  // namespace vybeg::ui

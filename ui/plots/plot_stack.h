@@ -1,0 +1,68 @@
+#pragma once
+
+#include "ui/plots/plot_content.h"
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace vybeg::ui {
+
+class PlotPanel;
+class PlotStrip;
+
+// A column of plots under each other over one time axis, in one column of a QCustomPlot's layout:
+// what the track view, its exports and the article's figure are made of. The QCustomPlot owns the
+// elements; before the first stack the caller clears its layout.
+class PlotStack {
+public:
+    enum class Head { none, run_names, title };
+
+    // `head` is what stands in the row above the plots; columns of one figure have the same.
+    PlotStack(QCustomPlot& plot, int column, Head head);
+
+    // Builds the panels anew where the variables have changed; sets zoom and value axes.
+    void setContent(const PlotContent& content);
+    void setTitle(const QString& title);
+    // Instants marked in all plots, s, in rising order.
+    void setMarks(const std::vector<double>& times_s);
+    // Time and value axes: the fixed ones as they are, the others after the visible data.
+    void setZoom(const ZoomState& zoom);
+    // The size (device-independent pixels) that this column is about to get: tick steps and the
+    // curves' resolution follow from it. To be called before setZoom() and before every layout for
+    // another size.
+    void prepare(QSize size);
+
+    const std::vector<PlotPanel*>& panels() const { return panels_; }
+    PlotPanel* panel(SlowVariable variable) const;
+    // The plot at a position, its head line included.
+    PlotPanel* panelAt(const QPointF& position) const;
+
+    // Name of the time axis with offset and prefix, as of the latest layout: "t − 13.4 s, ms".
+    QString timeName() const;
+
+private:
+    void build(const PlotContent& content);
+    void removeElements();
+    void nameTime();
+
+    QCustomPlot& plot_;
+    int column_;
+    Head head_;
+    PlotStrip* head_strip_ = nullptr;
+    PlotStrip* time_strip_ = nullptr;
+    std::vector<PlotPanel*> panels_;
+    PlotContent content_;
+    QPointer<QCPMarginGroup> margins_;
+    QObject context_;  // of the connections to the plot, which outlives the stack
+};
+
+// A QCustomPlot without its default axes, with the layers that a stack needs and the theme's
+// background.
+void preparePlot(QCustomPlot& plot, const Theme& theme);
+
+// The font of everything in plots: that of the widgets, with its size in pixels so that screens,
+// pictures and files agree.
+QFont plotFont(const QWidget& widget);
+
+}  // namespace vybeg::ui

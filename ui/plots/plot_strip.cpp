@@ -1,0 +1,122 @@
+#include "ui/plots/plot_strip.h"
+
+#include "ui/plots/crisp_graph.h"
+#include "ui/words/index_text.h"
+
+namespace vybeg::ui {
+namespace {
+
+constexpr double sample_length = 24;
+constexpr double sample_gap = 6;
+constexpr double entry_gap = 18;
+constexpr double least_name = 48;
+
+}  // namespace
+
+void drawSample(QCPPainter& painter, QPointF from, double length, const QColor& color,
+                Qt::PenStyle dash) {
+    QPen pen(color, 2, Qt::SolidLine, Qt::FlatCap);
+    if (const QVector<double> pattern = dashPattern(dash); !pattern.isEmpty()) {
+        // Half the curve's own lengths, so that a whole period fits; in units of the pen's width.
+        QVector<double> shorter;
+        for (const double part : pattern) {
+            shorter.append(0.5 * part / pen.widthF());
+        }
+        pen.setDashPattern(shorter);
+    }
+    painter.setAntialiasing(true);
+    painter.setPen(pen);
+    painter.drawLine(QLineF(from, from + QPointF(length, 0)));
+}
+
+PlotStrip::PlotStrip(QCustomPlot* plot, int height) : QCPLayoutElement(plot) {
+    setMinimumSize(10, height);
+    setMaximumSize(QWIDGETSIZE_MAX, height);
+}
+
+void PlotStrip::setEntries(std::vector<StripEntry> entries, Qt::Alignment alignment) {
+    entries_ = std::move(entries);
+    alignment_ = alignment;
+}
+
+void PlotStrip::setLook(const QFont& font, const QColor& text) {
+    font_ = font;
+    text_ = text;
+}
+
+void PlotStrip::setInset(int left, int right, int above) {
+    left_ = left;
+    right_ = right;
+    above_ = above;
+}
+
+double PlotStrip::width(const StripEntry& entry) const {
+    const double text = entry.literal ? QFontMetricsF(font_).horizontalAdvance(entry.text)
+                                      : indexTextWidth(entry.text, font_);
+    return text + (entry.line ? sample_length + sample_gap : 0);
+}
+
+void PlotStrip::shorten(double available) {
+    const QFontMetricsF metrics(font_);
+    // All names may be equally long, as long as they are not all needed in full.
+    for (double most = available; most > least_name; most *= 0.9) {
+        double total = -entry_gap;
+        std::vector<StripEntry> shorter = entries_;
+        for (StripEntry& entry : shorter) {
+            if (entry.literal) {
+                entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, most);
+            }
+            total += width(entry) + entry_gap;
+        }
+        if (total <= available) {
+            shown_ = std::move(shorter);
+            return;
+        }
+    }
+    // Too many to be told apart by name: what has room.
+    shown_.clear();
+    double total = metrics.horizontalAdvance(QStringLiteral("…"));
+    for (StripEntry entry : entries_) {
+        if (entry.literal) {
+            entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, least_name);
+        }
+        total += width(entry) + entry_gap;
+        if (total > available) {
+            shown_.push_back({QStringLiteral("…"), true, false, {}, Qt::SolidLine});
+            return;
+        }
+        shown_.push_back(std::move(entry));
+    }
+}
+
+void PlotStrip::draw(QCPPainter* painter) {
+    const QRect area = rect().adjusted(left_, above_, -right_, 0);
+    shorten(area.width());
+    double total = -entry_gap;
+    for (const StripEntry& entry : shown_) {
+        total += width(entry) + entry_gap;
+    }
+    double x = area.left();
+    if (alignment_ == Qt::AlignHCenter) {
+        x += 0.5 * std::max(0., area.width() - total);
+    }
+    const QFontMetricsF metrics(font_);
+    const double base = area.top() + 0.5 * (area.height() + metrics.ascent() - metrics.descent());
+    for (const StripEntry& entry : shown_) {
+        if (entry.line) {
+            drawSample(*painter, {x, base - 0.33 * metrics.ascent()}, sample_length, entry.color,
+                       entry.dash);
+            x += sample_length + sample_gap;
+        }
+        painter->setPen(text_);
+        if (entry.literal) {
+            painter->setFont(font_);
+            painter->drawText(QPointF(x, base), entry.text);
+            x += metrics.horizontalAdvance(entry.text) + entry_gap;
+        } else {
+            x += drawIndexText(*painter, {x, base}, entry.text, font_) + entry_gap;
+        }
+    }
+}
+
+}  // namespace vybeg::ui

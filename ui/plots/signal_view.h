@@ -1,0 +1,117 @@
+#pragma once
+
+#include "core/recording/checks/recording_check.h"
+#include "core/recording/envelope/envelope.h"
+#include "ui/values/zoom_stack.h"
+#include "ui/widgets/theme.h"
+
+#include <QPixmap>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vybeg::ui {
+
+// The overview strip: the whole raw recording as minima and maxima of both channels, the visible
+// range (bright, with handles at its edges) and the analysed range (bar along the foot, with
+// handles). Times are seconds from the start of the recording; setters emit nothing.
+//
+// Drag an edge to move it, the inside to shift the range; a click outside centres the visible
+// range; a double click shows all; the wheel zooms. Keys: Left, Right, +, -, Home act on the
+// visible range, with Shift on the analysed one.
+class SignalView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SignalView(QWidget* parent = nullptr);
+
+    // No recording: the strip is empty.
+    void clear();
+    // A recording of that length of which nothing is known yet.
+    void setReading(double seconds);
+    // As much as has been read; what has only been looked at is paler, the rest hatched. The time
+    // axis is that of the whole recording from the start.
+    void setEnvelope(std::shared_ptr<const Envelope> envelope, double rate_hz);
+    // What the recording check found: clipped stretches are a bar along the top, places of lost
+    // samples lines with a point. Null: nothing is known.
+    void setFaults(std::shared_ptr<const SampleFaults> faults);
+    void setVisibleRange(AxisRange range);
+    void setAnalysedRange(AxisRange range);
+    void setTheme(const Theme& theme);
+    // Where the time axis begins and ends, pixels from both edges: lines it up with other plots.
+    void setMargins(int left, int right);
+
+    AxisRange visibleRange() const { return visible_; }
+    AxisRange analysedRange() const { return analysed_; }
+
+    QSize sizeHint() const override { return {600, 84}; }
+    QSize minimumSizeHint() const override { return {160, 64}; }
+
+signals:
+    void visibleRangeEdited(double from_s, double to_s);
+    void analysedRangeEdited(double from_s, double to_s);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    enum class Grip {
+        none,
+        visible_from,
+        visible_to,
+        visible_all,
+        analysed_from,
+        analysed_to,
+        analysed_all
+    };
+
+    // Heights of the rows below the signals: tick labels, bar of the analysed range.
+    static constexpr int time_row = 15;
+    static constexpr int range_row = 9;
+
+    QRect plotArea() const;
+    double toPixel(double time_s) const;
+    double toTime(double pixel) const;
+    Grip gripAt(const QPointF& position) const;
+    void drag(double time_s);
+    void editVisible(AxisRange range);
+    void editAnalysed(AxisRange range);
+    void zoomVisible(double factor, double about_s);
+    void drawEnvelope(QPainter& painter, const QRect& area) const;
+    void drawSignals(QPainter& painter, const QRect& area,
+                     const std::vector<EnvelopeBucket>& columns) const;
+    void drawMissing(QPainter& painter, const QRect& area,
+                     const std::vector<EnvelopeBucket>& columns) const;
+    void drawFaults(QPainter& painter, const QRect& area) const;
+    void drawUnread(QPainter& painter, const QRect& area,
+                    const std::vector<EnvelopeBucket>& columns) const;
+    void drawRanges(QPainter& painter, const QRect& area) const;
+    void drawLabel(QPainter& painter, const QRect& area, int alignment, const QString& text) const;
+    void drawTimes(QPainter& painter, const QRect& area) const;
+
+    std::shared_ptr<const Envelope> envelope_;
+    std::shared_ptr<const SampleFaults> faults_;
+    double seconds_ = 0;
+    double rate_hz_ = 0;
+    AxisRange visible_;
+    AxisRange analysed_;
+    Theme theme_;
+    QPixmap drawn_;  // the envelope at the present size; null when it has to be drawn again
+    int left_ = 8;
+    int right_ = 8;
+    Grip grip_ = Grip::none;
+    double press_s_ = 0;
+    AxisRange press_range_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,249 @@
+// How the overview strip is drawn; the rest is in signal_view.cpp.
+#include "ui/plots/axis_ticks.h"
+#include "ui/plots/signal_view.h"
+
+#include <QPainter>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vybeg::ui {
+namespace {
+
+constexpr int missing_row = 3;
+constexpr double fault_row = 4;
+
+QFont smallFont(const QWidget& widget) {
+    QFont font = widget.font();
+    font.setPixelSize(std::max(9, QFontInfo(font).pixelSize() - 2));
+    return font;
+}
+
+}  // namespace
+
+void SignalView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), theme_.plotBackground);
+    const QRect area = plotArea();
+    if (seconds_ <= 0 || area.width() < 8 || area.height() < 8) {
+        return;
+    }
+    painter.setFont(smallFont(*this));
+    if (!envelope_) {
+        painter.fillRect(area, QBrush(theme_.grid, Qt::BDiagPattern));
+    } else {
+        if (drawn_.isNull()) {
+            const double ratio = devicePixelRatioF();
+            drawn_ = QPixmap((QSizeF(size()) * ratio).toSize());
+            drawn_.setDevicePixelRatio(ratio);
+            drawn_.fill(Qt::transparent);
+            QPainter cache(&drawn_);
+            cache.setFont(smallFont(*this));
+            drawEnvelope(cache, area);
+        }
+        painter.drawPixmap(0, 0, drawn_);
+        drawRanges(painter, area);
+        drawFaults(painter, area);  // above the veil: what is outside the visible range counts too
+    }
+    if (!envelope_ || !envelope_->whole()) {
+        drawLabel(painter, area, int(Qt::AlignRight | Qt::AlignTop), tr("reading…"));
+    }
+    drawTimes(painter, area);
+    if (hasFocus()) {
+        painter.setPen(QPen(theme_.accent, 1));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void SignalView::drawEnvelope(QPainter& painter, const QRect& area) const {
+    const double ratio = painter.device()->devicePixelRatioF();
+    const int count = std::max(1, static_cast<int>(area.width() * ratio));
+    const auto columns = envelope_->buckets(0, envelope_->frames(), count);
+    drawUnread(painter, area, columns);
+    drawSignals(painter, area, columns);
+    drawMissing(painter, area, columns);
+}
+
+void SignalView::drawSignals(QPainter& painter, const QRect& area,
+                             const std::vector<EnvelopeBucket>& columns) const {
+    const double ratio = painter.device()->devicePixelRatioF();
+    const int lane_height = (area.height() - 2) / 2;
+    // One scale for both: their ratio tells how the wave lies.
+    float top = 0;
+    for (const EnvelopeBucket& column : columns) {
+        for (const float v : {column.c_min, column.c_max, column.d_min, column.d_max}) {
+            top = std::isfinite(v) ? std::max(top, std::abs(v)) : top;
+        }
+    }
+    const double scale = top > 0 ? 0.5 * (lane_height - 2) / static_cast<double>(top) : 0;
+    struct Lane {
+        QColor color;
+        double middle;
+        float EnvelopeBucket::*low;
+        float EnvelopeBucket::*high;
+    };
+    const std::array lanes{Lane{theme_.signalC, area.top() + 0.5 * lane_height,
+                                &EnvelopeBucket::c_min, &EnvelopeBucket::c_max},
+                           Lane{theme_.signalD, area.bottom() - 0.5 * lane_height,
+                                &EnvelopeBucket::d_min, &EnvelopeBucket::d_max}};
+    for (const Lane& lane : lanes) {
+        QVector<QLineF> read;
+        QVector<QLineF> looked_at;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const auto low = static_cast<double>(columns[i].*lane.low);
+            const auto high = static_cast<double>(columns[i].*lane.high);
+            if (std::isfinite(low) && std::isfinite(high)) {
+                const double x = area.left() + (static_cast<double>(i) + 0.5) / ratio;
+                const double least = 0.5 / ratio;  // a constant signal is a line, not nothing
+                auto& lines = columns[i].coverage == Coverage::all ? read : looked_at;
+                lines.append(
+                    {x, lane.middle - scale * high - least, x, lane.middle - scale * low + least});
+            }
+        }
+        painter.setPen(QPen(lane.color, 1 / ratio, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(read);
+        QColor pale = lane.color;
+        pale.setAlphaF(0.45f);
+        painter.setPen(QPen(pale, 1 / ratio, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(looked_at);
+    }
+}
+
+void SignalView::drawMissing(QPainter& painter, const QRect& area,
+                             const std::vector<EnvelopeBucket>& columns) const {
+    const double ratio = painter.device()->devicePixelRatioF();
+    QColor veil = theme_.warning;
+    veil.setAlphaF(0.35f);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (columns[i].missing) {
+            const double x = area.left() + (static_cast<double>(i) + 0.5) / ratio;
+            painter.fillRect(QRectF(x - 0.5, area.top(), 1, area.height()), veil);
+            painter.fillRect(QRectF(x - 1, area.bottom() - missing_row + 1, 2, missing_row),
+                             theme_.warning);
+        }
+    }
+}
+
+void SignalView::drawFaults(QPainter& painter, const QRect& area) const {
+    if (!faults_) {
+        return;
+    }
+    const auto x_of = [&](std::int64_t frame) {
+        return toPixel(static_cast<double>(frame) / rate_hz_);
+    };
+    // Clipping comes in thousands of stretches: those that share a pixel are one.
+    double drawn_to = area.left();
+    for (const FrameRange& range : faults_->clipped) {
+        const double from = std::max(x_of(range.first), drawn_to);
+        const double to = std::max(x_of(range.end()), from + 1);
+        if (x_of(range.end()) > drawn_to) {
+            painter.fillRect(QRectF(from, area.top(), to - from, fault_row), theme_.warning);
+            drawn_to = to;
+        }
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(theme_.warning);
+    for (const PhaseStep& step : faults_->steps) {
+        const double x = x_of(step.frame);
+        painter.setPen(QPen(theme_.warning, 1));
+        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+        painter.setPen(Qt::NoPen);
+        painter.drawPolygon(QPolygonF({{x - fault_row, double(area.top())},
+                                       {x + fault_row, double(area.top())},
+                                       {x, area.top() + 1.5 * fault_row}}));
+    }
+    painter.restore();
+}
+
+void SignalView::drawUnread(QPainter& painter, const QRect& area,
+                            const std::vector<EnvelopeBucket>& columns) const {
+    const double ratio = painter.device()->devicePixelRatioF();
+    for (std::size_t i = 0; i < columns.size();) {
+        std::size_t end = i;
+        while (end < columns.size() && columns[end].coverage == Coverage::none) {
+            ++end;
+        }
+        if (end > i) {
+            painter.fillRect(QRectF(area.left() + static_cast<double>(i) / ratio, area.top(),
+                                    static_cast<double>(end - i) / ratio, area.height()),
+                             QBrush(theme_.grid, Qt::BDiagPattern));
+        }
+        i = std::max(end, i + 1);
+    }
+}
+
+void SignalView::drawRanges(QPainter& painter, const QRect& area) const {
+    const auto clip = [&](double x) {
+        return std::clamp(x, double(area.left()), double(area.right() + 1));
+    };
+    const double from = clip(toPixel(visible_.lower));
+    const double to = clip(toPixel(visible_.upper));
+    QColor veil = theme_.plotBackground;
+    veil.setAlphaF(0.68f);
+    painter.fillRect(QRectF(area.left(), area.top(), from - area.left(), area.height()), veil);
+    painter.fillRect(QRectF(to, area.top(), area.right() + 1 - to, area.height()), veil);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme_.axis, 1));
+    painter.drawRect(
+        QRectF(from, area.top(), to - from, area.height()).adjusted(0.5, 0.5, -0.5, -0.5));
+    painter.setPen(QPen(theme_.plotBackground, 1));
+    painter.setBrush(theme_.text);
+    for (const double x : {from, to}) {
+        painter.drawRoundedRect(QRectF(x - 3.5, area.center().y() - 9, 7, 18), 3, 3);
+    }
+    // The analysed range: a bar below the signals with a handle at each end.
+    const double first = clip(toPixel(analysed_.lower));
+    const double last = clip(toPixel(analysed_.upper));
+    const double y = area.bottom() + 0.5 * range_row + 1;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme_.grid);
+    painter.drawRect(QRectF(area.left(), y - 1, area.width(), 2));
+    painter.setBrush(theme_.accent);
+    painter.drawRect(QRectF(first, y - 1.5, last - first, 3));
+    painter.setPen(QPen(theme_.plotBackground, 1));
+    for (const double x : {first, last}) {
+        painter.drawEllipse(QPointF(x, y), 4.5, 4.5);
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    const int lane = (area.height() - 2) / 2;
+    const QRect first_lane(area.left(), area.top(), area.width(), lane);
+    drawLabel(painter, first_lane, int(Qt::AlignLeft | Qt::AlignTop), QStringLiteral("C"));
+    drawLabel(painter, first_lane.translated(0, area.height() - lane),
+              int(Qt::AlignLeft | Qt::AlignTop), QStringLiteral("D"));
+}
+
+void SignalView::drawLabel(QPainter& painter, const QRect& area, int alignment,
+                           const QString& text) const {
+    const QRectF box = painter.boundingRect(QRectF(area.adjusted(6, 0, -6, 0)), alignment, text);
+    QColor plate = theme_.plotBackground;
+    plate.setAlphaF(0.75f);
+    painter.fillRect(box.adjusted(-2, 1, 2, -1), plate);
+    painter.setPen(theme_.text);
+    painter.drawText(box, alignment, text);
+}
+
+void SignalView::drawTimes(QPainter& painter, const QRect& area) const {
+    const QFontMetricsF metrics(painter.font());
+    TickRoom room{double(area.width()), 72, 16,
+                  [&](const QString& label) { return metrics.horizontalAdvance(label); }};
+    const AxisTicks ticks = linearTicks({0, seconds_}, room);
+    const QString unit = scaledUnit(tr("s"), true, ticks.exponent);
+    painter.setPen(theme_.mutedText);
+    const double base = height() - 0.5 * time_row + 0.5 * metrics.ascent() - 1;
+    for (qsizetype i = 0; i < ticks.labels.size(); ++i) {
+        const QString text = ticks.labels[i] + ' ' + unit;
+        const double width = metrics.horizontalAdvance(text);
+        const double x = toPixel(ticks.positions[static_cast<std::size_t>(i)]) - 0.5 * width;
+        // At the ends a label moves inward rather than being cut.
+        const double shown = std::clamp(x, 2., std::max(2., this->width() - width - 2));
+        painter.drawText(QPointF(shown, base), text);
+    }
+}
+
+}  // namespace vybeg::ui

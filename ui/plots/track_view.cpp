@@ -1,0 +1,239 @@
+#include "ui/plots/track_view.h"
+
+#include "ui/plots/plot_overlay.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/widgets/panel_focus.h"
+#include "ui/words/number_label.h"
+
+#include <QEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+namespace {
+
+// Steps that follow each other within this time are one entry of the zoom history.
+constexpr int gesture_pause_ms = 600;
+
+bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& b) {
+    return displayScale(variable, a, 1) == displayScale(variable, b, 1);
+}
+
+}  // namespace
+
+TrackView::TrackView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(plot_);
+    // The view itself hears the mouse: QCustomPlot's own interactions are other ones.
+    plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    plot_->setFocusPolicy(Qt::NoFocus);
+    setMouseTracking(true);
+    setFocusPolicy(Qt::ClickFocus);
+    setAccessibleName(tr("Slow variables over time"));
+    pause_.setSingleShot(true);
+    pause_.setInterval(gesture_pause_ms);
+    preparePlot(*plot_, content_.theme);
+    stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::run_names);
+    overlay_ = new PlotOverlay(plot_, stack_.get());
+    connect(plot_, &QCustomPlot::afterLayout, this, &TrackView::placeFocusWidgets);
+    rebuild();
+}
+
+TrackView::~TrackView() {
+    // The plot refers to the stack while it is drawn; the stack refers to the plot's elements.
+    delete plot_;
+}
+
+void TrackView::setRuns(std::vector<Run> runs) {
+    const bool had_nothing = !coveredTime(content_.runs);
+    content_.runs = std::move(runs);
+    const AxisRange full = fullTimeRange();
+    const AxisRange shown = timeRange();
+    rebuild();
+    if (had_nothing || shown.lower >= full.upper || shown.upper <= full.lower) {
+        history_ = ZoomStack({full, {}});
+        goTo(history_.current());
+        emit zoomHistoryChanged();
+    }
+}
+
+void TrackView::setShownVariables(std::vector<SlowVariable> variables) {
+    content_.variables = std::move(variables);
+    rebuild();
+}
+
+void TrackView::setUnits(const DisplayUnits& units) {
+    ZoomState state = history_.current();
+    std::erase_if(state.fixed,
+                  [&](const auto& entry) { return !sameUnit(entry.first, units, content_.units); });
+    if (!(units == content_.units)) {
+        // Older views hold ranges in units of their time.
+        history_ = ZoomStack(state);
+        emit zoomHistoryChanged();
+    }
+    content_.units = units;
+    rebuild();
+}
+
+void TrackView::setTheme(const Theme& theme) {
+    content_.theme = theme;
+    plot_->setBackground(QBrush(theme.plotBackground));
+    rebuild();
+}
+
+void TrackView::setMarks(std::vector<double> times_s) {
+    if (times_s != content_.marks_s) {
+        content_.marks_s = std::move(times_s);
+        stack_->setMarks(content_.marks_s);
+        plot_->replot(QCustomPlot::rpQueuedReplot);
+    }
+}
+
+void TrackView::setTrend(std::optional<TrendCurve> trend) {
+    content_.trend = std::move(trend);
+    rebuild();
+}
+
+PlotContent TrackView::content() const {
+    PlotContent content = content_;
+    content.zoom = history_.current();
+    return content;
+}
+
+AxisRange TrackView::fullTimeRange() const {
+    return coveredTime(content_.runs).value_or(AxisRange{0, 1});
+}
+
+void TrackView::setTimeRange(AxisRange range) {
+    ZoomState state = history_.current();
+    state.time = range;
+    visit(std::move(state), Gesture::outside);
+}
+
+void TrackView::setValueRange(SlowVariable variable, std::optional<AxisRange> range) {
+    ZoomState state = history_.current();
+    state.fixed.erase(variable);
+    if (range) {
+        state.fixed.emplace(variable, *range);
+    }
+    visit(std::move(state), Gesture::none);
+}
+
+std::optional<AxisRange> TrackView::valueRange(SlowVariable variable) const {
+    const PlotPanel* panel = stack_->panel(variable);
+    return panel ? std::optional(panel->values()) : std::nullopt;
+}
+
+void TrackView::setTracker(std::optional<double> time_s) {
+    tracker_ = time_s;
+    refreshOverlay();
+}
+
+std::optional<double> TrackView::cursor(Cursor which) const {
+    return cursors_[static_cast<std::size_t>(which)];
+}
+
+void TrackView::setCursor(Cursor which, std::optional<double> time_s) {
+    cursors_[static_cast<std::size_t>(which)] = time_s;
+    refreshOverlay();
+}
+
+std::optional<SlowVariable> TrackView::variableAt(const QPoint& position) const {
+    const PlotPanel* panel = stack_->panelAt(position);
+    return panel ? std::optional(panel->variable()) : std::nullopt;
+}
+
+QSize TrackView::minimumSizeHint() const {
+    const int rows = std::max(1, static_cast<int>(content_.variables.size()));
+    return {320, 70 + 56 * rows};
+}
+
+void TrackView::rebuild() {
+    PlotContent content = content_;
+    content.zoom = history_.current();
+    stack_->prepare(plot_->size());
+    stack_->setContent(content);
+    overlay_->setTheme(content_.theme);
+    overlay_->setHint(coveredTime(content_.runs)
+                          ? QString()
+                          : tr("No analysis yet.\nOpen a recording and press Run."));
+    const bool has_runs = coveredTime(content_.runs).has_value();
+    for (const char* name : {"background", "grid", "main", "axes"}) {
+        plot_->layer(QString::fromLatin1(name))->setVisible(has_runs);
+    }
+    matchFocusWidgets();
+    updateGeometry();
+    fillOverlay();
+    redraw();
+}
+
+void TrackView::matchFocusWidgets() {
+    const bool same = std::equal(
+        focus_widgets_.begin(), focus_widgets_.end(), content_.variables.begin(),
+        content_.variables.end(),
+        [](const PanelFocus* widget, SlowVariable v) { return widget->variable() == v; });
+    if (!same) {
+        for (PanelFocus* widget : focus_widgets_) {
+            delete widget;
+        }
+        focus_widgets_.clear();
+        for (const SlowVariable variable : content_.variables) {
+            focus_widgets_.push_back(new PanelFocus(variable, this));
+            focus_widgets_.back()->show();
+        }
+    }
+    for (PanelFocus* widget : focus_widgets_) {
+        const SlowVariable variable = widget->variable();
+        widget->setColor(content_.theme.accent);
+        widget->setAccessibleName(tr("Plot of %1, %2")
+                                      .arg(indexPlain(displaySymbol(variable, content_.units)),
+                                           displayMeaning(variable)));
+    }
+}
+
+void TrackView::redraw() {
+    // The number of strips may have changed since the last resize.
+    stack_->prepare(plot_->size());
+    stack_->setZoom(history_.current());
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void TrackView::fillOverlay() {
+    overlay_->setTracker(tracker_);
+    overlay_->setCursors(cursors_);
+}
+
+void TrackView::refreshOverlay() {
+    fillOverlay();
+    if (isVisible()) {
+        plot_->layer(QStringLiteral("overlay"))->replot();
+    }
+}
+
+void TrackView::placeFocusWidgets() {
+    for (PanelFocus* widget : focus_widgets_) {
+        if (const PlotPanel* panel = stack_->panel(widget->variable())) {
+            widget->setGeometry(panel->outerRect());
+        }
+    }
+}
+
+void TrackView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    redraw();
+}
+
+void TrackView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange ||
+        event->type() == QEvent::FontChange) {
+        setAccessibleName(tr("Slow variables over time"));
+        rebuild();
+    }
+}
+
+}  // namespace vybeg::ui

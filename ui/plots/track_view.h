@@ -1,0 +1,158 @@
+#pragma once
+
+#include "ui/plots/plot_content.h"
+#include "ui/values/run.h"
+#include "ui/values/zoom_stack.h"
+#include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QCustomPlot;
+
+namespace vybeg::ui {
+
+class PlotOverlay;
+class PlotStack;
+class PanelFocus;
+
+// The two measuring cursors of the view.
+enum class Cursor { a, b };
+
+// The stacked plots of the slow variables of all visible runs over one time axis.
+//
+// Wheel: time about the mouse; Ctrl+wheel: value axis of the plot under the mouse; drag: pan;
+// Shift+drag: zoom into a rectangle; double click or Home: fit; R or Alt+Left, Alt+Right: zoom
+// history; + and -: zoom time about the tracker or the centre; Left, Right: pan; Ctrl+Plus,
+// Ctrl+Minus, Up, Down: value axis of the focused plot; Tab: next plot; 1 and 2: cursor A and B to
+// the tracker, 0 takes both away; cursors can be dragged.
+//
+// Times are seconds from the start of the recording. Setters emit no signals but timeRangeChanged.
+class TrackView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TrackView(QWidget* parent = nullptr);
+    ~TrackView() override;
+
+    // The visible time range is kept, unless there was nothing to see before or it lies outside the
+    // new runs.
+    void setRuns(std::vector<Run> runs);
+    const std::vector<Run>& runs() const { return content_.runs; }
+    void setShownVariables(std::vector<SlowVariable> variables);
+    const std::vector<SlowVariable>& shownVariables() const { return content_.variables; }
+    // Value ranges fixed by hand are given up where their unit changes.
+    void setUnits(const DisplayUnits& units);
+    const DisplayUnits& units() const { return content_.units; }
+    void setTheme(const Theme& theme);
+
+    AxisRange timeRange() const { return history_.current().time; }
+    // Clipped to the runs' range; goes into the zoom history.
+    void setTimeRange(AxisRange range);
+    // All that the visible runs cover; {0, 1} without any.
+    AxisRange fullTimeRange() const;
+    // A fixed value axis in displayed units, or one that follows the data.
+    void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
+    std::optional<AxisRange> valueRange(SlowVariable variable) const;
+
+    bool canZoomBack() const { return history_.canBack(); }
+    bool canZoomForward() const { return history_.canForward(); }
+
+    std::optional<double> tracker() const { return tracker_; }
+    void setTracker(std::optional<double> time_s);
+    std::optional<double> cursor(Cursor which) const;
+    void setCursor(Cursor which, std::optional<double> time_s);
+    // Instants in rising order, marked by thin lines in all plots: axis crossings, for example.
+    void setMarks(std::vector<double> times_s);
+    // A fitted curve drawn over one plot, displayed units; nullopt takes it away.
+    void setTrend(std::optional<TrendCurve> trend);
+
+    // The variable whose plot lies at a position of the widget, for context menus.
+    std::optional<SlowVariable> variableAt(const QPoint& position) const;
+    // What is shown, with the time range: input of plot_export.h.
+    PlotContent content() const;
+
+    QSize sizeHint() const override { return {900, 700}; }
+    QSize minimumSizeHint() const override;
+
+public slots:
+    void fit();
+    void zoomBack();
+    void zoomForward();
+    void zoomIn();
+    void zoomOut();
+
+signals:
+    void timeRangeChanged(double from_s, double to_s);
+    void trackerMoved(double time_s);
+    void trackerLeft();
+    // The user moved, placed or removed a cursor.
+    void cursorsChanged();
+    void zoomHistoryChanged();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    enum class Drag { none, pan, rubberBand, cursorA, cursorB };
+    // What one entry of the zoom history is made of.
+    enum class Gesture { none, wheelTime, wheelValue, drag, keyTime, keyValue, outside };
+
+    // The instant and, in the plot with the mouse, the value at a position.
+    double timeAt(const QPointF& position) const;
+    std::optional<Cursor> cursorAt(const QPointF& position) const;
+    void pan(const QPointF& position);
+    void zoomTime(double factor, double about_s, Gesture gesture);
+    void panTime(double fraction);
+    // Scales the value axis about a fraction of its height from below and shifts it by a fraction.
+    void changeValues(SlowVariable variable, double factor, double about, double shift,
+                      Gesture gesture);
+    void zoomToBand(const QRectF& band);
+    bool keyMoves(QKeyEvent* event);
+
+    // Goes to a view: clips it, draws it, remembers it and tells the others.
+    void visit(ZoomState state, Gesture gesture);
+    void goTo(const ZoomState& state);
+    ZoomState clipped(ZoomState state) const;
+    void moveTracker(std::optional<double> time_s);
+    void moveCursor(Cursor which, std::optional<double> time_s);
+    void rebuild();
+    void redraw();
+    void fillOverlay();
+    void refreshOverlay();
+    void matchFocusWidgets();
+    void placeFocusWidgets();
+    SlowVariable focusedVariable() const;
+
+    PlotContent content_;
+    ZoomStack history_;
+    QCustomPlot* plot_ = nullptr;
+    std::unique_ptr<PlotStack> stack_;
+    PlotOverlay* overlay_ = nullptr;
+    std::vector<PanelFocus*> focus_widgets_;
+    std::optional<double> tracker_;
+    std::array<std::optional<double>, 2> cursors_;
+    Drag drag_ = Drag::none;
+    QPointF press_;
+    ZoomState press_state_;
+    std::optional<SlowVariable> press_variable_;
+    AxisRange press_values_;
+    QTimer pause_;  // runs while the next step belongs to the same gesture
+    Gesture gesture_ = Gesture::none;
+};
+
+}  // namespace vybeg::ui

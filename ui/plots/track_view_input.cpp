@@ -1,0 +1,365 @@
+// What the mouse and the keyboard do in a track view; the rest of the class is in track_view.cpp.
+#include "ui/plots/plot_overlay.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/plots/track_view.h"
+#include "ui/widgets/panel_focus.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vybeg::ui {
+namespace {
+
+constexpr double notch_factor = 0.8;  // of a range per notch of the wheel or key
+constexpr double pan_step = 0.1;      // of a range per arrow key
+constexpr double cursor_reach = 4;    // pixels
+constexpr double least_band = 5;      // pixels; what is smaller was a click
+
+double scaled(const QCPAxis& axis, double coordinate) {
+    return axis.scaleType() == QCPAxis::stLogarithmic ? std::log(coordinate) : coordinate;
+}
+
+double unscaled(const QCPAxis& axis, double position) {
+    return axis.scaleType() == QCPAxis::stLogarithmic ? std::exp(position) : position;
+}
+
+// An axis' range scaled about a fraction of it and shifted by a fraction, on its own scale.
+AxisRange changed(const QCPAxis& axis, const AxisRange& range, double factor, double about,
+                  double shift) {
+    const double lower = scaled(axis, range.lower);
+    const double span = scaled(axis, range.upper) - lower;
+    const double from = lower + about * span * (1 - factor) + shift * span;
+    return {unscaled(axis, from), unscaled(axis, from + factor * span)};
+}
+
+}  // namespace
+
+double TrackView::timeAt(const QPointF& position) const {
+    return stack_->panels().empty()
+               ? 0
+               : stack_->panels().front()->timeAxis()->pixelToCoord(position.x());
+}
+
+std::optional<Cursor> TrackView::cursorAt(const QPointF& position) const {
+    if (stack_->panels().empty()) {
+        return std::nullopt;
+    }
+    const QCPAxis& axis = *stack_->panels().front()->timeAxis();
+    for (const Cursor which : {Cursor::b, Cursor::a}) {  // B is drawn above A
+        if (const auto time = cursor(which);
+            time && std::abs(axis.coordToPixel(*time) - position.x()) <= cursor_reach) {
+            return which;
+        }
+    }
+    return std::nullopt;
+}
+
+ZoomState TrackView::clipped(ZoomState state) const {
+    const AxisRange full = fullTimeRange();
+    AxisRange& time = state.time;
+    // Down to four samples: nothing in a track is finer.
+    double least = 1e-6 * full.span();
+    for (const Run& run : content_.runs) {
+        if (run.rate_hz > 0) {
+            least = std::min(least, 4 / run.rate_hz);
+        }
+    }
+    const double span = std::clamp(time.span(), std::min(least, full.span()), full.span());
+    const double centre = 0.5 * (time.lower + time.upper);
+    // A range that only lies too far out is shifted as it is, not through its centre: it keeps its
+    // last bit and the history knows it again.
+    if (span != time.span()) {
+        time = {centre - 0.5 * span, centre + 0.5 * span};
+    }
+    if (time.lower < full.lower) {
+        time = {full.lower, std::min(full.upper, full.lower + span)};
+    } else if (time.upper > full.upper) {
+        time = {std::max(full.lower, full.upper - span), full.upper};
+    }
+    std::erase_if(state.fixed, [](const auto& entry) {
+        const AxisRange& range = entry.second;
+        return !(range.span() > 0) || !std::isfinite(range.span());
+    });
+    return state;
+}
+
+void TrackView::visit(ZoomState state, Gesture gesture) {
+    state = clipped(std::move(state));
+    if (state == history_.current()) {
+        return;
+    }
+    const bool same = gesture != Gesture::none && gesture == gesture_ && pause_.isActive();
+    gesture_ = gesture;
+    pause_.start();
+    history_.visit(state, same);
+    goTo(state);
+    emit zoomHistoryChanged();
+}
+
+void TrackView::goTo(const ZoomState& state) {
+    redraw();
+    emit timeRangeChanged(state.time.lower, state.time.upper);
+}
+
+void TrackView::fit() {
+    visit({fullTimeRange(), {}}, Gesture::none);
+}
+
+void TrackView::zoomBack() {
+    if (history_.canBack()) {
+        gesture_ = Gesture::none;
+        history_.back();
+        goTo(history_.current());
+        emit zoomHistoryChanged();
+    }
+}
+
+void TrackView::zoomForward() {
+    if (history_.canForward()) {
+        gesture_ = Gesture::none;
+        history_.forward();
+        goTo(history_.current());
+        emit zoomHistoryChanged();
+    }
+}
+
+void TrackView::zoomTime(double factor, double about_s, Gesture gesture) {
+    ZoomState state = history_.current();
+    const AxisRange old = state.time;
+    state.time = {about_s + factor * (old.lower - about_s),
+                  about_s + factor * (old.upper - about_s)};
+    visit(std::move(state), gesture);
+}
+
+void TrackView::zoomIn() {
+    const AxisRange time = timeRange();
+    const bool at_tracker = tracker_ && time.contains(*tracker_);
+    zoomTime(notch_factor, at_tracker ? *tracker_ : 0.5 * (time.lower + time.upper),
+             Gesture::keyTime);
+}
+
+void TrackView::zoomOut() {
+    const AxisRange time = timeRange();
+    const bool at_tracker = tracker_ && time.contains(*tracker_);
+    zoomTime(1 / notch_factor, at_tracker ? *tracker_ : 0.5 * (time.lower + time.upper),
+             Gesture::keyTime);
+}
+
+void TrackView::panTime(double fraction) {
+    ZoomState state = history_.current();
+    const double step = fraction * state.time.span();
+    state.time = {state.time.lower + step, state.time.upper + step};
+    visit(std::move(state), Gesture::keyTime);
+}
+
+void TrackView::changeValues(SlowVariable variable, double factor, double about, double shift,
+                             Gesture gesture) {
+    const PlotPanel* panel = stack_->panel(variable);
+    if (!panel) {
+        return;
+    }
+    ZoomState state = history_.current();
+    state.fixed[variable] = changed(*panel->valueAxis(), panel->values(), factor, about, shift);
+    visit(std::move(state), gesture);
+}
+
+void TrackView::zoomToBand(const QRectF& band) {
+    const PlotPanel* panel = press_variable_ ? stack_->panel(*press_variable_) : nullptr;
+    if (!panel || band.width() < least_band) {
+        return;
+    }
+    ZoomState state = history_.current();
+    state.time = {timeAt(band.topLeft()), timeAt(band.topRight())};
+    if (band.height() >= least_band) {
+        state.fixed[panel->variable()] = {panel->valueAxis()->pixelToCoord(band.bottom()),
+                                          panel->valueAxis()->pixelToCoord(band.top())};
+    }
+    visit(std::move(state), Gesture::none);
+}
+
+void TrackView::moveTracker(std::optional<double> time_s) {
+    if (time_s == tracker_) {
+        return;
+    }
+    setTracker(time_s);
+    if (time_s) {
+        emit trackerMoved(*time_s);
+    } else {
+        emit trackerLeft();
+    }
+}
+
+void TrackView::moveCursor(Cursor which, std::optional<double> time_s) {
+    setCursor(which, time_s);
+    emit cursorsChanged();
+}
+
+void TrackView::mousePressEvent(QMouseEvent* event) {
+    const PlotPanel* panel = stack_->panelAt(event->position());
+    if (event->button() != Qt::LeftButton || !panel || !coveredTime(content_.runs)) {
+        QWidget::mousePressEvent(event);
+        return;
+    }
+    for (PanelFocus* widget : focus_widgets_) {
+        if (widget->variable() == panel->variable()) {
+            widget->setFocus(Qt::MouseFocusReason);
+        }
+    }
+    press_ = event->position();
+    press_state_ = history_.current();
+    press_variable_ = panel->variable();
+    press_values_ = panel->values();
+    gesture_ = Gesture::none;
+    if (const auto which = cursorAt(press_); which && event->modifiers() == Qt::NoModifier) {
+        drag_ = *which == Cursor::a ? Drag::cursorA : Drag::cursorB;
+    } else {
+        drag_ = event->modifiers() & Qt::ShiftModifier ? Drag::rubberBand : Drag::pan;
+    }
+}
+
+void TrackView::pan(const QPointF& position) {
+    const PlotPanel* panel = stack_->panel(*press_variable_);
+    const QPointF moved = position - press_;
+    ZoomState state = press_state_;
+    const double step = moved.x() / std::max(1, panel->width()) * state.time.span();
+    state.time = {state.time.lower - step, state.time.upper - step};
+    // An axis that follows the data keeps doing so; one that was fixed moves along.
+    if (state.fixed.contains(panel->variable())) {
+        state.fixed[panel->variable()] = changed(*panel->valueAxis(), press_values_, 1, 0,
+                                                 moved.y() / std::max(1, panel->height()));
+    }
+    visit(std::move(state), Gesture::drag);
+}
+
+void TrackView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF position = event->position();
+    switch (drag_) {
+        case Drag::none:
+            QWidget::setCursor(cursorAt(position) ? QCursor(Qt::SplitHCursor)
+                                                  : QCursor(Qt::ArrowCursor));
+            break;
+        case Drag::pan: pan(position); return;  // the readout would only flicker
+        case Drag::rubberBand: {
+            const QRectF area(stack_->panel(*press_variable_)->rect());
+            const QRectF band = QRectF(press_, position).normalized().intersected(area);
+            overlay_->setRubberBand(band);
+            refreshOverlay();
+            return;
+        }
+        case Drag::cursorA: moveCursor(Cursor::a, timeAt(position)); break;
+        case Drag::cursorB: moveCursor(Cursor::b, timeAt(position)); break;
+    }
+    const PlotPanel* panel = stack_->panelAt(position);
+    const double time = timeAt(position);
+    const bool inside = panel && timeRange().contains(time) && coveredTime(content_.runs);
+    moveTracker(inside ? std::optional(time) : std::nullopt);
+}
+
+void TrackView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) {
+        QWidget::mouseReleaseEvent(event);
+        return;
+    }
+    const Drag finished = std::exchange(drag_, Drag::none);
+    gesture_ = Gesture::none;
+    if (finished == Drag::rubberBand) {
+        const QRectF area(stack_->panel(*press_variable_)->rect());
+        overlay_->setRubberBand(std::nullopt);
+        refreshOverlay();
+        zoomToBand(QRectF(press_, event->position()).normalized().intersected(area));
+    }
+}
+
+void TrackView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) {
+        drag_ = Drag::none;
+        fit();
+    }
+}
+
+void TrackView::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    moveTracker(std::nullopt);
+}
+
+void TrackView::wheelEvent(QWheelEvent* event) {
+    // Alt turns a wheel sideways on some desktops; touch pads give fractions of a notch.
+    const double notches = event->angleDelta().y() / 120.;
+    const PlotPanel* panel = stack_->panelAt(event->position());
+    if (notches == 0 || !panel || !coveredTime(content_.runs)) {
+        event->ignore();
+        return;
+    }
+    event->accept();
+    const double factor = std::pow(notch_factor, notches);
+    if (event->modifiers() & Qt::ControlModifier) {
+        const double height = std::max(1, panel->height());
+        const double about = std::clamp((panel->bottom() - event->position().y()) / height, 0., 1.);
+        changeValues(panel->variable(), factor, about, 0, Gesture::wheelValue);
+    } else {
+        zoomTime(factor, timeAt(event->position()), Gesture::wheelTime);
+    }
+}
+
+SlowVariable TrackView::focusedVariable() const {
+    const auto found = std::find_if(focus_widgets_.begin(), focus_widgets_.end(),
+                                    [](const PanelFocus* widget) { return widget->hasFocus(); });
+    return found == focus_widgets_.end() ? content_.variables.front() : (*found)->variable();
+}
+
+bool TrackView::keyMoves(QKeyEvent* event) {
+    const bool control = event->modifiers() & Qt::ControlModifier;
+    const auto values = [&](double factor, double shift) {
+        changeValues(focusedVariable(), factor, 0.5, shift, Gesture::keyValue);
+    };
+    switch (event->key()) {
+        case Qt::Key_Home: fit(); return true;
+        case Qt::Key_R: zoomBack(); return true;
+        case Qt::Key_Left:
+            event->modifiers() & Qt::AltModifier ? zoomBack() : panTime(-pan_step);
+            return true;
+        case Qt::Key_Right:
+            event->modifiers() & Qt::AltModifier ? zoomForward() : panTime(pan_step);
+            return true;
+        case Qt::Key_Up: values(1, pan_step); return true;
+        case Qt::Key_Down: values(1, -pan_step); return true;
+        case Qt::Key_Plus:
+        case Qt::Key_Equal: control ? values(notch_factor, 0) : zoomIn(); return true;
+        case Qt::Key_Minus: control ? values(1 / notch_factor, 0) : zoomOut(); return true;
+        case Qt::Key_1:
+            if (tracker_) {
+                moveCursor(Cursor::a, tracker_);
+            }
+            return true;
+        case Qt::Key_2:
+            if (tracker_) {
+                moveCursor(Cursor::b, tracker_);
+            }
+            return true;
+        case Qt::Key_0:
+            moveCursor(Cursor::a, std::nullopt);
+            moveCursor(Cursor::b, std::nullopt);
+            return true;
+        default: return false;
+    }
+}
+
+void TrackView::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && drag_ == Drag::rubberBand) {
+        drag_ = Drag::none;
+        overlay_->setRubberBand(std::nullopt);
+        refreshOverlay();
+        return;
+    }
+    if (content_.variables.empty() || !coveredTime(content_.runs) || !keyMoves(event)) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,249 @@
+#include "ui/plots/xy_plot.h"
+
+#include "ui/plots/panel_ticker.h"
+#include "ui/plots/plot_file.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/plots/plot_strip.h"
+#include "ui/words/index_text.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int head_height = 21;
+constexpr int foot_height = 40;
+constexpr int left_margin = 60;
+constexpr int right_margin = 16;
+constexpr int legend_height = 22;
+constexpr std::size_t legend_columns = 3;  // more have no room beside each other in a panel
+
+// The axes, with their names drawn as those of the track's plots.
+class XYPanel : public QCPAxisRect {
+public:
+    XYPanel(QCustomPlot* plot, const XYPlot& content, const Theme& theme, QSize room)
+        : QCPAxisRect(plot, false),
+          content_(content),
+          theme_(theme),
+          room_(room),
+          font_(plotFont(*plot)),
+          x_ticker_(new PanelTicker(Qt::Horizontal)),
+          y_ticker_(new PanelTicker(Qt::Vertical)) {
+        tick_font_ = font_;
+        tick_font_.setPixelSize(std::max(9, font_.pixelSize() - 1));
+        setLayer(QStringLiteral("background"));
+        setBackground(QBrush(theme.panelBackground));
+        for (const auto type :
+             {QCPAxis::atLeft, QCPAxis::atBottom, QCPAxis::atRight, QCPAxis::atTop}) {
+            QCPAxis* side = addAxis(type);
+            side->setLayer(QStringLiteral("axes"));
+            side->grid()->setLayer(QStringLiteral("grid"));
+            side->setSubTicks(false);
+            side->setTickLengthIn(0);
+            const bool scale =
+                (type == QCPAxis::atLeft || type == QCPAxis::atBottom) && !content.series.empty();
+            side->grid()->setVisible(scale);
+            side->setTicks(scale);
+            side->setTickLabels(scale);
+            side->setBasePen(QPen(theme.axis, 1));
+            side->setTickPen(QPen(theme.axis, 1));
+            side->setTickLabelColor(theme.text);
+            side->setTickLabelFont(tick_font_);
+            side->grid()->setPen(QPen(theme.grid, 1));
+            side->grid()->setZeroLinePen(QPen(theme.zeroLine, 1));
+        }
+        axis(QCPAxis::atBottom)->setTicker(x_ticker_);
+        axis(QCPAxis::atLeft)->setTicker(y_ticker_);
+        axis(QCPAxis::atBottom)->setTickLength(0, 4);
+        axis(QCPAxis::atLeft)->setTickLength(0, 4);
+        x_ticker_->setSteps(content.x_in_degrees ? TickSteps::degrees : TickSteps::decimal);
+        setAutoMargins(QCP::msLeft);
+        setMinimumMargins({left_margin, 0, 0, 0});
+        setMargins({left_margin, head_height, right_margin, foot_height});
+    }
+
+    void update(UpdatePhase phase) override {
+        if (phase == upPreparation) {
+            x_ticker_->setRoom(room_.width(), tick_font_, right_margin - 2);
+            y_ticker_->setRoom(room_.height(), tick_font_);
+        }
+        QCPAxisRect::update(phase);
+    }
+
+protected:
+    void draw(QCPPainter* painter) override {
+        QCPAxisRect::draw(painter);
+        if (content_.series.empty()) {
+            painter->setPen(theme_.mutedText);
+            painter->setFont(font_);
+            painter->drawText(QRectF(rect()).adjusted(12, 4, -12, -4),
+                              int(Qt::AlignCenter) | Qt::TextWordWrap, content_.empty);
+        }
+        name(*painter, rect().top() - 7, content_.y_name, content_.y_unit, content_.y_takes_prefix,
+             y_ticker_->ticks(), false);
+        name(*painter, rect().bottom() + foot_height - 6, content_.x_name, content_.x_unit, false,
+             x_ticker_->ticks(), true);
+    }
+
+private:
+    // At the left end above the plot, or centred below it.
+    void name(QCPPainter& painter, double base, const QString& symbol, const QString& unit,
+              bool takes_prefix, const AxisTicks& ticks, bool centred) const {
+        QString text = symbol;
+        if (ticks.offset != 0) {
+            text += ticks.offsetText();
+        }
+        const QString scaled = scaledUnit(unit, takes_prefix, ticks.exponent);
+        constexpr double gap = 8;
+        const double width = indexTextWidth(text, font_) + gap + indexTextWidth(scaled, font_);
+        double x = rect().left() + (centred ? (rect().width() - width) / 2 : 0);
+        painter.setPen(theme_.text);
+        x += drawIndexText(painter, {x, base}, text, font_);
+        painter.setPen(theme_.mutedText);
+        drawIndexText(painter, {x + gap, base}, scaled, font_);
+    }
+
+    XYPlot content_;
+    Theme theme_;
+    QSize room_;
+    QFont font_;
+    QFont tick_font_;
+    QSharedPointer<PanelTicker> x_ticker_;
+    QSharedPointer<PanelTicker> y_ticker_;
+};
+
+QVector<double> vectorOf(const std::vector<double>& values) {
+    return {values.begin(), values.end()};
+}
+
+QPen penOf(const XYSeries& series, const Theme& theme) {
+    const RunStyle style = runStyle(series.style);
+    const Qt::PenStyle dash = series.dashed ? Qt::DashLine : Qt::SolidLine;
+    return {series.plain ? theme.text : readable(style.color, theme), 1.6, dash};
+}
+
+void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {
+    // Shapes, too: colours alone are not enough for everybody.
+    static constexpr std::array<QCPScatterStyle::ScatterShape, 6> shapes{
+        QCPScatterStyle::ssCircle,           QCPScatterStyle::ssSquare,
+        QCPScatterStyle::ssTriangle,         QCPScatterStyle::ssDiamond,
+        QCPScatterStyle::ssTriangleInverted, QCPScatterStyle::ssCross};
+    QCPGraph* graph = plot.addGraph(panel.axis(QCPAxis::atBottom), panel.axis(QCPAxis::atLeft));
+    graph->setData(vectorOf(series.x), vectorOf(series.y));
+    graph->setLineStyle(QCPGraph::lsNone);
+    const auto shape = static_cast<std::size_t>(series.style) % shapes.size();
+    graph->setScatterStyle(
+        QCPScatterStyle(shapes[shape], QPen(pen.color(), 1.2), QBrush(pen.color()), 5));
+    if (!series.sd.empty()) {
+        auto* bars = new QCPErrorBars(graph->keyAxis(), graph->valueAxis());
+        bars->setDataPlottable(graph);
+        bars->setData(vectorOf(series.sd));
+        bars->setPen(QPen(pen.color(), 1));
+        bars->setWhiskerWidth(4);
+        bars->setSymbolGap(0);
+    }
+}
+
+void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {
+    const auto line = [&](double deviations) {
+        QVector<double> y = vectorOf(series.y);
+        for (std::size_t k = 0; k < series.sd.size(); ++k) {
+            y[static_cast<qsizetype>(k)] += deviations * series.sd[k];
+        }
+        QCPGraph* graph = plot.addGraph(panel.axis(QCPAxis::atBottom), panel.axis(QCPAxis::atLeft));
+        graph->setData(vectorOf(series.x), y);
+        graph->setPen(deviations == 0 ? pen : QPen(Qt::NoPen));
+        return graph;
+    };
+    if (!series.sd.empty()) {
+        QColor faint = pen.color();
+        faint.setAlphaF(0.18F);
+        QCPGraph* upper = line(1);
+        upper->setBrush(faint);
+        upper->setChannelFillGraph(line(-1));
+    }
+    line(0);
+}
+
+// What shows all of the values; a twentieth more at both ends.
+AxisRange rangeOf(const XYPlot& content, bool of_y) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const XYSeries& series : content.series) {
+        for (std::size_t k = 0; k < series.x.size(); ++k) {
+            const double sd = of_y && !series.sd.empty() ? series.sd[k] : 0;
+            const double value = of_y ? series.y[k] : series.x[k];
+            if (std::isfinite(value) && std::isfinite(sd)) {
+                low = std::min(low, value - sd);
+                high = std::max(high, value + sd);
+            }
+        }
+    }
+    if (low > high) {
+        return {0, 1};
+    }
+    const double spare = high > low ? 0.05 * (high - low) : std::max(0.05 * std::abs(high), 1e-12);
+    return {low - spare, high + spare};
+}
+
+}  // namespace
+
+void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size) {
+    plot.clearPlottables();
+    preparePlot(plot, theme);
+    std::vector<StripEntry> legend;
+    for (const XYSeries& series : content.series) {
+        if (!series.name.isEmpty()) {
+            const QPen pen = penOf(series, theme);
+            legend.push_back({series.name, true, true, pen.color(), pen.style()});
+        }
+    }
+    // With one curve there is nothing to tell apart.
+    int row = 0;
+    for (std::size_t k = 0; k < legend.size() && legend.size() > 1; k += legend_columns) {
+        auto* strip = new PlotStrip(&plot, legend_height);
+        strip->setInset(8, right_margin, 0);
+        strip->setLook(plotFont(plot), theme.text);
+        const auto from = legend.begin() + static_cast<std::ptrdiff_t>(k);
+        const auto count = std::min(legend_columns, legend.size() - k);
+        strip->setEntries({from, from + static_cast<std::ptrdiff_t>(count)}, Qt::AlignLeft);
+        plot.plotLayout()->addElement(row++, 0, strip);
+    }
+    const QSize room(size.width() - left_margin - right_margin,
+                     size.height() - head_height - foot_height - row * legend_height);
+    auto* panel = new XYPanel(&plot, content, theme, room);
+    plot.plotLayout()->addElement(row, 0, panel);
+    for (const XYSeries& series : content.series) {
+        const QPen pen = penOf(series, theme);
+        if (series.points) {
+            addPoints(plot, *panel, series, pen);
+        } else {
+            addLine(plot, *panel, series, pen);
+        }
+    }
+    const AxisRange x = content.x_range.value_or(rangeOf(content, false));
+    const AxisRange y = rangeOf(content, true);
+    panel->axis(QCPAxis::atBottom)->setRange(x.lower, x.upper);
+    panel->axis(QCPAxis::atLeft)->setRange(y.lower, y.upper);
+}
+
+Status exportXYPlot(const XYPlot& content, QSize size, const QString& path) {
+    QCustomPlot plot;
+    layOutXYPlot(plot, content, lightTheme(), size);
+    return writePlot(plot, size, path);
+}
+
+QImage xyPlotImage(const XYPlot& content, QSize size) {
+    constexpr double scale = 2;
+    QCustomPlot plot;
+    layOutXYPlot(plot, content, lightTheme(), size);
+    return toImage(plot, size, scale);
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,156 @@
+#include "ui/resonator/difference_text.h"
+
+#include "ui/resonator/parameter_text.h"
+#include "ui/words/error_text.h"
+#include "ui/words/unit_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Of a difference, "modes[0].f_hz".
+QString titleOfMode(const std::string& name) {
+    const auto digit = std::string("modes[").size();
+    return modeTitle(name.at(digit) - '0', name.substr(digit + 3));
+}
+
+// Signed, with one decimal; nought has no sign.
+QString deviationsText(double deviations) {
+    const QString size = QLocale().toString(std::abs(deviations), 'f', 1);
+    if (std::abs(deviations) < 0.05) {
+        return size;
+    }
+    return (deviations < 0 ? QChar(0x2212) : QLatin1Char('+')) + size;
+}
+
+// Of a difference, "runs[10].direction.f_hz".
+QString titleOfRun(const std::string& name) {
+    const auto digits = std::string("runs[").size();
+    return directionTitle(std::stoi(name.substr(digits)), name.substr(name.rfind('.') + 1));
+}
+
+QString titleOf(const Difference& difference) {
+    if (difference.name.starts_with("modes[")) {
+        return titleOfMode(difference.name);
+    }
+    return difference.name.starts_with("runs[")
+               ? titleOfRun(difference.name)
+               : shownAs(difference.name, difference.unit, {}).title;
+}
+
+// Percent, or ppm where there is less.
+QuantityCell relativeCell(double relative) {
+    if (std::isnan(relative)) {
+        return {QStringLiteral("—"), {QString()}, {}};
+    }
+    const bool small = std::abs(relative) < 1e-4;
+    QString text = QLocale().toString(std::abs(relative) * (small ? 1e6 : 1e2), 'g', 3);
+    if (relative != 0) {
+        text.prepend(relative < 0 ? QChar(0x2212) : QLatin1Char('+'));
+    }
+    return {
+        text + (small ? QStringLiteral(" ppm") : QStringLiteral(" %")), {exactText(relative)}, {}};
+}
+
+// Reasons stand below the table: in its narrow columns they would tear it apart.
+QuantityCell sideCell(const Estimate& estimate, double factor) {
+    QuantityCell cell = cellOf(estimate, factor);
+    if (!estimate.given()) {
+        cell.text = QStringLiteral("—");
+    }
+    return cell;
+}
+
+QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
+    // Sign, word and an Okabe-Ito colour: any one of them is enough.
+    switch (difference.verdict) {
+        case Verdict::unchanged: {
+            const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "unchanged"));
+            return {QStringLiteral("= ") + word, {word}, readable(QColor("#009e73"), theme)};
+        }
+        case Verdict::changed: {
+            const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "changed"));
+            return {QStringLiteral("≠ ") + word, {word}, readable(QColor("#d55e00"), theme)};
+        }
+        case Verdict::not_comparable: break;
+    }
+    const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "not comparable"));
+    return {QStringLiteral("? ") + word, {word}, theme.mutedText};
+}
+
+QString whyText(const Difference& difference) {
+    switch (difference.why) {
+        case Incomparable::now_unknown: return reasonText(difference.now.reason);
+        case Incomparable::then_unknown:
+            return resonatorText(QT_TRANSLATE_NOOP("Resonator", "in the passport: %1"))
+                .arg(reasonText(difference.then.reason));
+        default: return QCoreApplication::translate("Reason", message_template(difference.why));
+    }
+}
+
+}  // namespace
+
+QStringList incomparableTexts(const std::vector<Difference>& differences) {
+    std::vector<std::pair<QString, QStringList>> reasons;  // and whose they are
+    for (const Difference& difference : differences) {
+        if (difference.verdict != Verdict::not_comparable) {
+            continue;
+        }
+        const QString reason = whyText(difference);
+        const QString symbol = difference.name.starts_with("modes[") ? resonatorText("Modes")
+                               : difference.name.starts_with("runs[")
+                                   ? titleOf(difference)
+                                   : titleOf(difference).section(QLatin1Char(' '), -1);
+        const auto same =
+            std::ranges::find(reasons, reason, &std::pair<QString, QStringList>::first);
+        if (same == reasons.end()) {
+            reasons.push_back({reason, {symbol}});
+        } else if (!same->second.contains(symbol)) {
+            same->second << symbol;
+        }
+    }
+    QStringList texts;
+    for (const auto& [reason, symbols] : reasons) {
+        texts << QStringLiteral("%1: %2").arg(symbols.join(QStringLiteral(", ")), reason);
+    }
+    return texts;
+}
+
+QStringList differenceHeaders() {
+    return {resonatorText(QT_TRANSLATE_NOOP("Resonator", "Verdict")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Difference, u")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Difference")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Relative")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Passport")),
+            resonatorText(QT_TRANSLATE_NOOP("Resonator", "Now"))};
+}
+
+std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
+                                        const DisplayUnits& units, const Theme& theme) {
+    std::vector<QuantityRow> rows;
+    for (const Difference& difference : differences) {
+        const Shown shown = shownAs(difference.name, difference.unit, units);
+        const double sds =
+            difference.change < 0 ? -difference.deviations() : difference.deviations();
+        const bool known = difference.verdict != Verdict::not_comparable;
+        const QuantityCell deviations{known ? deviationsText(sds) : QStringLiteral("—"),
+                                      {known ? exactText(sds) : QString()},
+                                      {}};
+        const double factor = shown.factor;
+        const QuantityCell change = valueCell(factor * difference.change, factor * difference.u);
+        rows.push_back(
+            {withUnit(titleOf(difference), shown.unit),
+             shown.tip,
+             {verdictCell(difference, theme), deviations, change, relativeCell(difference.relative),
+              sideCell(difference.then, factor), sideCell(difference.now, factor)}});
+    }
+    return rows;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/resonator/results/passport.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// Of a comparison: verdict, difference in combined uncertainties, in its unit and in percent, then,
+// now.
+QStringList differenceHeaders();
+std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
+                                        const DisplayUnits& units, const Theme& theme);
+
+// Why parameters are not comparable: a sentence for all that share a reason.
+QStringList incomparableTexts(const std::vector<Difference>& differences);
+
+}  // namespace vybeg::ui

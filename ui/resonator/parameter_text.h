@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/resonator/model/reason.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/words/display_units.h"
+
+#include <limits>
+#include <string>
+
+namespace vybeg::ui {
+
+// What the tables of a resonator are made of.
+
+// How a parameter of resonator_parameters.h is displayed: its stored values times `factor`.
+struct Shown {
+    QString title;
+    QString tip;
+    QString unit;
+    double factor = 1;
+};
+
+Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& units);
+
+// "Mode 1: f" of a name of mode_parameters, "Run 1: f of its direction".
+QString modeTitle(int index, const std::string& parameter);
+QString directionTitle(int index, const std::string& parameter);
+
+// With all its digits, for a spreadsheet; empty for NaN.
+QString exactText(double value);
+QuantityCell valueCell(double value, double sd,
+                       double u = std::numeric_limits<double>::quiet_NaN());
+// A text among such cells.
+QuantityCell sentenceCell(const QString& text);
+// The value, or the sentence why there is none.
+QuantityCell cellOf(const Estimate& estimate, double factor = 1);
+
+// Displayed unit and factor of angles (rad) and of their rates (rad/s).
+QString angleUnit(const DisplayUnits& units);
+double angleFactor(const DisplayUnits& units);
+QString angleRateUnit(const DisplayUnits& units);
+double angleRateFactor(const DisplayUnits& units);
+
+}  // namespace vybeg::ui

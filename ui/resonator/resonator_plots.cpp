@@ -1,0 +1,171 @@
+#include "ui/resonator/resonator_plots.h"
+
+#include "ui/resonator/parameter_text.h"
+#include "ui/words/error_text.h"
+#include "ui/words/unit_text.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <numbers>
+
+namespace vybeg::ui {
+
+namespace {
+
+QString shortName(const std::string& file) {
+    return QFileInfo(QString::fromStdString(file)).completeBaseName();
+}
+
+std::vector<double> times(double factor, const std::vector<double>& values) {
+    std::vector<double> scaled(values);
+    std::ranges::transform(scaled, scaled.begin(), [factor](double v) { return factor * v; });
+    return scaled;
+}
+
+constexpr int curve_steps = 180;
+
+// Over the period of 90 degrees.
+double curveAngle(int step) {
+    return (static_cast<double>(step) / curve_steps - 0.5) * std::numbers::pi / 2;
+}
+
+XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
+    XYSeries curve;
+    curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "fitted"));
+    curve.plain = true;
+    for (int k = 0; k <= curve_steps; ++k) {
+        const double theta = curveAngle(k);
+        curve.x.push_back(angle * theta);
+        curve.y.push_back(rate * drift.rate(theta));
+        curve.sd.push_back(rate * drift.sd_rate(theta));
+    }
+    return curve;
+}
+
+// The same by the fitted resonator: both agree where the motion is that of a resonator.
+XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
+    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
+    XYSeries curve;
+    curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "resonator"));
+    curve.plain = true;
+    curve.dashed = true;
+    for (int k = 0; k <= curve_steps; ++k) {
+        const double theta = curveAngle(k);
+        curve.x.push_back(angle * theta);
+        curve.y.push_back(rate * drift_of_dynamics(m, theta));
+    }
+    return curve;
+}
+
+XYSeries trackOf(const RunTrack& track, TrackVariable variable, double angle) {
+    XYSeries series;
+    series.x = track.time_s;
+    switch (variable) {
+        case TrackVariable::a_A:
+            series.y = track.a_A;
+            series.sd = track.sd_a;
+            break;
+        case TrackVariable::a_B:
+            series.y = track.a_B;
+            series.sd = track.sd_a;
+            break;
+        case TrackVariable::two_theta_A:
+            series.y = times(angle, track.two_theta_A);
+            series.sd = times(angle, track.sd_two_theta_A);
+            break;
+    }
+    return series;
+}
+
+}  // namespace
+
+XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units) {
+    const DriftFunction& drift = outcome.identification.drift;
+    const double angle = angleFactor(units);
+    const double rate = angleRateFactor(units);
+    const double edge = angle * std::numbers::pi / 4;
+    XYPlot plot;
+    plot.x_name = QStringLiteral("θ_A");
+    plot.x_unit = angleUnit(units);
+    plot.x_in_degrees = units.angle == AngleUnit::degrees;
+    plot.x_range = AxisRange{-1.04 * edge, 1.04 * edge};
+    plot.y_name = QStringLiteral("dθ_A/dt");
+    plot.y_unit = angleRateUnit(units);
+    plot.y_takes_prefix = units.angle == AngleUnit::radians;
+    plot.empty = reasonText(no_drift_function(outcome.identification));
+    if (drift.order > 0) {
+        plot.series.push_back(driftCurve(drift, angle, rate));
+        plot.series.push_back(resonatorCurve(outcome.identification.fit, angle, rate));
+    }
+    for (std::size_t run = 0; run < outcome.inputs.size(); ++run) {
+        XYSeries points;
+        points.name = shortName(outcome.inputs[run].name);
+        points.style = static_cast<int>(run);
+        points.points = true;
+        for (const DriftPoint& point : drift.points) {
+            if (point.run == run) {
+                points.x.push_back(angle * point.theta);
+                points.y.push_back(rate * point.rate);
+                points.sd.push_back(rate * point.sd_rate);
+            }
+        }
+        if (!points.x.empty()) {
+            plot.series.push_back(std::move(points));
+        }
+    }
+    return plot;
+}
+
+XYPlot balancePlot(const ResonatorOutcome& outcome) {
+    const std::vector<ChannelBalance>& balance = outcome.identification.balance;
+    XYPlot plot;
+    plot.x_name = QStringLiteral("t");
+    plot.x_unit = resonatorText(QT_TRANSLATE_NOOP("Resonator", "s"));
+    plot.y_name = displaySymbol(SlowVariable::orthogonality, {});
+    plot.empty = reasonText({ReasonCode::free_model, {}});
+    for (std::size_t run = 0; run < balance.size(); ++run) {
+        if (!balance[run].time_s.empty()) {
+            XYSeries line;
+            line.name = shortName(outcome.inputs[run].name);
+            line.style = static_cast<int>(run);
+            line.x = balance[run].time_s;
+            line.y = balance[run].orthogonality;
+            line.sd = balance[run].sd;
+            plot.series.push_back(std::move(line));
+        }
+    }
+    return plot;
+}
+
+XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, TrackVariable variable,
+                 const DisplayUnits& units) {
+    XYPlot plot;
+    plot.x_name = QStringLiteral("t");
+    plot.x_unit = resonatorText(QT_TRANSLATE_NOOP("Resonator", "s"));
+    const bool is_angle = variable == TrackVariable::two_theta_A;
+    plot.y_name = is_angle                         ? QStringLiteral("2θ_A")
+                  : variable == TrackVariable::a_A ? QStringLiteral("a_A")
+                                                   : QStringLiteral("a_B");
+    plot.y_unit = is_angle ? angleUnit(units) : QString();
+    plot.y_takes_prefix = is_angle && units.angle == AngleUnit::radians;
+    const double angle = angleFactor(units);
+    for (std::size_t run = 0; run < passport.tracks.size(); ++run) {
+        XYSeries then = trackOf(passport.tracks[run], variable, angle);
+        if (run == 0) {  // the dash stands for all of them
+            then.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "passport"));
+        }
+        then.style = static_cast<int>(run);
+        then.dashed = true;
+        plot.series.push_back(std::move(then));
+    }
+    for (std::size_t run = 0; run < outcome.inputs.size(); ++run) {
+        XYSeries now = trackOf(outcome.identification.runs[run].track, variable, angle);
+        now.name = shortName(outcome.inputs[run].name);
+        now.style = static_cast<int>(run);
+        plot.series.push_back(std::move(now));
+    }
+    return plot;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,287 @@
+#include "ui/resonator/resonator_text.h"
+
+#include "core/output/identify_json.h"
+#include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/run_parameters.h"
+#include "ui/resonator/parameter_text.h"
+#include "ui/words/error_text.h"
+#include "ui/words/unit_text.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+// A change of a parameter, in its standard deviations, that is not worth its digits.
+constexpr double negligible = 0.01;
+
+// One sentence is enough for all the numbers that lack for the same reason.
+void sayOnce(std::vector<QuantityRow>& rows) {
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+        for (std::size_t first = 0; first < k; ++first) {
+            QuantityCell& cell = rows[k].cells.front();
+            const bool is_sentence = cell.exact.front() == cell.text;
+            if (is_sentence && cell.text == rows[first].cells.front().text) {
+                const QString other = rows[first].name.section(QLatin1Char(','), 0, 0);
+                cell.text = resonatorText(QT_TRANSLATE_NOOP("Resonator", "As above: %1"))
+                                .arg(other.section(QLatin1Char(' '), -1));
+                break;
+            }
+        }
+    }
+}
+
+// A number without a deviation of its own.
+QString threeDigits(double value) {
+    const double size = std::abs(value);
+    if (!std::isfinite(value) || size == 0) {
+        return valueText(value, std::numeric_limits<double>::quiet_NaN());
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+    return valueText(std::round(value / unit) * unit, std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units) {
+    std::vector<QuantityRow> rows;
+    if (found.fit.model == ResonatorModel::free) {
+        return rows;
+    }
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        const Shown shown = shownAs(parameter.name, parameter.unit, units);
+        rows.push_back({withUnit(shown.title, shown.unit),
+                        shown.tip,
+                        {cellOf(found.fit.resonator.*parameter.member, shown.factor)}});
+    }
+    sayOnce(rows);
+    return rows;
+}
+
+std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnits& units) {
+    // As wave_parameters.
+    static constexpr std::array<std::pair<const char*, const char*>, 4> texts{{
+        {QT_TRANSLATE_NOOP("Resonator", "Frequency of the wave"),
+         QT_TRANSLATE_NOOP("Resonator", "Mean rate of its phase, by power of both channels")},
+        {QT_TRANSLATE_NOOP("Resonator", "Decay time of the wave"),
+         QT_TRANSLATE_NOOP("Resonator", "Of √(a_A² + a_B²)")},
+        {QT_TRANSLATE_NOOP("Resonator", "Turn rate dθ_A/dt"),
+         QT_TRANSLATE_NOOP("Resonator", "Mean rate of the angle of the working wave")},
+        {QT_TRANSLATE_NOOP("Resonator", "Quadrature growth d(a_B/a_A)/dt"),
+         QT_TRANSLATE_NOOP("Resonator", "Mean rate of the ratio of both waves")},
+    }};
+    static_assert(texts.size() == wave_parameters.size());
+    std::vector<QuantityRow> rows;
+    for (std::size_t k = 0; k < wave_parameters.size(); ++k) {
+        const WaveParameter& parameter = wave_parameters[k];
+        const bool rate = QLatin1String(parameter.unit) == QLatin1String("rad/s");
+        const QString unit = rate ? angleRateUnit(units) : unitText(parameter.unit);
+        QuantityRow row{
+            withUnit(resonatorText(texts[k].first), unit), resonatorText(texts[k].second), {}};
+        for (const IdentifiedRun& run : found.runs) {
+            row.cells.push_back(
+                cellOf(run.wave.*parameter.member, rate ? angleRateFactor(units) : 1));
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+QStringList sensitivityHeaders() {
+    // As usual_errors.
+    static constexpr std::array<const char*, 8> texts{
+        QT_TRANSLATE_NOOP("Resonator", "0.1° of skew"),
+        QT_TRANSLATE_NOOP("Resonator", "10 ns of delay"),
+        QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ rad of phase drift"),
+        QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of gain drift"),
+        QT_TRANSLATE_NOOP("Resonator", "0.001 of κ"),
+        QT_TRANSLATE_NOOP("Resonator", "10 µHz by amplitude"),
+        QT_TRANSLATE_NOOP("Resonator", "1 % of damping by amplitude"),
+        QT_TRANSLATE_NOOP("Resonator", "0.1 % of gain by amplitude"),
+    };
+    static_assert(texts.size() == usual_errors.size());
+    QStringList headers;
+    for (const char* text : texts) {
+        headers << resonatorText(text);
+    }
+    return headers;
+}
+
+std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units) {
+    std::vector<QuantityRow> rows;
+    const ResonatorFit& fit = found.fit;
+    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
+        const ResonatorParameter& parameter = resonator_parameters[k];
+        const Estimate& estimate = fit.resonator.*parameter.member;
+        if (!estimate.given()) {
+            continue;
+        }
+        const Shown shown = shownAs(parameter.name, parameter.unit, units);
+        QuantityRow row{withUnit(shown.title, shown.unit), shown.tip, {}};
+        for (const UsualError& error : usual_errors) {
+            const double change = shown.factor * error.size * fit.sensitivities[k].*error.member;
+            const bool felt = std::abs(change) > negligible * shown.factor * estimate.sd;
+            row.cells.push_back(
+                {felt ? threeDigits(change) : QStringLiteral("≈ 0"), {exactText(change)}, {}});
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<QuantityRow> modeRows(const ResonatorFit& fit) {
+    std::vector<QuantityRow> rows;
+    if (fit.modes.empty()) {
+        rows.push_back({resonatorText(QT_TRANSLATE_NOOP("Resonator", "Modes")),
+                        {},
+                        {sentenceCell(reasonText(fit.no_modes))}});
+        return rows;
+    }
+    for (std::size_t k = 0; k < fit.modes.size(); ++k) {
+        for (const ModeParameter& parameter : mode_parameters) {
+            rows.push_back(
+                {withUnit(modeTitle(static_cast<int>(k), parameter.name), unitText(parameter.unit)),
+                 {},
+                 {cellOf(fit.modes[k].*parameter.member)}});
+        }
+    }
+    return rows;
+}
+
+std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units) {
+    const QString hertz = unitText("Hz");
+    const QString amplitude = resonatorText(QT_TRANSLATE_NOOP("Resonator", "rec. units"));
+    std::vector<QuantityRow> rows;
+    const auto add = [&](const QString& title, const QString& unit, const char* tip,
+                         const auto& cell) {
+        QuantityRow row{withUnit(title, unit), resonatorText(tip), {}};
+        for (std::size_t k = 0; k < found.runs.size(); ++k) {
+            row.cells.push_back(cell(k));
+        }
+        rows.push_back(std::move(row));
+    };
+    const auto estimate = [&](Estimate RunEstimate::*member, double factor) {
+        return [&found, member, factor](std::size_t k) {
+            return cellOf(found.fit.runs[k].*member, factor);
+        };
+    };
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Frequency offset")), hertz,
+        QT_TRANSLATE_NOOP("Resonator", "From the mean frequency of the runs"),
+        estimate(&RunEstimate::f_offset_hz, 1));
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Start angle θ_A")), angleUnit(units),
+        QT_TRANSLATE_NOOP("Resonator", "Angle of the working wave at the start"),
+        estimate(&RunEstimate::two_theta_A_rad, angleFactor(units) / 2));
+    add(QStringLiteral("a_A"), amplitude,
+        QT_TRANSLATE_NOOP("Resonator", "Amplitude of the working wave at the start"),
+        estimate(&RunEstimate::a_A, 1));
+    add(QStringLiteral("a_B"), amplitude,
+        QT_TRANSLATE_NOOP("Resonator", "Amplitude of the quadrature wave at the start"),
+        estimate(&RunEstimate::a_B, 1));
+    add(QStringLiteral("Δf sin 4(θ_A − θ_w)"), hertz,
+        QT_TRANSLATE_NOOP("Resonator",
+                          "What of the frequency split makes the quadrature of this run grow"),
+        estimate(&RunEstimate::split_sin_hz, 1));
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "f of this direction")), hertz,
+        QT_TRANSLATE_NOOP("Resonator",
+                          "Of a wave that stays in the direction in which this one "
+                          "starts"),
+        estimate(&RunEstimate::direction_f_hz, 1));
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "τ of this direction")), unitText("s"),
+        QT_TRANSLATE_NOOP("Resonator",
+                          "Of a wave that stays in the direction in which this one "
+                          "starts"),
+        estimate(&RunEstimate::direction_tau_s, 1));
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q from the envelope")), {},
+        QT_TRANSLATE_NOOP("Resonator", "Quality factor from the power of the waves alone"),
+        estimate(&RunEstimate::q_envelope, 1));
+    if (found.fit.model == ResonatorModel::structured) {
+        add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Q coherent")), {},
+            QT_TRANSLATE_NOOP("Resonator", "Quality factor from the coherent fit of all runs"),
+            [&found](std::size_t) { return cellOf(found.fit.resonator.q); });
+    }
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Frequency drift")),
+        unitText("Hz") + "/" + unitText("s"),
+        QT_TRANSLATE_NOOP("Resonator", "Of this run, over time"),
+        estimate(&RunEstimate::drift_hz_per_s, 1));
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Noise σ")), amplitude,
+        QT_TRANSLATE_NOOP("Resonator", "Standard deviation per sample and channel"),
+        [&found](std::size_t k) {
+            return valueCell(found.runs[k].noise_sd, std::numeric_limits<double>::quiet_NaN());
+        });
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "Windows used")), {},
+        QT_TRANSLATE_NOOP("Resonator", "Without gaps and faults, of all; samples in each"),
+        [&found](std::size_t k) {
+            const QLocale locale;
+            const IdentifiedRun& run = found.runs[k];
+            const QString text = resonatorText(QT_TRANSLATE_NOOP("Resonator", "%1 of %2, n = %3"))
+                                     .arg(locale.toString(static_cast<qint64>(run.windows_used)),
+                                          locale.toString(static_cast<qint64>(run.windows)),
+                                          locale.toString(static_cast<qint64>(run.window)));
+            return sentenceCell(text);
+        });
+    return rows;
+}
+
+std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units) {
+    const DriftFunction& drift = found.drift;
+    const QString names[] = {resonatorText(QT_TRANSLATE_NOOP("Resonator", "Mean drift")),
+                             QStringLiteral("cos 4θ_A"), QStringLiteral("sin 4θ_A"),
+                             QStringLiteral("cos 8θ_A"), QStringLiteral("sin 8θ_A")};
+    std::vector<QuantityRow> rows;
+    if (drift.order == 0) {
+        rows.push_back({resonatorText(QT_TRANSLATE_NOOP("Resonator", "Harmonics")),
+                        {},
+                        {sentenceCell(reasonText(no_drift_function(found)))}});
+    }
+    const double factor = angleRateFactor(units);
+    for (Eigen::Index k = 0; k < drift.coefficients.size(); ++k) {
+        rows.push_back({withUnit(names[k], angleRateUnit(units)),
+                        {},
+                        {valueCell(factor * drift.coefficients[k],
+                                   factor * std::sqrt(drift.covariance(k, k)))}});
+    }
+    return rows;
+}
+
+QStringList findingTexts(const ResonatorOutcome& outcome) {
+    // What several recordings share is said once.
+    std::vector<std::pair<QString, QStringList>> texts;
+    for (const auto& [diagnostic, input] : all_warnings(outcome.identification)) {
+        if (input < 0) {
+            continue;
+        }
+        const QString text = diagnosticText(diagnostic);
+        const QString name =
+            QString::fromStdString(outcome.inputs[static_cast<std::size_t>(input)].name);
+        const auto same = std::ranges::find(texts, text, &std::pair<QString, QStringList>::first);
+        if (same == texts.end()) {
+            texts.emplace_back(text, QStringList{name});
+        } else {
+            same->second << name;
+        }
+    }
+    QStringList lines;
+    for (const auto& [text, names] : texts) {
+        lines << QStringLiteral("%1: %2").arg(names.join(QStringLiteral(", ")), text);
+    }
+    return lines;
+}
+
+QStringList warningTexts(const ResonatorOutcome& outcome) {
+    QStringList texts;
+    for (const auto& [diagnostic, input] : all_warnings(outcome.identification)) {
+        if (input < 0) {
+            texts << diagnosticText(diagnostic);
+        }
+    }
+    return texts;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,265 @@
+#include "ui/resonator/set_panel.h"
+
+#include "ui/panels/recording_drag.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+QString setName(const Document& document, const RunSet& set) {
+    if (!set.name.isEmpty()) {
+        return set.name;
+    }
+    if (set.recordings.size() == 1) {
+        return QFileInfo(document.recording(set.recordings.front())->path).completeBaseName();
+    }
+    return QCoreApplication::translate("SetPanel", "Set %1").arg(set.number);
+}
+
+SetMembers::SetMembers(Document& document, QWidget* parent)
+    : QListWidget(parent), document_(document) {
+    setAcceptDrops(true);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setTextElideMode(Qt::ElideMiddle);
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+void SetMembers::setHint(const QString& hint) {
+    hint_ = hint;
+    viewport()->update();
+}
+
+QSize SetMembers::sizeHint() const {
+    const int rows = std::clamp(count(), 3, 6);
+    return {200, rows * (fontMetrics().height() + 4) + 2 * frameWidth()};
+}
+
+void SetMembers::dragEnterEvent(QDragEnterEvent* event) {
+    const QMimeData& dragged = *event->mimeData();
+    if (!draggedRecordings(dragged).empty() || !localFiles(dragged).isEmpty()) {
+        event->setDropAction(Qt::CopyAction);
+        event->accept();
+    }
+}
+
+void SetMembers::dragMoveEvent(QDragMoveEvent* event) {
+    event->setDropAction(Qt::CopyAction);
+    event->accept();
+}
+
+void SetMembers::dropEvent(QDropEvent* event) {
+    const QMimeData& dragged = *event->mimeData();
+    if (const auto ids = draggedRecordings(dragged); !ids.empty()) {
+        document_.addToSet(ids);
+    } else {
+        document_.openIntoSet(localFiles(dragged));
+    }
+    event->setDropAction(Qt::CopyAction);
+    event->accept();
+}
+
+void SetMembers::paintEvent(QPaintEvent* event) {
+    QListWidget::paintEvent(event);
+    if (count() == 0) {
+        QPainter painter(viewport());
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(viewport()->rect().adjusted(8, 2, -8, -2),
+                         Qt::AlignCenter | Qt::TextWordWrap, hint_);
+    }
+}
+
+SetPanel::SetPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      sets_(new QComboBox(this)),
+      add_(new QToolButton(this)),
+      remove_(new QToolButton(this)),
+      members_(new SetMembers(document, this)),
+      remove_member_(new QAction(this)),
+      choose_(new QPushButton(this)),
+      choices_(new QMenu(this)),
+      model_label_(new QLabel(this)),
+      model_(new QComboBox(this)),
+      identify_(new QPushButton(this)) {
+    sets_->setObjectName(QStringLiteral("sets"));
+    sets_->setEditable(true);
+    sets_->setInsertPolicy(QComboBox::NoInsert);
+    sets_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    add_->setText(QStringLiteral("+"));
+    remove_->setText(QStringLiteral("−"));
+    remove_member_->setShortcut(QKeySequence::Delete);
+    remove_member_->setShortcutContext(Qt::WidgetShortcut);
+    members_->addAction(remove_member_);
+    choose_->setMenu(choices_);
+    model_label_->setBuddy(model_);
+    model_->setObjectName(QStringLiteral("model"));
+    model_->addItems({QString(), QString(), QString()});
+    identify_->setObjectName(QStringLiteral("identify"));
+
+    auto* names = new QHBoxLayout;
+    names->addWidget(sets_, 1);
+    names->addWidget(add_);
+    names->addWidget(remove_);
+    auto* choices = new QHBoxLayout;
+    choices->addWidget(model_label_);
+    choices->addWidget(model_, 1);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(choose_, 1);
+    buttons->addWidget(identify_, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 2);
+    layout->setSpacing(3);
+    layout->addLayout(names);
+    layout->addWidget(members_);
+    layout->addLayout(choices);
+    layout->addLayout(buttons);
+
+    connect(sets_, &QComboBox::activated, this,
+            [this](int row) { document_.setCurrentSet(sets_->itemData(row).toInt()); });
+    connect(sets_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
+        const RunSet* set = document_.currentSet();
+        if (set && sets_->lineEdit()->isModified()) {
+            sets_->lineEdit()->setModified(false);
+            document_.renameSet(set->id, sets_->currentText());
+        }
+    });
+    connect(add_, &QToolButton::clicked, this, [this] { document_.addSet(); });
+    connect(remove_, &QToolButton::clicked, this,
+            [this] { document_.removeSet(document_.currentSet()->id); });
+    connect(remove_member_, &QAction::triggered, this, [this] {
+        std::vector<int> ids;
+        for (const QListWidgetItem* item : members_->selectedItems()) {
+            ids.push_back(item->data(Qt::UserRole).toInt());
+        }
+        if (const RunSet* set = document_.currentSet()) {
+            document_.removeFromSet(set->id, ids);
+        }
+    });
+    connect(choices_, &QMenu::aboutToShow, this, &SetPanel::fillMenu);
+    connect(model_, &QComboBox::activated, this, [this](int index) {
+        const RunSet* set = document_.currentSet();
+        document_.setModel(set ? set->id : document_.addSet(),
+                           static_cast<FitOptions::Model>(index));
+    });
+    connect(identify_, &QPushButton::clicked, &document_, &Document::identify);
+    connect(&document_, &Document::setsChanged, this, &SetPanel::refresh);
+    connect(&document_, &Document::recordingsChanged, this, &SetPanel::refresh);
+    connect(&document_, &Document::recordingChanged, this, &SetPanel::refresh);
+    connect(&document_, &Document::currentRecordingChanged, this, &SetPanel::refresh);
+    retranslate();
+}
+
+void SetPanel::fillMenu() {
+    choices_->clear();
+    const RunSet* set = document_.currentSet();
+    for (const RecordingEntry& entry : document_.recordings()) {
+        QAction* choice = choices_->addAction(entry.name);
+        choice->setCheckable(true);
+        choice->setChecked(set && std::ranges::count(set->recordings, entry.id) > 0);
+        connect(choice, &QAction::triggered, this, [this, id = entry.id](bool in) {
+            if (in) {
+                document_.addToSet({id});
+            } else {
+                document_.removeFromSet(document_.currentSet()->id, {id});
+            }
+        });
+    }
+}
+
+void SetPanel::refresh() {
+    const RunSet* set = document_.currentSet();
+    const bool typing = sets_->lineEdit()->hasFocus() && sets_->lineEdit()->isModified();
+    if (!typing) {
+        const QSignalBlocker blocker(sets_);
+        sets_->clear();
+        for (const RunSet& each : document_.sets()) {
+            sets_->addItem(setName(document_, each), each.id);
+        }
+        sets_->setCurrentIndex(set ? sets_->findData(set->id) : -1);
+    }
+    sets_->setEnabled(set != nullptr);
+    remove_->setEnabled(set != nullptr);
+    refreshMembers(set);
+    choose_->setEnabled(!document_.recordings().empty());
+    model_->setCurrentIndex(set ? static_cast<int>(set->model) : 0);
+    identify_->setEnabled(document_.canIdentify());
+}
+
+void SetPanel::refreshMembers(const RunSet* set) {
+    std::vector<int> selected;
+    for (const QListWidgetItem* item : members_->selectedItems()) {
+        selected.push_back(item->data(Qt::UserRole).toInt());
+    }
+    members_->clear();
+    for (const int id : set ? set->recordings : std::vector<int>()) {
+        const RecordingEntry& entry = *document_.recording(id);
+        auto* item = new QListWidgetItem(entry.name, members_);
+        item->setData(Qt::UserRole, id);
+        item->setToolTip(QDir::toNativeSeparators(entry.path));
+        item->setSelected(std::ranges::count(selected, id) > 0);
+    }
+    members_->updateGeometry();
+    remove_member_->setEnabled(members_->count() > 0);
+}
+
+void SetPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void SetPanel::retranslate() {
+    sets_->setAccessibleName(tr("Set of runs"));
+    sets_->setToolTip(
+        tr("Recordings of one resonator that are identified together; type here to name them"));
+    add_->setAccessibleName(tr("New set"));
+    add_->setToolTip(tr("New set"));
+    remove_->setAccessibleName(tr("Remove the set"));
+    remove_->setToolTip(tr("Remove the set; its recordings stay open"));
+    members_->setAccessibleName(tr("Recordings of the set"));
+    members_->setHint(tr("Drag recordings of one resonator here, best started at four angles"));
+    remove_member_->setText(tr("Remove from the set"));
+    choose_->setText(tr("Recordings"));
+    choose_->setToolTip(tr("Which of the open recordings belong to the set"));
+    model_label_->setText(tr("Model"));
+    model_->setAccessibleName(tr("Model of the resonator"));
+    const QString names[] = {tr("Automatic"), tr("Structured: calibrated pick-offs"),
+                             tr("Free: modes alone")};
+    const QString tips[] = {
+        tr("Structured, unless the free model fits significantly better"),
+        tr("The channels are the cosine and sine of the standing wave: split, axes, damping"),
+        tr("The channels are any two views of the modes, as with a bell: their frequencies and "
+           "decay times")};
+    for (int index = 0; index < model_->count(); ++index) {
+        model_->setItemText(index, names[index]);
+        model_->setItemData(index, tips[index], Qt::ToolTipRole);
+    }
+    model_->setMinimumContentsLength(10);
+    model_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    identify_->setText(tr("Identify"));
+    identify_->setToolTip(
+        tr("Fit one resonator to all recordings of the set; of an empty set, to "
+           "the current recording (F7)"));
+    refresh();
+}
+
+}  // namespace vybeg::ui

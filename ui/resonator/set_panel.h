@@ -1,0 +1,69 @@
+#pragma once
+
+#include "ui/document/document.h"
+
+#include <QListWidget>
+
+class QComboBox;
+class QLabel;
+class QMenu;
+class QPushButton;
+class QToolButton;
+
+namespace vybeg::ui {
+
+// The recordings of a set: takes what is dropped on it; Delete removes.
+class SetMembers : public QListWidget {
+    Q_OBJECT
+
+public:
+    explicit SetMembers(Document& document, QWidget* parent = nullptr);
+
+    // What stands in it while it is empty.
+    void setHint(const QString& hint);
+    QSize sizeHint() const override;
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    Document& document_;
+    QString hint_;
+};
+
+// Which recordings are identified together, and how.
+class SetPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SetPanel(Document& document, QWidget* parent = nullptr);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+    void refreshMembers(const RunSet* set);
+    void fillMenu();
+    void retranslate();
+
+    Document& document_;
+    QComboBox* sets_;
+    QToolButton* add_;
+    QToolButton* remove_;
+    SetMembers* members_;
+    QAction* remove_member_;
+    QPushButton* choose_;
+    QMenu* choices_;
+    QLabel* model_label_;
+    QComboBox* model_;
+    QPushButton* identify_;
+};
+
+// The set's name: its own, that of its only recording, or "Set 2".
+QString setName(const Document& document, const RunSet& set);
+
+}  // namespace vybeg::ui

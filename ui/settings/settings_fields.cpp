@@ -1,0 +1,98 @@
+#include "ui/settings/settings_fields.h"
+
+#include "ui/words/rich_text.h"
+
+#include <QEvent>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace vybeg::ui {
+
+SettingsFields::SettingsFields(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
+    form_->setContentsMargins(8, 0, 4, 6);
+    form_->setHorizontalSpacing(6);
+    form_->setVerticalSpacing(3);
+    form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form_->setRowWrapPolicy(QFormLayout::DontWrapRows);
+}
+
+void SettingsFields::setState(const SettingsState& state) {
+    state_ = state;
+    refresh();
+}
+
+QLabel* SettingsFields::makeLabel(QWidget* buddy) {
+    auto* label = new QLabel(this);
+    label->setBuddy(buddy);
+    // One label column for all groups, so that their fields stand in one line.
+    label->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Перекрытие")));
+    return label;
+}
+
+NumberField* SettingsFields::makeField(const Texts& texts) {
+    auto* field = new NumberField(this);
+    entries_.push_back({nullptr, field, texts});
+    return field;
+}
+
+NumberField* SettingsFields::addField(const Texts& texts) {
+    NumberField* field = makeField(texts);
+    entries_.back().label = makeLabel(field);
+    form_->addRow(entries_.back().label, field);
+    return field;
+}
+
+std::pair<NumberField*, NumberField*> SettingsFields::addPair(const Texts& first,
+                                                              const Texts& second) {
+    NumberField* left = makeField(first);
+    QLabel* label = makeLabel(left);
+    entries_.back().label = label;
+    NumberField* right = makeField(second);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(4);
+    line->addWidget(left, 1);
+    line->addWidget(right, 1);
+    form_->addRow(label, line);
+    return {left, right};
+}
+
+QLabel* SettingsFields::addWidget(QWidget* widget, const Texts& texts) {
+    QLabel* label = makeLabel(widget);
+    entries_.push_back({label, widget, texts});
+    form_->addRow(label, widget);
+    return label;
+}
+
+void SettingsFields::addWide(QWidget* widget) {
+    form_->addRow(widget);
+}
+
+void SettingsFields::retranslate() {
+    const auto translated = [this](const char* text) {
+        return text && *text ? metaObject()->tr(text, nullptr) : QString();
+    };
+    for (const Entry& entry : entries_) {
+        const QString tip = richTip(translated(entry.texts.tip));
+        const QString label = translated(entry.texts.label);
+        if (entry.label) {
+            entry.label->setText(richText(label));
+            entry.label->setToolTip(tip);
+        }
+        entry.widget->setToolTip(tip);
+        entry.widget->setAccessibleName(entry.texts.name ? translated(entry.texts.name) : label);
+        if (auto* field = qobject_cast<NumberField*>(entry.widget)) {
+            field->setUnit(translated(entry.texts.unit));
+        }
+    }
+    refresh();
+}
+
+void SettingsFields::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+}  // namespace vybeg::ui

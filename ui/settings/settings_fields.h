@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/analysis/settings.h"
+#include "core/analysis/tolerance.h"
+#include "ui/widgets/number_field.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QFormLayout;
+class QLabel;
+
+namespace vybeg::ui {
+
+// What the fields of the analysis panel show: the settings, and what they refer to.
+struct SettingsState {
+    Settings settings;
+    std::optional<double> f0_hz;    // carrier, typed or found
+    std::optional<double> rate_hz;  // of the current recording
+    std::optional<double> seconds;
+    Tolerance tolerance;
+};
+
+// One group of fields of the analysis panel. It shows a state and tells of edits; it keeps nothing
+// of its own.
+class SettingsFields : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SettingsFields(QWidget* parent = nullptr);
+
+    void setState(const SettingsState& state);
+
+signals:
+    void edited(const Settings& settings);
+
+protected:
+    // Source texts, marked with QT_TR_NOOP in the class that adds the field. The accessible name is
+    // the label; `name` replaces it where several fields share a label.
+    struct Texts {
+        const char* label;
+        const char* unit;
+        const char* tip;
+        const char* name = nullptr;
+    };
+
+    NumberField* addField(const Texts& texts);
+    // Two fields side by side under the first one's label.
+    std::pair<NumberField*, NumberField*> addPair(const Texts& first, const Texts& second);
+    // Any widget with a translated label and tooltip.
+    QLabel* addWidget(QWidget* widget, const Texts& texts);
+    void addWide(QWidget* widget);
+
+    const SettingsState& state() const { return state_; }
+    virtual void refresh() = 0;
+    virtual void retranslate();
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Entry {
+        QLabel* label;
+        QWidget* widget;
+        Texts texts;
+    };
+    NumberField* makeField(const Texts& texts);
+    QLabel* makeLabel(QWidget* buddy);
+
+    QFormLayout* form_;
+    SettingsState state_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,159 @@
+#include "ui/settings/settings_panel.h"
+
+#include "ui/document/document.h"
+#include "ui/settings/signal_fields.h"
+#include "ui/settings/start_fields.h"
+#include "ui/settings/window_fields.h"
+#include "ui/widgets/section.h"
+#include "ui/words/algorithm_text.h"
+#include "ui/words/rich_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr std::array algorithms{Algorithm::in_phase,           Algorithm::phase_shift,
+                                Algorithm::moving_axes,        Algorithm::demodulation,
+                                Algorithm::conjugate_gradient, Algorithm::maximum_likelihood};
+
+}  // namespace
+
+SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document) {
+    auto* content = new QWidget;
+    sections_ = new QVBoxLayout(content);
+    sections_->setContentsMargins(2, 4, 2, 2);
+    sections_->setSpacing(4);
+
+    algorithm_ = new QComboBox(content);
+    algorithm_->setObjectName(QStringLiteral("algorithm"));
+    algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (const Algorithm algorithm : algorithms) {
+        algorithm_->addItem({}, static_cast<int>(algorithm));
+    }
+    algorithm_label_ = new QLabel(content);
+    algorithm_label_->setBuddy(algorithm_);
+    auto* form = new QFormLayout;
+    form->setContentsMargins(8, 0, 4, 4);
+    form->addRow(algorithm_label_, algorithm_);
+    sections_->addLayout(form);
+
+    add(new WindowFields(content), QT_TR_NOOP("Window"), true);
+    auto* range = new RangeFields(content);
+    add(range, QT_TR_NOOP("Range"), true);
+    add(new CarrierFields(content), QT_TR_NOOP("Carrier and filter"), true);
+    add(new StartFields(content), QT_TR_NOOP("Start values"), false);
+    auto* calibration = new CalibrationFields(content);
+    add(calibration, QT_TR_NOOP("Calibration"), false);
+    sections_->addStretch(1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll_ = scroll;
+
+    live_ = new QCheckBox(this);
+    live_->setObjectName(QStringLiteral("live"));
+    run_ = new QPushButton(this);
+    run_->setObjectName(QStringLiteral("run"));
+    run_->setDefault(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 4);
+    layout->addWidget(scroll, 1);
+    auto* start = new QHBoxLayout;
+    start->setContentsMargins(8, 0, 4, 0);
+    start->addWidget(live_);
+    start->addWidget(run_, 1);
+    layout->addLayout(start);
+
+    connect(algorithm_, &QComboBox::activated, this, [this](int index) {
+        Settings settings = document_.settings();
+        settings.algorithm = static_cast<Algorithm>(algorithm_->itemData(index).toInt());
+        document_.setSettings(settings);
+    });
+    connect(range, &RangeFields::visibleRangeWanted, this, &SettingsPanel::visibleRangeWanted);
+    connect(calibration, &CalibrationFields::toleranceEdited, &document_, &Document::setTolerance);
+    connect(run_, &QPushButton::clicked, &document_, &Document::analyse);
+    connect(live_, &QCheckBox::toggled, &document_, &Document::setLive);
+    connect(&document_, &Document::liveChanged, live_,
+            [this] { live_->setChecked(document_.live()); });
+    connect(&document_, &Document::settingsChanged, this, &SettingsPanel::refresh);
+    connect(&document_, &Document::carrierChanged, this, &SettingsPanel::refresh);
+    connect(&document_, &Document::currentRecordingChanged, this, &SettingsPanel::refresh);
+    retranslate();
+}
+
+void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
+    auto* section = new Section(fields, sections_->parentWidget());
+    section->setOpen(open);
+    sections_->addWidget(section);
+    groups_.push_back({section, fields, title});
+    connect(fields, &SettingsFields::edited, this,
+            [this](const Settings& settings) { document_.setSettings(settings); });
+}
+
+void SettingsPanel::refresh() {
+    SettingsState state{document_.settings(), document_.carrier(), std::nullopt, std::nullopt,
+                        document_.tolerance()};
+    const RecordingEntry* entry = document_.currentRecording();
+    if (entry && entry->recording) {
+        state.rate_hz = entry->recording->rate_hz;
+        state.seconds = entry->recording->seconds();
+    }
+    const auto algorithm = static_cast<int>(state.settings.algorithm);
+    algorithm_->setCurrentIndex(algorithm);
+    algorithm_->setToolTip(algorithm_->itemData(algorithm, Qt::ToolTipRole).toString());
+    for (const Group& group : groups_) {
+        group.fields->setState(state);
+    }
+    run_->setEnabled(state.rate_hz.has_value());
+}
+
+void SettingsPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void SettingsPanel::retranslate() {
+    algorithm_label_->setText(tr("Algorithm"));
+    algorithm_->setAccessibleName(tr("Algorithm"));
+    for (std::size_t i = 0; i < algorithms.size(); ++i) {
+        const int row = static_cast<int>(i);
+        algorithm_->setItemText(row, algorithmText(algorithms[i]));
+        algorithm_->setItemData(row, richTip(algorithmTip(algorithms[i])), Qt::ToolTipRole);
+    }
+    for (const Group& group : groups_) {
+        group.section->setTitle(tr(group.title));
+    }
+    // The panel grows instead of cutting its fields.
+    scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
+                             scroll_->verticalScrollBar()->sizeHint().width());
+    run_->setText(tr("Run"));
+    run_->setToolTip(tr("Analyse the current recording with these settings and keep the run (F5)"));
+    live_->setText(tr("Live"));
+    live_->setToolTip(richTip(
+        tr("Every change of a setting shows at once: first in the visible part of the plots, then "
+           "in the rest, always in the same run. What is to stay for comparison is kept by Run "
+           "(Ctrl+L)")));
+    refresh();
+}
+
+}  // namespace vybeg::ui

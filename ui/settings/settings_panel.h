@@ -1,0 +1,57 @@
+#pragma once
+
+#include "ui/settings/settings_fields.h"
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace vybeg::ui {
+
+class Document;
+class Section;
+
+// The analysis panel: algorithm, window, start values, range, carrier and filter, calibration, and
+// the button that runs it and the switch that makes the plots follow it. Every edit goes to the
+// document, with undo.
+class SettingsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SettingsPanel(Document& document, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override { return {310, 420}; }
+
+signals:
+    void visibleRangeWanted();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Group {
+        Section* section;
+        SettingsFields* fields;
+        const char* title;
+    };
+
+    void add(SettingsFields* fields, const char* title, bool open);
+    void refresh();
+    void retranslate();
+
+    Document& document_;
+    QLabel* algorithm_label_;
+    QComboBox* algorithm_;
+    QCheckBox* live_;
+    QPushButton* run_;
+    std::vector<Group> groups_;
+    QVBoxLayout* sections_;
+    QScrollArea* scroll_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,293 @@
+#include "ui/settings/signal_fields.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+namespace vybeg::ui {
+
+RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
+    const auto pair = addPair(
+        {QT_TR_NOOP("From, to"), QT_TR_NOOP("s"),
+         QT_TR_NOOP("Part of the recording to analyse, from its start."), QT_TR_NOOP("Range from")},
+        {"", QT_TR_NOOP("s"), QT_TR_NOOP("Part of the recording to analyse, from its start."),
+         QT_TR_NOOP("Range to")});
+    from_ = pair.first;
+    to_ = pair.second;
+    auto* buttons = new QWidget(this);
+    auto* line = new QHBoxLayout(buttons);
+    line->setContentsMargins(0, 0, 0, 0);
+    whole_ = new QPushButton(buttons);
+    visible_ = new QPushButton(buttons);
+    line->addWidget(whole_, 1);
+    line->addWidget(visible_, 1);
+    addWide(buttons);
+    for (NumberField* field : {from_, to_}) {
+        field->setOptional(true);
+        field->setLimits(0, 1e12);
+        field->setDigits(7);
+    }
+    connect(from_, &NumberField::valueEdited, this, [this](auto value) {
+        Settings settings = state().settings;
+        settings.from_s = value;
+        emit edited(settings);
+    });
+    connect(to_, &NumberField::valueEdited, this, [this](auto value) {
+        Settings settings = state().settings;
+        settings.to_s = value;
+        emit edited(settings);
+    });
+    connect(whole_, &QPushButton::clicked, this, [this] {
+        Settings settings = state().settings;
+        settings.from_s.reset();
+        settings.to_s.reset();
+        emit edited(settings);
+    });
+    connect(visible_, &QPushButton::clicked, this, &RangeFields::visibleRangeWanted);
+    retranslate();
+}
+
+void RangeFields::retranslate() {
+    whole_->setText(tr("Whole"));
+    whole_->setToolTip(tr("Analyse the whole recording"));
+    visible_->setText(tr("As visible"));
+    visible_->setToolTip(tr("Analyse the time range that the plots show"));
+    SettingsFields::retranslate();
+}
+
+void RangeFields::refresh() {
+    from_->setValue(state().settings.from_s);
+    to_->setValue(state().settings.to_s);
+    from_->setPlaceholderText(QStringLiteral("0"));
+    to_->setPlaceholderText(state().seconds ? QLocale().toString(*state().seconds, 'g', 6)
+                                            : QString());
+}
+
+CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
+    f0_ = addField({QT_TR_NOOP("Carrier f₀"), QT_TR_NOOP("Hz"),
+                    QT_TR_NOOP("Carrier of the whole recording, around which each window looks "
+                               "for its ω by (7), (25). Empty: the peak common to both channels' "
+                               "spectra.")});
+    f0_->setOptional(true);
+    f0_->setLimits(1e-9, 1e12);
+    const char* band_tip = QT_TR_NOOP(
+        "Look for the carrier between these frequencies. Empty: everywhere. Both are needed.");
+    const auto band =
+        addPair({QT_TR_NOOP("Search"), QT_TR_NOOP("Hz"), band_tip, QT_TR_NOOP("Search from")},
+                {"", QT_TR_NOOP("Hz"), band_tip, QT_TR_NOOP("Search to")});
+    const char* filter_tip = QT_TR_NOOP(
+        "Zero-phase band-pass before everything, for raw recordings with other modes, hum or "
+        "offset: (1) presumes signals of the second angular harmonic alone. Empty: none. Both "
+        "are needed.");
+    const auto filter =
+        addPair({QT_TR_NOOP("Filter"), QT_TR_NOOP("Hz"), filter_tip, QT_TR_NOOP("Filter from")},
+                {"", QT_TR_NOOP("Hz"), filter_tip, QT_TR_NOOP("Filter to")});
+    band_low_ = band.first;
+    band_high_ = band.second;
+    filter_low_ = filter.first;
+    filter_high_ = filter.second;
+    for (NumberField* field : {band_low_, band_high_, filter_low_, filter_high_}) {
+        field->setOptional(true);
+        field->setLimits(0, 1e12);
+        field->setStep(10);
+    }
+    connect(f0_, &NumberField::valueEdited, this, [this](auto value) {
+        Settings settings = state().settings;
+        settings.f0_hz = value;
+        emit edited(settings);
+    });
+    for (NumberField* field : {band_low_, band_high_}) {
+        connect(field, &NumberField::valueEdited, this,
+                [this] { editBand(&Settings::band, *band_low_, *band_high_); });
+    }
+    for (NumberField* field : {filter_low_, filter_high_}) {
+        connect(field, &NumberField::valueEdited, this,
+                [this] { editBand(&Settings::filter, *filter_low_, *filter_high_); });
+    }
+    retranslate();
+}
+
+void CarrierFields::editBand(std::optional<Band> Settings::*band, const NumberField& low,
+                             const NumberField& high) {
+    // Half a band is no setting yet: it stays in the fields until the other half is typed.
+    Settings settings = state().settings;
+    if (low.value() && high.value() && *low.value() < *high.value()) {
+        settings.*band = Band{*low.value(), *high.value()};
+    } else if (!low.value() && !high.value()) {
+        (settings.*band).reset();
+    } else {
+        return;
+    }
+    emit edited(settings);
+}
+
+void CarrierFields::retranslate() {
+    band_low_->setPlaceholderText(tr("from"));
+    band_high_->setPlaceholderText(tr("to"));
+    filter_low_->setPlaceholderText(tr("from"));
+    filter_high_->setPlaceholderText(tr("to"));
+    SettingsFields::retranslate();
+}
+
+void CarrierFields::refresh() {
+    const Settings& settings = state().settings;
+    f0_->setValue(settings.f0_hz);
+    f0_->setPlaceholderText(state().f0_hz ? QLocale().toString(*state().f0_hz, 'f', 3)
+                                          : tr("auto"));
+    const auto show = [](const std::optional<Band>& band, NumberField* low, NumberField* high) {
+        if (band) {
+            low->setValue(band->low_hz);
+            high->setValue(band->high_hz);
+        } else if (low->value() && high->value()) {
+            low->setValue(std::nullopt);
+            high->setValue(std::nullopt);
+        }
+    };
+    show(settings.band, band_low_, band_high_);
+    show(settings.filter, filter_low_, filter_high_);
+}
+
+CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
+    kappa_ = addField({QT_TR_NOOP("Gain ratio κ"), "",
+                       QT_TR_NOOP("Channel D is recorded as D/κ, the scaling below (30): κ = 1 "
+                                  "for balanced channels.")});
+    kappa_->setLimits(1e-9, 1e9);
+    kappa_->setStep(0.001);
+    const char* offset_tip = QT_TR_NOOP(
+        "Constant in each channel, recording units; it is subtracted. The averages of (13), (15) "
+        "presume none.");
+    const auto offsets =
+        addPair({QT_TR_NOOP("Offset C, D"), "", offset_tip, QT_TR_NOOP("Offset of C")},
+                {"", "", offset_tip, QT_TR_NOOP("Offset of D")});
+    offset_c_ = offsets.first;
+    offset_d_ = offsets.second;
+    offset_auto_ = new QCheckBox(this);
+    addWide(offset_auto_);
+    delay_ = addField({QT_TR_NOOP("Delay of D"), QT_TR_NOOP("µs"),
+                       QT_TR_NOOP("By how much channel D is sampled later than C. It would "
+                                  "otherwise count as Δφ_CD of (9).")});
+    angle_zero_ = addField({QT_TR_NOOP("Angle zero"), QT_TR_NOOP("°"),
+                            QT_TR_NOOP("Angle of the first electrode, subtracted from θ_A of (2): "
+                                       "the article counts the angle from there.")});
+
+    connect(kappa_, &NumberField::valueEdited, this,
+            [this](auto value) { edit(&Calibration::kappa, *value); });
+    connect(offset_c_, &NumberField::valueEdited, this,
+            [this](auto value) { edit(&Calibration::offset_c, *value); });
+    connect(offset_d_, &NumberField::valueEdited, this,
+            [this](auto value) { edit(&Calibration::offset_d, *value); });
+    connect(delay_, &NumberField::valueEdited, this,
+            [this](auto value) { edit(&Calibration::delay_d_s, *value / 1e6); });
+    connect(angle_zero_, &NumberField::valueEdited, this,
+            [this](auto value) { edit(&Calibration::angle_zero_deg, *value); });
+    connect(offset_auto_, &QCheckBox::clicked, this, [this](bool automatic) {
+        Settings settings = state().settings;
+        settings.calibration.offset_auto = automatic;
+        emit edited(settings);
+    });
+    repair_lost_ = new QCheckBox(this);
+    addWide(repair_lost_);
+    connect(repair_lost_, &QCheckBox::clicked, this, [this](bool wanted) {
+        Settings settings = state().settings;
+        settings.repair_lost = wanted;
+        emit edited(settings);
+    });
+    addTolerances();
+    retranslate();
+}
+
+void CalibrationFields::addTolerances() {
+    tolerances_title_ = new QLabel(this);
+    tolerances_title_->setWordWrap(true);
+    addWide(tolerances_title_);
+    kappa_tolerance_ = addField(
+        {QT_TR_NOOP("κ ±"), "",
+         QT_TR_NOOP("How well the gain ratio is known: relative standard deviation. Empty: 0.01, "
+                    "or exact where κ is not 1."),
+         QT_TR_NOOP("Tolerance of the gain ratio")});
+    kappa_tolerance_->setOptional(true);
+    kappa_tolerance_->setLimits(0, 1);
+    kappa_tolerance_->setStep(0.001);
+    connect(kappa_tolerance_, &NumberField::valueEdited, this, [this](auto value) {
+        Tolerance tolerance = state().tolerance;
+        tolerance.kappa = value;
+        emit toleranceEdited(tolerance);
+    });
+    const auto add = [this](const Texts& texts, double Tolerance::*member, double scale,
+                            double most, double step) {
+        NumberField* field = addField(texts);
+        field->setLimits(0, most);
+        field->setStep(step);
+        tolerances_.push_back({field, member, scale});
+        connect(field, &NumberField::valueEdited, this, [this, member, scale](auto value) {
+            Tolerance tolerance = state().tolerance;
+            tolerance.*member = *value * scale;
+            emit toleranceEdited(tolerance);
+        });
+    };
+    add({QT_TR_NOOP("Skew ε ±"), QT_TR_NOOP("°"),
+         QT_TR_NOOP("Non-orthogonality of the pick-offs: D holds sin ε of C. 0: none."),
+         QT_TR_NOOP("Tolerance of the non-orthogonality")},
+        &Tolerance::skew_deg, 1, 45, 0.1);
+    add({QT_TR_NOOP("Delay ±"), QT_TR_NOOP("ns"),
+         QT_TR_NOOP("Of D against C, beyond the delay above. 0: exact."),
+         QT_TR_NOOP("Tolerance of the delay")},
+        &Tolerance::delay_s, 1e-9, 1e9, 1);
+    add({QT_TR_NOOP("Crosstalk ±"), "",
+         QT_TR_NOOP("Of C into D with its phase turned by 90 degrees, relative. 0: none."),
+         QT_TR_NOOP("Tolerance of the crosstalk")},
+        &Tolerance::crosstalk, 1, 1, 1e-4);
+    add({QT_TR_NOOP("Phase drift ±"), QT_TR_NOOP("rad"),
+         QT_TR_NOOP("Of D against C over a recording, in proportion to time. 0: none."),
+         QT_TR_NOOP("Tolerance of the phase drift")},
+        &Tolerance::phase_drift_rad, 1, 1, 1e-4);
+    add({QT_TR_NOOP("Gain drift ±"), "",
+         QT_TR_NOOP("Of D against C over a recording, relative, in proportion to time. 0: none."),
+         QT_TR_NOOP("Tolerance of the gain drift")},
+        &Tolerance::gain_drift, 1, 1, 1e-4);
+}
+
+void CalibrationFields::showTolerances() {
+    const Tolerance& tolerance = state().tolerance;
+    kappa_tolerance_->setValue(tolerance.kappa);
+    const bool told = state().settings.calibration.kappa != 1;
+    kappa_tolerance_->setPlaceholderText(QLocale().toString(told ? 0.0 : 0.01));
+    for (const ToleranceField& each : tolerances_) {
+        each.field->setValue(tolerance.*each.member / each.scale);
+    }
+}
+
+void CalibrationFields::edit(double Calibration::*member, double value) {
+    Settings settings = state().settings;
+    settings.calibration.*member = value;
+    emit edited(settings);
+}
+
+void CalibrationFields::retranslate() {
+    offset_auto_->setText(tr("Take the offsets from the signals"));
+    offset_auto_->setToolTip(tr("Each channel's mean over whole periods of the carrier"));
+    repair_lost_->setText(tr("Make gaps of lost samples"));
+    repair_lost_->setToolTip(
+        tr("Where the recording check finds lost samples, as many missing ones are put in, so that "
+           "time runs on behind them. Windows over them have no values."));
+    tolerances_title_->setText(tr("How well the channels are known, for u of the resonator:"));
+    SettingsFields::retranslate();
+}
+
+void CalibrationFields::refresh() {
+    showTolerances();
+    repair_lost_->setChecked(state().settings.repair_lost);
+    const Calibration& calibration = state().settings.calibration;
+    kappa_->setValue(calibration.kappa);
+    offset_c_->setValue(calibration.offset_c);
+    offset_d_->setValue(calibration.offset_d);
+    offset_c_->setEnabled(!calibration.offset_auto);
+    offset_d_->setEnabled(!calibration.offset_auto);
+    offset_auto_->setChecked(calibration.offset_auto);
+    delay_->setValue(calibration.delay_d_s * 1e6);
+    angle_zero_->setValue(calibration.angle_zero_deg);
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "ui/settings/settings_fields.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace vybeg::ui {
+
+// The part of the recording that is analysed.
+class RangeFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit RangeFields(QWidget* parent = nullptr);
+
+signals:
+    // The engineer wants the range that the plots show.
+    void visibleRangeWanted();
+
+protected:
+    void refresh() override;
+    void retranslate() override;
+
+private:
+    NumberField* from_;
+    NumberField* to_;
+    QPushButton* whole_;
+    QPushButton* visible_;
+};
+
+// The carrier, the band to look for it in, and the band-pass before everything.
+class CarrierFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit CarrierFields(QWidget* parent = nullptr);
+
+protected:
+    void refresh() override;
+    void retranslate() override;
+
+private:
+    void editBand(std::optional<Band> Settings::*band, const NumberField& low,
+                  const NumberField& high);
+
+    NumberField* f0_;
+    NumberField* band_low_;
+    NumberField* band_high_;
+    NumberField* filter_low_;
+    NumberField* filter_high_;
+};
+
+// What is known of the pick-offs, and how well.
+class CalibrationFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit CalibrationFields(QWidget* parent = nullptr);
+
+signals:
+    void toleranceEdited(const Tolerance& tolerance);
+
+protected:
+    void refresh() override;
+    void retranslate() override;
+
+private:
+    void edit(double Calibration::*member, double value);
+    void addTolerances();
+    void showTolerances();
+
+    // A field of a tolerance, in units of `scale`.
+    struct ToleranceField {
+        NumberField* field;
+        double Tolerance::*member;
+        double scale;
+    };
+
+    NumberField* kappa_;
+    NumberField* offset_c_;
+    NumberField* offset_d_;
+    QCheckBox* offset_auto_;
+    QCheckBox* repair_lost_;
+    NumberField* delay_;
+    NumberField* angle_zero_;
+    QLabel* tolerances_title_;
+    NumberField* kappa_tolerance_;
+    std::vector<ToleranceField> tolerances_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,167 @@
+#include "ui/settings/window_fields.h"
+
+#include "core/windows/window_plan.h"
+#include "ui/words/rich_text.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+// From here on the residual is worth a warning: algorithms 1-4 are wrong by about this share.
+constexpr double high_residual = 0.01;
+// Below this it is nothing that a recording could tell.
+constexpr double no_residual = 1e-5;
+
+}  // namespace
+
+std::int64_t windowInUse(const SettingsState& state) {
+    std::int64_t window = state.settings.window;
+    if (!state.f0_hz || !state.rate_hz) {
+        return window;
+    }
+    if (state.settings.periods) {
+        window = window_of_periods(*state.settings.periods, *state.f0_hz, *state.rate_hz);
+    }
+    return state.settings.snap ? snap_window(window, *state.f0_hz, *state.rate_hz) : window;
+}
+
+WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
+    samples_ = addField({QT_TR_NOOP("Length"), QT_TR_NOOP("samples"),
+                         QT_TR_NOOP("Window of n consecutive samples, the averaging interval T of "
+                                    "(7). The slow variables are constant inside it. At least 5 "
+                                    "samples and three quarters of a period.")});
+    samples_->setInteger(true);
+    samples_->setLimits(5, 1e12);
+    periods_ = addField({"", QT_TR_NOOP("periods"),
+                         QT_TR_NOOP("The same window in periods of the carrier; may be a "
+                                    "fraction. The article varies T from 1 to 10 periods."),
+                         QT_TR_NOOP("Length in periods")});
+    periods_->setLimits(0.5, 1e12);
+    periods_->setDigits(6);
+    milliseconds_ = addField({"", QT_TR_NOOP("ms"), QT_TR_NOOP("The same window in milliseconds."),
+                              QT_TR_NOOP("Length in milliseconds")});
+    milliseconds_->setLimits(1e-6, 1e12);
+    milliseconds_->setDigits(6);
+
+    auto* check = new QWidget(this);
+    auto* line = new QHBoxLayout(check);
+    line->setContentsMargins(0, 0, 0, 0);
+    residual_ = new QLabel(check);
+    residual_->setObjectName(QStringLiteral("residual"));
+    snap_ = new QPushButton(check);
+    snap_->setObjectName(QStringLiteral("snap"));
+    line->addWidget(residual_, 1);
+    line->addWidget(snap_);
+    addWidget(check,
+              {QT_TR_NOOP("Residual"), "",
+               QT_TR_NOOP("What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition "
+                          "below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 "
+                          "are exact for every window.")});
+
+    hop_ = addField({QT_TR_NOOP("Hop"), QT_TR_NOOP("samples"),
+                     QT_TR_NOOP("Samples between the starts of windows. Empty: windows one after "
+                                "the other (discrete identification); less than the window: "
+                                "sliding.")});
+    overlap_ = addField({QT_TR_NOOP("Overlap"), QT_TR_NOOP("%"),
+                         QT_TR_NOOP("The same as a share of the window that the next one "
+                                    "repeats.")});
+    hop_->setInteger(true);
+    hop_->setOptional(true);
+    hop_->setLimits(1, 1e12);
+    overlap_->setLimits(0, 99.999);
+    overlap_->setDigits(4);
+    overlap_->setStep(10);
+
+    connect(samples_, &NumberField::valueEdited, this, [this](auto value) { setSamples(*value); });
+    connect(milliseconds_, &NumberField::valueEdited, this, [this](auto value) {
+        setSamples(std::max(1.0, std::round(*value * *state().rate_hz / 1000)));
+    });
+    connect(periods_, &NumberField::valueEdited, this, [this](auto value) {
+        Settings settings = state().settings;
+        settings.periods = *value;
+        settings.snap = false;
+        emit edited(settings);
+    });
+    connect(hop_, &NumberField::valueEdited, this, [this](auto value) {
+        Settings settings = state().settings;
+        settings.hop = value ? static_cast<std::int64_t>(*value) : 0;
+        emit edited(settings);
+    });
+    connect(overlap_, &NumberField::valueEdited, this, [this](auto value) {
+        Settings settings = state().settings;
+        const double window = static_cast<double>(windowInUse(state()));
+        const double hop = std::max(1.0, std::round(window * (1 - *value / 100)));
+        settings.hop = *value == 0 ? 0 : static_cast<std::int64_t>(hop);
+        emit edited(settings);
+    });
+    connect(snap_, &QPushButton::clicked, this, &WindowFields::snap);
+    retranslate();
+}
+
+void WindowFields::setSamples(double samples) {
+    Settings settings = state().settings;
+    settings.window = static_cast<std::int64_t>(samples);
+    settings.periods.reset();
+    settings.snap = false;
+    emit edited(settings);
+}
+
+void WindowFields::snap() {
+    const auto window = snap_window(windowInUse(state()), *state().f0_hz, *state().rate_hz);
+    setSamples(static_cast<double>(window));
+}
+
+void WindowFields::retranslate() {
+    snap_->setText(tr("Snap"));
+    snap_->setToolTip(
+        richTip(tr("Moves the window to whole half-periods of the carrier: the n nearest to the "
+                   "wish that leaves the smallest residual.")));
+    hop_->setPlaceholderText(tr("as the window"));
+    SettingsFields::retranslate();
+}
+
+void WindowFields::refresh() {
+    const Settings& settings = state().settings;
+    const bool known = state().f0_hz && state().rate_hz;
+    const std::int64_t window = windowInUse(state());
+    const double length = static_cast<double>(window);
+
+    samples_->setValue(length);
+    periods_->setEnabled(known);
+    milliseconds_->setEnabled(state().rate_hz.has_value());
+    snap_->setEnabled(known);
+    if (settings.periods) {
+        periods_->setValue(settings.periods);
+    } else {
+        periods_->setValue(known ? std::optional(length * *state().f0_hz / *state().rate_hz)
+                                 : std::nullopt);
+    }
+    milliseconds_->setValue(state().rate_hz ? std::optional(1000 * length / *state().rate_hz)
+                                            : std::nullopt);
+    hop_->setValue(settings.hop > 0 ? std::optional(static_cast<double>(settings.hop))
+                                    : std::nullopt);
+    const double hop = settings.hop > 0 ? static_cast<double>(settings.hop) : length;
+    overlap_->setValue(std::max(0.0, 100 * (1 - hop / length)));
+
+    if (!known) {
+        residual_->setText(QStringLiteral("—"));
+        return;
+    }
+    const double residual = orthogonality_residual(window, *state().f0_hz, *state().rate_hz);
+    residual_->setText(residual < no_residual
+                           ? QStringLiteral("< %1 %").arg(QLocale().toString(100 * no_residual))
+                           : QLocale().toString(100 * residual, 'g', 2) + QStringLiteral(" %"));
+    QFont font = this->font();
+    font.setBold(residual > high_residual);
+    residual_->setFont(font);
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "ui/settings/settings_fields.h"
+
+class QLabel;
+class QPushButton;
+
+namespace vybeg::ui {
+
+// The window: its length in samples, periods of the carrier and milliseconds, tied together; the
+// residual of orthogonality that it leaves, live; Snap; the hop in samples or as an overlap.
+class WindowFields : public SettingsFields {
+    Q_OBJECT
+
+public:
+    explicit WindowFields(QWidget* parent = nullptr);
+
+protected:
+    void refresh() override;
+    void retranslate() override;
+
+private:
+    void setSamples(double samples);
+    void snap();
+
+    NumberField* samples_;
+    NumberField* periods_;
+    NumberField* milliseconds_;
+    QLabel* residual_;
+    QPushButton* snap_;
+    NumberField* hop_;
+    NumberField* overlap_;
+};
+
+// The window that an analysis with this state will use, samples.
+std::int64_t windowInUse(const SettingsState& state);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/analysis/analysis.h"
+#include "ui/values/zoom_stack.h"
+
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace vybeg::ui {
+
+// The windows of one pixel column, or one window where they are farther apart: stored units.
+struct CurveColumn {
+    double time_first = 0;  // of the first and last window with a value
+    double time_last = 0;
+    double first = std::numeric_limits<double>::quiet_NaN();
+    double last = std::numeric_limits<double>::quiet_NaN();
+    double min = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
+    double band_min = std::numeric_limits<double>::infinity();  // of value - sd and value + sd
+    double band_max = -std::numeric_limits<double>::infinity();
+    // Of the values below and above zero, for angles that pass from pi to -pi inside the column.
+    double negative_max = -std::numeric_limits<double>::infinity();
+    double positive_min = std::numeric_limits<double>::infinity();
+    bool wraps = false;
+    bool joined = false;   // a line leads here from the column before
+    bool missing = false;  // at least one window has no value
+
+    bool empty() const { return !(min <= max); }
+};
+
+// One variable of one run as it is drawn: finds the least and greatest value of every pixel column
+// without touching each window (64 of them, 64 times 64 and so on are summarised once). Immutable,
+// refers to the track of the analysis that it keeps alive.
+class CurveData {
+public:
+    CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable);
+
+    // What is seen between two times (s) in `count` equal columns, and one column beyond each end;
+    // columns without a window are left out. Columns begin at whole multiples of their width, so
+    // that panning does not make the curve flicker. Precondition: count >= 1.
+    std::vector<CurveColumn> columns(const AxisRange& time, int count) const;
+
+    // The window nearest to a time; precondition: the track has rows.
+    std::size_t nearest(double time_s) const;
+    double time(std::size_t row) const { return time_[row]; }
+    double value(std::size_t row) const { return value_[row]; }
+    double sd(std::size_t row) const;
+
+    // No window has a value.
+    bool empty() const { return empty_; }
+    std::size_t rows() const { return time_.size(); }
+    SlowVariable variable() const { return variable_; }
+    const Analysis& analysis() const { return *analysis_; }
+
+private:
+    static constexpr std::size_t fan = 64;  // rows in a block, blocks in one of the next level
+
+    void addRows(CurveColumn& column, std::size_t begin, std::size_t end) const;
+    CurveColumn summarise(std::size_t begin, std::size_t end) const;
+
+    std::shared_ptr<const Analysis> analysis_;
+    SlowVariable variable_;
+    std::span<const double> time_;
+    std::span<const double> value_;
+    std::span<const double> sd_;
+    bool wrapped_ = false;
+    bool empty_ = true;
+    std::vector<std::vector<CurveColumn>> levels_;
+};
+
+// The curves of all slow variables, in their order.
+using Curves = std::vector<std::shared_ptr<const CurveData>>;
+Curves curvesOf(const std::shared_ptr<const Analysis>& analysis);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/analysis/analysis.h"
+#include "ui/values/curve_data.h"
+
+#include <QColor>
+#include <QString>
+
+#include <memory>
+
+namespace vybeg::ui {
+
+// One analysis as the window shows it: a row of the run list, a curve in every plot. A value;
+// copies share the analysis.
+struct Run {
+    int id = 0;  // unique in a document
+    QString name;
+    QString recording;  // name of the file
+    QColor color;       // Okabe-Ito, see theme.h
+    Qt::PenStyle dash = Qt::SolidLine;
+    bool visible = true;
+    double rate_hz = 0;
+    double seconds_taken = 0;  // the estimators alone
+    std::shared_ptr<const Analysis> analysis;
+    Curves curves;  // of the analysis; where there are none, they are made when they are drawn
+};
+
+}  // namespace vybeg::ui

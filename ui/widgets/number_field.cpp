@@ -1,0 +1,147 @@
+#include "ui/widgets/number_field.h"
+
+#include "core/base/number_text.h"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QPainter>
+
+#include <cmath>
+
+namespace vybeg::ui {
+
+std::optional<double> readNumber(QString text) {
+    text.remove(QLatin1Char(' '));
+    text.remove(QChar(0x00a0));
+    text.remove(QChar(0x202f));
+    text.replace(QLatin1Char(','), QLatin1Char('.'));
+    text.replace(QChar(0x2212), QLatin1Char('-'));
+    if (text.startsWith(QLatin1Char('+'))) {
+        text.remove(0, 1);
+    }
+    const auto number = parse_number(text.toStdString());
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
+    setAlignment(Qt::AlignRight);
+    connect(this, &QLineEdit::editingFinished, this, &NumberField::commit);
+    connect(this, &QLineEdit::textChanged, this, [this] { update(); });
+}
+
+void NumberField::setUnit(const QString& unit) {
+    unit_ = unit;
+    setTextMargins(0, 0, unitWidth(), 0);
+    updateGeometry();
+    update();
+}
+
+void NumberField::setLimits(double lowest, double highest) {
+    lowest_ = lowest;
+    highest_ = highest;
+    update();
+}
+
+void NumberField::setValue(std::optional<double> value) {
+    value_ = value;
+    show();
+}
+
+void NumberField::show() {
+    if (!value_) {
+        setText({});
+        return;
+    }
+    const QLocale locale;
+    setText(integer_ ? locale.toString(static_cast<qint64>(std::llround(*value_)))
+                     : locale.toString(*value_, 'g', digits_));
+}
+
+NumberField::Reading NumberField::read() const {
+    if (text().trimmed().isEmpty()) {
+        return {optional_, std::nullopt};
+    }
+    const auto number = readNumber(text());
+    const bool valid = number && *number >= lowest_ && *number <= highest_ &&
+                       (!integer_ || std::floor(*number) == *number);
+    return {valid, number};
+}
+
+bool NumberField::isValid() const {
+    return read().valid;
+}
+
+void NumberField::commit() {
+    if (!isModified()) {
+        return;
+    }
+    const Reading reading = read();
+    if (!reading.valid) {
+        return;
+    }
+    setModified(false);
+    if (reading.value != value_) {
+        value_ = reading.value;
+        show();
+        emit valueEdited(value_);
+    } else {
+        show();
+    }
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && isModified()) {
+        show();
+        setModified(false);
+        return;
+    }
+    if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
+        const Reading reading = read();
+        if (reading.valid && reading.value) {
+            const double sign = event->key() == Qt::Key_Up ? 1 : -1;
+            const double stepped = *reading.value + sign * step_;
+            if (stepped >= lowest_ && stepped <= highest_) {
+                value_ = stepped;
+                show();
+                emit valueEdited(value_);
+            }
+        }
+        return;
+    }
+    QLineEdit::keyPressEvent(event);
+}
+
+void NumberField::changeEvent(QEvent* event) {
+    QLineEdit::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && !isModified()) {
+        show();
+    }
+}
+
+int NumberField::unitWidth() const {
+    return unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit_) + 6;
+}
+
+QSize NumberField::minimumSizeHint() const {
+    QSize size = QLineEdit::minimumSizeHint();
+    size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000000")) + unitWidth() + 14);
+    return size;
+}
+
+void NumberField::paintEvent(QPaintEvent* event) {
+    QLineEdit::paintEvent(event);
+    QPainter painter(this);
+    // Behind a placeholder in words ("as the window") a unit would read oddly.
+    if (!unit_.isEmpty() && (!text().isEmpty() || readNumber(placeholderText()))) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);
+    }
+    if (!isValid() && isEnabled()) {
+        painter.setPen(QPen(QColor(0xd5, 0x3e, 0x2a), 2));
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2, 2);
+    }
+}
+
+}  // namespace vybeg::ui

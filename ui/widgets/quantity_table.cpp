@@ -1,0 +1,164 @@
+#include "ui/widgets/quantity_table.h"
+
+#include "ui/widgets/wrapping_delegate.h"
+#include "ui/words/rich_text.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent), copy_(new QAction(this)) {
+    setItemDelegate(new WrappingDelegate(this));
+    verticalHeader()->hide();
+    verticalHeader()->setMinimumSectionSize(8);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionMode(QAbstractItemView::ContiguousSelection);
+    setAlternatingRowColors(true);
+    setShowGrid(false);
+    setTabKeyNavigation(false);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+    copy_->setShortcut(QKeySequence::Copy);
+    copy_->setShortcutContext(Qt::WidgetShortcut);
+    addAction(copy_);
+    connect(copy_, &QAction::triggered, this,
+            [this] { QGuiApplication::clipboard()->setText(tableText()); });
+    retranslate();
+}
+
+void QuantityTable::setContent(const QStringList& headers, const std::vector<QuantityRow>& rows) {
+    headers_ = headers;
+    rows_ = rows;
+    clear();
+    setRowCount(static_cast<int>(rows.size()));
+    setColumnCount(1 + static_cast<int>(rows.empty() ? static_cast<std::size_t>(headers.size())
+                                                     : rows.front().cells.size()));
+    horizontalHeader()->setVisible(!headers.isEmpty());
+    setHorizontalHeaderItem(0, new QTableWidgetItem);
+    for (int column = 0; column < headers.size(); ++column) {
+        setHorizontalHeaderItem(column + 1, new QTableWidgetItem(headers[column]));
+    }
+    for (int row = 0; row < rowCount(); ++row) {
+        const QuantityRow& from = rows[static_cast<std::size_t>(row)];
+        auto* name = new QTableWidgetItem(from.name);
+        name->setToolTip(richTip(from.tip));
+        setItem(row, 0, name);
+        for (std::size_t k = 0; k < from.cells.size(); ++k) {
+            auto* item = new QTableWidgetItem(from.cells[k].text);
+            if (from.cells[k].color.isValid()) {
+                item->setForeground(from.cells[k].color);
+            }
+            setItem(row, static_cast<int>(k) + 1, item);
+        }
+    }
+    layOut();
+}
+
+QString QuantityTable::tableText() const {
+    QStringList lines;
+    QStringList head{QString()};
+    for (int column = 0; column < headers_.size() && !rows_.empty(); ++column) {
+        head << headers_[column];
+        if (rows_.front().cells[static_cast<std::size_t>(column)].exact.size() > 1) {
+            head << tr("sd");
+        }
+        if (rows_.front().cells[static_cast<std::size_t>(column)].exact.size() > 2) {
+            head << tr("u");
+        }
+    }
+    if (headers_.isEmpty()) {
+        head << tr("value") << tr("sd") << tr("u");
+    }
+    lines << head.join(QLatin1Char('\t'));
+    for (const QuantityRow& row : rows_) {
+        QStringList cells{row.name};
+        for (const QuantityCell& cell : row.cells) {
+            cells << cell.exact;
+        }
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+// The names take what they need, at most two fifths of the width, but no word is broken; of two
+// columns the second takes the rest, several take what they need.
+void QuantityTable::layOut() {
+    const int characters = fontMetrics().averageCharWidth();
+    const int room = viewport()->width();
+    std::vector<int> widths(static_cast<std::size_t>(columnCount()), 0);
+    for (int column = 0; column < columnCount(); ++column) {
+        int& width = widths[static_cast<std::size_t>(column)];
+        if (!headers_.isEmpty() && column > 0) {
+            width = fontMetrics().horizontalAdvance(headers_[column - 1]) + 16;
+        }
+        for (int row = 0; row < rowCount(); ++row) {
+            const QString text = item(row, column)->text();
+            const int wish = WrappingDelegate::widthFor(text, font());
+            const bool sentence = text.size() > 36;
+            width = std::max(width, sentence ? std::min(wish, 26 * characters) : wish);
+        }
+    }
+    if (!widths.empty()) {
+        int longest_word = 0;
+        for (const QuantityRow& row : rows_) {
+            for (const QString& word : row.name.split(QLatin1Char(' '))) {
+                longest_word = std::max(longest_word, WrappingDelegate::widthFor(word, font()));
+            }
+        }
+        widths[0] = std::min(widths[0], std::max(room * 2 / 5, longest_word + 2));
+    }
+    if (widths.size() == 2) {
+        widths[1] = std::max(room - widths[0], 14 * characters);
+    }
+    int total = 0;
+    for (int column = 0; column < columnCount(); ++column) {
+        setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
+        total += columnWidth(column);
+    }
+    int height = headers_.isEmpty() ? 0 : horizontalHeader()->sizeHint().height();
+    for (int row = 0; row < rowCount(); ++row) {
+        int row_height = 0;
+        for (int column = 0; column < columnCount(); ++column) {
+            row_height =
+                std::max(row_height, WrappingDelegate::heightFor(item(row, column)->text(), font(),
+                                                                 columnWidth(column)));
+        }
+        setRowHeight(row, row_height);
+        height += row_height;
+    }
+    if (total > room) {
+        height += horizontalScrollBar()->sizeHint().height();
+    }
+    setFixedHeight(height + 2 * frameWidth());
+}
+
+void QuantityTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width()) {
+        layOut();
+    }
+}
+
+void QuantityTable::changeEvent(QEvent* event) {
+    QTableWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void QuantityTable::retranslate() {
+    copy_->setText(tr("Copy table"));
+}
+
+}  // namespace vybeg::ui

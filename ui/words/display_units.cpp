@@ -1,0 +1,149 @@
+#include "ui/words/display_units.h"
+
+#include "core/output/quantity_text.h"
+#include "ui/words/number_label.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace vybeg::ui {
+namespace {
+
+double amplitudeFactor(const DisplayUnits& units) {
+    return units.amplitude == AmplitudeUnit::volts ? units.volts_per_unit : 1;
+}
+
+}  // namespace
+
+double DisplayScale::value(double stored) const {
+    return decibels ? 20 * std::log10(std::abs(stored)) : (stored - origin) * factor;
+}
+
+double DisplayScale::sd(double stored, double sd) const {
+    return decibels ? 20 / std::numbers::ln10 * sd / std::abs(stored) : std::abs(factor) * sd;
+}
+
+DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, double f0_hz) {
+    DisplayScale scale;
+    switch (info(variable).quantity) {
+        case Quantity::amplitude:
+            scale.decibels = units.amplitude == AmplitudeUnit::decibels;
+            scale.factor = amplitudeFactor(units);
+            scale.logarithmic = variable == SlowVariable::a_A && units.log_a_A && !scale.decibels;
+            break;
+        case Quantity::angle:
+            scale.factor = units.angle == AngleUnit::degrees ? 180 / std::numbers::pi : 1;
+            break;
+        case Quantity::frequency:
+            switch (units.frequency) {
+                case FrequencyUnit::hertz: break;
+                case FrequencyUnit::radians_per_second: scale.factor = 2 * std::numbers::pi; break;
+                case FrequencyUnit::deviation_hertz: scale.origin = f0_hz; break;
+                case FrequencyUnit::deviation_ppm:
+                    scale.origin = f0_hz;
+                    scale.factor = f0_hz > 0 ? 1e6 / f0_hz : 1;
+                    break;
+            }
+            break;
+        case Quantity::ratio: break;
+    }
+    return scale;
+}
+
+QString displaySymbol(SlowVariable variable, const DisplayUnits& units) {
+    const QString symbol = QString::fromUtf8(info(variable).symbol);
+    if (info(variable).quantity != Quantity::frequency) {
+        return symbol;
+    }
+    switch (units.frequency) {
+        case FrequencyUnit::hertz: return symbol + QStringLiteral("/2π");
+        case FrequencyUnit::radians_per_second: return symbol;
+        case FrequencyUnit::deviation_hertz: return symbol + QStringLiteral("/2π − f_0");
+        case FrequencyUnit::deviation_ppm:
+            return QStringLiteral("Δ") + symbol + QStringLiteral("/ω_0");
+    }
+    return symbol;
+}
+
+QString displayUnit(SlowVariable variable, const DisplayUnits& units) {
+    const auto text = [](const char* unit) {
+        return QCoreApplication::translate("DisplayUnits", unit);
+    };
+    switch (info(variable).quantity) {
+        case Quantity::amplitude:
+            switch (units.amplitude) {
+                case AmplitudeUnit::recording: return {};
+                case AmplitudeUnit::volts: return text(QT_TRANSLATE_NOOP("DisplayUnits", "V"));
+                case AmplitudeUnit::decibels: return text(QT_TRANSLATE_NOOP("DisplayUnits", "dB"));
+            }
+            return {};
+        case Quantity::angle:
+            return units.angle == AngleUnit::degrees
+                       ? QStringLiteral("°")
+                       : text(QT_TRANSLATE_NOOP("DisplayUnits", "rad"));
+        case Quantity::frequency:
+            switch (units.frequency) {
+                case FrequencyUnit::hertz:
+                case FrequencyUnit::deviation_hertz:
+                    return text(QT_TRANSLATE_NOOP("DisplayUnits", "Hz"));
+                case FrequencyUnit::radians_per_second:
+                    return text(QT_TRANSLATE_NOOP("DisplayUnits", "rad/s"));
+                case FrequencyUnit::deviation_ppm:
+                    return text(QT_TRANSLATE_NOOP("DisplayUnits", "ppm"));
+            }
+            return {};
+        case Quantity::ratio: return {};
+    }
+    return {};
+}
+
+bool takesPrefix(SlowVariable variable, const DisplayUnits& units) {
+    switch (info(variable).quantity) {
+        case Quantity::amplitude: return units.amplitude == AmplitudeUnit::volts;
+        case Quantity::angle: return units.angle == AngleUnit::radians;
+        case Quantity::frequency: return units.frequency != FrequencyUnit::deviation_ppm;
+        case Quantity::ratio: return false;
+    }
+    return false;
+}
+
+QString displayMeaning(SlowVariable variable) {
+    return QCoreApplication::translate("SlowVariable", info(variable).meaning);
+}
+
+bool isWrapped(SlowVariable variable) {
+    return variable == SlowVariable::delta_phi_CD || variable == SlowVariable::alpha;
+}
+
+QString valueText(double value, double sd) {
+    return valueText(value, sd, std::numeric_limits<double>::quiet_NaN());
+}
+
+QString valueText(double value, double sd, double u) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("—");
+    }
+    const QuantityText quantity = quantity_text(value, sd, u);
+    const auto localised = [](const std::string& number) {
+        QString text = QString::fromStdString(number);
+        return text.replace('-', QChar(0x2212)).replace('.', QLocale().decimalPoint());
+    };
+    QString text = localised(quantity.value);
+    if (!quantity.sd.empty()) {
+        text += QStringLiteral(" ± ") + localised(quantity.sd);
+    }
+    const QString power =
+        quantity.exponent == 0 ? QString() : QStringLiteral("·") + powerOfTen(quantity.exponent);
+    if (!power.isEmpty()) {
+        text = (quantity.sd.empty() ? text : QStringLiteral("(%1)").arg(text)) + power;
+    }
+    return quantity.u.empty()
+               ? text
+               : QStringLiteral("%1 (u %2)").arg(text, localised(quantity.u) + power);
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/track/slow_variables.h"
+
+#include <QString>
+
+namespace vybeg::ui {
+
+enum class FrequencyUnit { hertz, radians_per_second, deviation_hertz, deviation_ppm };
+enum class AngleUnit { radians, degrees };
+enum class AmplitudeUnit { recording, volts, decibels };
+
+// In which units and on which scale the engineer reads the slow variables.
+struct DisplayUnits {
+    FrequencyUnit frequency = FrequencyUnit::hertz;
+    AngleUnit angle = AngleUnit::radians;
+    AmplitudeUnit amplitude = AmplitudeUnit::recording;
+    double volts_per_unit = 1;  // used by volts alone
+    bool log_a_A = false;       // no matter with decibels
+    bool sigma_bands = true;
+
+    friend bool operator==(const DisplayUnits&, const DisplayUnits&) = default;
+};
+
+// From stored values (slow_variables.h) to displayed ones: (value - origin) * factor, or
+// 20 lg |value| in decibels relative to one recording unit.
+struct DisplayScale {
+    double origin = 0;
+    double factor = 1;
+    bool decibels = false;
+    bool logarithmic = false;  // of the axis; the values stay as they are
+
+    double value(double stored) const;
+    // A standard deviation at a stored value, first order.
+    double sd(double stored, double sd) const;
+
+    friend bool operator==(const DisplayScale&, const DisplayScale&) = default;
+};
+
+// f0_hz is what the frequency's deviation is counted from.
+DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, double f0_hz);
+
+// What stands above a plot: the symbol (an underscore introduces an index), e.g. "ω_cp/2π", and the
+// unit, e.g. "Hz"; empty where there is none.
+QString displaySymbol(SlowVariable variable, const DisplayUnits& units);
+QString displayUnit(SlowVariable variable, const DisplayUnits& units);
+
+// True where the unit takes SI prefixes (Hz, rad, V).
+bool takesPrefix(SlowVariable variable, const DisplayUnits& units);
+
+// The variable's meaning in the interface's language.
+QString displayMeaning(SlowVariable variable);
+
+// Angles of which only the value modulo one turn is stored: no curve joins pi to -pi.
+bool isWrapped(SlowVariable variable);
+
+// "0.99987 ± 0.00012": core/output/quantity_text.h with the default locale's decimal sign and a
+// true minus; "—" for NaN.
+QString valueText(double value, double sd);
+// With a combined uncertainty behind it where that differs: "1.00034 ± 0.00005 (u 0.0003)".
+QString valueText(double value, double sd, double u);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,168 @@
+#include "ui/words/error_text.h"
+
+#include "core/base/messages.h"
+#include "core/base/number_text.h"
+#include "ui/words/number_label.h"
+#include "ui/words/unit_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <cstdlib>
+
+namespace vybeg::ui {
+
+namespace {
+
+// A number as the interface writes it, with its decimal sign, a minus and a power of ten; a unit,
+// alone or behind a number, in its language; anything else as it is.
+QString localised(const QString& text) {
+    static const QRegularExpression number(
+        QStringLiteral("^(-?)(\\d+(?:\\.\\d+)?)(?:e([-+]?\\d+))?$"));
+    if (text == QLatin1String("Hz") || text == QLatin1String("1/s")) {
+        return unitText(text.toLatin1().constData());
+    }
+    const QRegularExpressionMatch match = number.match(text.section(QLatin1Char(' '), 0, 0));
+    if (!match.hasMatch()) {
+        return text;
+    }
+    const QString unit = text.section(QLatin1Char(' '), 1);
+    const QString power = match.captured(3).isEmpty()
+                              ? QString()
+                              : QStringLiteral("·") + powerOfTen(match.captured(3).toInt());
+    return (match.captured(1).isEmpty() ? QString() : QStringLiteral("−")) +
+           match.captured(2).replace(QLatin1Char('.'), QLocale().decimalPoint()) + power +
+           (unit.isEmpty() ? QString() : QLatin1Char(' ') + unitText(unit.toLatin1().constData()));
+}
+
+QString filled(const char* context, const char* text, const std::vector<std::string>& args) {
+    const QString translated = QCoreApplication::translate(context, text);
+    std::vector<std::string> shown;
+    for (const std::string& arg : args) {
+        shown.push_back(localised(QString::fromStdString(arg)).toStdString());
+    }
+    return QString::fromStdString(fill_template(translated.toStdString(), shown));
+}
+
+}  // namespace
+
+QString errorText(const Error& error) {
+    std::vector<std::string> args{error.where};
+    args.insert(args.end(), error.args.begin(), error.args.end());
+    return filled("Message", message_template(error.code), args);
+}
+
+QString diagnosticText(const Diagnostic& diagnostic) {
+    return filled("Message", message_template(diagnostic.kind), diagnostic.args);
+}
+
+QString reasonText(const Reason& reason) {
+    // Core writes for terminals, too.
+    return reason.code == ReasonCode::none
+               ? QString()
+               : filled("Reason", message_template(reason.code), reason.args)
+                     .replace(QLatin1String("theta_A"), QStringLiteral("θ_A"));
+}
+
+QString shortNumberText(double value, int digits) {
+    return localised(QString::fromStdString(short_text(value, digits)));
+}
+
+QString flagsText(Flags flags) {
+    QStringList reasons;
+    const auto add = [&](Flag flag, const QString& text) {
+        if (has(flags, flag)) {
+            reasons << text;
+        }
+    };
+    add(Flag::no_quadrature, QCoreApplication::translate("Flag", "a_B is not estimated"));
+    add(Flag::circular, QCoreApplication::translate("Flag", "circular wave: no angle"));
+    add(Flag::gap, QCoreApplication::translate("Flag", "samples are missing"));
+    add(Flag::clipped, QCoreApplication::translate("Flag", "samples at the rail"));
+    add(Flag::filter_transient, QCoreApplication::translate("Flag", "transient of the band-pass"));
+    add(Flag::delay_reach,
+        QCoreApplication::translate("Flag", "the delay reaches beyond the samples"));
+    add(Flag::leakage, QCoreApplication::translate("Flag", "leakage above one standard deviation"));
+    add(Flag::moving, QCoreApplication::translate("Flag", "the wave moves inside the window"));
+    add(Flag::not_converged, QCoreApplication::translate("Flag", "not converged"));
+    add(Flag::at_bound, QCoreApplication::translate("Flag", "frequency at its bound"));
+    return reasons.join(QStringLiteral("; "));
+}
+
+QString formatText(const std::string& format) {
+    static const QStringList known{QT_TRANSLATE_NOOP("Format", "text"),
+                                   QT_TRANSLATE_NOOP("Format", "raw"),
+                                   QT_TRANSLATE_NOOP("Format", "tab"),
+                                   QT_TRANSLATE_NOOP("Format", "semicolon"),
+                                   QT_TRANSLATE_NOOP("Format", "comma"),
+                                   QT_TRANSLATE_NOOP("Format", "bar"),
+                                   QT_TRANSLATE_NOOP("Format", "blanks"),
+                                   QT_TRANSLATE_NOOP("Format", "decimal comma"),
+                                   QT_TRANSLATE_NOOP("Format", "16 bit integer"),
+                                   QT_TRANSLATE_NOOP("Format", "32 bit integer"),
+                                   QT_TRANSLATE_NOOP("Format", "32 bit float"),
+                                   QT_TRANSLATE_NOOP("Format", "64 bit float"),
+                                   QT_TRANSLATE_NOOP("Format", "big endian"),
+                                   QT_TRANSLATE_NOOP("Format", "little endian"),
+                                   QT_TRANSLATE_NOOP("Format", "Signed 8 bit PCM"),
+                                   QT_TRANSLATE_NOOP("Format", "Unsigned 8 bit PCM"),
+                                   QT_TRANSLATE_NOOP("Format", "Signed 16 bit PCM"),
+                                   QT_TRANSLATE_NOOP("Format", "Signed 24 bit PCM"),
+                                   QT_TRANSLATE_NOOP("Format", "Signed 32 bit PCM")};
+    static const QRegularExpression counted(QStringLiteral("^(\\d+) (channels|columns)$"));
+    QStringList words = QString::fromStdString(format).split(QStringLiteral(", "));
+    for (QString& word : words) {
+        if (known.contains(word)) {
+            word = QCoreApplication::translate("Format", word.toUtf8().constData());
+        } else if (const auto match = counted.match(word); match.hasMatch()) {
+            const int count = match.captured(1).toInt();
+            word = match.captured(2) == QLatin1String("channels")
+                       ? QCoreApplication::translate("Format", "%n channel(s)", nullptr, count)
+                       : QCoreApplication::translate("Format", "%n column(s)", nullptr, count);
+        }
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+QString eventText(const Event& event) {
+    const auto seconds = [&] { return QLocale().toString(event.seconds, 'g', 4); };
+    switch (event.kind) {
+        case EventKind::axis_crossing: {
+            const int k = event.multiple_of_half_pi;
+            const QString sign = k < 0 ? QStringLiteral("−") : QString();
+            const int halves = std::abs(k);
+            QString angle = QStringLiteral("0");
+            if (halves % 2 == 1) {
+                angle = halves == 1 ? sign + QStringLiteral("π/2")
+                                    : sign + QStringLiteral("%1π/2").arg(halves);
+            } else if (halves > 0) {
+                angle = halves == 2 ? sign + QStringLiteral("π")
+                                    : sign + QStringLiteral("%1π").arg(halves / 2);
+            }
+            return event.direction > 0
+                       ? QCoreApplication::translate("Event", "2θ_A passes %1, rising").arg(angle)
+                       : QCoreApplication::translate("Event", "2θ_A passes %1, falling").arg(angle);
+        }
+        case EventKind::gap:
+            return QCoreApplication::translate("Event", "Samples are missing, %1 s").arg(seconds());
+        case EventKind::clipped:
+            return QCoreApplication::translate("Event", "Clipped, %1 s").arg(seconds());
+        case EventKind::not_converged:
+            return QCoreApplication::translate("Event", "Not converged, %1 s").arg(seconds());
+        case EventKind::filter_transient:
+            return QCoreApplication::translate("Event", "Transient of the band-pass, %1 s")
+                .arg(seconds());
+        case EventKind::delay_reach:
+            return QCoreApplication::translate("Event",
+                                               "The delay reaches beyond the samples, %1 s")
+                .arg(seconds());
+        case EventKind::moving:
+            return QCoreApplication::translate("Event", "The wave moves inside its windows, %1 s")
+                .arg(seconds());
+    }
+    return {};
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
+#include "core/estimators/wave/flags.h"
+#include "core/resonator/model/reason.h"
+#include "core/track/events.h"
+
+#include <QString>
+
+namespace vybeg::ui {
+
+// Sentences in the interface's language for what core/ returns as codes.
+QString errorText(const Error& error);
+QString diagnosticText(const Diagnostic& diagnostic);
+// Empty for a number that is given.
+QString reasonText(const Reason& reason);
+
+// A number with so many digits, as in these sentences: "2.03·10⁴".
+QString shortNumberText(double value, int digits);
+
+// Why a window's value is missing or doubtful, e.g. "samples are missing"; empty without a reason.
+QString flagsText(Flags flags);
+
+// What a recording's format says ("WAV, 64 bit float, 2 channels"), word by word; what is not known
+// here stays as it is.
+QString formatText(const std::string& format);
+
+// E.g. "2θ_A passes −π/2, rising".
+QString eventText(const Event& event);
+
+}  // namespace vybeg::ui

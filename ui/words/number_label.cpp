@@ -1,0 +1,55 @@
+#include "ui/words/number_label.h"
+
+#include "ui/words/index_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <array>
+#include <cmath>
+
+namespace vybeg::ui {
+
+QString numberLabel(double value, int decimals) {
+    // What rounds to zero is zero, not minus zero.
+    const double shown = std::abs(value) < 0.5 * std::pow(10., -decimals) ? 0 : value;
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(shown, 'f', decimals).replace('-', QChar(0x2212));
+}
+
+QString powerOfTen(int exponent) {
+    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text = QStringLiteral("10");
+    for (const QChar c : QString::number(exponent)) {
+        text += c == '-' ? QChar(0x207b) : digits[c.digitValue()];
+    }
+    return text;
+}
+
+QString siPrefix(int exponent) {
+    static constexpr std::array<const char*, 10> prefixes{
+        QT_TRANSLATE_NOOP("SiPrefix", "f"), QT_TRANSLATE_NOOP("SiPrefix", "p"),
+        QT_TRANSLATE_NOOP("SiPrefix", "n"), QT_TRANSLATE_NOOP("SiPrefix", "µ"),
+        QT_TRANSLATE_NOOP("SiPrefix", "m"), "",
+        QT_TRANSLATE_NOOP("SiPrefix", "k"), QT_TRANSLATE_NOOP("SiPrefix", "M"),
+        QT_TRANSLATE_NOOP("SiPrefix", "G"), QT_TRANSLATE_NOOP("SiPrefix", "T")};
+    const char* prefix = prefixes[static_cast<std::size_t>(exponent / 3 + 5)];
+    return *prefix ? QCoreApplication::translate("SiPrefix", prefix) : QString();
+}
+
+QString indexHtml(const QString& text) {
+    QString html;
+    for (const IndexTextPiece& piece : indexPieces(text)) {
+        const QString escaped = piece.text.toHtmlEscaped();
+        html += piece.index ? QStringLiteral("<sub>%1</sub>").arg(escaped) : escaped;
+    }
+    return html;
+}
+
+QString indexPlain(const QString& text) {
+    QString plain = text;
+    return plain.replace('_', ' ');
+}
+
+}  // namespace vybeg::ui

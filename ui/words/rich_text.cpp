@@ -1,0 +1,69 @@
+#include "ui/words/rich_text.h"
+
+#include "ui/words/index_text.h"
+
+#include <QApplication>
+#include <QPainter>
+#include <QStyle>
+
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+// drawIndexText() measures in pixels; the fonts of widgets are set in points.
+QFont inPixels(QFont font) {
+    font.setPixelSize(QFontInfo(font).pixelSize());
+    return font;
+}
+
+}  // namespace
+
+QString richText(const QString& text) {
+    QString html;
+    for (const IndexTextPiece& piece : indexPieces(text)) {
+        const QString escaped = piece.text.toHtmlEscaped();
+        html += piece.index ? QStringLiteral("<sub>%1</sub>").arg(escaped) : escaped;
+    }
+    return html;
+}
+
+QString richTip(const QString& text) {
+    return text.isEmpty() ? text : QStringLiteral("<p>%1</p>").arg(richText(text));
+}
+
+void IndexDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const {
+    QStyleOptionViewItem item = option;
+    initStyleOption(&item, index);
+    if (!item.text.contains(QLatin1Char('_'))) {
+        QStyledItemDelegate::paint(painter, option, index);
+        return;
+    }
+    const QString text = std::exchange(item.text, {});
+    const QStyle* style = item.widget ? item.widget->style() : QApplication::style();
+    style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
+    const QRect area = style->subElementRect(QStyle::SE_ItemViewItemText, &item, item.widget);
+    const bool selected = (item.state & QStyle::State_Selected) != 0;
+    painter->save();
+    painter->setClipRect(item.rect);
+    painter->setPen(item.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+    const QFontMetrics metrics(item.font);
+    const double base = area.center().y() + (metrics.ascent() - metrics.descent()) / 2.0;
+    drawIndexText(*painter, QPointF(item.rect.left() + 4, base), text, inPixels(item.font));
+    painter->restore();
+}
+
+QSize IndexDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    const QString text = index.data(Qt::DisplayRole).toString();
+    if (text.contains(QLatin1Char('_'))) {
+        size.setWidth(static_cast<int>(std::ceil(indexTextWidth(text, inPixels(option.font)))) +
+                      10);
+        size.setHeight(option.fontMetrics.height() + 6);
+    }
+    return size;
+}
+
+}  // namespace vybeg::ui

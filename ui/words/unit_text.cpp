@@ -1,0 +1,35 @@
+#include "ui/words/unit_text.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace vybeg::ui {
+
+QString resonatorText(const char* text) {
+    return QCoreApplication::translate("Resonator", text);
+}
+
+QString unitText(const char* unit) {
+    // Those that core/ gives with its parameters and in its warnings.
+    static constexpr std::array<const char*, 7> known{
+        QT_TRANSLATE_NOOP("Resonator", "Hz"),
+        QT_TRANSLATE_NOOP("Resonator", "s"),
+        QT_TRANSLATE_NOOP("Resonator", "1/s"),
+        QT_TRANSLATE_NOOP("Resonator", "Hz per squared unit"),
+        QT_TRANSLATE_NOOP("Resonator", "rad"),
+        QT_TRANSLATE_NOOP("Resonator", "deg"),
+        QT_TRANSLATE_NOOP("Resonator", "ns")};
+    for (const char* each : known) {
+        if (QLatin1String(each) == QLatin1String(unit)) {
+            return resonatorText(each);
+        }
+    }
+    return QString::fromLatin1(unit);
+}
+
+QString withUnit(const QString& name, const QString& unit) {
+    return unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit);
+}
+
+}  // namespace vybeg::ui
