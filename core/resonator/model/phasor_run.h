@@ -14,7 +14,6 @@ namespace vybeg {
 struct PhasorRun {
     double f_ref_hz = 0;
     double window_s = 0;
-    double rate_hz = 0;                   // of the recording's samples; 0: not known
     std::vector<double> time_s;           // centres of the windows
     std::vector<std::complex<double>> c;  // recording units
     std::vector<std::complex<double>> d;
@@ -24,6 +23,7 @@ struct PhasorRun {
     // Instants at which an unknown number of samples is missing: the phase of the windows after one
     // is not known against that of the windows before it.
     std::vector<double> phase_breaks_s{};
+    double rate_hz = 0;  // of the recording's samples; 0: not known
 };
 
 }  // namespace vybeg
