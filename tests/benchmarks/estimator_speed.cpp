@@ -9,6 +9,7 @@
 #include "core/estimators/algorithms/closed_form_estimator.h"
 #include "core/estimators/wave/estimator.h"
 #include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
 #include "tests/benchmarks/ratio_table.h"
 
 #include <array>
