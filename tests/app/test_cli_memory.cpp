@@ -1,6 +1,6 @@
 // The memory of an analysis does not grow with its recording: 1 and 10 minutes at 33333 Hz, in
-// every format that simulate writes and the raw reader reads. tests/benchmarks/README.md, "Long recordings", has the
-// same of one hour.
+// every format that simulate writes and the raw reader reads. tests/benchmarks/README.md, "Long
+// recordings", has the same of one hour.
 #include "tests/app/cli_run.h"
 
 #include <QtTest>
