@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vybeg {
@@ -164,6 +165,17 @@ private:
         return decay_time(rate.value, rate.sd, rate.u);
     }
 
+    // Where no run shows the anisotropy, a decay known far less well than that of a run's own
+    // direction is a guess about it: what seems to narrow it is the noise of the second order.
+    bool leans_on_unseen_damping() const {
+        constexpr double far_less = 300;
+        double own = std::numeric_limits<double>::infinity();
+        for (std::size_t run = 0; run < runs_.size(); ++run) {
+            own = std::min(own, at_.u(of_run(run, direction_decay_of)));
+        }
+        return unseen(damping_of, own_share) && at_.u(decay_of) > far_less * own;
+    }
+
     void add_resonator() {
         ResonatorEstimate& out = fit_.resonator;
         const Reason one_direction = other_direction(ReasonCode::one_direction);
@@ -174,7 +186,8 @@ private:
                    out.theta_w_rad);
         add_vector(damping_cos_at, damping_of, theta_tau_of, "1/s", damping,
                    out.damping_anisotropy_per_s, out.theta_tau_rad);
-        out.tau_s = decay_time_of(decay_of, one_direction);
+        out.tau_s = leans_on_unseen_damping() ? Estimate{.reason = one_direction}
+                                              : decay_time_of(decay_of, one_direction);
         out.q = quality(decay_of, f_ref_hz_ + at_.value[f_mean_of], out.tau_s);
         out.angle_rate_rad_s =
             unseen(angle_rate_of, own_share) && !known_against_itself(angle_rate_of)

@@ -13,6 +13,7 @@ class TestFitReasons : public QObject {
 private slots:
     void everyReasonHasASentenceAndAName();
     void oneStillWaveGivesSplitTimesSineAlone();
+    void oneStillWaveGuessesNoDecay();
     void oneRunSufficesForALargeSplit();
     void twoRunsFortyFiveDegreesApartShowOneDirectionOfTheSplit();
     void twoRunsAtHalfThatShowAll();
@@ -82,6 +83,25 @@ void TestFitReasons::oneStillWaveGivesSplitTimesSineAlone() {
                            5300.013 + 0.5e-4 * std::cos(4 * (angle * pi / 180 - 0.2)), 4, 1e-4);
             }
         }
+    }
+}
+
+// An anisotropy that one still wave does not show leaves the resonator's decay open; noise of the
+// second order seemed to narrow it.
+void TestFitReasons::oneStillWaveGuessesNoDecay() {
+    FreeDecay decay = reference();
+    decay.seconds = 10;
+    decay.tau_s = 60;
+    decay.split_hz = 1e-4;
+    decay.theta_w = 0.2;
+    decay.damping_anisotropy_per_s = 1e-5;
+    decay.noise = 1.4e-3;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const ResonatorFit fit = fitted(set_of(decay, {5.7}, 500, seed));
+        const Estimate& tau = fit.resonator.tau_s;
+        QVERIFY2(!tau.given() || std::abs(tau.value - 60) < 4.5 * tau.uncertainty(),
+                 qPrintable(QString("%1 +- %2").arg(tau.value).arg(tau.uncertainty())));
+        VYBEG_NEAR(fit.runs[0].direction_tau_s, 60, 4.5, 0.02);
     }
 }
 
