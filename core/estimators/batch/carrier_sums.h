@@ -22,8 +22,8 @@ namespace vybeg {
 // pieces tell of the first and the last window. Windows that stand apart are projected at that
 // frequency; those that share their hops are brought to it from one reference for the block, some
 // of them at a time (ProjectionSums::move()). A window in which the steps do not arrive all the
-// same moves the line. Beyond the carrier's main lobe the line follows a wave where the lobe holds
-// none: of two waves that the window tells apart, the carrier names the one that is meant.
+// same moves the line. Beyond the carrier's main lobe the line follows a wave only
+// where the lobe holds none: with two waves in a window, that of the carrier is estimated.
 //
 // x is the distance from the carrier as in taylor_window.h, (w - w0) n/2.
 class CarrierSums {

@@ -24,7 +24,7 @@ Status check_channels(const FileBytes& file, int found, const OpenOptions& optio
 // At least 5 frames: the least that five parameters can be identified from. Errors: too_few_frames.
 Status check_frames(const FileBytes& file, std::int64_t frames);
 
-// Channels of which the file tells no more than that they are there: named "1", "2", ...
+// Channels that have no names in the file: named "1", "2", ...
 std::vector<Channel> numbered_channels(int count);
 
 // Adds channels_unequal for C's and D's samples. Precondition: source and channels are there.

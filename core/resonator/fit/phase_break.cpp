@@ -1,6 +1,7 @@
 #include "core/resonator/fit/phase_break.h"
 
 #include "core/resonator/fit/score_test.h"
+#include "core/resonator/model/kept_windows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,10 @@ using Eigen::VectorXd;
 constexpr double least_share = 0.3;
 constexpr double least_fall = 100;
 constexpr std::size_t least_windows = 1;  // on each side
-constexpr double own_share = 1e-6;
 
 // Steps between all windows of a run: a step's effect on the windows after it is a sum from the
 // end.
-void best_step(const FitProblem& problem, const Posterior& at, const VectorXd& gradient,
-               std::size_t k, PhaseBreak& best) {
+void best_step(const FitProblem& problem, const Posterior& at, std::size_t k, PhaseBreak& best) {
     const ScaledRun& run = problem.runs[k];
     const Linearised& here = at.runs[k];
     const Index first = problem.layout.at(k, 0);
@@ -49,7 +48,7 @@ void best_step(const FitProblem& problem, const Posterior& at, const VectorXd& g
         if (left <= own_share * square) {
             continue;
         }
-        const double along = with_residual - seen.dot(gradient);
+        const double along = with_residual - seen.dot(at.toward);
         if (along * along / left > best.fall) {
             best = {k, (run.time_s[window - 1] + run.time_s[window]) / 2,
                     (run.time_s[window] - run.time_s[window - 1] + run.window_s) / 2, along / left,
@@ -61,20 +60,12 @@ void best_step(const FitProblem& problem, const Posterior& at, const VectorXd& g
 }  // namespace
 
 std::optional<PhaseBreak> phase_break(const FitProblem& problem, const Posterior& at) {
-    double chi2 = 0;
-    for (const Linearised& run : at.runs) {
-        chi2 += run.residual.squaredNorm();
-    }
-    const double dof = degrees_of_freedom(problem);
-    if (chi2 < noise_bound(dof) * dof) {
-        return {};
-    }
     PhaseBreak best;
-    const VectorXd gradient = gradient_in_root(problem, at);
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        best_step(problem, at, gradient, k, best);
+        best_step(problem, at, k, best);
     }
-    if (best.fall < std::max(least_share * (chi2 - dof), least_fall)) {
+    const double beyond = at.chi2() - degrees_of_freedom(problem);
+    if (best.fall < std::max(least_share * beyond, least_fall)) {
         return {};
     }
     return best;
@@ -95,22 +86,11 @@ std::vector<int> possible_samples(const PhaseBreak& step, double f_hz, double ra
 }
 
 PhasorRun with_break(const PhasorRun& run, const PhaseBreak& step) {
-    PhasorRun broken = run;
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
-        if (std::abs(run.time_s[k] - step.time_s) > step.reach_s) {
-            const bool later = run.time_s[k] > step.time_s;
-            broken.time_s[kept] = run.time_s[k] + (later ? step.shift_s : 0);
-            broken.c[kept] = run.c[k];
-            broken.d[kept] = run.d[k];
-            broken.sd[kept] = run.sd[k];
-            ++kept;
-        }
+    PhasorRun broken = kept_windows(
+        run, [&](std::size_t k) { return std::abs(run.time_s[k] - step.time_s) > step.reach_s; });
+    for (double& time_s : broken.time_s) {
+        time_s += time_s > step.time_s ? step.shift_s : 0;
     }
-    broken.time_s.resize(kept);
-    broken.c.resize(kept);
-    broken.d.resize(kept);
-    broken.sd.resize(kept);
     std::vector<double>& breaks = broken.phase_breaks_s;
     breaks.insert(std::ranges::upper_bound(breaks, step.time_s), step.time_s);
     return broken;

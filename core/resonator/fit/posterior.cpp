@@ -45,6 +45,18 @@ Eigen::MatrixXd score_covariance(const FitProblem& problem, const Posterior& pos
     return sum;
 }
 
+// J^T r of all parameters.
+Eigen::VectorXd toward_residual(const FitProblem& problem, std::span<const Linearised> runs) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(problem.layout.size());
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const Eigen::Index own = problem.layout.own_size(k);
+        const Eigen::VectorXd toward = runs[k].by_parameter.transpose() * runs[k].residual;
+        sum.head(shared_count) += toward.head(shared_count);
+        sum.segment(problem.layout.at(k, 0), own) += toward.tail(own);
+    }
+    return sum;
+}
+
 }  // namespace
 
 Posterior posterior(const FitProblem& problem, const MapFit& fit) {
@@ -70,6 +82,7 @@ Posterior posterior(const FitProblem& problem, const MapFit& fit) {
     precision.diagonal() += wide + told;
     out.alone_sd = precision.diagonal().cwiseSqrt().cwiseInverse();
     out.root = inverse_root(precision);
+    out.toward = out.root.transpose() * toward_residual(problem, out.runs)(out.active);
     out.covariance = out.root * out.root.transpose();
     const auto in_root = [&out](const Eigen::MatrixXd& precise) {
         return Eigen::MatrixXd(out.root.transpose() * precise * out.root);

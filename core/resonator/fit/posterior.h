@@ -18,12 +18,22 @@ struct Posterior {
     Eigen::MatrixXd information;       // F of all parameters, held ones too
     Eigen::MatrixXd covariance;        // S
     Eigen::MatrixXd root;              // R, S = R R^T
+    Eigen::VectorXd toward;            // R^T J^T r, r the residuals
     Eigen::VectorXd alone_sd;          // of each parameter with all others known
     // The parts in the basis of R, a part P standing for R P R^T: parameters that are hardly told
     // apart leave no digit of P R^T.
     Eigen::MatrixXd data;     // S F S, or S (sum X' V X) S where the residual is coloured
     Eigen::MatrixXd known;    // S L S of the channels
     Eigen::MatrixXd nothing;  // S L S of the physical priors
+
+    // Of the data.
+    double chi2() const {
+        double sum = 0;
+        for (const Linearised& run : runs) {
+            sum += run.residual.squaredNorm();
+        }
+        return sum;
+    }
 
     // The covariance of quantities by their gradients (a row each) in the active parameters.
     Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& gradient) const {

@@ -21,8 +21,6 @@ using std::numbers::pi;
 
 constexpr Complex i{0, 1};
 
-// Columns of which the parameters leave less than this share show nothing of their own.
-constexpr double own_share = 1e-6;
 constexpr std::array settling_shares{0.03, 0.05, 0.07, 0.1,
                                      0.14, 0.2,  0.28, 0.4};  // of the longest run
 
@@ -58,15 +56,6 @@ MatrixXd along_parameters(const FitProblem& problem, const Posterior& at, const 
 }
 
 }  // namespace
-
-VectorXd gradient_in_root(const FitProblem& problem, const Posterior& at) {
-    Effect residual;
-    for (const Linearised& run : at.runs) {
-        residual.emplace_back(run.residual);
-    }
-    const VectorXd along = along_parameters(problem, at, residual);
-    return at.root.transpose() * along(at.active);
-}
 
 VectorXd followed(const FitProblem& problem, const Posterior& at, const Effect& effect) {
     const VectorXd along = along_parameters(problem, at, effect);
@@ -121,7 +110,7 @@ Score score(const FitProblem& problem, const Posterior& at, const Effect& effect
     const MatrixXd seen = at.root.transpose() * along(at.active, Eigen::all);
     const VectorXd whole = square.diagonal();
     square -= seen.transpose() * seen;
-    with_residual -= seen.transpose() * gradient_in_root(problem, at);
+    with_residual -= seen.transpose() * at.toward;
     for (Index k = 0; k < count; ++k) {
         if (square(k, k) <= own_share * whole[k]) {
             square.row(k).setZero();

@@ -17,6 +17,9 @@ namespace vybeg {
 // residuals.
 using Effect = std::vector<Eigen::MatrixXd>;
 
+// Columns of which the parameters leave less than this share show nothing of their own.
+inline constexpr double own_share = 1e-6;
+
 struct Score {
     double fall = 0;          // of chi^2
     Eigen::VectorXd size;     // of each column
@@ -27,9 +30,6 @@ Score score(const FitProblem& problem, const Posterior& posterior, const Effect&
 // The change of the active parameters by a unit of an effect of one column.
 Eigen::VectorXd followed(const FitProblem& problem, const Posterior& posterior,
                          const Effect& effect);
-
-// The derivative of -chi^2/2 by the active parameters, in the basis of the posterior's root.
-Eigen::VectorXd gradient_in_root(const FitProblem& problem, const Posterior& posterior);
 
 // A damping that follows the amplitude: log |z| falls by `per_power` times the integral of |z|^2.
 Effect damping_effect(const FitProblem& problem, const Posterior& posterior);

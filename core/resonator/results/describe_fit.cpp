@@ -19,7 +19,8 @@
 namespace vybeg {
 namespace {
 
-// Of the last step: a tenth of a standard deviation. Along what is not seen a fit creeps for ever.
+// Of the last step: a tenth of a standard deviation. Parameters that the data do not show go on
+// changing in steps that gain less.
 constexpr double unfinished_gain = 0.01;
 // Size of split and anisotropy from which on they are given, standard deviations.
 constexpr double vector_needs = 3;

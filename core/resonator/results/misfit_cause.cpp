@@ -210,11 +210,7 @@ std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterio
     for (const PhasorRun& run : fine) {
         f_ref_hz.push_back(run.f_ref_hz);
     }
-    double chi2 = 0;
-    for (const Linearised& run : posterior.runs) {
-        chi2 += run.residual.squaredNorm();
-    }
-    const double beyond = chi2 - degrees_of_freedom(problem);
+    const double beyond = posterior.chi2() - degrees_of_freedom(problem);
     double best = std::max(most_of_it * beyond, least_fall);
     std::optional<Diagnostic> cause;
     const auto consider = [&](double fall, DiagnosticKind kind, std::vector<std::string> args) {

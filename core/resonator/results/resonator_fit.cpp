@@ -87,6 +87,9 @@ public:
     // A step of a run's phase that would explain more of the residual than a frequency that
     // settles.
     std::optional<PhaseBreak> unexplained_break() const {
+        if (at_noise()) {
+            return {};
+        }
         const Posterior at = posterior(problem_, main_);
         const std::optional<PhaseBreak> found = phase_break(problem_, at);
         if (!found) {
@@ -302,24 +305,22 @@ OpenedPhases with_open_phases(const std::vector<PhasorRun>& good, const SetFit& 
                               double scale, const FitOptions& options, const JobControl& job) {
     constexpr std::size_t most_breaks = 4;
     constexpr double nearly_none = 0.2;
-    OpenedPhases opened{good, {}, {}};
-    while (opened.breaks.size() < most_breaks) {
-        const std::optional<PhaseBreak> step =
-            (opened.set ? *opened.set : closed).unexplained_break();
-        if (!step) {
-            break;
-        }
-        open_phase(opened, *step, scale, options, job);
+    std::optional<PhaseBreak> step = closed.unexplained_break();
+    if (!step) {
+        return {};
     }
-    if (opened.breaks.empty()) {
-        return opened;
+    OpenedPhases opened{good, {}, {}};
+    while (step) {
+        open_phase(opened, *step, scale, options, job);
+        const bool full = opened.breaks.size() == most_breaks;
+        step = full ? std::nullopt : opened.set->unexplained_break();
     }
     const bool most = opened.breaks.size() == 1 &&
                       opened.set->chi2_per_dof() - 1 < nearly_none * (closed.chi2_per_dof() - 1);
     if (most || opened.set->at_noise()) {
         return opened;
     }
-    return {good, {}, {}};
+    return {};
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "core/resonator/runs/merge_windows.h"
 
+#include "core/resonator/model/kept_windows.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -101,21 +103,10 @@ PhasorRun merged_by(const PhasorRun& run, std::size_t count) {
 }  // namespace
 
 PhasorRun usable_windows(const PhasorRun& run) {
-    PhasorRun good = run;
-    good.time_s.clear();
-    good.c.clear();
-    good.d.clear();
-    good.sd.clear();
-    for (std::size_t k = 0; k < run.time_s.size(); ++k) {
+    return kept_windows(run, [&](std::size_t k) {
         const double sum = run.time_s[k] + std::abs(run.c[k]) + std::abs(run.d[k]) + run.sd[k];
-        if (std::isfinite(sum) && run.sd[k] > 0) {
-            good.time_s.push_back(run.time_s[k]);
-            good.c.push_back(run.c[k]);
-            good.d.push_back(run.d[k]);
-            good.sd.push_back(run.sd[k]);
-        }
-    }
-    return good;
+        return std::isfinite(sum) && run.sd[k] > 0;
+    });
 }
 
 PhasorRun merge_windows(const PhasorRun& run, std::size_t most) {
