@@ -113,6 +113,23 @@ Lengthened fit_lengthening(FitProblem problem, FirstFit kind, const JobControl& 
     return out;
 }
 
+constexpr double no_fit = std::numeric_limits<double>::infinity();
+
+// The cost of the fit from `start`, which becomes the best where it is lower.
+double try_start(const FitProblem& problem, const Eigen::VectorXd& start, const JobControl& job,
+                 MapFit& best) {
+    MapFit fit = minimise(problem, start, all_steps, job);
+    // Close behind the best, and still on its way.
+    if (!fit.converged && fit.cost > best.cost && fit.cost < close_behind * best.cost) {
+        fit = minimise(problem, fit.p, polish_steps, job);
+    }
+    const double cost = fit.cost;
+    if (cost < best.cost) {
+        best = std::move(fit);
+    }
+    return cost;
+}
+
 // From the fit of each run alone: its shared parameters for all, everyone's own ones.
 void try_alone(FitProblem& problem, const JobControl& job, MapFit& best) {
     struct Alone {
@@ -164,32 +181,32 @@ Eigen::VectorXd still_waves(const FitProblem& problem) {
     return p;
 }
 
-MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
+WaveFit fit_waves(FitProblem& problem, const JobControl& job) {
     const Lengthened lengthened = fit_lengthening(problem, FirstFit::moving_wave, job);
     set_damping(problem.priors, problem.damping_share * lengthened.p[decay_at]);
-    MapFit best{lengthened.p, std::numeric_limits<double>::infinity()};
-    const auto try_start = [&](const Eigen::VectorXd& start) {
-        MapFit fit = minimise(problem, start, all_steps, job);
-        // Close behind the best, and still on its way.
-        if (!fit.converged && fit.cost > best.cost && fit.cost < close_behind * best.cost) {
-            fit = minimise(problem, fit.p, polish_steps, job);
-        }
-        const double cost = fit.cost;
-        if (cost < best.cost) {
-            best = std::move(fit);
-        }
-        return cost;
-    };
+    WaveFit wave{{lengthened.p, no_fit, no_fit}, {}, {}};
     if (lengthened.at_noise) {
-        try_start(lengthened.p);
+        try_start(problem, lengthened.p, job, wave.best);
+    } else {
+        wave.far = lengthened.p;
     }
     // What a drift does to a still wave, rates that it does not see can do as well: from there the
-    // fit would not come back. Where a small split as well keeps that start above the noise, it is
-    // tried if the other one has not come down to it.
+    // fit would not come back.
     const Lengthened drifting = fit_lengthening(problem, FirstFit::drifting_wave, job);
+    if (drifting.at_noise) {
+        try_start(problem, drifting.p, job, wave.best);
+    } else {
+        wave.drifting = drifting.p;
+    }
+    return wave;
+}
+
+MapFit fit_modes(FitProblem& problem, const WaveFit& wave, const JobControl& job) {
+    MapFit best = wave.best;
+    // A small split keeps the start of a drifting wave above the noise, too.
     const double count = residuals(problem, longest(problem));
-    if (drifting.at_noise || best.cost > noise_bound(count) * count) {
-        try_start(drifting.p);
+    if (wave.drifting.size() > 0 && best.cost > noise_bound(count) * count) {
+        try_start(problem, wave.drifting, job, best);
     }
     // A noise that is not white leaves the best start above the windows' noise: where two ways of
     // their own come down to the same place, it is taken.
@@ -200,21 +217,26 @@ MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
         }
         if (const std::optional<Eigen::VectorXd> start = pencil_start(problem, kind)) {
             const double before = best.cost;
-            const double found = try_start(*start);
+            const double found = try_start(problem, *start, job, best);
             confirmed = std::abs(found - before) < same_cost * before;
         }
     }
     // Lengthening that never came down to the noise is the last resort: it ends far from a minimum.
-    if (!confirmed && !lengthened.at_noise && above_noise(problem, best)) {
-        try_start(lengthened.p);
+    if (!confirmed && wave.far.size() > 0 && above_noise(problem, best)) {
+        try_start(problem, wave.far, job, best);
     }
     if (!confirmed && problem.runs.size() > 1 && above_noise(problem, best)) {
         try_alone(problem, job, best);
     }
-    if (!best.converged && best.cost < hopeless * residuals(problem, longest(problem))) {
+    if (!best.converged && best.cost < hopeless * count) {
         best = minimise(problem, best.p, polish_steps, job);
     }
     return best;
+}
+
+MapFit fit_from_nothing(FitProblem& problem, const JobControl& job) {
+    const WaveFit wave = fit_waves(problem, job);
+    return fit_modes(problem, wave, job);
 }
 
 MapFit fit_from(FitProblem& problem, const Eigen::VectorXd& p, const JobControl& job) {

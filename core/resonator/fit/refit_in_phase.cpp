@@ -78,7 +78,8 @@ MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobCon
     return again;
 }
 
-MapFit fit_still_in_phase(const FitProblem& problem, MapFit main, const JobControl& job) {
+std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit& main,
+                                         const JobControl& job) {
     const double dof = degrees_of_freedom(problem);
     const auto above_noise = [](double chi2, double freedom) {
         return chi2 > noise_bound(freedom) * freedom;
@@ -89,7 +90,7 @@ MapFit fit_still_in_phase(const FitProblem& problem, MapFit main, const JobContr
         std::abs(main.p[rotation_at]) > 0.5;
     const bool fine = !above_noise(main.chi2, dof);
     if (fine && !strange) {
-        return main;
+        return {};
     }
     FitProblem still = problem;
     still.priors = first_priors(problem.priors, problem.layout, FirstFit::drifting_wave);
@@ -97,7 +98,7 @@ MapFit fit_still_in_phase(const FitProblem& problem, MapFit main, const JobContr
     MapFit fit = fit_turned(problem, turned_by(problem, wave), wave.p, job);
     // Of the four numbers of a window the phase is gone.
     if (above_noise(fit.chi2, 0.75 * dof)) {
-        return main;
+        return {};
     }
     fit.chi2 = chi2_of(problem, fit.p);
     // Rates that leave nothing but noise give way only to a settling that does as well.
@@ -106,7 +107,7 @@ MapFit fit_still_in_phase(const FitProblem& problem, MapFit main, const JobContr
         const double left =
             fit.chi2 - settling_score(problem, posterior(problem, fit)).fall - main.chi2;
         const bool settles = fit.chi2 - main.chi2 > as_well && left < as_well;
-        return settles ? fit : main;
+        return settles ? std::optional(fit) : std::nullopt;
     }
     return fit;
 }

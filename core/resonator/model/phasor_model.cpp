@@ -170,8 +170,11 @@ Channels channels_at(const ScaledRun& run, const Eigen::VectorXd& shared,
     }
     channels.phase = std::polar(1.0, phi);
     const double kappa = shared[kappa_at];
-    channels.gain = std::polar((1 + shared[gain_drift_at] * channels.x) / kappa,
-                               phi + shared[phase_at] + shared[phase_drift_at] * channels.x);
+    const double beside = shared[phase_at] + shared[phase_drift_at] * channels.x;
+    channels.gain = (1 + shared[gain_drift_at] * channels.x) / kappa * channels.phase;
+    if (beside != 0) {
+        channels.gain *= std::polar(1.0, beside);
+    }
     channels.cross =
         channels.phase * (Complex(std::sin(shared[skew_at]), shared[crosstalk_at]) / kappa);
     return channels;

@@ -91,6 +91,35 @@ MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
            scale.asDiagonal();
 }
 
+bool same_grid(const ResidualSeries& a, const ResidualSeries& b) {
+    return a.time_s == b.time_s && a.noise == b.noise && a.window_s == b.window_s;
+}
+
+using Decomposition = Eigen::SelfAdjointEigenSolver<MatrixXd>;
+
+// The eigenvectors of one shape beside white noise: series on the same grid share them, but for
+// the phase, whose noise follows the wave's size.
+class WhiteSpectra {
+public:
+    const Decomposition& of(const NoiseShape& shape, const ResidualSeries& run) {
+        const auto found = std::ranges::find_if(known_, [&](const Known& known) {
+            return known.run == &run || (!shape.of_phase && same_grid(*known.run, run));
+        });
+        if (found != known_.end()) {
+            return found->eigen;
+        }
+        known_.push_back({&run, Decomposition(part_covariance(shape, run))});
+        return known_.back().eigen;
+    }
+
+private:
+    struct Known {
+        const ResidualSeries* run;
+        Decomposition eigen;
+    };
+    std::vector<Known> known_;
+};
+
 bool concerns(const NoiseShape& shape, std::size_t series) {
     return !shape.of_phase || series == ResidualSeries::phase;
 }
@@ -103,6 +132,8 @@ public:
                 blocks_.push_back(block_of(run, k, root));
             }
         }
+        white_common_.resize(widths + 1);
+        white_phase_.resize(widths + 1);
         for (int k = 0; k < widths; ++k) {
             const double width = std::ldexp(narrowest_width / longest_s, k);
             common_.push_back({width, false});
@@ -122,7 +153,8 @@ public:
             const double now = likelihood_of(given);
             for (const bool phase : {false, true}) {
                 if (phase ? left_phase : left_common) {
-                    Trial trial = try_shapes(phase ? phase_ : common_, given);
+                    Trial trial = phase ? try_shapes(phase_, white_phase_, given)
+                                        : try_shapes(common_, white_common_, given);
                     if (!best || trial.top > best->top) {
                         best = std::move(trial);
                     }
@@ -185,40 +217,36 @@ private:
         return sum;
     }
 
-    // Spectra of one shape in all blocks; blocks of one run share the eigenvectors where V0 is
-    // white.
-    std::vector<Spectrum> spectra(const NoiseShape& shape,
+    // Spectra of one shape in all blocks.
+    std::vector<Spectrum> spectra(const NoiseShape& shape, WhiteSpectra& white,
                                   const std::vector<ResidualNoise::Part>& given) const {
         std::vector<Spectrum> all;
-        const ResidualSeries* known = nullptr;
-        Eigen::SelfAdjointEigenSolver<MatrixXd> eigen;
         for (const Block& block : blocks_) {
             if (!concerns(shape, block.series)) {
                 continue;
             }
             Spectrum at;
+            at.rotated = block.residual_and_absorbed;
             if (is_white(block, given)) {
-                if (known != block.run && !(known != nullptr && same_grid(*known, *block.run))) {
-                    eigen.compute(part_covariance(shape, *block.run));
-                }
-                known = shape.of_phase ? nullptr : block.run;
-                at.rotated = block.residual_and_absorbed;
+                rotate(white.of(shape, *block.run), at);
             } else {
                 const Eigen::LLT<MatrixXd> factor(covariance(block, given));
                 MatrixXd k = part_covariance(shape, *block.run);
                 factor.matrixL().solveInPlace(k);
                 k.transposeInPlace();
                 factor.matrixL().solveInPlace(k);
-                eigen.compute((k + k.transpose()) / 2);
-                known = nullptr;
-                at.rotated = factor.matrixL().solve(block.residual_and_absorbed);
+                factor.matrixL().solveInPlace(at.rotated);
                 at.log_determinant = 2 * factor.matrixLLT().diagonal().array().log().sum();
+                rotate(Decomposition((k + k.transpose()) / 2), at);
             }
-            at.eigenvalues = eigen.eigenvalues().cwiseMax(0);
-            at.rotated = eigen.eigenvectors().transpose() * at.rotated;
             all.push_back(std::move(at));
         }
         return all;
+    }
+
+    static void rotate(const Decomposition& eigen, Spectrum& at) {
+        at.eigenvalues = eigen.eigenvalues().cwiseMax(0);
+        at.rotated = eigen.eigenvectors().transpose() * at.rotated;
     }
 
     static bool is_white(const MatrixXd& correlation) { return correlation.size() == 0; }
@@ -231,11 +259,7 @@ private:
                });
     }
 
-    static bool same_grid(const ResidualSeries& a, const ResidualSeries& b) {
-        return a.time_s == b.time_s && a.noise == b.noise && a.window_s == b.window_s;
-    }
-
-    Trial try_shapes(const std::vector<NoiseShape>& shapes,
+    Trial try_shapes(const std::vector<NoiseShape>& shapes, std::vector<WhiteSpectra>& white,
                      const std::vector<ResidualNoise::Part>& given) const {
         const auto steps =
             static_cast<std::size_t>(std::lround((last_decade - first_decade) / decade_step)) + 1;
@@ -262,7 +286,7 @@ private:
         };
         // A first look at some variances, then those around the best of them, as far as they count.
         tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
-            const std::vector<Spectrum> all = spectra(shapes[k], given);
+            const std::vector<Spectrum> all = spectra(shapes[k], white[k], given);
             double best = -std::numeric_limits<double>::infinity();
             for (std::size_t step = 0; step < steps; step += coarse_step) {
                 best = std::max(best, evaluate(k, all, step));
@@ -308,6 +332,8 @@ private:
     std::vector<Block> blocks_;
     std::vector<NoiseShape> common_;
     std::vector<NoiseShape> phase_;
+    std::vector<WhiteSpectra> white_common_;
+    std::vector<WhiteSpectra> white_phase_;
 };
 
 }  // namespace

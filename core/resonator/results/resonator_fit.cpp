@@ -28,6 +28,11 @@ constexpr std::size_t enough_windows = 150;
 // Fall of chi^2 from which on a dependence of the frequency on the amplitude is fitted.
 constexpr double cubic_fall = 25;
 constexpr int cubic_steps = 200;
+// After the first steps a fit is given up that leaves so many times as much as a frequency that
+// settles, or falls so slowly that the other steps would not show the term.
+constexpr int first_cubic_steps = 8;
+constexpr int later_cubic_steps = 60;
+constexpr double hopeless = 100;
 
 double largest_amplitude(std::span<const PhasorRun> runs) {
     double most = 0;
@@ -65,7 +70,7 @@ public:
 
     // Finds the most likely parameters; the number of windows of a run that they ask for.
     NeededWindows solve() {
-        main_ = fit_still_in_phase(problem_, fit_from_nothing(problem_, job_), job_);
+        find_main();
         try_cubic();
         choose_model();
         main_ = refit_in_phase(problem_, main_, job_);
@@ -137,6 +142,13 @@ private:
         return {runs_, fine_, &problem_, main_, model_, scale_, cubic_limit_, amplitude_or_time_};
     }
 
+    void find_main() {
+        const WaveFit wave = fit_waves(problem_, job_);
+        std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, job_);
+        phase_left_ = still.has_value();
+        main_ = still ? *std::move(still) : fit_modes(problem_, wave, job_);
+    }
+
     // A dependence of the frequency on the amplitude is opened where the data ask for it: always
     // open it would cost elliptic waves their rotation.
     void try_cubic() {
@@ -150,13 +162,20 @@ private:
         }
         FitProblem with = problem_;
         open_cubic(with.priors, scaled_);
-        MapFit fit = minimise(with, main_.p, 60, job_);
+        // A frequency that settles falls with the amplitude, too.
+        const double settling = main_.chi2 - settling_score(problem_, at).fall;
+        MapFit fit = minimise(with, main_.p, first_cubic_steps, job_);
+        if (!fit.converged) {
+            const double reach = main_.chi2 - fit.chi2 + later_cubic_steps * fit.last_gain;
+            if (settling < fit.chi2 / hopeless || reach < cubic_fall * scale) {
+                return;
+            }
+            fit = minimise(with, fit.p, later_cubic_steps, job_);
+        }
         scale = std::max(1.0, fit.chi2 / degrees_of_freedom(with));
         if (main_.chi2 - fit.chi2 <= cubic_fall * scale) {
             return;
         }
-        // A frequency that settles falls with the amplitude, too.
-        const double settling = main_.chi2 - settling_score(problem_, at).fall;
         if (settling < fit.chi2 - cubic_fall * scale) {
             return;
         }
@@ -215,7 +234,7 @@ private:
         MapFit near = minimise(problem, start, 60, job_);
         const double dof = degrees_of_freedom(problem);
         const double ratio = noise_bound(dof);
-        if (near.chi2 < ratio * dof) {
+        if (phase_left_ || near.chi2 < ratio * dof) {
             return near;
         }
         // Channels that see nearly one mixture hide the second mode in a chi^2 of two.
@@ -234,6 +253,7 @@ private:
     const JobControl& job_;
     FitProblem problem_;
     MapFit main_;
+    bool phase_left_ = false;  // still waves explain all but the phase
     Estimate cubic_limit_;
     bool amplitude_or_time_ = false;
     ResonatorModel model_{};
