@@ -1,6 +1,7 @@
 #include "app/analysis_options.h"
 
 #include "app/option_values.h"
+#include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 
 #include <algorithm>
@@ -123,95 +124,24 @@ void add_text_options(CLI::App& app, OpenOptions& options) {
               });
 }
 
-void add_band(CLI::App& app, const std::string& name, std::optional<Band>& target,
-              const std::string& help) {
-    add_value(app, name, "LO,HI", help, [&target](const auto& option, const auto& text) {
-        const auto edges = list_value(option, text, 2, "it must be two frequencies in Hz, LO,HI");
-        target = Band{edges[0], edges[1]};
-    });
-}
-
-// The window's length, of which `take` gets the samples.
-void add_length_options(CLI::App& app, Settings& settings, const std::string& help,
-                        std::function<void(std::int64_t)> take) {
-    auto* const window = add_value(app, "--window", "N", help,
-                                   [take = std::move(take)](const auto& option, const auto& text) {
-                                       take(whole_value(option, text));
-                                   });
-    add_number(app, "--periods", settings.periods, "P",
-               "Window length in periods of the carrier; may be fractional")
-        ->excludes(window);
-    app.add_flag("--snap", settings.snap,
-                 "Move the window to whole half-periods, where the averages are orthogonal");
-}
-
-void add_hop_option(CLI::App& app, Settings& settings) {
-    add_value(app, "--hop", "N", "Samples between window starts (default: the window)",
-              [&settings](const auto& option, const auto& text) {
-                  settings.hop = whole_value(option, text);
-                  if (settings.hop < 1) {
-                      reject(option, text, "it must be at least 1 sample");
-                  }
-              });
-}
-
-void add_start_options(CLI::App& app, Settings& settings) {
-    add_value(app, "--initial", "aA,aB,2thetaA,alpha,f",
-              "Start values of conjugate-gradient: recording units, rad, Hz; alpha at the centre "
-              "of the first window",
-              [&settings](const auto& option, const auto& text) {
-                  const auto v = list_value(option, text, 5, "it must be five numbers with commas");
-                  settings.initial = StartValues{{v[0], v[1], v[2], v[3]}, v[4]};
-              });
-    add_value(app, "--start", "first|previous",
-              "conjugate-gradient starts each window from in-phase or from the window before "
-              "(default first)",
-              [&settings](const auto& option, const auto& text) {
-                  if (text != "first" && text != "previous") {
-                      reject(option, text, "it is first or previous");
-                  }
-                  settings.start = text == "first" ? StartRule::first : StartRule::previous;
-              });
-}
-
-void add_calibration_options(CLI::App& app, Calibration& calibration) {
-    add_number(app, "--kappa", calibration.kappa, "K",
-               "Gain ratio of the channels: S_D = D / K (default 1)");
-    add_value(app, "--offset", "C,D|auto",
-              "Offsets of the channels, recording units; auto: the mean of each over whole periods "
-              "(default 0,0)",
-              [&calibration](const auto& option, const auto& text) {
-                  calibration.offset_auto = text == "auto";
-                  if (!calibration.offset_auto) {
-                      const auto offsets =
-                          list_value(option, text, 2, "it is two numbers C,D or auto");
-                      calibration.offset_c = offsets[0];
-                      calibration.offset_d = offsets[1];
-                  }
-              });
-    add_number(app, "--delay", calibration.delay_d_s, "S",
-               "By how much channel D comes late, s (default 0)");
-    add_number(app, "--angle-zero", calibration.angle_zero_deg, "DEG",
-               "Angle of the first electrode, degrees; subtracted from theta_A (default 0)");
-}
-
-void add_f0_option(CLI::App& app, Settings& settings) {
-    add_number(app, "--f0", settings.f0_hz, "HZ", "The carrier, Hz; skips the search for it");
-}
-
-// What is done to the signals on their way to the windows.
-void add_signal_options(CLI::App& app, Settings& settings) {
-    add_number(app, "--from", settings.from_s, "S", "Start of the part to analyse, s");
-    add_number(app, "--to", settings.to_s, "S", "End of the part to analyse, s");
-    add_band(app, "--band", settings.band, "Look for the carrier between two frequencies, Hz");
-    add_band(app, "--filter", settings.filter, "Zero-phase band-pass before everything, Hz");
-    add_calibration_options(app, settings.calibration);
-    app.add_flag("--repair-lost", settings.repair_lost,
-                 "Make gaps where samples were lost, so that time runs on behind them");
-    add_value(app, "--threads", "N", "Threads (default: as many as the machine has)",
-              [&settings](const auto& option, const auto& text) {
-                  settings.threads = small_whole_value(option, text, 1, "it must be at least 1");
-              });
+// The rows of a table of settings as options.
+template <class S>
+void add_settings(CLI::App& app, const std::vector<SettingRow<S>>& rows, S& settings) {
+    for (const SettingRow<S>& row : rows) {
+        const auto take = [&row, &settings](const std::string& text) {
+            if (const Status read = row.read(text, settings); !read) {
+                throw CLI::ValidationError(english(read.error()));
+            }
+        };
+        if (row.placeholder.empty()) {
+            app.add_flag_callback(
+                row.option(), [take] { take("yes"); }, row.help);
+        } else {
+            add_value(app, row.option(), row.placeholder, row.help,
+                      [take](const auto&, const auto& text) { take(text); });
+        }
+    }
+    app.get_option("--periods")->excludes("--window");
 }
 
 }  // namespace
@@ -263,56 +193,11 @@ void add_open_options(CLI::App& app, OpenOptions& options) {
 }
 
 void add_analysis_options(CLI::App& app, Settings& settings) {
-    add_value(app, "--algorithm", "NAME",
-              "in-phase, phase-shift, moving-axes, demodulation, conjugate-gradient or "
-              "maximum-likelihood (default)",
-              [&settings](const auto& option, const auto& text) {
-                  const std::optional<Algorithm> algorithm = algorithm_from_name(text);
-                  if (!algorithm) {
-                      reject(option, text,
-                             "it is in-phase, phase-shift, moving-axes, demodulation, "
-                             "conjugate-gradient or maximum-likelihood");
-                  }
-                  settings.algorithm = *algorithm;
-              });
-    add_length_options(app, settings, "Window length, samples (default 60)",
-                       [&settings](std::int64_t samples) { settings.window = samples; });
-    add_hop_option(app, settings);
-    add_f0_option(app, settings);
-    add_start_options(app, settings);
-    add_signal_options(app, settings);
+    add_settings(app, analysis_settings(), settings);
 }
 
 void add_identify_options(CLI::App& app, IdentifySettings& settings) {
-    add_value(app, "--model", "NAME",
-              "auto (default), structured (the pick-offs are a calibrated pair) or free (only the "
-              "modes)",
-              [&settings](const auto& option, const auto& text) {
-                  using enum FitOptions::Model;
-                  if (text != "auto" && text != "structured" && text != "free") {
-                      reject(option, text, "it is auto, structured or free");
-                  }
-                  settings.model =
-                      text == "auto" ? automatic : (text == "free" ? free : structured);
-              });
-    add_length_options(app, settings.signal,
-                       "Window length, samples (default: 15 ms, 12 periods at least)",
-                       [&settings](std::int64_t samples) { settings.window = samples; });
-    add_f0_option(app, settings.signal);
-    add_signal_options(app, settings.signal);
-    add_value(
-        app, "--tolerance", "NAME=X[,NAME=X]",
-        "How well the channels are known, standard deviations: kappa (relative, default "
-        "0.01), skew (deg), delay (s), crosstalk (relative), phase-drift (rad over a run), "
-        "gain-drift (relative, over a run); default 0, but for kappa. Units may follow, as in "
-        "skew=0.1deg,delay=10ns",
-        [&settings](const auto&, const auto& text) {
-            Result<Tolerance> tolerance = read_tolerance(text);
-            if (!tolerance) {
-                throw CLI::ValidationError(english(tolerance.error()));
-            }
-            settings.tolerance = *tolerance;
-        });
+    add_settings(app, identify_settings(), settings);
 }
 
 void add_compare_options(CLI::App& app, CompareOptions& options) {

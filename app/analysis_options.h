@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/identify.h"
+#include "core/analysis/identify_settings.h"
 #include "core/analysis/settings.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
@@ -30,6 +30,7 @@ void add_compare_options(CLI::App& app, CompareOptions& options);
 
 // Options that change nothing beside the others: option_without_effect for each.
 std::vector<Diagnostic> without_effect(const Settings& settings);
+std::vector<Diagnostic> without_effect(const IdentifySettings& settings);
 // Of those that say how the recording is opened, beside what the file itself says.
 std::vector<Diagnostic> without_effect(const OpenOptions& options, const Recording& recording);
 

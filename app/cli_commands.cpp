@@ -7,6 +7,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/inspect.h"
+#include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"

@@ -3,6 +3,7 @@
 #include "app/cli_identify_text.h"
 #include "app/cli_support.h"
 #include "app/output_paths.h"
+#include "core/analysis/setting_table.h"
 #include "core/output/identify_json.h"
 #include "core/output/passport_json.h"
 #include "core/recording/bytes/sha256.h"
@@ -37,7 +38,7 @@ Result<Inputs> open_inputs(const IdentifyRequest& request, std::stop_token stop)
     // All hashes beside each other.
     std::list<HashBeside> hashes;
     for (const Recording& recording : inputs.recordings) {
-        hashes.emplace_back(recording, request.settings.signal.threads, stop);
+        hashes.emplace_back(recording, request.settings.threads, stop);
     }
     for (const Recording& recording : inputs.recordings) {
         Result<std::string> sha256 = hashes.front().get();
@@ -153,7 +154,7 @@ Status all_unchanged(const std::vector<Recording>& recordings) {
 }  // namespace
 
 int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop) {
-    if (const Status valid = validate(request.settings.signal); !valid) {
+    if (const Status valid = validate(request.settings); !valid) {
         return log.fail(valid.error());
     }
     const double begun = seconds_now();
@@ -189,7 +190,7 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
         warn_of(inputs->recordings, log);
         return log.fail(still ? found.error() : still.error());
     }
-    log.warnings(without_effect(request.settings.signal));
+    log.warnings(without_effect(request.settings));
     for (const Recording& recording : inputs->recordings) {
         log.warnings(without_effect(request.open, recording), recording.path.filename().string());
     }

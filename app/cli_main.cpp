@@ -167,8 +167,8 @@ int run(int argc, char** argv) {
     if (simulate_command->parsed()) {
         return run_simulate(simulation, log, interrupt.token());
     }
-    const int threads = std::max({analyze.settings.threads, identification.settings.signal.threads,
-                                  comparison.settings.signal.threads});
+    const int threads = std::max(
+        {analyze.settings.threads, identification.settings.threads, comparison.settings.threads});
     if (const Status enough = check_threads(threads); !enough) {
         return log.fail(enough.error());
     }

@@ -3,6 +3,7 @@
 #include "app/gui_figure.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
+#include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/output/output_file.h"
 #include "ui/window/main_window.h"

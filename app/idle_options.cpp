@@ -27,6 +27,9 @@ public:
             found_.push_back({DiagnosticKind::option_without_effect, {option, why}});
         }
     }
+    void add_idle_search(const SignalSettings& settings) {
+        add(settings.band && settings.f0_hz, "--band", "--f0 skips the search for the carrier");
+    }
     std::vector<Diagnostic> take() { return std::move(found_); }
 
 private:
@@ -41,7 +44,13 @@ std::vector<Diagnostic> without_effect(const Settings& settings) {
     Findings found;
     found.add(settings.initial && !descent, "--initial", only_descent);
     found.add(settings.start != StartRule::first && !descent, "--start", only_descent);
-    found.add(settings.band && settings.f0_hz, "--band", "--f0 skips the search for the carrier");
+    found.add_idle_search(settings);
+    return found.take();
+}
+
+std::vector<Diagnostic> without_effect(const IdentifySettings& settings) {
+    Findings found;
+    found.add_idle_search(settings.signal);
     return found.take();
 }
 

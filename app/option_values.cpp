@@ -1,54 +1,40 @@
 #include "app/option_values.h"
 
 #include "core/base/messages.h"
-#include "core/base/number_text.h"
+#include "core/base/read_value.h"
 
-#include <charconv>
-#include <cmath>
 #include <utility>
 
 namespace vybeg::cli {
 
+namespace {
+
+// A value that is refused ends the parse with its sentence.
+template <class T>
+T accepted(Result<T> value) {
+    if (!value) {
+        throw CLI::ValidationError(english(value.error()));
+    }
+    return std::move(*value);
+}
+
+}  // namespace
+
 void reject(const std::string& option, const std::string& text, const std::string& allowed) {
-    throw CLI::ValidationError(
-        english(Error{ErrorCode::setting_invalid, "", {option, text, allowed}}));
+    throw CLI::ValidationError(english(refused_value(option, text, allowed)));
 }
 
 double number_value(const std::string& option, const std::string& text) {
-    const std::optional<double> number = parse_number(text);
-    if (!number || !std::isfinite(*number)) {
-        reject(option, text, "it must be a number, with a point and without a unit");
-    }
-    return *number;
+    return accepted(read_number(option, text));
 }
 
 std::int64_t whole_value(const std::string& option, const std::string& text) {
-    std::int64_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, number);
-    if (parsed.ec != std::errc{} || parsed.ptr != end) {
-        reject(option, text, "it must be a whole number");
-    }
-    return number;
+    return accepted(read_whole(option, text));
 }
 
 std::vector<double> list_value(const std::string& option, const std::string& text,
                                std::size_t count, const std::string& allowed) {
-    std::vector<double> numbers;
-    std::size_t begin = 0;
-    while (begin <= text.size()) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::optional<double> number = parse_number(text.substr(begin, end - begin));
-        if (!number || !std::isfinite(*number)) {
-            reject(option, text, allowed);
-        }
-        numbers.push_back(*number);
-        begin = end + 1;
-    }
-    if (numbers.size() != count) {
-        reject(option, text, allowed);
-    }
-    return numbers;
+    return accepted(read_numbers(option, text, count, allowed));
 }
 
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& placeholder,

@@ -192,8 +192,8 @@ void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const 
     found.relative_sd = 1.8 / std::sqrt(static_cast<double>(bins));
 }
 
-std::size_t stretch_size(const Prepared& prepared, const Settings& settings, std::int64_t window,
-                         double rate_hz) {
+std::size_t stretch_size(const Prepared& prepared, const SignalSettings& settings,
+                         std::int64_t window, double rate_hz) {
     constexpr double per_window = 64;
     constexpr double per_band = 60;
     double wish = per_window * static_cast<double>(window);
@@ -208,7 +208,7 @@ std::size_t stretch_size(const Prepared& prepared, const Settings& settings, std
     return std::min(wished, std::bit_floor(frames));
 }
 
-Reach within(Reach reach, const Settings& settings, double rate_hz) {
+Reach within(Reach reach, const SignalSettings& settings, double rate_hz) {
     const Band band = settings.filter.value_or(Band{0, rate_hz / 2});
     return {std::max(reach.low_hz, band.low_hz), std::min(reach.high_hz, band.high_hz)};
 }
@@ -244,7 +244,7 @@ Result<std::vector<double>> mains_of(const Prepared& prepared, double lobe_hz, d
 
 }  // namespace
 
-Result<CarrierLines> carrier_lines(const Prepared& prepared, const Settings& settings,
+Result<CarrierLines> carrier_lines(const Prepared& prepared, const SignalSettings& settings,
                                    std::int64_t window, double rate_hz, const JobControl& job) {
     const double f0 = prepared.f0_hz;
     CarrierLines found;

@@ -33,7 +33,7 @@ struct CarrierLines {
 // of the main lobe around f0; where the main lobe has none and the engineer gave f0, of the
 // strongest line within 400 Hz (at most a third of f0). Errors: those of the source,
 // carrier_not_near where the engineer gave f0 and no line stands there, interrupted.
-Result<CarrierLines> carrier_lines(const Prepared& prepared, const Settings& settings,
+Result<CarrierLines> carrier_lines(const Prepared& prepared, const SignalSettings& settings,
                                    std::int64_t window, double rate_hz, const JobControl& job);
 
 }  // namespace vybeg

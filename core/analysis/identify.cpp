@@ -2,11 +2,11 @@
 
 #include "core/analysis/phasor_windows.h"
 #include "core/analysis/prepare.h"
+#include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/runs/wave_uncertainty.h"
 
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -51,7 +51,7 @@ struct Windows {
 Result<Windows> windows_of(const Recording& recording, const IdentifySettings& settings,
                            int threads, const JobControl& job) {
     const Result<WindowChoice> choice =
-        choose_windows(recording, settings.signal, settings.window, job.silent());
+        choose_windows(recording, settings.signal, settings.windows, job.silent());
     if (!choice) {
         return choice.error();
     }
@@ -226,18 +226,10 @@ Status check_distinct(std::span<const Recording> recordings, std::span<const std
 
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job) {
-    if (const Status valid = validate(settings.signal); !valid) {
+    if (const Status valid = validate(settings); !valid) {
         return valid.error();
     }
-    if (settings.window && *settings.window < 16) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--window", integer_text(*settings.window),
-                      "the resonator's fit needs at least 16 samples"}};
-    }
-    const int cores = tbb::info::default_concurrency();
-    const int threads =
-        settings.signal.threads > 0 ? std::min(settings.signal.threads, cores) : cores;
+    const int threads = threads_of(settings.threads);
     Identification found;
     found.settings = settings;
     found.timing.threads = threads;

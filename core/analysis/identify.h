@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/analysis/settings.h"
-#include "core/analysis/tolerance.h"
+#include "core/analysis/identify_settings.h"
 #include "core/base/job_control.h"
 #include "core/recording/samples/recording.h"
 #include "core/resonator/results/drift_function.h"
@@ -17,17 +16,6 @@
 #include <vector>
 
 namespace vybeg {
-
-struct IdentifySettings {
-    // Carrier, range, filter, calibration, periods, snap and threads; its algorithm, window, hop
-    // and start values have no part: the fit demodulates at a fixed frequency.
-    Settings signal;
-    std::optional<std::int64_t> window;  // samples; neither it nor periods: default_phasor_window()
-    FitOptions::Model model = FitOptions::Model::automatic;
-    Tolerance tolerance;
-
-    friend bool operator==(const IdentifySettings&, const IdentifySettings&) = default;
-};
 
 // What became of one recording.
 struct IdentifiedRun {

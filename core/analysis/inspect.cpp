@@ -8,7 +8,7 @@
 
 namespace vybeg {
 
-Result<SampleFaults> inspect(const Recording& recording, const Settings& settings,
+Result<SampleFaults> inspect(const Recording& recording, const SignalSettings& settings,
                              const JobControl& job) {
     const Result<double> f0 = find_recording_carrier(recording, settings, job.silent());
     Result<SampleFaults> faults = check_recording(*recording.source, recording.rate_hz,

@@ -2,10 +2,9 @@
 
 #include "core/analysis/estimate_track.h"
 #include "core/analysis/inspect.h"
+#include "core/analysis/setting_table.h"
 #include "core/analysis/window_faults.h"
 #include "core/base/number_text.h"
-
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <utility>
@@ -82,11 +81,6 @@ Result<Planned> plan_analysis(const Recording& recording, const Settings& settin
     return Planned{std::move(*prepared), *plan};
 }
 
-int threads_of(const Settings& settings) {
-    const int cores = tbb::info::default_concurrency();
-    return settings.threads > 0 ? std::min(settings.threads, cores) : cores;
-}
-
 AnalysisSummary summary_before(const Settings& settings, const Planned& planned, double rate_hz) {
     AnalysisSummary analysis;
     analysis.settings = settings;
@@ -103,7 +97,7 @@ AnalysisSummary summary_before(const Settings& settings, const Planned& planned,
 Result<AnalysisSummary> analyse_planned(const Recording& recording, const Settings& settings,
                                         const Planned& planned, const TrackSink& sink,
                                         const JobControl& job) {
-    const int threads = threads_of(settings);
+    const int threads = threads_of(settings.threads);
     const Result<EstimationSummary> estimation =
         estimate_track(planned, planned.plan, settings, recording.rate_hz, threads, sink, job);
     if (!estimation) {

@@ -24,9 +24,6 @@ Result<Planned> plan_analysis(const Recording& recording, const Settings& settin
 // what the recording tells of itself.
 AnalysisSummary summary_before(const Settings& settings, const Planned& planned, double rate_hz);
 
-// The threads that an analysis with these settings takes.
-int threads_of(const Settings& settings);
-
 // From the windows to their rows. `planned` is used up: its check has seen the samples then.
 // Errors: those of the source and of the sink; interrupted.
 Result<AnalysisSummary> analyse_planned(const Recording& recording, const Settings& settings,

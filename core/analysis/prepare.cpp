@@ -51,7 +51,7 @@ Result<Stretch> read_stretch(const SampleSource& source, std::int64_t first, std
 }
 
 // Where the carrier is looked for in so many samples.
-Result<Band> search_band(const Settings& settings, std::size_t count, double rate_hz) {
+Result<Band> search_band(const SignalSettings& settings, std::size_t count, double rate_hz) {
     // Without a band: everything above the few lowest bins, which belong to drifts of the offset.
     const double lowest = 4 * rate_hz / static_cast<double>(count);
     Band band{lowest, rate_hz / 2};
@@ -81,7 +81,7 @@ Result<double> given_carrier(double f0_hz, double rate_hz) {
     return f0_hz;
 }
 
-Result<double> carrier_of(const Stretch& stretch, const Settings& settings, double rate_hz,
+Result<double> carrier_of(const Stretch& stretch, const SignalSettings& settings, double rate_hz,
                           const JobControl& job) {
     if (settings.f0_hz) {
         return given_carrier(*settings.f0_hz, rate_hz);
@@ -94,7 +94,7 @@ Result<double> carrier_of(const Stretch& stretch, const Settings& settings, doub
 // The carrier of the frames [first, end), which are read only where it is not known, and held only
 // where a look at some of them after the other does not tell it.
 Result<double> carrier_in(const SampleSource& source, std::int64_t first, std::int64_t end,
-                          const Settings& settings, double rate_hz, const JobControl& job) {
+                          const SignalSettings& settings, double rate_hz, const JobControl& job) {
     if (settings.f0_hz) {
         return given_carrier(*settings.f0_hz, rate_hz);
     }
@@ -133,7 +133,7 @@ double mean_over_periods(std::span<const double> x, double f_hz, double rate_hz)
 }
 
 // Frames [first, end) of the settings' range.
-Status find_range(const SampleSource& source, double rate_hz, const Settings& settings,
+Status find_range(const SampleSource& source, double rate_hz, const SignalSettings& settings,
                   Prepared& prepared) {
     const auto frames = static_cast<double>(source.frames());
     const double from = settings.from_s.value_or(0);
@@ -183,7 +183,7 @@ Status check_samples(const SampleSource& source, std::int64_t first, std::int64_
 
 // The recording's samples with gaps where some were lost.
 Result<std::shared_ptr<const SampleSource>> with_gaps_for_lost(const Recording& recording,
-                                                               const Settings& settings,
+                                                               const SignalSettings& settings,
                                                                std::vector<Diagnostic>& diagnostics,
                                                                const JobControl& job) {
     const Result<double> f0 =
@@ -230,7 +230,7 @@ std::string recording_name(const Recording& recording) {
     return recording.path.filename().string();
 }
 
-Result<Prepared> prepare(const Recording& recording, const Settings& settings,
+Result<Prepared> prepare(const Recording& recording, const SignalSettings& settings,
                          const JobControl& job) {
     const double rate = recording.rate_hz;
     const auto named = [&recording](Error error) {

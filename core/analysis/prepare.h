@@ -34,7 +34,7 @@ struct Prepared {
 
 // Lost samples, calibration, band-pass, range and carrier. Precondition: validate(settings). Errors
 // as of analyse().
-Result<Prepared> prepare(const Recording& recording, const Settings& settings,
+Result<Prepared> prepare(const Recording& recording, const SignalSettings& settings,
                          const JobControl& job);
 
 // How a recording is called in messages.

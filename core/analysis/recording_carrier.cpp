@@ -1,10 +1,11 @@
 #include "core/analysis/recording_carrier.h"
 
 #include "core/analysis/prepare.h"
+#include "core/analysis/setting_table.h"
 
 namespace vybeg {
 
-Result<double> find_recording_carrier(const Recording& recording, const Settings& settings,
+Result<double> find_recording_carrier(const Recording& recording, const SignalSettings& settings,
                                       const JobControl& job) {
     if (const Status valid = validate(settings); !valid) {
         return valid.error();

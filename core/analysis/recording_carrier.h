@@ -9,7 +9,7 @@ namespace vybeg {
 
 // Only the carrier f0 of the recording (Hz), with the settings' band, filter, calibration and
 // range: what the interface shows before the first run.
-Result<double> find_recording_carrier(const Recording& recording, const Settings& settings,
+Result<double> find_recording_carrier(const Recording& recording, const SignalSettings& settings,
                                       const JobControl& job);
 
 }  // namespace vybeg

@@ -85,7 +85,7 @@ public:
     // All of them.
     Status fill(const Stretch& stretch) {
         rows_.erase(rows_.lower_bound(stretch.first), rows_.lower_bound(stretch.end));
-        return estimate(stretch, threads_of(whole_.settings));
+        return estimate(stretch, threads_of(whole_.settings.threads));
     }
 
     Analysis analysis() const {

@@ -20,13 +20,13 @@ struct Length {
     bool chosen = false;  // by the engineer
 };
 
-Result<Length> wished_length(const Settings& settings, std::optional<std::int64_t> window,
-                             const Prepared& prepared, double rate_hz) {
+Result<Length> wished_length(const PhasorWindowSettings& wished, const Prepared& prepared,
+                             double rate_hz) {
     Length length;
-    if (settings.periods) {
-        length = {window_of_periods(*settings.periods, prepared.f0_hz, rate_hz), true};
-    } else if (window) {
-        length = {*window, true};
+    if (wished.periods) {
+        length = {window_of_periods(*wished.periods, prepared.f0_hz, rate_hz), true};
+    } else if (wished.window) {
+        length = {*wished.window, true};
     } else {
         length.samples =
             default_phasor_window(prepared.end - prepared.first, prepared.f0_hz, rate_hz);
@@ -70,7 +70,7 @@ Result<std::int64_t> slow_enough(const Length& wish, const CarrierLines& lines, 
 
 // The same recording, prepared at another carrier without looking for anything again.
 Result<Prepared> prepared_at(double f_hz, const Prepared& before, const Recording& recording,
-                             Settings settings, const JobControl& job) {
+                             SignalSettings settings, const JobControl& job) {
     settings.f0_hz = f_hz;
     settings.calibration = before.calibration;
     Result<Prepared> prepared = prepare(recording, settings, job);
@@ -82,14 +82,14 @@ Result<Prepared> prepared_at(double f_hz, const Prepared& before, const Recordin
 
 }  // namespace
 
-Result<WindowChoice> choose_windows(const Recording& recording, const Settings& settings,
-                                    std::optional<std::int64_t> window, const JobControl& job) {
+Result<WindowChoice> choose_windows(const Recording& recording, const SignalSettings& settings,
+                                    const PhasorWindowSettings& wished, const JobControl& job) {
     const double rate = recording.rate_hz;
     Result<Prepared> prepared = prepare(recording, settings, job);
     if (!prepared) {
         return prepared.error();
     }
-    const Result<Length> wish = wished_length(settings, window, *prepared, rate);
+    const Result<Length> wish = wished_length(wished, *prepared, rate);
     if (!wish) {
         return wish.error();
     }
@@ -112,7 +112,7 @@ Result<WindowChoice> choose_windows(const Recording& recording, const Settings& 
     if (!length) {
         return length.error();
     }
-    if (settings.snap) {
+    if (wished.snap) {
         length = snap_window(*length, prepared->f0_hz, rate);
     }
     const double lobe_hz = rate / static_cast<double>(wish->samples);

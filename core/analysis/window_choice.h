@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/carrier_lines.h"
+#include "core/analysis/identify_settings.h"
 #include "core/analysis/prepare.h"
 #include "core/windows/window_plan.h"
 
@@ -19,11 +20,10 @@ struct WindowChoice {
 // Windows in which the phasors of all modes turn by at most a tenth of a revolution, so that
 // neither their beat nor a carrier given beside them is aliased. Where they turn faster at f0, the
 // frequency of demodulation moves to the middle of the modes' lines (carrier_lines()), and a window
-// that the engineer did not choose is shortened. `window` in samples; neither it nor
-// settings.periods: default_phasor_window(). Errors: those of prepare() and carrier_lines(),
+// that the engineer did not choose is shortened. Errors: those of prepare() and carrier_lines(),
 // fit_window_too_short, window_too_long, fit_window_turns where a window that the engineer chose
 // turns by more than a quarter, fit_beat_too_fast where two periods are too long.
-Result<WindowChoice> choose_windows(const Recording& recording, const Settings& settings,
-                                    std::optional<std::int64_t> window, const JobControl& job);
+Result<WindowChoice> choose_windows(const Recording& recording, const SignalSettings& settings,
+                                    const PhasorWindowSettings& wished, const JobControl& job);
 
 }  // namespace vybeg

@@ -1,8 +1,8 @@
 #include "core/output/identify_json.h"
 
+#include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/output/quantity_json.h"
-#include "core/output/settings_text.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/run_parameters.h"
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
+#include "core/analysis/setting_table.h"
 #include "core/output/output_file.h"
-#include "core/output/settings_text.h"
 #include "core/output/spool.h"
+#include "core/recording/samples/recording.h"
 #include "core/track/track.h"
 
 #include <span>

@@ -59,7 +59,7 @@ private slots:
                 recordings.push_back(simulated_recording(run));
             }
             IdentifySettings settings;
-            settings.signal.threads = 1;
+            settings.threads = 1;
             const Result<Identification> plain = identify(recordings, settings, {});
             settings.signal.filter = Band{low_hz, high_hz};
             const Result<Identification> filtered = identify(recordings, settings, {});

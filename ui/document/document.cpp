@@ -325,10 +325,7 @@ void Document::apply(const Settings& settings) {
     const Settings before = std::exchange(settings_, settings);
     emit settingsChanged();
     emit setsChanged();  // what was found with other settings is out of date
-    const bool search_differs = before.band != settings.band || before.filter != settings.filter ||
-                                before.from_s != settings.from_s || before.to_s != settings.to_s ||
-                                before.f0_hz != settings.f0_hz;
-    if (search_differs) {
+    if (!same_carrier_search(before, settings) || before.f0_hz != settings.f0_hz) {
         for (const RecordingEntry& entry : recordings_) {
             const bool told_by_live_run = live_ && entry.id == current_;
             if (entry.recording && !settings_.f0_hz && !told_by_live_run) {

@@ -8,16 +8,6 @@
 
 namespace vybeg::ui {
 
-namespace {
-
-// Whether the search for the carrier and the offsets gives the same with both.
-bool sameSearch(const Settings& a, const Settings& b) {
-    return a.from_s == b.from_s && a.to_s == b.to_s && a.band == b.band && a.filter == b.filter &&
-           a.calibration == b.calibration && a.repair_lost == b.repair_lost;
-}
-
-}  // namespace
-
 void Document::setLive(bool live) {
     if (live == live_) {
         return;
@@ -103,7 +93,8 @@ void Document::whenLive(int recording_id, Result<AnalysisOutcome> result) {
                        {},
                        Topic::live});
         const RecordingEntry& entry = *recording(recording_id);
-        if (!requested.f0_hz && !(entry.f0_search && sameSearch(*entry.f0_search, requested))) {
+        if (!requested.f0_hz &&
+            !(entry.f0_search && same_carrier_search(*entry.f0_search, requested))) {
             searchCarrier(recording_id);  // the window's fields go on showing what it would be
         }
     }
@@ -121,7 +112,7 @@ void Document::forgetLive(int recording_id) {
 Settings Document::withKnownCarrier(const RecordingEntry& entry, Settings settings) {
     // Lost samples are looked for with the carrier of the file itself, which is another one.
     const bool known = entry.f0_hz && entry.f0_search && !settings.repair_lost &&
-                       sameSearch(*entry.f0_search, settings);
+                       same_carrier_search(*entry.f0_search, settings);
     if (known && !settings.f0_hz) {
         settings.f0_hz = entry.f0_hz;
         settings.calibration = entry.f0_calibration;
@@ -131,7 +122,7 @@ Settings Document::withKnownCarrier(const RecordingEntry& entry, Settings settin
 
 void Document::learnCarrier(int recording_id, const Settings& requested, const Settings& used) {
     RecordingEntry* entry = find(recording_id);
-    if (!entry || requested.f0_hz || !sameSearch(requested, settings_)) {
+    if (!entry || requested.f0_hz || !same_carrier_search(requested, settings_)) {
         return;
     }
     const bool differs = entry->f0_hz != used.f0_hz;

@@ -1,6 +1,5 @@
 // The part of the document that holds sets of runs, what was identified from them, and the passport
 // that they are compared with.
-#include "core/output/settings_text.h"
 #include "ui/document/document.h"
 
 #include <QCoreApplication>
@@ -158,8 +157,6 @@ void Document::apply(const Tolerance& tolerance) {
 IdentifySettings Document::settingsOf(const RunSet& set) const {
     IdentifySettings settings;
     settings.signal = settings_;
-    settings.signal.periods.reset();
-    settings.signal.snap = false;
     settings.model = set.model;
     settings.tolerance = tolerance_;
     return settings;
@@ -217,8 +214,7 @@ void Document::whenIdentified(int key, Result<ResonatorOutcome> result) {
         // Older ones of other recordings, or of the same settings, are of no more use.
         std::erase_if(set.outcomes, [&](const auto& older) {
             return !sameRecordings(older->recordings, result->recordings) ||
-                   settings_list(older->identification.settings) ==
-                       settings_list(result->identification.settings);
+                   older->identification.settings == result->identification.settings;
         });
         set.outcomes.push_back(std::make_shared<const ResonatorOutcome>(std::move(*result)));
         emit setsChanged();
@@ -241,7 +237,7 @@ void Document::forgetIdentification(int set_id) {
 
 bool Document::outOfDate(const RunSet& set, const ResonatorOutcome& outcome) const {
     return !sameRecordings(outcome.recordings, set.recordings) ||
-           settings_list(outcome.identification.settings) != settings_list(settingsOf(set));
+           outcome.identification.settings != settingsOf(set);
 }
 
 std::shared_ptr<const ResonatorOutcome> Document::outcome(const RunSet& set) const {

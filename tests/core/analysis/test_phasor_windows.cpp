@@ -41,9 +41,9 @@ FreeDecay gyro() {
     return decay;
 }
 
-PhasorWindows phasors_of(const Recording& recording, const Settings& settings, std::int64_t window,
-                         int threads = 2) {
-    const Result<WindowChoice> choice = choose_windows(recording, settings, window, {});
+PhasorWindows phasors_of(const Recording& recording, const SignalSettings& settings,
+                         std::int64_t window, int threads = 2) {
+    const Result<WindowChoice> choice = choose_windows(recording, settings, {.window = window}, {});
     if (!choice) {
         qFatal("the recording cannot be prepared");
     }
@@ -55,7 +55,7 @@ PhasorWindows phasors_of(const Recording& recording, const Settings& settings, s
 }
 
 PhasorWindows phasors_of(const FreeDecay& decay, std::int64_t window) {
-    Settings settings;
+    SignalSettings settings;
     settings.f0_hz = decay.f0_hz;
     return phasors_of(simulated_recording(decay), settings, window);
 }
@@ -135,7 +135,7 @@ private slots:
         FreeDecay decay = bell();
         decay.noise = 1e-3;
         const Recording recording = simulated_recording(decay);
-        Settings settings;
+        SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
         const PhasorRun one = phasors_of(recording, settings, 300, 1).run;
         const PhasorRun two = phasors_of(recording, settings, 300, 2).run;
@@ -152,7 +152,7 @@ private slots:
         for (double& x : samples.d) {  // the rail is the largest value anywhere
             x = std::clamp(x, -0.15, 0.15);
         }
-        Settings settings;
+        SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
         const PhasorWindows clipped =
             phasors_of(recording_of(samples.c, simulated(decay).d, 33333), settings, 500);
@@ -160,8 +160,8 @@ private slots:
         const double missing = (10 * 500 + 249.5) / 33333;
         QVERIFY(std::ranges::none_of(clipped.run.time_s,
                                      [&](double t) { return std::abs(t - missing) < 1e-3; }));
-        const Result<WindowChoice> choice =
-            choose_windows(recording_of(simulated(decay).c, samples.d, 33333), settings, 500, {});
+        const Result<WindowChoice> choice = choose_windows(
+            recording_of(simulated(decay).c, samples.d, 33333), settings, {.window = 500}, {});
         QVERIFY(choice);
         const auto none = phasor_windows(*choice, 33333, 2, {});
         QVERIFY(!none);
@@ -175,7 +175,7 @@ private slots:
         const std::ptrdiff_t lost = 66000;
         samples.c.erase(samples.c.begin() + lost);
         samples.d.erase(samples.d.begin() + lost);
-        Settings settings;
+        SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
         const PhasorWindows found =
             phasors_of(recording_of(samples.c, samples.d, 33333), settings, 512);
@@ -196,7 +196,7 @@ private slots:
                 for (std::vector<double>* x : {&samples.c, &samples.d}) {
                     x->erase(x->begin() + lost_at, x->begin() + lost_at + 40);
                 }
-                Settings settings;
+                SignalSettings settings;
                 settings.f0_hz = decay.f0_hz;
                 const PhasorWindows found =
                     phasors_of(recording_of(samples.c, samples.d, 33333), settings, 512);
@@ -238,7 +238,7 @@ private slots:
             for (double& x : samples.d) {
                 x = 1e-3 * std::round(0.01 * x + share);
             }
-            Settings settings;
+            SignalSettings settings;
             settings.f0_hz = decay.f0_hz;
             const PhasorWindows found =
                 phasors_of(recording_of(samples.c, samples.d, 33333), settings, 500);
@@ -254,7 +254,7 @@ private slots:
         std::vector<double> d(16666, 0.0);
         c.insert(c.end(), samples.c.begin(), samples.c.end());
         d.insert(d.end(), samples.d.begin(), samples.d.end());
-        Settings settings;
+        SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
         const PhasorWindows struck = phasors_of(recording_of(c, d, 33333), settings, 500);
         QVERIFY2(struck.run.time_s.front() > 0.5 && struck.run.time_s.front() < 0.54,
@@ -278,7 +278,7 @@ private slots:
 
     void the_angle_of_the_first_electrode_is_subtracted() {
         const FreeDecay decay = gyro();
-        Settings settings;
+        SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
         settings.calibration.angle_zero_deg = 7;
         const PhasorRun run = phasors_of(simulated_recording(decay), settings, 500).run;
@@ -300,9 +300,10 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const Recording recording = simulated_recording(gyro());
-        Settings settings;
+        SignalSettings settings;
         settings.f0_hz = 5300;
-        const Result<WindowChoice> choice = choose_windows(recording, settings, 500, {});
+        const Result<WindowChoice> choice =
+            choose_windows(recording, settings, {.window = 500}, {});
         QVERIFY(choice);
         const auto found = phasor_windows(*choice, 33333, 2, JobControl(stop.get_token()));
         QVERIFY(!found);

@@ -1,10 +1,13 @@
-#include "core/analysis/settings.h"
+#include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 
 #include <QtTest>
 
 #include <functional>
 #include <limits>
+#include <set>
+#include <string>
+#include <vector>
 
 using namespace vybeg;
 
@@ -16,6 +19,9 @@ private slots:
     void whatLiesWithinItsBoundsIsAccepted();
     void whatCannotBeIsRefusedByName_data();
     void whatCannotBeIsRefusedByName();
+    void everySettingReadsBackFromItsText();
+    void theDefaultsReadBackToo();
+    void namesAreThoseOfOneRowEach();
 };
 
 void TestSettings::defaultsAreThoseOfTheCommandLine() {
@@ -106,6 +112,101 @@ void TestSettings::whatCannotBeIsRefusedByName() {
     QVERIFY(status.error().code == ErrorCode::setting_invalid);
     QCOMPARE(QString::fromStdString(status.error().args.at(0)), option);
     QCOMPARE(exit_status(status.error().code), 2);
+}
+
+namespace {
+
+// Other settings than the defaults in every field that has a row.
+Settings all_changed() {
+    Settings s;
+    s.algorithm = Algorithm::conjugate_gradient;
+    s.window = 61;
+    s.periods = 10.1;
+    s.snap = true;
+    s.hop = 7;
+    s.f0_hz = 5300.1;
+    s.initial = StartValues{{1.1, -2e-7, 0.3, 1.0 / 3}, 5300.25};
+    s.start = StartRule::previous;
+    s.from_s = -0.1;
+    s.to_s = 27.3;
+    s.band = Band{5000.1, 5600};
+    s.filter = Band{0, 6000.7};
+    s.calibration = {.kappa = 1.01,
+                     .offset_c = 0.1,
+                     .offset_d = -1e-9,
+                     .delay_d_s = 1e-9,
+                     .angle_zero_deg = 22.5};
+    s.repair_lost = true;
+    s.threads = 3;
+    return s;
+}
+
+IdentifySettings all_of_identification_changed() {
+    IdentifySettings s;
+    s.signal = all_changed();
+    s.windows = {.window = 500, .periods = 80.5, .snap = true};
+    s.model = FitOptions::Model::free;
+    s.tolerance.skew_deg = 0.1;
+    s.threads = 3;
+    return s;
+}
+
+// The settings that the texts of `from` give, read one by one into defaults.
+template <class S>
+S read_back(const std::vector<SettingRow<S>>& rows, const S& from) {
+    S back;
+    for (const SettingRow<S>& row : rows) {
+        if (const Status read = row.read(row.text(from), back); !read) {
+            qCritical("%s: %s", row.name.c_str(), english(read.error()).c_str());
+        }
+    }
+    return back;
+}
+
+// Each row changes the settings: none of them reads into nothing.
+template <class S>
+std::string rows_without_field(const std::vector<SettingRow<S>>& rows, const S& changed) {
+    std::string idle;
+    for (const SettingRow<S>& row : rows) {
+        S alone;
+        if (!row.read(row.text(changed), alone) || alone == S{}) {
+            idle += row.name + " ";
+        }
+    }
+    return idle;
+}
+
+}  // namespace
+
+void TestSettings::everySettingReadsBackFromItsText() {
+    QVERIFY(read_back(analysis_settings(), all_changed()) == all_changed());
+    QVERIFY(read_back(identify_settings(), all_of_identification_changed()) ==
+            all_of_identification_changed());
+    QCOMPARE(rows_without_field(analysis_settings(), all_changed()), std::string());
+    QCOMPARE(rows_without_field(identify_settings(), all_of_identification_changed()),
+             std::string());
+}
+
+void TestSettings::theDefaultsReadBackToo() {
+    QVERIFY(read_back(analysis_settings(), Settings{}) == Settings{});
+    QVERIFY(read_back(identify_settings(), IdentifySettings{}) == IdentifySettings{});
+    Settings offsets;
+    offsets.calibration.offset_auto = true;
+    QVERIFY(read_back(analysis_settings(), offsets) == offsets);
+}
+
+void TestSettings::namesAreThoseOfOneRowEach() {
+    const auto names = [](const auto& rows) {
+        std::set<std::string> all;
+        for (const auto& row : rows) {
+            all.insert(row.name);
+        }
+        return all;
+    };
+    QCOMPARE(names(analysis_settings()).size(), analysis_settings().size());
+    QCOMPARE(names(identify_settings()).size(), identify_settings().size());
+    QVERIFY(validate(all_changed()));
+    QVERIFY(validate(all_of_identification_changed()));
 }
 
 QTEST_GUILESS_MAIN(TestSettings)

@@ -43,16 +43,17 @@ void add_line(SimulatedDecay& samples, double rate_hz, double f_hz, double size)
     }
 }
 
-Result<PhasorWindows> windows_of(const Recording& recording, const Settings& settings,
+Result<PhasorWindows> windows_of(const Recording& recording, const SignalSettings& settings,
                                  std::optional<std::int64_t> window = {}) {
-    const Result<WindowChoice> choice = choose_windows(recording, settings, window, {});
+    const Result<WindowChoice> choice = choose_windows(recording, settings, {.window = window}, {});
     if (!choice) {
         return choice.error();
     }
     return phasor_windows(*choice, recording.rate_hz, 2, {});
 }
 
-PhasorWindows found_in(const SimulatedDecay& samples, double rate_hz, const Settings& settings) {
+PhasorWindows found_in(const SimulatedDecay& samples, double rate_hz,
+                       const SignalSettings& settings) {
     Result<PhasorWindows> found = windows_of(recording_of(samples.c, samples.d, rate_hz), settings);
     if (!found) {
         qFatal("no phasors: %s", code_name(found.error().code).c_str());
@@ -145,7 +146,7 @@ private slots:
                 SimulatedDecay samples = simulated(decay);
                 add_line(samples, decay.rate_hz, 50, hum);
                 add_line(samples, decay.rate_hz, 150, hum / 3);
-                Settings settings;
+                SignalSettings settings;
                 const PhasorWindows found = found_in(samples, decay.rate_hz, settings);
                 const Errors errors = errors_of(found, decay);
                 QVERIFY2(std::abs(found.noise_sd / 1e-3 - 1) < 0.03, text(found, errors));
@@ -189,7 +190,7 @@ private slots:
         QFETCH(double, split_hz);
         const FreeDecay decay =
             gyro(split_hz, 1 + static_cast<std::uint64_t>(std::abs(off_hz)) % 5);
-        Settings settings;
+        SignalSettings settings;
         settings.f0_hz = decay.f0_hz + off_hz;
         const PhasorWindows found = found_in(simulated(decay), decay.rate_hz, settings);
         const double away = std::abs(found.run.f_ref_hz - decay.f0_hz) + split_hz / 2;
@@ -205,7 +206,7 @@ private slots:
 
     void what_windows_cannot_follow_is_refused() {
         const Recording recording = simulated_recording(gyro(40, 1));
-        Settings settings;
+        SignalSettings settings;
         const auto long_windows = windows_of(recording, settings, 500);
         QVERIFY(!long_windows);
         QVERIFY(long_windows.error().code == ErrorCode::fit_window_turns);
@@ -224,7 +225,7 @@ private slots:
     void deviations_behind_a_band_pass_are_those_of_its_noise() {
         for (const double half : {20.0, 60.0, 100.0, 400.0}) {
             const FreeDecay decay = gyro(0, 2);
-            Settings settings;
+            SignalSettings settings;
             settings.filter = Band{decay.f0_hz - half, decay.f0_hz + half};
             const PhasorWindows found = found_in(simulated(decay), decay.rate_hz, settings);
             const Errors errors = errors_of(found, decay);

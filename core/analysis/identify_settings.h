@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/analysis/settings.h"
+#include "core/analysis/tolerance.h"
+#include "core/resonator/results/resonator_fit.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace vybeg {
+
+// The windows in which phasors are demodulated; without window and periods:
+// default_phasor_window().
+struct PhasorWindowSettings {
+    std::optional<std::int64_t> window = {};  // samples; ignored where periods is set
+    std::optional<double> periods = {};       // of the carrier
+    bool snap = false;                        // move the window to whole half-periods
+
+    friend bool operator==(const PhasorWindowSettings&, const PhasorWindowSettings&) = default;
+};
+
+// Everything the engineer chooses about an identification.
+struct IdentifySettings {
+    SignalSettings signal;
+    PhasorWindowSettings windows;
+    FitOptions::Model model = FitOptions::Model::automatic;
+    Tolerance tolerance;
+    int threads = 0;  // 0: as many as the machine has
+
+    friend bool operator==(const IdentifySettings&, const IdentifySettings&) = default;
+};
+
+}  // namespace vybeg

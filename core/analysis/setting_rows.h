@@ -1,0 +1,177 @@
+#pragma once
+
+#include "core/base/number_text.h"
+#include "core/base/read_value.h"
+#include "core/base/result.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace vybeg {
+
+// What command line, track header, JSON, measurement list and session know of one field of the
+// settings S.
+template <class S>
+struct SettingRow {
+    std::string name;  // on the command line, without its dashes; the same in header and JSON
+    std::string placeholder;  // of its value in the help, e.g. "HZ"; empty: a switch, yes or no
+    std::string help;
+    // Takes a value as the command line has it. Errors: setting_invalid.
+    std::function<Status(const std::string& text, S& settings)> read = {};
+    // The value as read() takes it; digits round-trip.
+    std::function<std::string(const S& settings)> text = {};
+    // Whether the value lies within its bounds. Errors: setting_invalid.
+    std::function<Status(const S& settings)> check = [](const S&) { return Status(); };
+    bool has_part = true;  // in the result: all but the number of threads
+
+    std::string option() const { return "--" + name; }
+};
+
+// Kinds of rows. `access` returns a reference to the field: [](auto& s) -> auto& { return s.f; }.
+
+inline const std::string not_set = "none";
+
+struct Bounds {
+    double least = std::numeric_limits<double>::lowest();
+    double most = std::numeric_limits<double>::max();
+    const char* allowed = "it must be a number";
+};
+
+inline Status within(const Bounds& bounds, const std::string& option, double value) {
+    // False for NaN.
+    return value >= bounds.least && value <= bounds.most
+               ? Status()
+               : refused_value(option, short_text(value, 12), bounds.allowed);
+}
+
+// The field that `access` returns is a T or an optional T.
+template <class S, class T, class Access>
+constexpr bool is_optional_of =
+    std::is_same_v<std::remove_reference_t<std::invoke_result_t<Access, S&>>, std::optional<T>>;
+
+// `unset`: the text of a value that is not there.
+template <class S, class T, class Access>
+SettingRow<S> value_row(SettingRow<S> row, Access access, const std::string& unset,
+                        Result<T> (*read)(const std::string&, const std::string&),
+                        std::string (*text)(T), Bounds bounds) {
+    row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
+        if constexpr (is_optional_of<S, T, Access>) {
+            if (from == unset) {
+                access(settings).reset();
+                return {};
+            }
+        }
+        const Result<T> value = read(option, from);
+        if (!value) {
+            return value.error();
+        }
+        access(settings) = *value;
+        return {};
+    };
+    row.text = [=](const S& settings) {
+        if constexpr (is_optional_of<S, T, Access>) {
+            return access(settings) ? text(*access(settings)) : unset;
+        } else {
+            return text(access(settings));
+        }
+    };
+    row.check = [=, option = row.option()](const S& settings) -> Status {
+        if constexpr (is_optional_of<S, T, Access>) {
+            return access(settings) ? within(bounds, option, static_cast<double>(*access(settings)))
+                                    : Status();
+        } else {
+            return within(bounds, option, static_cast<double>(access(settings)));
+        }
+    };
+    return row;
+}
+
+template <class S, class Access>
+SettingRow<S> number_row(SettingRow<S> row, Access access, Bounds bounds = {}) {
+    return value_row<S, double>(std::move(row), access, not_set, read_number, round_trip_text,
+                                bounds);
+}
+
+template <class S, class Access>
+SettingRow<S> whole_row(SettingRow<S> row, Access access, Bounds bounds,
+                        const std::string& unset = not_set) {
+    return value_row<S, std::int64_t>(std::move(row), access, unset, read_whole, integer_text,
+                                      bounds);
+}
+
+// A number of 1 or more, for which a field of 0 stands where it is not set.
+template <class S, class Access>
+SettingRow<S> count_row(SettingRow<S> row, Access access, const std::string& unset, Bounds bounds) {
+    using Field = std::remove_reference_t<std::invoke_result_t<Access, S&>>;
+    row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
+        const Result<std::int64_t> value = from == unset ? 0 : read_whole(option, from);
+        if (!value) {
+            return value.error();
+        }
+        const auto number = static_cast<double>(*value);
+        if (from != unset && !(number >= 1 && number <= bounds.most)) {
+            return refused_value(option, from, bounds.allowed);
+        }
+        access(settings) = static_cast<Field>(*value);
+        return {};
+    };
+    row.text = [=](const S& settings) {
+        return access(settings) > 0 ? integer_text(access(settings)) : unset;
+    };
+    row.check = [=, option = row.option()](const S& settings) {
+        return within({0, bounds.most, bounds.allowed}, option,
+                      static_cast<double>(access(settings)));
+    };
+    return row;
+}
+
+// A field of few values, each with its word.
+template <class S, class Access, class Value, std::size_t count>
+SettingRow<S> choice_row(SettingRow<S> row, Access access,
+                         std::array<std::pair<const char*, Value>, count> words,
+                         const std::string& allowed) {
+    row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
+        for (const auto& [word, value] : words) {
+            if (from == word) {
+                access(settings) = value;
+                return {};
+            }
+        }
+        return refused_value(option, from, allowed);
+    };
+    row.text = [=](const S& settings) {
+        for (const auto& [word, value] : words) {
+            if (access(settings) == value) {
+                return std::string(word);
+            }
+        }
+        return std::string();
+    };
+    return row;
+}
+
+template <class S, class Access>
+SettingRow<S> switch_row(SettingRow<S> row, Access access) {
+    return choice_row(std::move(row), access,
+                      std::array{std::pair{"yes", true}, std::pair{"no", false}},
+                      "it is yes or no");
+}
+
+inline std::string joined(std::initializer_list<double> numbers) {
+    std::string text;
+    for (const double number : numbers) {
+        text += text.empty() ? "" : ",";
+        append_round_trip(text, number);
+    }
+    return text;
+}
+
+}  // namespace vybeg

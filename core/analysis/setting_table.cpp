@@ -1,0 +1,370 @@
+#include "core/analysis/setting_table.h"
+
+#include <cmath>
+#include <iterator>
+#include <span>
+
+namespace vybeg {
+namespace {
+
+// The most that samples and offsets may be, so that sums of squares stay finite.
+constexpr double most_amplitude = 1e30;
+// Angles keep their digits below this, rad.
+constexpr double most_angle = 1e6;
+constexpr double most_samples = 1e15;  // exact as a double
+constexpr double above_zero = std::numeric_limits<double>::min();
+constexpr double most_number = std::numeric_limits<double>::max();
+
+template <class S>
+using Rows = std::vector<SettingRow<S>>;
+
+std::string band_text(const std::optional<Band>& band) {
+    return band ? joined({band->low_hz, band->high_hz}) : not_set;
+}
+
+template <class S, class Access>
+SettingRow<S> band_row(SettingRow<S> row, Access access) {
+    row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
+        if (from == not_set) {
+            access(settings).reset();
+            return {};
+        }
+        const auto edges = read_numbers(option, from, 2, "it must be two frequencies in Hz, LO,HI");
+        if (!edges) {
+            return edges.error();
+        }
+        access(settings) = Band{(*edges)[0], (*edges)[1]};
+        return {};
+    };
+    row.text = [=](const S& settings) { return band_text(access(settings)); };
+    row.check = [=, option = row.option()](const S& settings) -> Status {
+        const std::optional<Band>& band = access(settings);
+        if (!band ||
+            (band->low_hz >= 0 && band->high_hz > band->low_hz && std::isfinite(band->high_hz))) {
+            return {};
+        }
+        return refused_value(option, short_text(band->low_hz, 12),
+                             "a band needs a low edge of at least 0 Hz and a higher edge");
+    };
+    return row;
+}
+
+template <class S, class Access>
+SettingRow<S> offset_row(Access access) {
+    SettingRow<S> row{"offset", "C,D|auto",
+                      "Offsets of the channels, recording units; auto: the mean of each over whole "
+                      "periods (default 0,0)"};
+    row.read = [=](const std::string& from, S& settings) -> Status {
+        Calibration& calibration = access(settings);
+        calibration.offset_auto = from == "auto";
+        if (calibration.offset_auto) {
+            return {};
+        }
+        const auto offsets = read_numbers("--offset", from, 2, "it is two numbers C,D or auto");
+        if (!offsets) {
+            return offsets.error();
+        }
+        calibration.offset_c = (*offsets)[0];
+        calibration.offset_d = (*offsets)[1];
+        return {};
+    };
+    row.text = [=](const S& settings) {
+        const Calibration& calibration = access(settings);
+        return calibration.offset_auto ? std::string("auto")
+                                       : joined({calibration.offset_c, calibration.offset_d});
+    };
+    row.check = [=](const S& settings) -> Status {
+        const Bounds bounds{-most_amplitude, most_amplitude, "it must lie within +-1e30"};
+        const Calibration& calibration = access(settings);
+        const Status c = within(bounds, "--offset", calibration.offset_c);
+        return c ? within(bounds, "--offset", calibration.offset_d) : c;
+    };
+    return row;
+}
+
+// `part` returns the SignalSettings of S.
+template <class S, class Part>
+SettingRow<S> f0_row(Part part) {
+    return number_row<S>({"f0", "HZ", "The carrier, Hz; skips the search for it"},
+                         [=](auto& s) -> auto& { return part(s).f0_hz; },
+                         {1e-6, most_number, "it must be at least 1e-6 Hz"});
+}
+
+template <class S, class Part>
+Rows<S> signal_rows(Part part) {
+    const auto calibration = [=](auto& s) -> auto& {
+        return part(s).calibration;
+    };
+    return {
+        number_row<S>(
+            {"from", "S", "Start of the part to analyse, s"},
+            [=](auto& s) -> auto& { return part(s).from_s; }),
+        number_row<S>(
+            {"to", "S", "End of the part to analyse, s"},
+            [=](auto& s) -> auto& { return part(s).to_s; }),
+        band_row<S>(
+            {"band", "LO,HI", "Look for the carrier between two frequencies, Hz"},
+            [=](auto& s) -> auto& { return part(s).band; }),
+        band_row<S>(
+            {"filter", "LO,HI", "Zero-phase band-pass before everything, Hz"},
+            [=](auto& s) -> auto& { return part(s).filter; }),
+        number_row<S>({"kappa", "K", "Gain ratio of the channels: S_D = D / K (default 1)"},
+                      [=](auto& s) -> auto& { return calibration(s).kappa; },
+                      {1e-6, 1e6, "it must lie between 1e-6 and 1e6"}),
+        offset_row<S>(calibration),
+        number_row<S>({"delay", "S", "By how much channel D comes late, s (default 0)"},
+                      [=](auto& s) -> auto& { return calibration(s).delay_d_s; },
+                      {-1, 1, "it must lie within +-1 s"}),
+        number_row<S>({"angle-zero", "DEG",
+                       "Angle of the first electrode, degrees; subtracted from theta_A (default "
+                       "0)"},
+                      [=](auto& s) -> auto& { return calibration(s).angle_zero_deg; },
+                      {-360, 360, "it must lie within +-360 degrees"}),
+        switch_row<S>(
+            {"repair-lost", "",
+             "Make gaps where samples were lost, so that time runs on behind them"},
+            [=](auto& s) -> auto& { return part(s).repair_lost; }),
+    };
+}
+
+template <class S, class Part>
+SettingRow<S> periods_row(Part part) {
+    return number_row<S>(
+        {"periods", "P", "Window length in periods of the carrier; may be fractional"},
+        [=](auto& s) -> auto& { return part(s).periods; },
+        {above_zero, 1e9, "it must be above zero and at most 1e9"});
+}
+
+template <class S, class Part>
+SettingRow<S> snap_row(Part part) {
+    return switch_row<S>(
+        {"snap", "", "Move the window to whole half-periods, where the averages are orthogonal"},
+        [=](auto& s) -> auto& { return part(s).snap; });
+}
+
+// `part` returns the settings of the window, whose length in samples has no part beside periods.
+template <class S, class Part>
+SettingRow<S> window_row(const std::string& help, Part part, Bounds bounds) {
+    SettingRow<S> row = whole_row<S>(
+        {"window", "N", help}, [=](auto& s) -> auto& { return part(s).window; }, bounds, "default");
+    row.check = [part, check = row.check](const S& settings) {
+        return part(settings).periods ? Status() : check(settings);
+    };
+    return row;
+}
+
+template <class S>
+SettingRow<S> threads_row() {
+    SettingRow<S> row =
+        count_row<S>({"threads", "N", "Threads (default: as many as the machine has)"},
+                     [](auto& s) -> auto& { return s.threads; }, "all",
+                     {1, std::numeric_limits<int>::max(), "it must be at least 1"});
+    row.has_part = false;
+    return row;
+}
+
+SettingRow<Settings> algorithm_row() {
+    SettingRow<Settings> row{"algorithm", "NAME",
+                             "in-phase, phase-shift, moving-axes, demodulation, conjugate-gradient "
+                             "or maximum-likelihood (default)"};
+    row.read = [](const std::string& from, Settings& settings) -> Status {
+        const std::optional<Algorithm> algorithm = algorithm_from_name(from);
+        if (!algorithm) {
+            return refused_value("--algorithm", from,
+                                 "it is in-phase, phase-shift, moving-axes, demodulation, "
+                                 "conjugate-gradient or maximum-likelihood");
+        }
+        settings.algorithm = *algorithm;
+        return {};
+    };
+    row.text = [](const Settings& settings) {
+        return std::string(algorithm_name(settings.algorithm));
+    };
+    return row;
+}
+
+Status check_initial(const StartValues& initial) {
+    const WaveState& state = initial.state;
+    const Bounds amplitude{-most_amplitude, most_amplitude, "an amplitude must lie within +-1e30"};
+    const Bounds angle{-most_angle, most_angle, "an angle must lie within +-1e6 rad"};
+    const Bounds above{above_zero, most_number, "the amplitude a_A must be above zero"};
+    const Bounds frequency{above_zero, most_number, "the frequency must be above zero"};
+    for (const auto& [bounds, value] :
+         {std::pair{above, state.a_A}, std::pair{frequency, initial.f_hz},
+          std::pair{amplitude, state.a_A}, std::pair{amplitude, state.a_B},
+          std::pair{angle, state.two_theta_A}, std::pair{angle, state.alpha}}) {
+        if (Status valid = within(bounds, "--initial", value); !valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+SettingRow<Settings> initial_row() {
+    SettingRow<Settings> row{"initial", "aA,aB,2thetaA,alpha,f",
+                             "Start values of conjugate-gradient: recording units, rad, Hz; alpha "
+                             "at the centre of the first window"};
+    row.read = [](const std::string& from, Settings& settings) -> Status {
+        if (from == not_set) {
+            settings.initial.reset();
+            return {};
+        }
+        const auto v = read_numbers("--initial", from, 5, "it must be five numbers with commas");
+        if (!v) {
+            return v.error();
+        }
+        settings.initial = StartValues{{(*v)[0], (*v)[1], (*v)[2], (*v)[3]}, (*v)[4]};
+        return {};
+    };
+    row.text = [](const Settings& settings) {
+        if (!settings.initial) {
+            return not_set;
+        }
+        const WaveState& state = settings.initial->state;
+        return joined(
+            {state.a_A, state.a_B, state.two_theta_A, state.alpha, settings.initial->f_hz});
+    };
+    row.check = [](const Settings& settings) {
+        return settings.initial ? check_initial(*settings.initial) : Status();
+    };
+    return row;
+}
+
+constexpr std::array<std::pair<const char*, FitOptions::Model>, 3> models{
+    {{"auto", FitOptions::Model::automatic},
+     {"structured", FitOptions::Model::structured},
+     {"free", FitOptions::Model::free}}};
+
+SettingRow<IdentifySettings> tolerance_row() {
+    SettingRow<IdentifySettings> row{
+        "tolerance", "NAME=X[,NAME=X]",
+        "How well the channels are known, standard deviations: kappa (relative, default "
+        "0.01), skew (deg), delay (s), crosstalk (relative), phase-drift (rad over a run), "
+        "gain-drift (relative, over a run); default 0, but for kappa. Units may follow, as in "
+        "skew=0.1deg,delay=10ns"};
+    row.read = [](const std::string& from, IdentifySettings& settings) -> Status {
+        const Result<Tolerance> tolerance = read_tolerance(from);
+        if (!tolerance) {
+            return tolerance.error();
+        }
+        settings.tolerance = *tolerance;
+        return {};
+    };
+    row.text = [](const IdentifySettings& settings) { return tolerance_text(settings.tolerance); };
+    return row;
+}
+
+template <class S>
+Rows<S> in_order(std::initializer_list<Rows<S>> parts) {
+    Rows<S> rows;
+    for (const Rows<S>& part : parts) {
+        rows.insert(rows.end(), part.begin(), part.end());
+    }
+    return rows;
+}
+
+constexpr auto whole = [](auto& s) -> auto& {
+    return s;
+};
+
+Rows<Settings> rows_of_analysis() {
+    return in_order<Settings>(
+        {{algorithm_row(),
+          window_row<Settings>(
+              "Window length, samples (default 60)", whole,
+              {5, most_samples, "it must be 5 to 1e15 samples: there are five parameters"}),
+          periods_row<Settings>(whole), snap_row<Settings>(whole),
+          count_row<Settings>({"hop", "N", "Samples between window starts (default: the window)"},
+                              [](auto& s) -> auto& { return s.hop; }, "window",
+                              {1, most_samples, "it must be 1 to 1e15 samples"}),
+          f0_row<Settings>(whole), initial_row(),
+          choice_row<Settings>(
+              {"start", "first|previous",
+               "conjugate-gradient starts each window from in-phase or from the window before "
+               "(default first)"},
+              [](auto& s) -> auto& { return s.start; },
+              std::array{std::pair{"first", StartRule::first},
+                         std::pair{"previous", StartRule::previous}},
+              "it is first or previous")},
+         signal_rows<Settings>(whole),
+         {threads_row<Settings>()}});
+}
+
+Rows<IdentifySettings> rows_of_identification() {
+    const auto signal = [](auto& s) -> auto& {
+        return s.signal;
+    };
+    const auto windows = [](auto& s) -> auto& {
+        return s.windows;
+    };
+    return in_order<IdentifySettings>(
+        {{choice_row<IdentifySettings>(
+              {"model", "NAME",
+               "auto (default), structured (the pick-offs are a calibrated pair) or free (only "
+               "the modes)"},
+              [](auto& s) -> auto& { return s.model; }, models, "it is auto, structured or free"),
+          window_row<IdentifySettings>(
+              "Window length, samples (default: 15 ms, 12 periods at least)", windows,
+              {16, most_number, "the resonator's fit needs at least 16 samples"}),
+          periods_row<IdentifySettings>(windows), snap_row<IdentifySettings>(windows),
+          f0_row<IdentifySettings>(signal)},
+         signal_rows<IdentifySettings>(signal),
+         {threads_row<IdentifySettings>(), tolerance_row()}});
+}
+
+template <class S>
+Status first_fault(const Rows<S>& rows, const S& settings) {
+    for (const SettingRow<S>& row : rows) {
+        if (Status valid = row.check(settings); !valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+template <class S>
+std::vector<NamedValue> listed(const Rows<S>& rows, const S& settings) {
+    std::vector<NamedValue> list;
+    for (const SettingRow<S>& row : rows) {
+        if (row.has_part) {
+            list.emplace_back(row.name, row.text(settings));
+        }
+    }
+    return list;
+}
+
+}  // namespace
+
+const std::vector<SettingRow<Settings>>& analysis_settings() {
+    static const Rows<Settings> rows = rows_of_analysis();
+    return rows;
+}
+
+const std::vector<SettingRow<IdentifySettings>>& identify_settings() {
+    static const Rows<IdentifySettings> rows = rows_of_identification();
+    return rows;
+}
+
+Status validate(const SignalSettings& settings) {
+    static const Rows<SignalSettings> rows = in_order<SignalSettings>(
+        {{f0_row<SignalSettings>(whole)}, signal_rows<SignalSettings>(whole)});
+    return first_fault(rows, settings);
+}
+
+Status validate(const Settings& settings) {
+    return first_fault(analysis_settings(), settings);
+}
+
+Status validate(const IdentifySettings& settings) {
+    return first_fault(identify_settings(), settings);
+}
+
+std::vector<NamedValue> settings_list(const Settings& settings) {
+    return listed(analysis_settings(), settings);
+}
+
+std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
+    return listed(identify_settings(), settings);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/analysis/identify_settings.h"
+#include "core/analysis/setting_rows.h"
+#include "core/analysis/settings.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+
+// The settings of an analysis and of an identification, a row for each, in the order of the command
+// line's help.
+const std::vector<SettingRow<Settings>>& analysis_settings();
+const std::vector<SettingRow<IdentifySettings>>& identify_settings();
+
+// Checks what can be checked without a recording, and that no value is so large or small that what
+// is computed with it loses its digits. Errors: setting_invalid with the setting's command-line
+// name.
+Status validate(const SignalSettings& settings);
+Status validate(const Settings& settings);
+Status validate(const IdentifySettings& settings);
+
+// Name and value as the command line takes them.
+using NamedValue = std::pair<std::string, std::string>;
+
+// Every setting that has a part in the result.
+std::vector<NamedValue> settings_list(const Settings& settings);
+std::vector<NamedValue> settings_list(const IdentifySettings& settings);
+
+}  // namespace vybeg
