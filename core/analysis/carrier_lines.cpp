@@ -68,13 +68,13 @@ Result<Spectrum> spectrum_of(const Prepared& prepared, std::size_t size, const R
     const auto length = static_cast<std::int64_t>(size);
     const std::int64_t first = std::max(prepared.first, prepared.filter_reach);
     const std::int64_t last =
-        std::min(prepared.end, prepared.unwatched->frames() - prepared.filter_reach) - length;
+        std::min(prepared.end, prepared.ahead->frames() - prepared.filter_reach) - length;
     if (last < first) {
         return spectrum;
     }
     const std::int64_t stretches = std::min({2 * (last - first) / length + 1, most_stretches,
                                              static_cast<std::int64_t>(most_samples / size)});
-    const std::int64_t step = prepared.unwatched->seeks()
+    const std::int64_t step = prepared.ahead->seeks()
                                   ? (last - first) / std::max<std::int64_t>(stretches - 1, 1)
                                   : length / 2;
     const Fft transform(size);
@@ -85,7 +85,7 @@ Result<Spectrum> spectrum_of(const Prepared& prepared, std::size_t size, const R
         if (job.cancelled()) {
             return Error{ErrorCode::interrupted, "", {}};
         }
-        if (const Status read = prepared.unwatched->read(first + s * step, c, d); !read) {
+        if (const Status read = prepared.ahead->read(first + s * step, c, d); !read) {
             return read.error();
         }
         bool whole = true;
@@ -230,7 +230,7 @@ Result<std::vector<double>> mains_of(const Prepared& prepared, double lobe_hz, d
         std::min(static_cast<double>(prepared.end - prepared.first), seconds * rate_hz));
     std::vector<double> c(count);
     std::vector<double> d(count);
-    if (const Status read = prepared.unwatched->read(prepared.first, c, d); !read) {
+    if (const Status read = prepared.ahead->read(prepared.first, c, d); !read) {
         return read.error();
     }
     std::vector<double> found;

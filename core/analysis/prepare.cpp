@@ -281,7 +281,7 @@ Result<Prepared> prepare(const Recording& recording, const SignalSettings& setti
         return named(f0.error());
     }
     prepared.f0_hz = *f0;
-    prepared.unwatched = *conditioned;
+    prepared.ahead = *condition(raw, prepared.calibration, settings.filter, rate, *f0);
     prepared.rate_relative_sd = recording.rate_relative_sd;
     // What is read from here on goes into the windows, and past the check on its way.
     prepared.check = std::make_shared<FaultCheck>(*f0, rate);

@@ -17,9 +17,9 @@ namespace vybeg {
 // A recording made ready for windows: what the samples are, where they lie, and what the carrier
 // is.
 struct Prepared {
-    std::shared_ptr<const SampleSource> source;     // calibrated and filtered
-    std::shared_ptr<const SampleSource> unwatched;  // the same, past no check: to look ahead
-    std::int64_t first = 0;                         // the range to analyse: frames [first, end)
+    std::shared_ptr<const SampleSource> source;  // calibrated and filtered
+    std::shared_ptr<const SampleSource> ahead;   // the same, past no check: to look ahead
+    std::int64_t first = 0;                      // the range to analyse: frames [first, end)
     std::int64_t end = 0;
     double f0_hz = 0;
     std::optional<Band> filter;
@@ -30,6 +30,13 @@ struct Prepared {
     std::shared_ptr<FaultCheck> check;    // sees the samples of `source` as they are read
     std::vector<Diagnostic> diagnostics;
     double carrier_s = 0;  // seconds that the search for the carrier took, reading included
+
+    // The same for windows that are estimated out of order, of which the check must not know.
+    Prepared past_check() const {
+        Prepared other = *this;
+        other.source = ahead;
+        return other;
+    }
 };
 
 // Lost samples, calibration, band-pass, range and carrier. Precondition: validate(settings). Errors

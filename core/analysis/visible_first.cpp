@@ -1,7 +1,7 @@
 #include "core/analysis/visible_first.h"
 
+#include "core/analysis/analyse.h"
 #include "core/analysis/estimate_track.h"
-#include "core/analysis/planned_analysis.h"
 #include "core/analysis/prepare.h"
 #include "core/numerics/phase.h"
 #include "core/track/unwrap.h"
@@ -57,10 +57,9 @@ Stretch visible_windows(const WindowPlan& plan, const TimeRange& visible, double
 // Windows of an analysis by themselves, before all of them are made.
 class EarlyWindows {
 public:
-    // `prepared` is not that of the whole analysis, whose check must see the samples in order.
-    EarlyWindows(const Prepared& prepared, const AnalysisSummary& whole, double rate_hz,
+    EarlyWindows(Prepared prepared, const AnalysisSummary& whole, double rate_hz,
                  const JobControl& job)
-        : prepared_(prepared), whole_(whole), rate_hz_(rate_hz), job_(job.silent()) {}
+        : prepared_(std::move(prepared)), whole_(whole), rate_hz_(rate_hz), job_(job.silent()) {}
 
     // Single windows at even distances, first and last included, as many as there is time for.
     Status spread(const Stretch& stretch) {
@@ -89,8 +88,8 @@ public:
     }
 
     Analysis analysis() const {
-        Analysis analysis;
-        static_cast<AnalysisSummary&>(analysis) = whole_;
+        Analysis analysis{whole_, {}};
+        analysis.timing = {};
         for (const auto& [window, rows] : rows_) {
             analysis.track.append(rows);
         }
@@ -120,25 +119,21 @@ private:
         return done ? Status() : Status(done.error());
     }
 
-    const Prepared& prepared_;
+    Prepared prepared_;
     const AnalysisSummary& whole_;
     double rate_hz_;
     JobControl job_;
     std::map<std::int64_t, Track> rows_;  // by their first window
 };
 
-Status show_early(const Recording& recording, const AnalysisSummary& whole,
+Status show_early(const Prepared& prepared, const AnalysisSummary& whole, double rate_hz,
                   const TimeRange& visible, const EarlySink& early, const JobControl& job) {
     const WindowPlan& plan = whole.plan;
-    const auto prepared = prepare(recording, whole.settings, job.silent());
-    if (!prepared) {
-        return prepared.error();
-    }
-    EarlyWindows windows(*prepared, whole, recording.rate_hz, job);
+    EarlyWindows windows(prepared.past_check(), whole, rate_hz, job);
     if (const Status made = windows.spread({0, plan.count}); !made) {
         return made;
     }
-    const Stretch shown = visible_windows(plan, visible, recording.rate_hz);
+    const Stretch shown = visible_windows(plan, visible, rate_hz);
     const bool is_part = shown.count() > 0 && 2 * shown.count() <= plan.count;
     const bool is_quick = about_s(shown.count(), plan, whole.settings.algorithm) < at_once_s;
     if (is_part && !is_quick) {
@@ -163,20 +158,16 @@ Status show_early(const Recording& recording, const AnalysisSummary& whole,
 Result<Analysis> analyse_visible_first(const Recording& recording, const Settings& settings,
                                        const TimeRange& visible, const EarlySink& early,
                                        const JobControl& job) {
-    const Result<Planned> planned = plan_analysis(recording, settings, job);
-    if (!planned) {
-        return planned.error();
-    }
-    const WindowPlan& plan = planned->plan;
-    // Repairing lost samples goes through the whole recording before the first window: nothing of
-    // it could be early.
-    if (!settings.repair_lost && about_s(plan.count, plan, settings.algorithm) > at_once_s) {
-        const AnalysisSummary whole = summary_before(settings, *planned, recording.rate_hz);
-        if (const Status shown = show_early(recording, whole, visible, early, job); !shown) {
-            return shown.error();
-        }
-    }
-    return analyse_planned(recording, settings, *planned, job);
+    const BeforeWindows show = [&](const Prepared& prepared, const AnalysisSummary& whole) {
+        // Repairing lost samples goes through the whole recording before the first window: nothing
+        // of it could be early.
+        const bool long_enough =
+            about_s(whole.plan.count, whole.plan, settings.algorithm) > at_once_s;
+        return !settings.repair_lost && long_enough
+                   ? show_early(prepared, whole, recording.rate_hz, visible, early, job)
+                   : Status();
+    };
+    return analyse(recording, settings, job, show);
 }
 
 }  // namespace vybeg
