@@ -6,6 +6,7 @@
 #include "app/cli_support.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
+#include "core/base/plain_text.h"
 #include "core/simulation/simulate.h"
 
 #include <CLI/CLI.hpp>
@@ -65,9 +66,10 @@ std::string sentence(const CLI::ParseError& error, std::span<char*> words) {
     const bool without_command = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
                                  text.starts_with("A subcommand");
     if (without_command && words.size() > 1 && words[1][0] != '-') {
-        return "there is no subcommand \"" + std::string(words[1]) + "\".";
+        return "there is no subcommand \"" + plain_text(words[1]) + "\".";
     }
     std::ranges::replace(text, '\n', ' ');
+    text = plain_text(text);
     return text.ends_with('.') ? text : text + ".";
 }
 

@@ -690,6 +690,14 @@
             <translation>Канал %1 записан в файле в %2; пересчитан в %3, единицу канала C.</translation>
         </message>
         <message>
+        <source>The times are in &apos;%1&apos;, an unknown unit, and are read as seconds. Choose their unit with --time-unit, or their rate with --time-column none and --rate.</source>
+        <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу (--time-unit) или частоту дискретизации (--time-column none и --rate).</translation>
+    </message>
+    <message>
+        <source>The file states a sample rate of %1 Hz, and its times give %2 Hz, which counts. Check the unit of the times (--time-unit).</source>
+        <translation>В файле указана частота дискретизации %1 Гц, а по столбцу времени она равна %2 Гц; принята вторая. Проверьте единицу времени (--time-unit).</translation>
+    </message>
+    <message>
             <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit with --channels, or give the gain ratio with --kappa.</source>
             <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей (--channels) или задайте отношение усилений (--kappa).</translation>
         </message>

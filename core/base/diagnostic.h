@@ -20,6 +20,8 @@ enum class DiagnosticKind {
     over_range,          // args: channel, samples. Of the missing ones, those beyond its range.
     unit_converted,      // args: channel, its unit, the unit of C, in which it is read
     units_differ,        // args: channel C, its unit, channel D, its unit. No factor between them.
+    time_unit_unknown,   // args: unit of the times, which are read as seconds
+    rates_disagree,      // args: rate that the file states, rate of its times (Hz), which counts
     leakage,             // args: windows, of. The closed form is off by more than its deviation.
     wave_moves,          // args: windows, of. Inside a window or between two.
     text_lines_ignored,  // args: count; header and comment lines

@@ -59,6 +59,15 @@ const char* message_template(DiagnosticKind kind) {
                                  "Channel %1 is in %2 and channel %3 in %4, units without a known "
                                  "ratio: amplitudes and angles are wrong. Choose channels of one "
                                  "unit with --channels, or give the gain ratio with --kappa.");
+        case DiagnosticKind::time_unit_unknown:
+            return VYBEG_MESSAGE("Message",
+                                 "The times are in '%1', an unknown unit, and are read as seconds. "
+                                 "Choose their unit with --time-unit, or their rate with "
+                                 "--time-column none and --rate.");
+        case DiagnosticKind::rates_disagree:
+            return VYBEG_MESSAGE("Message",
+                                 "The file states a sample rate of %1 Hz, and its times give %2 "
+                                 "Hz, which counts. Check the unit of the times (--time-unit).");
         case DiagnosticKind::leakage:
             return VYBEG_MESSAGE(
                 "Message",

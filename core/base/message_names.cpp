@@ -17,6 +17,8 @@ std::string kind_name(DiagnosticKind kind) {
         case DiagnosticKind::over_range: return "over-range";
         case DiagnosticKind::unit_converted: return "unit-converted";
         case DiagnosticKind::units_differ: return "units-differ";
+        case DiagnosticKind::time_unit_unknown: return "time-unit-unknown";
+        case DiagnosticKind::rates_disagree: return "rates-disagree";
         case DiagnosticKind::leakage: return "leakage";
         case DiagnosticKind::wave_moves: return "wave-moves";
         case DiagnosticKind::text_lines_ignored: return "text-lines-ignored";

@@ -171,7 +171,8 @@ public:
     // 1 / wf_increment of the channel, its group or the file.
     static std::optional<double> rate(const Contents& contents, const TdmsObject& channel) {
         for (const TdmsObject* object : with_owners(contents, channel)) {
-            const double step = number(*object, "wf_increment").value_or(0);
+            const double unit_s = seconds_per(text(*object, "wf_xunit_string")).value_or(1);
+            const double step = unit_s * number(*object, "wf_increment").value_or(0);
             if (step > 0 && std::isfinite(1 / step)) {
                 return 1 / step;
             }

@@ -1,5 +1,6 @@
 #include "core/recording/mat_hdf5/hdf5_attributes.h"
 
+#include "core/recording/samples/column_words.h"
 #include "core/recording/samples/rate_name.h"
 
 #include <algorithm>
@@ -56,6 +57,18 @@ std::string text_of(hid_t attribute) {
     return text;
 }
 
+// The text of the attribute that names the unit of another one: "sampling_rate_unit".
+std::string unit_beside(hid_t object, const std::string& name) {
+    for (const char* ending : {"_unit", "_units"}) {
+        const std::string beside = name + ending;
+        if (H5Aexists(object, beside.c_str()) > 0) {
+            const Hdf5Handle attribute(H5Aopen(object, beside.c_str(), H5P_DEFAULT));
+            return attribute ? text_of(attribute.get()) : std::string();
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Hdf5Attributes read_attributes(hid_t object) {
@@ -72,14 +85,19 @@ Hdf5Attributes read_attributes(hid_t object) {
             continue;  // what an attribute says is a help, never needed
         }
         const std::string name = name_of(attribute.get());
-        if (name == "unit" || name == "units" || name == "unit_string") {
+        const std::string small = lower_text(name);
+        if (small == "unit" || small == "units" || small == "unit_string") {
             found.unit = text_of(attribute.get());
         } else if (name == "MATLAB_class") {
             found.matlab_class = text_of(attribute.get());
         } else if (name == "MATLAB_empty") {
             found.matlab_empty = number_of(attribute.get()).value_or(0) != 0;
-        } else if (const auto number = number_of(attribute.get()); number && !found.rate_hz) {
-            found.rate_hz = rate_by_name(name, *number);
+        } else if (const auto number = number_of(attribute.get())) {
+            if (!found.rate_hz) {
+                found.rate_hz = rate_by_name(name, *number, unit_beside(object, name));
+            }
+            found.scaled = found.scaled || (small == "scale_factor" && *number != 1) ||
+                           (small == "add_offset" && *number != 0);
         }
     }
     return found;

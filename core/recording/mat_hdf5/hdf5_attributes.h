@@ -11,6 +11,7 @@ namespace vybeg {
 struct Hdf5Attributes {
     std::optional<double> rate_hz;  // by rate_by_name()
     std::string unit;               // "unit" or "units"
+    bool scaled = false;            // by "scale_factor" or "add_offset" of netCDF
     std::string matlab_class;       // "MATLAB_class": "double", "char", ...
     bool matlab_empty = false;      // "MATLAB_empty": the dataset holds a size, not samples
 };

@@ -161,8 +161,9 @@ private:
         entry.name = naming_ == Naming::matlab ? dotted(path) : path;
         entry.unit = own.unit;
         entry.rate_hz = own.rate_hz ? own.rate_hz : around.rate_hz;
-        if (dataset.rank > 2) {
-            entry.unsupported = dimensions_text(dataset.rank);
+        if (dataset.rank > 2 || own.scaled) {
+            entry.unsupported = own.scaled ? "values for scale_factor and add_offset"
+                                           : dimensions_text(dataset.rank);
             return add(std::move(entry), std::move(dataset));
         }
         H5Sget_simple_extent_dims(space.get(), dataset.extent.data(), nullptr);

@@ -11,32 +11,49 @@
 namespace vybeg {
 namespace {
 
-struct TimeUnit {
-    std::string_view name;
+struct TimeWord {
+    std::string_view text;
     double seconds;
 };
-constexpr std::array<TimeUnit, 22> time_units = {{{"s", 1},
-                                                  {"sec", 1},
-                                                  {"secs", 1},
-                                                  {"second", 1},
-                                                  {"seconds", 1},
-                                                  {"с", 1},
-                                                  {"сек", 1},
-                                                  {"секунд", 1},
-                                                  {"секунды", 1},
-                                                  {"ms", 1e-3},
-                                                  {"msec", 1e-3},
-                                                  {"millisecond", 1e-3},
-                                                  {"milliseconds", 1e-3},
-                                                  {"мс", 1e-3},
-                                                  {"us", 1e-6},
-                                                  {"usec", 1e-6},
-                                                  {"µs", 1e-6},  // U+00B5, the micro sign
-                                                  {"μs", 1e-6},  // U+03BC, the Greek letter
-                                                  {"microseconds", 1e-6},
-                                                  {"мкс", 1e-6},
-                                                  {"ns", 1e-9},
-                                                  {"нс", 1e-9}}};
+constexpr std::array<TimeWord, 13> second_words = {{{"s", 1},
+                                                    {"sec", 1},
+                                                    {"secs", 1},
+                                                    {"second", 1},
+                                                    {"seconds", 1},
+                                                    {"sek", 1},
+                                                    {"sekunde", 1},
+                                                    {"sekunden", 1},
+                                                    {"с", 1},
+                                                    {"сек", 1},
+                                                    {"секунд", 1},
+                                                    {"секунда", 1},
+                                                    {"секунды", 1}}};
+constexpr std::array<TimeWord, 13> second_prefixes = {{{"milli", 1e-3},
+                                                       {"micro", 1e-6},
+                                                       {"nano", 1e-9},
+                                                       {"милли", 1e-3},
+                                                       {"микро", 1e-6},
+                                                       {"m", 1e-3},
+                                                       {"u", 1e-6},
+                                                       {"µ", 1e-6},  // U+00B5, the micro sign
+                                                       {"μ", 1e-6},  // U+03BC, the Greek letter
+                                                       {"n", 1e-9},
+                                                       {"p", 1e-12},
+                                                       {"k", 1e3},
+                                                       {"н", 1e-9}}};
+constexpr std::array<TimeWord, 2> cyrillic_prefixes = {{{"мк", 1e-6}, {"м", 1e-3}}};
+constexpr std::array<TimeWord, 22> longer_words = {
+    {{"min", 60},    {"mins", 60},   {"minute", 60},  {"minutes", 60},   {"minuten", 60},
+     {"мин", 60},    {"минут", 60},  {"минуты", 60},  {"h", 3600},       {"hr", 3600},
+     {"hrs", 3600},  {"hour", 3600}, {"hours", 3600}, {"stunden", 3600}, {"ч", 3600},
+     {"час", 3600},  {"часы", 3600}, {"day", 86400},  {"days", 86400},   {"tage", 86400},
+     {"дни", 86400}, {"сут", 86400}}};
+
+template <std::size_t count>
+std::optional<double> seconds_of(const std::array<TimeWord, count>& words, std::string_view text) {
+    const auto found = std::ranges::find(words, text, &TimeWord::text);
+    return found == words.end() ? std::nullopt : std::optional(found->seconds);
+}
 
 constexpr std::array<std::string_view, 21> time_names = {
     "t",         "time",      "times",    "timestamp",    "elapsed",
@@ -138,18 +155,31 @@ Channel name_and_unit(std::string_view field) {
     const auto result = [](std::string_view name, std::string_view unit) {
         return Channel{std::string(trimmed(name)), std::string(trimmed(unit))};
     };
-    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
+    for (const auto& [open, close] :
+         {std::pair{'[', ']'}, std::pair{'(', ')'}, std::pair{'{', '}'}}) {
         const auto at = whole.rfind(open);
-        if (at != std::string_view::npos && at > 0 && whole.back() == close) {
-            const std::string_view inside = whole.substr(at + 1, whole.size() - at - 2);
-            if (is_number(inside)) {
-                return {text, ""};
-            }
-            if (const auto node = node_quantity(whole.substr(0, at), inside)) {
-                return *node;
-            }
-            return result(whole.substr(0, at), whole.substr(at + 1, whole.size() - at - 2));
+        const auto end = whole.rfind(close);
+        if (at == std::string_view::npos || at == 0 || end == std::string_view::npos || end < at) {
+            continue;
         }
+        std::string_view inside = whole.substr(at + 1, end - at - 1);
+        inside.remove_prefix(inside.starts_with("in ") ? 3 : 0);
+        if (end + 1 < whole.size()) {
+            // "Time [ms] abs", "C (V) DC"
+            if (is_any_unit(inside)) {
+                return result(
+                    std::string(trimmed(whole.substr(0, at))) + std::string(whole.substr(end + 1)),
+                    inside);
+            }
+            continue;
+        }
+        if (is_number(inside)) {
+            return {text, ""};
+        }
+        if (const auto node = node_quantity(whole.substr(0, at), inside)) {
+            return *node;
+        }
+        return result(whole.substr(0, at), inside);
     }
     const auto comma = whole.rfind(", ");
     if (comma != std::string_view::npos && comma > 0) {
@@ -165,20 +195,10 @@ Channel name_and_unit(std::string_view field) {
             return result(whole.substr(0, at), whole.substr(at + separator.size()));
         }
     }
-    return {text, ""};
-}
-
-bool is_time_name(std::string_view name) {
-    if (name == "T" || name == "Т") {
-        return false;  // a temperature, as likely as not
-    }
-    const std::string small = lower_text(name);
-    const std::string_view stem = std::string_view(small).substr(0, small.rfind('_'));
-    const auto known = [](std::string_view text) {
-        return std::find(time_names.begin(), time_names.end(), text) != time_names.end();
-    };
-    return known(small) || (stem.size() + 1 < small.size() && known(stem) &&
-                            seconds_per(small.substr(stem.size() + 1)));
+    // "CH1 mVolt", "C_V", and "mV" alone
+    const auto cut = whole.find_last_of(" _");
+    const std::string_view last = cut == std::string_view::npos ? whole : whole.substr(cut + 1);
+    return {text, is_unit_by_itself(last) ? std::string(last) : ""};
 }
 
 bool is_counter_name(std::string_view name) {
@@ -187,10 +207,69 @@ bool is_counter_name(std::string_view name) {
 }
 
 std::optional<double> seconds_per(std::string_view unit) {
-    const std::string small = lower_text(unit);
-    const auto found = std::find_if(time_units.begin(), time_units.end(),
-                                    [&](const TimeUnit& known) { return known.name == small; });
-    return found == time_units.end() ? std::nullopt : std::optional(found->seconds);
+    std::string small = lower_text(unit);
+    while (small.ends_with('.')) {
+        small.pop_back();
+    }
+    if (const auto longer = seconds_of(longer_words, small)) {
+        return longer;
+    }
+    if (const auto whole = seconds_of(second_words, small)) {
+        return whole;
+    }
+    const auto behind = [&](const TimeWord& prefix) -> std::optional<double> {
+        if (!small.starts_with(prefix.text)) {
+            return std::nullopt;
+        }
+        const auto word =
+            seconds_of(second_words, std::string_view(small).substr(prefix.text.size()));
+        return word ? std::optional(prefix.seconds * *word) : std::nullopt;
+    };
+    for (const TimeWord& prefix : cyrillic_prefixes) {
+        if (const auto found = behind(prefix)) {
+            return found;
+        }
+    }
+    for (const TimeWord& prefix : second_prefixes) {
+        if (const auto found = behind(prefix)) {
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+// Where the last word of a name begins: behind a blank, '_' or '-', or "TimeMs".
+std::size_t last_word(std::string_view name) {
+    const auto cut = name.find_last_of(" _-");
+    if (cut != std::string_view::npos) {
+        return cut + 1;
+    }
+    const std::string small = lower_text(name);
+    for (const std::string_view beginning : time_beginnings) {
+        // "times" is a plural.
+        if (small.starts_with(beginning) && small.size() > beginning.size() + 1) {
+            return beginning.size();
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+bool is_time_name(std::string_view name) {
+    if (name == "T" || name == "Т") {
+        return false;  // a temperature, as likely as not
+    }
+    const std::string small = lower_text(name);
+    if (among(time_names, small)) {
+        return true;
+    }
+    const std::size_t word = last_word(small);
+    const std::string_view stem = std::string_view(small).substr(0, word);
+    return word > 0 && seconds_per(std::string_view(small).substr(word)) &&
+           among(time_names, stem.substr(0, stem.find_last_not_of(" _-") + 1));
 }
 
 std::string time_unit(const Channel& column) {
@@ -199,8 +278,7 @@ std::string time_unit(const Channel& column) {
     }
     // The unit is the end of the name, or all of it: "t_ms", "sec".
     const std::string_view name = column.name;
-    const auto cut = name.rfind('_');
-    const std::string_view ending = cut == std::string_view::npos ? name : name.substr(cut + 1);
+    const std::string_view ending = name.substr(last_word(name));
     return seconds_per(ending) ? std::string(ending) : "";
 }
 

@@ -45,10 +45,13 @@ std::string options_text(const OpenOptions& options) {
 }
 
 Status check_options(const OpenOptions& options) {
-    if (options.rate_hz && !(std::isfinite(*options.rate_hz) && *options.rate_hz > 0)) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--rate", short_text(*options.rate_hz), "it must be positive, in Hz"}};
+    constexpr double least_hz = 1e-6;
+    constexpr double most_hz = 1e12;
+    if (options.rate_hz && !(*options.rate_hz >= least_hz && *options.rate_hz <= most_hz)) {
+        return Error{
+            ErrorCode::setting_invalid,
+            "",
+            {"--rate", short_text(*options.rate_hz), "it must lie between 1e-6 and 1e12 Hz"}};
     }
     if (options.channel_c == options.channel_d) {
         const std::string channel = std::to_string(options.channel_c);

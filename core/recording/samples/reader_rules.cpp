@@ -1,6 +1,7 @@
 #include "core/recording/samples/reader_rules.h"
 
 #include "core/base/number_text.h"
+#include "core/recording/samples/channel_units.h"
 
 #include <algorithm>
 #include <utility>
@@ -111,6 +112,9 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     recording.start = std::move(found.start);
     recording.diagnostics = std::move(found.diagnostics);
     recording.source = std::move(found.source);
+    if (!found.one_unit && recording.source) {
+        match_units(recording);
+    }
     note_early_end(found.promised_frames, recording);
     if (found.never_closed) {
         note_not_closed(recording);

@@ -49,13 +49,14 @@ struct FoundSamples {
     std::int64_t frames = 0;                     // in the file; a grid of times may have others
     std::int64_t promised_frames = 0;            // by the file, which may end before
     bool never_closed = false;                   // nothing promises a number of frames
+    bool one_unit = false;                       // the reader has brought D to the unit of C
     std::vector<Diagnostic> diagnostics;         // of the reader
     std::shared_ptr<const SampleSource> source;  // channels C and D; none without frames
 };
 
 // The recording with its rate, after the checks above. Adds file_ends_early where it has fewer
-// frames than promised, and file_not_closed. Errors: those of check_channels(), choose_rate() and
-// check_frames(), in this order.
+// frames than promised, and file_not_closed; brings D to the unit of C (match_units()). Errors:
+// those of check_channels(), choose_rate() and check_frames(), in this order.
 Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
                                      const OpenOptions& options);
 

@@ -9,23 +9,24 @@ namespace {
 
 class ScaledSource final : public SampleSource {
 public:
-    ScaledSource(std::shared_ptr<const SampleSource> source, double scale)
-        : source_(std::move(source)), scale_(scale) {}
+    ScaledSource(std::shared_ptr<const SampleSource> source, double scale_c, double scale_d)
+        : source_(std::move(source)), scale_c_(scale_c), scale_d_(scale_d) {}
 
     std::int64_t frames() const override { return source_->frames(); }
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
         Status status = source_->read(first, c, d);
         if (status) {
-            scale_samples(c, scale_);
-            scale_samples(d, scale_);
+            scale_samples(c, scale_c_);
+            scale_samples(d, scale_d_);
         }
         return status;
     }
 
 private:
     std::shared_ptr<const SampleSource> source_;
-    double scale_;
+    double scale_c_;
+    double scale_d_;
 };
 
 }  // namespace
@@ -38,8 +39,8 @@ void scale_samples(std::span<double> values, double scale) {
 }
 
 std::shared_ptr<const SampleSource> scaled_source(std::shared_ptr<const SampleSource> source,
-                                                  double scale) {
-    return std::make_shared<ScaledSource>(std::move(source), scale);
+                                                  double scale_c, double scale_d) {
+    return std::make_shared<ScaledSource>(std::move(source), scale_c, scale_d);
 }
 
 }  // namespace vybeg

@@ -10,8 +10,8 @@ namespace vybeg {
 // Multiplies samples; what is infinite then is NaN, a missing sample.
 void scale_samples(std::span<double> values, double scale);
 
-// Both channels of `source` times `scale`.
+// The channels of `source` times their scales.
 std::shared_ptr<const SampleSource> scaled_source(std::shared_ptr<const SampleSource> source,
-                                                  double scale);
+                                                  double scale_c, double scale_d);
 
 }  // namespace vybeg

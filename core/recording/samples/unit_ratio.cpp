@@ -1,5 +1,6 @@
 #include "core/recording/samples/unit_ratio.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -43,7 +44,18 @@ std::optional<char> quantity_of(std::string_view text) {
     return std::nullopt;
 }
 
+// "V DC": the coupling says nothing of the size.
+std::string_view without_coupling(std::string_view text) {
+    for (const std::string_view coupling : {" DC", " AC", " dc", " ac"}) {
+        if (text.ends_with(coupling)) {
+            return text.substr(0, text.size() - coupling.size());
+        }
+    }
+    return text;
+}
+
 std::optional<Scaled> scaled(std::string_view text) {
+    text = without_coupling(text);
     if (const auto quantity = quantity_of(text)) {
         return Scaled{*quantity, 1};
     }
@@ -73,6 +85,13 @@ std::optional<double> unit_ratio(std::string_view from, std::string_view to) {
 
 bool is_known_unit(std::string_view text) {
     return scaled(text).has_value();
+}
+
+bool is_unit_by_itself(std::string_view text) {
+    constexpr std::array<std::string_view, 2> words{"mm", "in"};
+    const auto unit = scaled(text);
+    return unit && (unit->quantity == 'V' ? text != "В" && text != "в" : text.size() > 2) &&
+           std::ranges::find(words, text) == words.end();
 }
 
 }  // namespace vybeg

@@ -121,7 +121,7 @@ public:
         leave_out([this](int i) { return at(i).filled == 0 || at(i).is_date(); });
         find_time();
         leave_out([this](int i) { return counts_by_one(at(i).values); });
-        leave_out([this](int i) { return is_time_again(i); });
+        leave_out([this](int i) { return is_time_again(i) || is_ramp(i); });
         find_own_times();
     }
 
@@ -146,11 +146,24 @@ private:
 
     bool can_be_time(int column) const { return at(column).filled > 0 && !at(column).is_date(); }
 
+    // A ramp, or the milliseconds beside a time of day: no vibration.
+    bool is_ramp(int column) const {
+        constexpr std::size_t enough_rows = 20;  // fewer rise within a period, too
+        const bool rises =
+            at(column).values.size() >= enough_rows && rises_evenly(at(column).values);
+        return rises || (name(column).name.size() > 1 && seconds_per(name(column).name));
+    }
+
     // Frames, if the lines above the table say how fast they follow each other: a step of one would
     // be one second.
     bool counts_frames(int column) const {
         return !format_.rates.empty() && counts_by_one(at(column).values) &&
                format_.rates[0].hz * seconds_per(time_unit(name(column))).value_or(1) > 2;
+    }
+
+    // A unit that is none of time: a ramp of a voltage, a temperature.
+    bool counts_other(int column) const {
+        return !name(column).unit.empty() && !seconds_per(name(column).unit);
     }
 
     void find_time() {
@@ -169,7 +182,7 @@ private:
                 is_whole(at(0).values) && time_unit(name(0)).empty() && (said || !unit_said);
             if (counts && is_counter_name(name(0).name)) {
                 format_.counter_column = 0;
-            } else if (!counts && candidate < 0 && !said) {
+            } else if (!counts && candidate < 0 && !said && !counts_other(0)) {
                 candidate = 0;
             }
         }
@@ -188,6 +201,9 @@ private:
             format_.clock_from_s = at(candidate).clock_from_s;
         } else {
             format_.time_unit_s = choice_.time_unit_s.value_or(seconds_per(unit).value_or(1));
+            if (!unit_said && unit.empty()) {
+                format_.unknown_time_unit = name(candidate).unit;
+            }
         }
     }
 

@@ -152,8 +152,10 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
                                            .used = used_columns(rows, dialect, format.columns)});
     format.header_lines_used = header.lines_used;
     format.has_remarks = header.has_remarks;
-    format.rates = header_rates(above, format.delimiter, format.columns);
-    find_columns(rows, header.columns, choice, format);
+    format.rates = header_rates(above, format.delimiter, format.columns, format.decimal_comma);
+    if (format.columns <= most_columns) {
+        find_columns(rows, header.columns, choice, format);
+    }
     for (const Channel& column : header.columns) {
         format.names.push_back(column.name);
         format.units.push_back(column.unit);

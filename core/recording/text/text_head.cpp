@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/text_fields.h"
+#include "core/recording/text/text_columns.h"
 #include "core/recording/text/text_lines.h"
 
 #include <algorithm>
@@ -104,6 +105,11 @@ Result<TextFormat> find_text_format(const FileBytes& file, const TextHead& head,
     auto format = guess_text_format(head.lines, here);
     if (!format) {
         return no_table(file, head, choice);
+    }
+    if (format->columns > most_columns) {
+        return file.error(ErrorCode::format_unsupported,
+                          {"text", "rows of " + std::to_string(format->columns) +
+                                       " numbers (a column is a channel, a row a time)"});
     }
     format->lines_to_skip += head.dropped;
     if (choice.time_column && *choice.time_column > format->columns) {

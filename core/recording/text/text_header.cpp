@@ -40,7 +40,8 @@ std::string_view without_brackets(std::string_view text) {
     return bracketed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-bool is_unit(std::string_view field) {
+bool is_unit(std::string_view raw) {
+    const std::string field = to_utf8(raw);
     const std::string_view bare = without_brackets(field);
     const std::string name = lower_text(bare);
     return bare.size() < field.size() || field.empty() || seconds_per(bare) ||

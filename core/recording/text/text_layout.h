@@ -27,6 +27,7 @@ struct TextFormat {
     std::optional<std::int64_t> clock_from_s{};  // times of day count from this second of the day
     std::vector<WrittenRate> rates{};  // of each column; empty where the lines above name none
     bool has_remarks = false;          // what stands behind the last column is a comment
+    std::string unknown_time_unit{};   // of the time column, which is read as seconds
 
     friend bool operator==(const TextFormat&, const TextFormat&) = default;
 };

@@ -2,6 +2,7 @@
 
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/column_words.h"
+#include "core/recording/samples/rate_name.h"
 #include "core/recording/samples/text_fields.h"
 
 #include <algorithm>
@@ -62,16 +63,6 @@ constexpr std::array<std::string_view, 24> step_keys{"dt",
                                                      "периоддискретизации",
                                                      "интервалдискретизации"};
 
-struct RateUnit {
-    std::string_view name;
-    double hertz;
-};
-constexpr std::array<RateUnit, 20> rate_units{
-    {{"hz", 1},      {"khz", 1e3},  {"mhz", 1e6},   {"ghz", 1e9},     {"гц", 1},
-     {"кгц", 1e3},   {"мгц", 1e6},  {"s/s", 1},     {"sa/s", 1},      {"ks/s", 1e3},
-     {"ksa/s", 1e3}, {"ms/s", 1e6}, {"msa/s", 1e6}, {"gs/s", 1e9},    {"gsa/s", 1e9},
-     {"sps", 1},     {"ksps", 1e3}, {"1/s", 1},     {"samples/s", 1}, {"samples/sec", 1}}};
-
 constexpr std::size_t longest_line_with_rate = 4096;  // bytes; what is longer is no header
 constexpr double agreement = 1e-6;                    // relative, besides what the digits explain
 
@@ -114,6 +105,31 @@ Key key_of(std::string_view text) {
     return {};
 }
 
+// "33,333" where a point is the decimal sign: thousands.
+void drop_groups(std::string& number, char group) {
+    const auto digits = [&](std::size_t from, std::size_t count) {
+        return from + count <= number.size() &&
+               std::all_of(number.begin() + static_cast<std::ptrdiff_t>(from),
+                           number.begin() + static_cast<std::ptrdiff_t>(from + count),
+                           [](char c) { return c >= '0' && c <= '9'; });
+    };
+    std::size_t at = number.find(group);
+    if (group == 0 || at == std::string::npos || at == 0 || at > 3 || number[0] == '0' ||
+        !digits(0, at)) {
+        return;
+    }
+    std::string whole = number.substr(0, at);
+    while (at < number.size() && number[at] == group) {
+        const bool three = digits(at + 1, 3) && !digits(at + 1, 4);
+        if (!three) {
+            return;
+        }
+        whole += number.substr(at + 1, 3);
+        at += 4;
+    }
+    number = whole + number.substr(at);
+}
+
 // The number at the start of a text, with what stands before a colon left out ("Analog:2E-06").
 struct NumberText {
     std::string number;
@@ -121,7 +137,8 @@ struct NumberText {
     std::string unit;  // directly behind it, in small letters
 };
 
-std::optional<NumberText> number_at_start(std::string_view text) {
+// `group`: the sign between thousands, 0 where there is none.
+std::optional<NumberText> number_at_start(std::string_view text, char group) {
     text = trimmed(text);
     const auto is_number = [](char c) {
         return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '+' || c == '-';
@@ -142,6 +159,7 @@ std::optional<NumberText> number_at_start(std::string_view text) {
     while (!found.number.empty() && (found.number.back() == '.' || found.number.back() == ',')) {
         found.number.pop_back();
     }
+    drop_groups(found.number, group);
     std::ranges::replace(found.number, ',', '.');
     if (found.number.empty()) {
         return std::nullopt;
@@ -167,15 +185,39 @@ std::optional<double> factor_of(KeyKind kind, const std::string& unit) {
     if (kind == KeyKind::step) {
         return seconds_per(unit);
     }
-    const std::string small = lower_text(unit);
-    const auto found = std::ranges::find(rate_units, std::string_view(small), &RateUnit::name);
-    return found == rate_units.end() ? std::nullopt : std::optional(found->hertz);
+    return hertz_per(unit);
+}
+
+// Lines that name the unit of the times: "HUnit,ms", "X_Unit<tab>ms".
+constexpr std::array<std::string_view, 6> axis_unit_keys{
+    "hunit", "horizontalunit", "horizontalunits", "xunit", "xunits", "timeunit"};
+
+// The unit of a step that has none itself; empty where no line names one of time.
+std::string axis_unit(std::span<const std::string> lines, char delimiter) {
+    for (const std::string& line : lines) {
+        const std::vector<std::string> fields = header_fields(line, delimiter);
+        if (fields.size() < 2) {
+            continue;
+        }
+        std::string key = plain_key(fields[0]);
+        while (key.ends_with(':')) {
+            key.pop_back();
+        }
+        const std::string unit = to_utf8(trimmed(fields[1]));
+        if (std::ranges::find(axis_unit_keys, std::string_view(key)) != axis_unit_keys.end() &&
+            seconds_per(unit)) {
+            return unit;
+        }
+    }
+    return {};
 }
 
 std::optional<WrittenRate> written(const Key& key, const NumberText& number,
-                                   const std::string& unit_behind) {
+                                   const std::string& unit_behind,
+                                   const std::string& unit_of_axis) {
     double factor = 1;
-    for (const std::string& unit : {number.unit, key.unit, unit_behind}) {
+    for (const std::string& unit : {number.unit, key.unit, unit_behind,
+                                    key.kind == KeyKind::step ? unit_of_axis : std::string()}) {
         if (unit.empty()) {
             continue;
         }
@@ -196,8 +238,12 @@ std::optional<WrittenRate> written(const Key& key, const NumberText& number,
 
 class RateSearch {
 public:
-    RateSearch(std::span<const std::string> lines, char delimiter, int columns)
-        : lines_(lines), delimiter_(delimiter), columns_(static_cast<std::size_t>(columns)) {}
+    RateSearch(std::span<const std::string> lines, char delimiter, int columns, bool decimal_comma)
+        : lines_(lines),
+          delimiter_(delimiter),
+          columns_(static_cast<std::size_t>(columns)),
+          group_(decimal_comma ? '.' : ','),
+          axis_unit_(axis_unit(lines, delimiter)) {}
 
     std::vector<WrittenRate> run() {
         for (std::size_t i = 0; i < lines_.size() && agree_; ++i) {
@@ -221,12 +267,12 @@ private:
             std::vector<WrittenRate> rates(columns_);
             bool any = false;
             for (std::size_t j = i + 1; j < fields.size(); ++j) {
-                const auto number = number_at_start(fields[j]);
+                const auto number = number_at_start(fields[j], group(key));
                 if (!number && !fields[j].empty()) {
                     break;
                 }
                 const std::string behind = unit_behind(fields, j + 1, key.kind);
-                const auto rate = number ? written(key, *number, behind) : std::nullopt;
+                const auto rate = number ? written(key, *number, behind, axis_unit_) : std::nullopt;
                 if (rate) {
                     rates[std::min(j, columns_ - 1)] = *rate;
                     any = true;
@@ -234,8 +280,10 @@ private:
             }
             if (!any && line + 1 < lines_.size()) {
                 const std::vector<std::string> below = header_fields(lines_[line + 1], delimiter_);
-                const auto number = i < below.size() ? number_at_start(below[i]) : std::nullopt;
-                if (const auto rate = number ? written(key, *number, "") : std::nullopt) {
+                const auto number =
+                    i < below.size() ? number_at_start(below[i], group(key)) : std::nullopt;
+                if (const auto rate =
+                        number ? written(key, *number, "", axis_unit_) : std::nullopt) {
                     rates.assign(columns_, *rate);
                     any = true;
                 }
@@ -261,12 +309,15 @@ private:
             }
             std::string_view value = std::string_view(text).substr(at + 1);
             value.remove_prefix(std::min(value.find_first_not_of(" \t,;|\""), value.size()));
-            const auto number = number_at_start(value);
-            if (const auto rate = number ? written(key, *number, "") : std::nullopt) {
+            const auto number = number_at_start(value, group(key));
+            if (const auto rate = number ? written(key, *number, "", axis_unit_) : std::nullopt) {
                 add(std::vector<WrittenRate>(columns_, *rate));
             }
         }
     }
+
+    // Steps are small: "1.333 ms" holds no thousands.
+    char group(const Key& key) const { return key.kind == KeyKind::rate ? group_ : '\0'; }
 
     static std::string_view behind_last(std::string_view text,
                                         std::initializer_list<std::string_view> separators) {
@@ -306,6 +357,8 @@ private:
     std::span<const std::string> lines_;
     char delimiter_;
     std::size_t columns_;
+    char group_;
+    std::string axis_unit_;
     std::vector<WrittenRate> found_;
     bool agree_ = true;
 };
@@ -313,8 +366,8 @@ private:
 }  // namespace
 
 std::vector<WrittenRate> header_rates(std::span<const std::string> lines, char delimiter,
-                                      int columns) {
-    return RateSearch(lines, delimiter, columns).run();
+                                      int columns, bool decimal_comma) {
+    return RateSearch(lines, delimiter, columns, decimal_comma).run();
 }
 
 bool is_rate_key(std::string_view text) {

@@ -20,7 +20,7 @@ struct WrittenRate {
 // values, "dt=0.001"). Empty where there is none, or where two of them disagree by more than their
 // digits.
 std::vector<WrittenRate> header_rates(std::span<const std::string> lines, char delimiter,
-                                      int columns);
+                                      int columns, bool decimal_comma);
 
 // Whether a text is the name of a rate or of a step: "Sample Rate (kHz)", "XInc:", "dt".
 bool is_rate_key(std::string_view text);

@@ -105,6 +105,28 @@ std::optional<SampleRate> better_rate(const std::optional<SampleRate>& of_times,
     return agree && named.relative_sd < of_times->relative_sd ? named : *of_times;
 }
 
+// Where the lines above the table state another rate than the times have: one of them counts in
+// another unit. A stated rate may be rounded.
+void note_disagreement(const std::optional<SampleRate>& of_times, const TextTable& table,
+                       FoundSamples& found) {
+    constexpr double rounding = 2e-3;
+    const TextFormat& format = table.format;
+    if (of_times && !format.unknown_time_unit.empty()) {
+        found.diagnostics.push_back(
+            {DiagnosticKind::time_unit_unknown, {format.unknown_time_unit}, -1, 0});
+    }
+    if (!of_times || format.rates.empty()) {
+        return;
+    }
+    const double stated_hz = format.rates[static_cast<std::size_t>(table.columns.c)].hz;
+    if (std::abs(stated_hz / of_times->hz - 1) > rounding + 5 * of_times->relative_sd) {
+        found.diagnostics.push_back({DiagnosticKind::rates_disagree,
+                                     {short_text(stated_hz), short_text(of_times->hz)},
+                                     -1,
+                                     0});
+    }
+}
+
 const Channel& channel_of(const FoundSamples& found, int number) {
     return found.channels[static_cast<std::size_t>(number - 1)];
 }
@@ -165,6 +187,7 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
     }
     // Samples that were brought onto a grid have its rate.
     found.own_rate = uneven ? samples->rate : better_rate(samples->rate, looked_at);
+    note_disagreement(samples->rate, looked_at, found);
     constexpr double arithmetic = 1e-12;  // what is less comes from the times' sums
     if (found.own_rate && !(found.own_rate->relative_sd > arithmetic)) {
         found.own_rate->relative_sd = 0;
@@ -259,11 +282,12 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
     found.format = format_text(table->format);
     const double scale = options.text ? options.text->scale : 1;
     found.channels = channels_of(table->format, scale);
+    found.one_unit = true;
     if (const Status status = take_table(*file, std::move(*table), options, job, found); !status) {
         return status.error();
     }
     if (scale != 1) {
-        found.source = scaled_source(std::move(found.source), scale);
+        found.source = scaled_source(std::move(found.source), scale, scale);
     }
     return complete_recording(*file, std::move(found), options);
 }

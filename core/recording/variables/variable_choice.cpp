@@ -5,6 +5,7 @@
 #include "core/recording/samples/rate_name.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -31,7 +32,7 @@ public:
             choice_.names.push_back(
                 {of.channels == 1 ? of.name : std::to_string(place.channel + 1), of.unit});
         }
-        return choose_rate_of(first);
+        return choose_rate_of(first, second_channel());
     }
 
     VariableChoice take() { return std::move(choice_); }
@@ -43,6 +44,12 @@ private:
 
     const FileVariable& variable(std::int64_t place) const {
         return catalogue_.variables[static_cast<std::size_t>(place)];
+    }
+
+    // Of channel D; that of C where there is none, which is reported later.
+    const FileVariable& second_channel() const {
+        const auto place = static_cast<std::size_t>(options_.channel_d) - 1;
+        return variable(choice_.channels[place < choice_.channels.size() ? place : 0].variable);
     }
 
     std::int64_t count() const { return static_cast<std::int64_t>(catalogue_.variables.size()); }
@@ -168,9 +175,12 @@ private:
                            {catalogue_.format, of.unsupported + " (" + of.name + ")"});
     }
 
-    Status choose_rate_of(const FileVariable& c) {
+    Status choose_rate_of(const FileVariable& c, const FileVariable& d) {
         if (!name(2).empty()) {
             return choose_named_rate();
+        }
+        if (c.rate_hz && d.rate_hz && !same_rate(*c.rate_hz, *d.rate_hz)) {
+            return rates_differ(*c.rate_hz, *d.rate_hz);
         }
         if (c.rate_hz) {
             choice_.rate = SampleRate{*c.rate_hz, RateOrigin::file};
@@ -178,11 +188,15 @@ private:
         }
         const std::string own = c.name.substr(0, c.name.size() - last_name(c.name).size());
         for (const bool near : {true, false}) {
-            for (std::int64_t i = 0; i < count() && !choice_.rate; ++i) {
+            const bool open = !choice_.rate;
+            for (std::int64_t i = 0; i < count() && open; ++i) {
                 const FileVariable& of = variable(i);
                 const auto rate = of.value && (!near || of.name.starts_with(own))
-                                      ? rate_by_name(last_name(of.name), *of.value)
+                                      ? rate_by_name(last_name(of.name), *of.value, of.unit)
                                       : std::nullopt;
+                if (rate && choice_.rate && !same_rate(*rate, choice_.rate->hz)) {
+                    return rates_differ(choice_.rate->hz, *rate);
+                }
                 if (rate) {
                     choice_.rate = SampleRate{*rate, RateOrigin::file};
                 }
@@ -199,6 +213,14 @@ private:
             choice_.time_unit_s = unit_of_times(variable(*choice_.time)).value_or(1);
         }
         return {};
+    }
+
+    static bool same_rate(double a, double b) { return std::abs(a / b - 1) < 1e-4; }
+
+    Error rates_differ(double first_hz, double second_hz) const {
+        return file_.error(ErrorCode::format_unsupported,
+                           {catalogue_.format, "two sample rates, " + short_text(first_hz) +
+                                                   " and " + short_text(second_hz) + " Hz"});
     }
 
     // Seconds, unless the name or the unit tells otherwise. Whole numbers without a unit count
@@ -223,7 +245,7 @@ private:
         }
         const FileVariable& of = variable(*place);
         if (of.value) {
-            const auto meant = rate_by_name(last_name(of.name), *of.value);
+            const auto meant = rate_by_name(last_name(of.name), *of.value, of.unit);
             choice_.rate = SampleRate{meant.value_or(*of.value), RateOrigin::file};
         } else if (of.frames == choice_.frames && of.channels == 1) {
             choice_.time = *place;

@@ -85,6 +85,8 @@ const std::map<DiagnosticKind, std::size_t> documented_kinds{
     {DiagnosticKind::over_range, 2},
     {DiagnosticKind::unit_converted, 3},
     {DiagnosticKind::units_differ, 4},
+    {DiagnosticKind::time_unit_unknown, 1},
+    {DiagnosticKind::rates_disagree, 2},
     {DiagnosticKind::leakage, 2},
     {DiagnosticKind::wave_moves, 2},
     {DiagnosticKind::text_lines_ignored, 1},

@@ -1,0 +1,203 @@
+// Units and rates as other programs write them above a table: every amplitude in the unit of C,
+// every time in seconds, or a warning that names what is unknown.
+#include "tests/core/recording/recording_files.h"
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+constexpr double rate_hz = 33333;
+constexpr int rows = 60;
+
+// A table of time (in units of `unit_s`; 0: the rows' numbers), C = 1.5 cos, D = 0.8 sin in units
+// of `d_unit`.
+std::string table(const std::string& header, double unit_s, double d_unit, char delimiter = ',',
+                  bool decimal_comma = false) {
+    QString text;
+    for (int i = 0; i < rows; ++i) {
+        const double phase = 1.0023 * i;
+        QString row = QStringList{unit_s > 0 ? QString::number(i / rate_hz / unit_s, 'g', 17)
+                                             : QString::number(i),
+                                  QString::number(1.5 * std::cos(phase), 'g', 15),
+                                  QString::number(0.8 * std::sin(phase) / d_unit, 'g', 15)}
+                          .join(QChar(delimiter)) +
+                      "\n";
+        text += decimal_comma ? row.replace('.', ',') : row;
+    }
+    return header + "\n" + text.toStdString();
+}
+
+void check_samples(const Recording& recording) {
+    QVERIFY2(std::abs(recording.rate_hz / rate_hz - 1) < 1e-9,
+             qPrintable(QString::number(recording.rate_hz, 'g', 12)));
+    const Samples samples = read_all(recording);
+    QCOMPARE(samples.c.size(), std::size_t{rows});
+    for (int i = 0; i < rows; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        QVERIFY2(std::abs(samples.c[k] - 1.5 * std::cos(1.0023 * i)) < 1e-12, "C");
+        QVERIFY2(std::abs(samples.d[k] - 0.8 * std::sin(1.0023 * i)) < 1e-12, "D");
+    }
+}
+
+}  // namespace
+
+class TestTextUnits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void times_are_read_in_their_unit_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<double>("unit_s");
+        const auto row = [](const char* name, double unit_s) {
+            QTest::newRow(name) << QString(name) << unit_s;
+        };
+        for (const char* name :
+             {"Time ms", "t ms", "TimeMs", "Время мс", "Zeit ms", "Time-ms", "Time {ms}", "t_ms",
+              "time (in ms)", "time [ms] abs", "Time (msecs)", "Time (millisec)", "Time (мсек)",
+              "Время (миллисекунды)", "Zeit (Millisekunden)", "Time (ms.)"}) {
+            row(name, 1e-3);
+        }
+        for (const char* name :
+             {"Time (usecs)", "Time (microsecond)", "Time (µSec)", "Time (us.)", "Время (мксек)"}) {
+            row(name, 1e-6);
+        }
+        row("Time (nanoseconds)", 1e-9);
+        row("Time (ps)", 1e-12);
+        row("Time (ks)", 1e3);
+        row("Time (min)", 60);
+        row("Время (мин)", 60);
+        row("Time (h)", 3600);
+        row("Time (days)", 86400);
+        row("Time (s)", 1);
+        row("Times", 1);
+    }
+    void times_are_read_in_their_unit() {
+        QFETCH(QString, name);
+        QFETCH(double, unit_s);
+        const Folder folder;
+        const std::string header = name.toStdString() + ",C (V),D (V)";
+        const Recording recording = opened(folder.write("run.csv", table(header, unit_s, 1)));
+        check_samples(recording);
+        QVERIFY(!find(recording, DiagnosticKind::time_unit_unknown));
+    }
+
+    void an_unknown_unit_of_time_is_named() {
+        const Folder folder;
+        const std::string text = table("Time (ticks),C (V),D (V)", 1, 1);
+        const Recording recording = opened(folder.write("run.csv", text));
+        const Diagnostic* unknown = find(recording, DiagnosticKind::time_unit_unknown);
+        QVERIFY(unknown);
+        QCOMPARE(unknown->args, std::vector<std::string>{"ticks"});
+        OpenOptions options;
+        options.text.emplace().time_unit_s = 1;
+        QVERIFY(!find(opened(folder.write("run.csv", text), options),
+                      DiagnosticKind::time_unit_unknown));
+    }
+
+    void d_comes_in_the_unit_of_c_data() {
+        QTest::addColumn<QByteArray>("header");
+        QTest::addColumn<double>("d_unit");
+        QTest::addColumn<char>("delimiter");
+        const auto row = [](const char* name, const QByteArray& header, double d_unit,
+                            char delimiter = ',') {
+            QTest::newRow(name) << header << d_unit << delimiter;
+        };
+        row("blank", "Time (s),C V,D mV", 1e-3);
+        row("underscore", "Time_s,C_V,D_mV", 1e-3);
+        row("words", "Time (s),CH1 Volt,CH2 mVolt", 1e-3);
+        row("units alone", "Time (s),V,mV", 1e-3);
+        row("coupling", "Time (s),C (V) DC,D (mV) DC", 1e-3);
+        row("coupling within", "Time (s),C (V DC),D (mV DC)", 1e-3);
+        row("braces", "Time {s},C {V},D {mV}", 1e-3);
+        row("line of units", "Time,C,D\ns,V DC,mV DC", 1e-3);
+        row("cp1251",
+            "\xC2\xF0\xE5\xEC\xFF;\xCA\xE0\xED\xE0\xEB 1;\xCA\xE0\xED\xE0\xEB "
+            "2\n\xF1;\xC2;\xEC\xC2",
+            1e-3, ';');
+        row("cp1252", "Time;C;D\ns;V;\xB5V", 1e-6, ';');
+        row("letters that number channels", "Time (s),Channel A,Channel B", 1);
+        row("Cyrillic ones", "Time (s),Канал В,Канал А", 1);
+    }
+    void d_comes_in_the_unit_of_c() {
+        QFETCH(QByteArray, header);
+        QFETCH(double, d_unit);
+        QFETCH(char, delimiter);
+        const Folder folder;
+        const std::string text = table(header.toStdString(), 1, d_unit, delimiter);
+        const Recording recording = opened(folder.write("run.csv", text));
+        check_samples(recording);
+        QCOMPARE(find(recording, DiagnosticKind::unit_converted) != nullptr, d_unit != 1);
+        QVERIFY(!find(recording, DiagnosticKind::units_differ));
+    }
+
+    void a_column_of_another_quantity_is_no_time() {
+        const Folder folder;
+        const auto path = folder.write("run.csv", table("Temp (degC),C (V),D (V)", 1, 1));
+        const auto refused = open_recording(path, {}, {});
+        QVERIFY(!refused);
+        QVERIFY(refused.error().code == ErrorCode::rate_unknown);
+        OpenOptions options;
+        options.rate_hz = rate_hz;
+        check_samples(opened(path, options));
+        check_samples(opened(folder.write(
+            "run2.csv", "Sample rate: 33333 Hz\n" + table("Ramp (V),C (V),D (V)", 2, 1))));
+    }
+
+    void a_rate_above_the_table_that_contradicts_its_times_is_named() {
+        const Folder folder;
+        const std::string times_in_ms = table("Time,C (V),D (V)", 1e-3, 1);
+        const Recording recording =
+            opened(folder.write("run.csv", "Sample Rate: 33333 Hz\n" + times_in_ms));
+        const Diagnostic* differ = find(recording, DiagnosticKind::rates_disagree);
+        QVERIFY(differ);
+        QCOMPARE(differ->args, (std::vector<std::string>{"33333", "33.333"}));
+        for (const char* agreeing : {"Sample Rate: 33333 Hz\n", "Sample Rate: 33.3 kHz\n"}) {
+            QVERIFY(!find(opened(folder.write("ok.csv", agreeing + table("Time,C,D", 1, 1))),
+                          DiagnosticKind::rates_disagree));
+        }
+    }
+
+    void thousands_in_a_rate_are_read_data() {
+        QTest::addColumn<QString>("rate");
+        QTest::addColumn<bool>("decimal_comma");
+        QTest::newRow("point") << "Sample Rate: 33,333 Hz" << false;
+        QTest::newRow("point, with decimals") << "Sample Rate: 33,333.0 Hz" << false;
+        QTest::newRow("comma") << "Abtastrate: 33.333 Hz" << true;
+        QTest::newRow("no thousands") << "Sample Rate: 33.333 kHz" << false;
+        QTest::newRow("no thousands, comma") << "Abtastrate: 33,333 kHz" << true;
+    }
+    void thousands_in_a_rate_are_read() {
+        QFETCH(QString, rate);
+        QFETCH(bool, decimal_comma);
+        const Folder folder;
+        QString text = QString::fromStdString(table("No;C (V);D (V)", 0, 1, ';', decimal_comma));
+        check_samples(
+            opened(folder.write("run.csv", rate.toStdString() + "\n" + text.toStdString())));
+    }
+
+    void the_unit_of_a_step_may_stand_in_a_line_of_its_own() {
+        const Folder folder;
+        const QString step = QString::number(1e3 / rate_hz, 'g', 12);
+        for (const char* head : {"HResolution,%1\nHUnit,ms\n", "Delta_X,%1\nX_Unit,ms\n"}) {
+            const std::string text = QString(head).arg(step).toStdString();
+            check_samples(opened(folder.write("run.csv", text + table("No,C (V),D (V)", 0, 1))));
+        }
+    }
+
+    void samples_in_rows_are_refused_at_once() {
+        std::string line = "1";
+        for (int i = 1; i < 60000; ++i) {
+            line += "," + std::to_string(i % 7);
+        }
+        const Folder folder;
+        const auto refused =
+            open_recording(folder.write("wide.csv", line + "\n" + line + "\n"), {}, {});
+        QVERIFY(!refused);
+        QVERIFY(refused.error().code == ErrorCode::format_unsupported);
+        QVERIFY(QString::fromStdString(refused.error().args[1]).contains("60000"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTextUnits)
+#include "test_text_units.moc"
