@@ -1601,6 +1601,14 @@
             <source>auto</source>
             <translation>авто</translation>
         </message>
+        <message>
+            <source>Both frequencies are needed.</source>
+            <translation>Нужны обе частоты.</translation>
+        </message>
+        <message>
+            <source>The second frequency must be above the first.</source>
+            <translation>Вторая частота должна быть выше первой.</translation>
+        </message>
     </context>
     <context>
         <name>vybeg::ui::CheckList</name>
@@ -2296,6 +2304,29 @@
         </message>
     </context>
     <context>
+        <name>vybeg::ui::NumberField</name>
+        <message>
+            <source>A number is needed.</source>
+            <translation>Нужно число.</translation>
+        </message>
+        <message>
+            <source>“%1” is no number.</source>
+            <translation>«%1» — не число.</translation>
+        </message>
+        <message>
+            <source>A whole number is needed.</source>
+            <translation>Нужно целое число.</translation>
+        </message>
+        <message>
+            <source>At least %1 is needed.</source>
+            <translation>Нужно не меньше %1.</translation>
+        </message>
+        <message>
+            <source>At most %1 is possible.</source>
+            <translation>Нужно не больше %1.</translation>
+        </message>
+    </context>
+    <context>
         <name>vybeg::ui::QuantityTable</name>
         <message>
             <source>sd</source>
@@ -2766,6 +2797,13 @@
         <message>
             <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording (F7)</source>
             <translation>Подогнать один резонатор ко всем записям набора, а если он пуст — к текущей записи (F7)</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::SettingsFields</name>
+        <message>
+            <source>Not in effect: %1</source>
+            <translation>Не действует: %1</translation>
         </message>
     </context>
     <context>

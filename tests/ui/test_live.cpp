@@ -3,7 +3,6 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/run_list.h"
 #include "ui/plots/track_view.h"
-#include "ui/widgets/number_field.h"
 
 #include <QCheckBox>
 #include <QElapsedTimer>
@@ -301,14 +300,10 @@ private slots:
         auto& list = *window->findChild<RunList*>();
         tracks.setTimeRange({0.5, 1.0});
         tracks.setCursor(Cursor::a, 0.7);
-        NumberField* length = nullptr;
-        for (NumberField* each : window->findChildren<NumberField*>()) {
-            length = each->accessibleName() == QLatin1String("Length") ? each : length;
-        }
-        QVERIFY(length);
-        length->setFocus();
-        QTest::keyClick(length, Qt::Key_Up);
-        QTest::keyClick(length, Qt::Key_Up);
+        NumberField& length = fieldOf(*window, "Length");
+        length.setFocus();
+        QTest::keyClick(&length, Qt::Key_Up);
+        QTest::keyClick(&length, Qt::Key_Up);
         QVERIFY(idle(document, 1));
         QCOMPARE(document.runs().front().run.analysis->plan.length, 62);
         QCOMPARE(tracks.timeRange(), (AxisRange{0.5, 1.0}));
@@ -317,9 +312,7 @@ private slots:
         QVERIFY(list.topLevelItem(0)->font(0).italic());
 
         const auto type = [&](const char* text) {
-            length->selectAll();
-            QTest::keyClicks(length, text);
-            QTest::keyClick(length, Qt::Key_Return);
+            typeInto(length, text);
             QVERIFY(QTest::qWaitFor([&] { return !document.busy(); }, 20000));
         };
         // Impossible ones, each with other numbers: one message, the newest.

@@ -6,7 +6,6 @@
 #include "ui/panels/run_list.h"
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
-#include "ui/widgets/number_field.h"
 #include "ui/window/compare_dialog.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
@@ -43,19 +42,7 @@ class TestMainWindow : public QObject {
     }
 
     NumberField& field(const QString& accessible_name) {
-        for (NumberField* each : window_->findChildren<NumberField*>()) {
-            if (each->accessibleName() == accessible_name) {
-                return *each;
-            }
-        }
-        qFatal("no such field: %s", qPrintable(accessible_name));
-    }
-
-    void type(NumberField& into, const char* text) {
-        into.setFocus();
-        into.selectAll();
-        QTest::keyClicks(&into, text);
-        QTest::keyClick(&into, Qt::Key_Return);
+        return fieldOf(*window_, accessible_name);
     }
 
     bool idle(std::size_t runs) {
@@ -176,22 +163,22 @@ private slots:
 
     void the_window_is_tied_together_in_samples_periods_and_milliseconds() {
         openOne();
-        type(field("Length"), "80");
+        typeInto(field("Length"), "80");
         QVERIFY(std::abs(*field("Length in periods").value() - 10) < 1e-3);
         QCOMPARE(*field("Length in milliseconds").value(), 10.0);
-        type(field("Length in milliseconds"), "5,5");
+        typeInto(field("Length in milliseconds"), "5,5");
         QCOMPARE(document().settings().window, 44);
-        type(field("Length in periods"), "7.5");
+        typeInto(field("Length in periods"), "7.5");
         QCOMPARE(document().settings().periods, std::optional(7.5));
         QCOMPARE(*field("Length").value(), 60.0);
-        type(field("Length"), "4");
+        typeInto(field("Length"), "4");
         QVERIFY(!field("Length").isValid());
         QCOMPARE(document().settings().periods, std::optional(7.5));
     }
 
     void snap_moves_the_window_to_whole_half_periods() {
         openOne();
-        type(field("Length"), "61");
+        typeInto(field("Length"), "61");
         const QString before = the<QLabel>("residual").text();
         QTest::mouseClick(&the<QPushButton>("snap"), Qt::LeftButton);
         // At 1000 Hz and 8000 Hz half a period is four samples.
@@ -202,9 +189,9 @@ private slots:
 
     void overlap_and_hop_are_tied_together() {
         openOne();
-        type(field("Overlap"), "75");
+        typeInto(field("Overlap"), "75");
         QCOMPARE(document().settings().hop, 15);
-        type(field("Hop"), "30");
+        typeInto(field("Hop"), "30");
         QCOMPARE(*field("Overlap").value(), 50.0);
         QTest::keyClick(&the<TrackView>(), Qt::Key_F5);
         QVERIFY(idle(2));
@@ -224,8 +211,8 @@ private slots:
 
     void settings_are_undone_and_redone_by_keys() {
         openOne();
-        type(field("Length"), "80");
-        type(field("Range from"), "0,5");
+        typeInto(field("Length"), "80");
+        typeInto(field("Range from"), "0,5");
         window_->action(Command::undo)->trigger();
         QVERIFY(!document().settings().from_s);
         window_->action(Command::undo)->trigger();

@@ -8,6 +8,7 @@
 #include "ui/words/algorithm_text.h"
 #include "ui/words/rich_text.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
@@ -89,7 +90,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     });
     connect(range, &RangeFields::visibleRangeWanted, this, &SettingsPanel::visibleRangeWanted);
     connect(calibration, &CalibrationFields::toleranceEdited, &document_, &Document::setTolerance);
-    connect(run_, &QPushButton::clicked, &document_, &Document::analyse);
+    connect(run_, &QPushButton::clicked, this, &SettingsPanel::run);
     connect(live_, &QCheckBox::toggled, &document_, &Document::setLive);
     connect(&document_, &Document::liveChanged, live_,
             [this] { live_->setChecked(document_.live()); });
@@ -106,6 +107,23 @@ void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
     groups_.push_back({section, fields, title});
     connect(fields, &SettingsFields::edited, this,
             [this](const Settings& settings) { document_.setSettings(settings); });
+}
+
+void SettingsPanel::run() {
+    // F5 leaves the focus in the field that was being edited.
+    if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget())) {
+        field->commit();
+    }
+    for (const Group& group : groups_) {
+        if (NumberField* field = group.fields->faulty()) {
+            parentWidget()->show();  // the panel may have been closed
+            group.section->setOpen(true);
+            scroll_->ensureWidgetVisible(field);
+            field->setFocus();
+            return;
+        }
+    }
+    document_.analyse();
 }
 
 void SettingsPanel::refresh() {

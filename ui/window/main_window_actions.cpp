@@ -5,7 +5,7 @@
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/resonator/resonator_panel.h"
-#include "ui/widgets/number_field.h"
+#include "ui/settings/settings_panel.h"
 #include "ui/window/command_texts.h"
 #include "ui/window/compare_dialog.h"
 #include "ui/window/main_window.h"
@@ -61,13 +61,7 @@ void MainWindow::buildActions() {
     on(Command::zoom_fit, [this] { tracks_->fit(); });
     on(Command::zoom_back, [this] { tracks_->zoomBack(); });
     on(Command::zoom_forward, [this] { tracks_->zoomForward(); });
-    on(Command::run, [this] {
-        // F5 leaves the focus in the field that was being edited.
-        if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget())) {
-            field->commit();
-        }
-        document_.analyse();
-    });
+    on(Command::run, [this] { settings_->run(); });
     on(Command::live, [this](bool on_now) { document_.setLive(on_now); });
     on(Command::cancel, [this] { document_.cancel(); });
     on(Command::compare, [this] { openCompare(); });

@@ -1,0 +1,102 @@
+// The analysis panel as a person uses it: what is typed, and what comes of it.
+#include "tests/ui/gui_test.h"
+
+#include <QLabel>
+#include <QTest>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestSettingsPanel : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+
+    NumberField& field(const QString& accessible_name) {
+        return fieldOf(*window_, accessible_name);
+    }
+
+    bool idle(std::size_t runs) {
+        return QTest::qWaitFor(
+            [&] { return !document().busy() && document().runs().size() == runs; }, 20000);
+    }
+
+    void openOne() {
+        document().open({home_.recording("demo.wav")});
+        QVERIFY(idle(1));
+        QVERIFY(QTest::qWaitFor([&] { return document().carrier().has_value(); }));
+    }
+
+    // What the panel says beside its fields.
+    QStringList faults() {
+        QStringList texts;
+        for (const QLabel* label : window_->findChildren<QLabel*>(QStringLiteral("fault"))) {
+            if (label->isVisible()) {
+                texts << label->text();
+            }
+        }
+        return texts;
+    }
+
+private slots:
+    void init() { window_ = shownWindow(); }
+    void cleanup() { window_.reset(); }
+
+    void half_and_reversed_bands_say_so_and_hold_up_the_run_data() {
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QString>("to");
+        QTest::addColumn<bool>("filter");
+        QTest::newRow("search") << "Search from"
+                                << "Search to" << false;
+        QTest::newRow("filter") << "Filter from"
+                                << "Filter to" << true;
+    }
+    void half_and_reversed_bands_say_so_and_hold_up_the_run() {
+        QFETCH(QString, from);
+        QFETCH(QString, to);
+        QFETCH(bool, filter);
+        openOne();
+        const auto band = [&] {
+            return filter ? document().settings().filter : document().settings().band;
+        };
+        const auto stays = [&](const char* sentence) {
+            QCOMPARE(faults(), QStringList{QStringLiteral("Not in effect: ") + sentence});
+            field("Length").setFocus();
+            QTest::keyClick(window_.get(), Qt::Key_F5);
+            QVERIFY(!document().busy());
+            QVERIFY(field(to).hasFocus());
+            QVERIFY(!band());
+        };
+        typeInto(field(from), "900");
+        stays("Both frequencies are needed.");
+        typeInto(field(to), "800");
+        stays("The second frequency must be above the first.");
+        typeInto(field("Length"), "80");
+        QCOMPARE(field(to).value(), std::optional(800.0));
+        stays("The second frequency must be above the first.");
+        typeInto(field(to), "x");
+        stays("“x” is no number.");
+        typeInto(field(to), "1100");
+        QVERIFY(faults().isEmpty());
+        QVERIFY(band() == (Band{900, 1100}));
+        QTest::keyClick(window_.get(), Qt::Key_F5);
+        QVERIFY(idle(2));
+    }
+
+    void a_band_mended_to_what_it_was_takes_its_other_half_along() {
+        typeInto(field("Filter from"), "900");
+        typeInto(field("Filter to"), "1100");
+        typeInto(field("Filter from"), "9x");
+        typeInto(field("Filter to"), "1200");
+        QVERIFY(document().settings().filter == (Band{900, 1100}));
+        typeInto(field("Filter from"), "900");
+        QVERIFY(document().settings().filter == (Band{900, 1200}));
+        QVERIFY(faults().isEmpty());
+    }
+};
+
+QTEST_MAIN(TestSettingsPanel)
+#include "test_settings_panel.moc"
