@@ -1,8 +1,12 @@
 // The analysis panel as a person uses it: what is typed, and what comes of it.
 #include "tests/ui/gui_test.h"
 
+#include <QAction>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTest>
+
+#include <tuple>
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -95,6 +99,47 @@ private slots:
         typeInto(field("Filter from"), "900");
         QVERIFY(document().settings().filter == (Band{900, 1200}));
         QVERIFY(faults().isEmpty());
+    }
+
+    void keys_of_the_window_work_while_a_field_has_the_focus() {
+        openOne();
+        for (const auto& [command, key, modifiers] :
+             {std::tuple{Command::export_plots, Qt::Key_E,
+                         Qt::KeyboardModifiers(Qt::ControlModifier)},
+              std::tuple{Command::live, Qt::Key_L, Qt::KeyboardModifiers(Qt::ControlModifier)},
+              std::tuple{Command::zoom_fit, Qt::Key_0, Qt::KeyboardModifiers(Qt::ControlModifier)},
+              std::tuple{Command::run, Qt::Key_F5, Qt::KeyboardModifiers()}}) {
+            // What a command does has tests of its own: here it is only seen that it is called.
+            QAction* const action = window_->action(command);
+            QObject::disconnect(action, &QAction::triggered, window_.get(), nullptr);
+            QSignalSpy called(action, &QAction::triggered);
+            field("Length").setFocus();
+            QTest::keyClick(&field("Length"), key, modifiers);
+            QCOMPARE(called.count(), 1);
+        }
+    }
+
+    void undo_in_a_field_takes_back_its_typing_and_then_the_settings() {
+        NumberField& length = field("Length");
+        typeInto(length, "80");
+        typeInto(length, "90");
+        QTest::keyClick(&length, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(document().settings().window, 80);
+        QTest::keyClick(&length, Qt::Key_End);
+        QTest::keyClicks(&length, "7");
+        QCOMPARE(length.text(), QStringLiteral("807"));
+        QTest::keyClick(&length, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(length.text(), QStringLiteral("80"));
+        QCOMPARE(document().settings().window, 80);
+        QTest::keyClick(&length, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(length.text(), QStringLiteral("807"));
+        QTest::keyClick(&length, Qt::Key_Z, Qt::ControlModifier);
+        QTest::keyClick(&length, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(document().settings().window, 60);
+        QCOMPARE(length.text(), QStringLiteral("60"));
+        QTest::keyClick(&length, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClick(&length, Qt::Key_Y, Qt::ControlModifier);
+        QCOMPARE(document().settings().window, 90);
     }
 };
 

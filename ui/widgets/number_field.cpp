@@ -2,11 +2,13 @@
 
 #include "core/base/number_text.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -127,6 +129,34 @@ void NumberField::commit() {
     } else {
         show();
     }
+}
+
+// Of the keys that a line edit would keep, on X11 also Ctrl+E, those that are a command's.
+bool NumberField::isForTheWindow(const QKeyEvent& key) const {
+    const bool own_undo = isModified() && isUndoAvailable() && key.matches(QKeySequence::Undo);
+    const bool own_redo = isRedoAvailable() && key.matches(QKeySequence::Redo);
+    if (own_undo || own_redo) {
+        return false;
+    }
+    const auto is_command = [pressed = QKeySequence(key.keyCombination())](const QAction* action) {
+        return action->isEnabled() && action->shortcutContext() == Qt::WindowShortcut &&
+               action->shortcuts().contains(pressed);
+    };
+    const QWidget* window = this->window();
+    while (window && !std::ranges::any_of(window->findChildren<QAction*>(), is_command)) {
+        // A floating panel hands its keys to the window behind it.
+        window = window->parentWidget() ? window->parentWidget()->window() : nullptr;
+    }
+    return window != nullptr;
+}
+
+bool NumberField::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride &&
+        isForTheWindow(*static_cast<QKeyEvent*>(event))) {
+        event->ignore();
+        return true;
+    }
+    return QLineEdit::event(event);
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {

@@ -10,7 +10,8 @@ namespace vybeg::ui {
 // A field for one number with its unit inside the frame. Takes a decimal point and a decimal comma,
 // whatever the language; shows the one of the interface's language. Empty means "no value", where
 // that is allowed. What cannot be a value is framed in red and never leaves the field, which says
-// why; Escape brings the last value back. Up and Down step.
+// why; Escape brings the last value back. Up and Down step. The window's shortcuts work in it; undo
+// and redo are its own as long as there is typing to undo.
 class NumberField : public QLineEdit {
     Q_OBJECT
     Q_PROPERTY(QString unit READ unit WRITE setUnit)
@@ -49,6 +50,7 @@ signals:
     void faultChanged();
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -60,6 +62,7 @@ private:
     };
     Reading read() const;
     QString refusalOf(std::optional<double> number) const;
+    bool isForTheWindow(const QKeyEvent& key) const;
     void setRefusal(const QString& sentence);
     void show();
     int unitWidth() const;
