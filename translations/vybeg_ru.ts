@@ -2047,22 +2047,6 @@
             <source>Runs</source>
             <translation>Расчёты</translation>
         </message>
-        <message numerus="yes">
-            <source>%n window(s) in %1 s</source>
-            <translation>
-                <numerusform>%n окно за %1 с</numerusform>
-                <numerusform>%n окна за %1 с</numerusform>
-                <numerusform>%n окон за %1 с</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>%1 s left</source>
-            <translation>осталось %1 с</translation>
-        </message>
-        <message>
-            <source>Analysing…</source>
-            <translation>Идёт расчёт…</translation>
-        </message>
         <message>
             <source>Export plots</source>
             <translation>Экспорт графиков</translation>
@@ -2196,14 +2180,6 @@
             <translation>Инструменты</translation>
         </message>
         <message>
-            <source>Cancel</source>
-            <translation>Прервать</translation>
-        </message>
-        <message>
-            <source>Progress of the analysis</source>
-            <translation>Ход расчёта</translation>
-        </message>
-        <message>
             <source>Overview of the recording</source>
             <translation>Обзор записи</translation>
         </message>
@@ -2262,14 +2238,6 @@
         <message>
             <source>Import a recording</source>
             <translation>Импорт записи</translation>
-        </message>
-        <message numerus="yes">
-            <source>Resonator of %n recording(s) in %1 s</source>
-            <translation>
-                <numerusform>Резонатор по %n записи за %1 с</numerusform>
-                <numerusform>Резонатор по %n записям за %1 с</numerusform>
-                <numerusform>Резонатор по %n записям за %1 с</numerusform>
-            </translation>
         </message>
         <message>
             <source>Save passport</source>
@@ -2937,6 +2905,45 @@
         <message>
             <source>On: every window starts from the typed values. Off: only the first one, the others from the result of the window before.</source>
             <translation>Включено: каждое окно начинается со своих значений. Выключено: только первое, остальные — с результата предыдущего окна.</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::StatusLine</name>
+        <message numerus="yes">
+            <source>%n window(s) in %1 s</source>
+            <translation>
+                <numerusform>%n окно за %1 с</numerusform>
+                <numerusform>%n окна за %1 с</numerusform>
+                <numerusform>%n окон за %1 с</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Resonator of %n recording(s) in %1 s</source>
+            <translation>
+                <numerusform>Резонатор по %n записи за %1 с</numerusform>
+                <numerusform>Резонатор по %n записям за %1 с</numerusform>
+                <numerusform>Резонатор по %n записям за %1 с</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 s left</source>
+            <translation>осталось %1 с</translation>
+        </message>
+        <message>
+            <source>Analysing…</source>
+            <translation>Идёт расчёт…</translation>
+        </message>
+        <message>
+            <source>Progress of the analysis</source>
+            <translation>Ход расчёта</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Прервать</translation>
+        </message>
+        <message>
+            <source>Cancelled</source>
+            <translation>Прервано</translation>
         </message>
     </context>
     <context>

@@ -3,9 +3,11 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/run_list.h"
 #include "ui/plots/track_view.h"
+#include "ui/window/status_line.h"
 
 #include <QCheckBox>
 #include <QElapsedTimer>
+#include <QPushButton>
 #include <QTest>
 
 #include <algorithm>
@@ -325,6 +327,24 @@ private slots:
         type("70");
         QVERIFY(messages.texts().isEmpty());
         QCOMPARE(document.runs().front().run.analysis->plan.length, 70);
+    }
+
+    void cancelling_ends_what_the_status_bar_says() {
+        const auto window = shownWindow();
+        Document& document = window->document();
+        document.open({long_});
+        QVERIFY(idle(document, 1));
+        Settings settings = document.settings();
+        settings.algorithm = Algorithm::conjugate_gradient;
+        settings.hop = 1;
+        document.setSettings(settings);
+        document.analyse();
+        const auto& status = childOf<StatusLine>(*window);
+        QVERIFY(QTest::qWaitFor([&] { return status.text() == QStringLiteral("Analysing…"); }));
+        QTest::mouseClick(&childOf<QPushButton>(*window, "cancel"), Qt::LeftButton);
+        QVERIFY(QTest::qWaitFor([&] { return !document.busy(); }, 20000));
+        QCOMPARE(status.text(), QStringLiteral("Cancelled"));
+        QVERIFY(!childOf<QPushButton>(*window, "cancel").isVisible());
     }
 
     void the_switch_is_in_panel_and_menu_and_remembered() {

@@ -11,15 +11,11 @@
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QPointer>
-#include <QTimer>
 
 #include <array>
 #include <map>
 
 class QActionGroup;
-class QLabel;
-class QProgressBar;
-class QPushButton;
 class QStackedWidget;
 class QTabWidget;
 class QToolBar;
@@ -38,6 +34,7 @@ class ResonatorPanel;
 class RunList;
 class SettingsPanel;
 class SignalView;
+class StatusLine;
 class TrackView;
 class WelcomePage;
 
@@ -80,14 +77,13 @@ private:
     // main_window.cpp
     void buildViews();
     void buildDocks();
-    void buildStatusBar();
     void connectDocument();
     void connectViews();
     void showCurrentRecording();
     void showEnvelope();
     void showAnalysedRange();
     void showRuns();
-    void showProgress();
+    void showBusy();
     void showRun(int id);
     void editAnalysedRange(double from_s, double to_s);
     void goToEvent(double time_s, double seconds);
@@ -146,17 +142,11 @@ private:
     RunList* runs_ = nullptr;
     QTabWidget* readings_ = nullptr;
     RecentFiles* recent_ = nullptr;
-    QLabel* status_ = nullptr;
-    QLabel* time_left_ = nullptr;
-    QProgressBar* progress_ = nullptr;
-    QPushButton* cancel_ = nullptr;
-    std::function<QString()> status_text_;
+    StatusLine* status_ = nullptr;
     QPointer<CompareDialog> compare_;
     QPointer<HelpView> help_;
     AnalysisJob imports_;  // previews of the import dialog
     QPointer<ImportDialog> import_;
-    QTimer wait_;  // what takes less than this shows no progress
-    bool was_busy_ = false;
     QElapsedTimer last_range_edit_;
     int range_gesture_ = 0;
 };

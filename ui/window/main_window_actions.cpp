@@ -10,17 +10,14 @@
 #include "ui/window/compare_dialog.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recent_files.h"
+#include "ui/window/status_line.h"
 
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
-#include <QLabel>
 #include <QMenuBar>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSettings>
-#include <QStatusBar>
 #include <QToolBar>
 
 namespace vybeg::ui {
@@ -63,7 +60,7 @@ void MainWindow::buildActions() {
     on(Command::zoom_forward, [this] { tracks_->zoomForward(); });
     on(Command::run, [this] { settings_->run(); });
     on(Command::live, [this](bool on_now) { document_.setLive(on_now); });
-    on(Command::cancel, [this] { document_.cancel(); });
+    on(Command::cancel, [this] { status_->cancel(); });
     on(Command::compare, [this] { openCompare(); });
     on(Command::identify, [this] { identify(); });
     on(Command::new_set, [this] {
@@ -312,13 +309,8 @@ void MainWindow::retranslate() {
     readings_->setTabText(1, tr("Resonator"));
     readings_->setTabText(2, tr("Events"));
     tools_->setWindowTitle(tr("Tools"));
-    cancel_->setText(tr("Cancel"));
-    progress_->setAccessibleName(tr("Progress of the analysis"));
     signal_->setAccessibleName(tr("Overview of the recording"));
-    if (status_text_) {
-        status_->setText(status_text_());
-    }
-    showProgress();
+    refreshActions();
 }
 
 }  // namespace vybeg::ui
