@@ -2841,6 +2841,49 @@
         </message>
     </context>
     <context>
+        <name>vybeg::ui::StaleMark</name>
+        <message>
+            <source>algorithm</source>
+            <translation>алгоритм</translation>
+        </message>
+        <message>
+            <source>window</source>
+            <translation>окно</translation>
+        </message>
+        <message>
+            <source>range</source>
+            <translation>участок</translation>
+        </message>
+        <message>
+            <source>carrier</source>
+            <translation>несущая</translation>
+        </message>
+        <message>
+            <source>filter</source>
+            <translation>фильтр</translation>
+        </message>
+        <message>
+            <source>start values</source>
+            <translation>начальное приближение</translation>
+        </message>
+        <message>
+            <source>calibration</source>
+            <translation>калибровка</translation>
+        </message>
+        <message>
+            <source>The plots are older than the Analysis panel. Changed since: %1.</source>
+            <translation>Графики старше панели «Обработка». С тех пор изменено: %1.</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Рассчитать</translation>
+        </message>
+        <message>
+            <source>Analyse the current recording with the settings of the panel (F5)</source>
+            <translation>Рассчитать текущую запись с параметрами панели (F5)</translation>
+        </message>
+    </context>
+    <context>
         <name>vybeg::ui::StartFields</name>
         <message>
             <source>Start from</source>

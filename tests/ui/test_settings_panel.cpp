@@ -1,10 +1,15 @@
 // The analysis panel as a person uses it: what is typed, and what comes of it.
 #include "tests/ui/gui_test.h"
+#include "ui/panels/stale_mark.h"
+
+#include "ui/widgets/section.h"
 
 #include <QAction>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+
 
 #include <tuple>
 
@@ -140,6 +145,37 @@ private slots:
         QTest::keyClick(&length, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QTest::keyClick(&length, Qt::Key_Y, Qt::ControlModifier);
         QCOMPARE(document().settings().window, 90);
+    }
+
+    void plots_older_than_the_panel_say_so_until_they_are_analysed() {
+        openOne();
+        const auto& mark = childOf<StaleMark>(*window_);
+        const auto shown = [&](bool wanted) {
+            return QTest::qWaitFor([&] { return mark.isVisible() == wanted; });
+        };
+        QVERIFY(shown(false));
+        typeInto(field("Length"), "80");
+        QVERIFY(shown(true));
+        QCOMPARE(mark.text(),
+                 QStringLiteral("The plots are older than the Analysis panel. Changed since: "
+                                "window."));
+        typeInto(field("Range from"), "0.5");
+        QVERIFY(QTest::qWaitFor([&] { return mark.text().endsWith("window, range."); }));
+        window_->action(Command::undo)->trigger();
+        window_->action(Command::undo)->trigger();
+        QVERIFY2(shown(false), "what the plots show is what the panel says");
+        window_->action(Command::redo)->trigger();
+        QVERIFY(shown(true));
+        QTest::mouseClick(mark.findChild<QPushButton*>(), Qt::LeftButton);
+        QVERIFY(idle(2));
+        QVERIFY(shown(false));
+        document().setRunVisible(document().runs().back().run.id, false);
+        QVERIFY2(shown(true), "what has the panel's settings is hidden");
+        document().setLive(true);
+        QVERIFY(idle(2));
+        typeInto(field("Length"), "44");
+        QVERIFY(idle(3));
+        QVERIFY2(shown(false), "Live follows");
     }
 };
 

@@ -5,6 +5,7 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/run_list.h"
+#include "ui/panels/stale_mark.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/resonator/resonator_panel.h"
@@ -71,11 +72,13 @@ void MainWindow::buildViews() {
     welcome_ = new WelcomePage(pages_);
     auto* plots = new QWidget(pages_);
     signal_ = new SignalView(plots);
+    stale_ = new StaleMark(document_, plots);
     tracks_ = new TrackView(plots);
     auto* layout = new QVBoxLayout(plots);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     layout->addWidget(signal_);
+    layout->addWidget(stale_);
     layout->addWidget(tracks_, 1);
     pages_->addWidget(welcome_);
     pages_->addWidget(plots);
@@ -156,6 +159,7 @@ void MainWindow::connectViews() {
     connect(messages_, &MessageBar::reopenWanted, this, &MainWindow::openImport);
     connect(recordings_, &RecordingPanel::placeChosen, this, &MainWindow::goToEvent);
     connect(recordings_, &RecordingPanel::reopenWanted, this, &MainWindow::openImport);
+    connect(stale_, &StaleMark::runWanted, settings_, &SettingsPanel::run);
     connect(settings_, &SettingsPanel::visibleRangeWanted, this, [this] {
         const AxisRange range = tracks_->timeRange();
         editAnalysedRange(range.lower, range.upper);

@@ -34,6 +34,7 @@ class ResonatorPanel;
 class RunList;
 class SettingsPanel;
 class SignalView;
+class StaleMark;
 class StatusLine;
 class TrackView;
 class WelcomePage;
@@ -133,6 +134,7 @@ private:
     WelcomePage* welcome_ = nullptr;
     MessageBar* messages_ = nullptr;
     SignalView* signal_ = nullptr;
+    StaleMark* stale_ = nullptr;
     TrackView* tracks_ = nullptr;
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
