@@ -1,15 +1,19 @@
 // The analysis panel as a person uses it: what is typed, and what comes of it.
 #include "tests/ui/gui_test.h"
 #include "ui/panels/stale_mark.h"
-
+#include "ui/settings/settings_panel.h"
 #include "ui/widgets/section.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
-
+#include <QWheelEvent>
 
 #include <tuple>
 
@@ -145,6 +149,44 @@ private slots:
         QTest::keyClick(&length, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QTest::keyClick(&length, Qt::Key_Y, Qt::ControlModifier);
         QCOMPARE(document().settings().window, 90);
+    }
+
+    void the_wheel_changes_only_the_choice_that_has_the_focus() {
+        window_->resize(1000, 500);  // the panel is longer than that
+        auto& algorithm = childOf<QComboBox>(*window_, "algorithm");
+        auto* const panel = childOf<SettingsPanel>(*window_).findChild<QScrollArea*>();
+        QScrollBar* const bar = panel->verticalScrollBar();
+        QVERIFY(QTest::qWaitFor([&] { return bar->maximum() > 0; }));
+        const auto turn = [](QWidget& over) {
+            const QPointF middle(over.rect().center());
+            QWheelEvent wheel(middle, over.mapToGlobal(middle), {}, QPoint(0, -120), Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            // As from the system: others are not passed on to the parent.
+            QSpontaneKeyEvent::setSpontaneous(&wheel);
+            qApp->notify(&over, &wheel);
+        };
+        for (Section* section : panel->findChildren<Section*>()) {
+            section->setOpen(true);
+        }
+        Settings settings = document().settings();
+        settings.algorithm = Algorithm::conjugate_gradient;  // lets its start values be chosen
+        document().setSettings(settings);
+        for (QComboBox* choice : panel->findChildren<QComboBox*>()) {
+            bar->setValue(0);
+            window_->setFocus();
+            const int chosen = choice->currentIndex();
+            turn(*choice);
+            QCOMPARE(choice->currentIndex(), chosen);
+            QVERIFY(bar->value() > 0);
+            QVERIFY2(!choice->hasFocus(), "the wheel takes the focus");
+        }
+        QCOMPARE(document().settings(), settings);
+        bar->setValue(0);
+        algorithm.setCurrentIndex(0);
+        algorithm.setFocus();
+        turn(algorithm);
+        QCOMPARE(algorithm.currentIndex(), 1);
+        QCOMPARE(bar->value(), 0);
     }
 
     void plots_older_than_the_panel_say_so_until_they_are_analysed() {

@@ -5,6 +5,7 @@
 #include "ui/settings/start_fields.h"
 #include "ui/settings/window_fields.h"
 #include "ui/widgets/section.h"
+#include "ui/widgets/wheel_guard.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/rich_text.h"
 
@@ -94,6 +95,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     connect(live_, &QCheckBox::toggled, &document_, &Document::setLive);
     connect(&document_, &Document::liveChanged, live_,
             [this] { live_->setChecked(document_.live()); });
+    guardFromWheel(*this);
     connect(&document_, &Document::settingsChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::carrierChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SettingsPanel::refresh);
