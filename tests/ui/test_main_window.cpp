@@ -334,6 +334,7 @@ private slots:
         window_->close();
         window_ = std::make_unique<MainWindow>();
         QVERIFY(window_->diagnosticsText().contains("Language ru, theme dark"));
+        QVERIFY(window_->diagnosticsText().contains("Recordings: 0, runs: 0"));
         window_->setThemeMode(ThemeMode::light);
     }
 };

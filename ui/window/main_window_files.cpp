@@ -256,7 +256,7 @@ QString MainWindow::diagnosticsText() const {
                  .arg(language_.code(),
                       theme_.dark ? QStringLiteral("dark") : QStringLiteral("light"))
                  .arg(devicePixelRatioF())
-          << QStringLiteral("%1 recordings, %2 runs")
+          << QStringLiteral("Recordings: %1, runs: %2")
                  .arg(document_.recordings().size())
                  .arg(document_.runs().size());
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
