@@ -164,7 +164,7 @@
         </message>
         <message>
             <source>One-&amp;sigma bands</source>
-            <translation>Полосы ±&amp;σ</translation>
+            <translation>П&amp;олосы ±σ</translation>
         </message>
         <message>
             <source>&amp;Logarithmic working amplitude</source>
@@ -212,7 +212,7 @@
         </message>
         <message>
             <source>Copy &amp;diagnostics</source>
-            <translation>Копировать &amp;сведения о программе</translation>
+            <translation>Копировать с&amp;ведения о программе</translation>
         </message>
         <message>
             <source>Versions and settings to the clipboard, for a report of a fault</source>
@@ -232,15 +232,15 @@
         </message>
         <message>
             <source>Compare &amp;with passport…</source>
-            <translation>Сравнить с &amp;паспортом…</translation>
+            <translation>Сравнить с п&amp;аспортом…</translation>
         </message>
         <message>
             <source>Which parameters of the resonator have changed since its passport</source>
             <translation>Какие параметры резонатора изменились по сравнению с паспортом</translation>
         </message>
         <message>
-            <source>Identify &amp;resonator</source>
-            <translation>Идентифицировать &amp;резонатор</translation>
+            <source>&amp;Identify resonator</source>
+            <translation>&amp;Идентифицировать резонатор</translation>
         </message>
         <message>
             <source>Fit one resonator to all recordings of the set</source>
@@ -248,7 +248,7 @@
         </message>
         <message>
             <source>&amp;New set of runs</source>
-            <translation>&amp;Новый набор пусков</translation>
+            <translation>Но&amp;вый набор пусков</translation>
         </message>
         <message>
             <source>Recordings of another resonator, to be identified together</source>
@@ -2108,7 +2108,7 @@
             <translation>Отклонение от f₀, млн⁻¹</translation>
         </message>
         <message>
-            <source>&amp;Frequency in</source>
+            <source>Fre&amp;quency in</source>
             <translation>&amp;Частота в</translation>
         </message>
         <message>

@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTabWidget>
@@ -175,6 +176,44 @@ private slots:
         QTest::qWait(300);
         const QStringList russian = foreignTexts(QRegularExpression("[А-Яа-яЁё]+"));
         QVERIFY2(russian.isEmpty(), qPrintable(russian.join('\n')));
+    }
+
+    void a_letter_opens_one_entry_of_a_menu_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("first");
+        QTest::newRow("English") << "en"
+                                 << "&File";
+        QTest::newRow("Russian") << "ru"
+                                 << "&Файл";
+    }
+    void a_letter_opens_one_entry_of_a_menu() {
+        QFETCH(QString, language);
+        QFETCH(QString, first);
+        MainWindow window;
+        window.setLanguage(language);
+        QVERIFY(
+            QTest::qWaitFor([&] { return window.menuBar()->actions().first()->text() == first; }));
+        QList<const QWidget*> menus{window.menuBar()};
+        for (const QMenu* menu : window.menuBar()->findChildren<QMenu*>()) {
+            menus << menu;
+        }
+        QVERIFY(menus.size() > 10);
+        static const QRegularExpression mnemonic("(?<!&)&([^&])");
+        static const QRegularExpression typed("[A-Za-zА-Яа-яЁё0-9]");
+        QStringList wrong;
+        for (const QWidget* menu : menus) {
+            QMap<QString, QString> taken;
+            for (const QAction* entry : menu->actions()) {
+                const auto found = mnemonic.match(entry->text());
+                const QString letter = found.captured(1).toLower();
+                if (found.hasMatch() &&
+                    (taken.contains(letter) || !typed.match(letter).hasMatch())) {
+                    wrong << QStringLiteral("%1: %2 %3").arg(letter, taken[letter], entry->text());
+                }
+                taken[letter] = entry->text();
+            }
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
     }
 
     void the_translation_has_every_text_of_the_source_and_keeps_its_places() {

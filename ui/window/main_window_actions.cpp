@@ -172,7 +172,7 @@ void MainWindow::buildMenus() {
                           changeUnits([unit](DisplayUnits& units) {
                               units.frequency = static_cast<FrequencyUnit>(unit);
                           });
-                      })] = QT_TR_NOOP("&Frequency in");
+                      })] = QT_TR_NOOP("Fre&quency in");
     menus_[choiceMenu(view, {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")},
                       static_cast<int>(tracks_->units().angle), [this](int unit) {
                           changeUnits([unit](DisplayUnits& units) {
