@@ -281,6 +281,23 @@ private slots:
         QVERIFY(the<MessageBar>().texts().first().contains("cannot be written"));
     }
 
+    void the_runs_icons_follow_the_theme() {
+        openOne();
+        window_->setThemeMode(ThemeMode::light);
+        const auto ground = [this] {
+            return the<RunList>().topLevelItem(0)->icon(0).pixmap(28, 14).toImage().pixelColor(1,
+                                                                                               1);
+        };
+        QCOMPARE(ground(), lightTheme().palette.color(QPalette::Base));
+        window_->setThemeMode(ThemeMode::dark);
+        QTRY_COMPARE(ground(), darkTheme().palette.color(QPalette::Base));
+        const auto* table = the<CursorPanel>().findChild<QTableWidget*>();
+        QTRY_COMPARE(
+            table->horizontalHeaderItem(1)->icon().pixmap(28, 14).toImage().pixelColor(1, 1),
+            darkTheme().palette.color(QPalette::Base));
+        window_->setThemeMode(ThemeMode::light);
+    }
+
     void the_track_is_exported_with_its_header_in_the_background() {
         openOne();
         window_->exportTrackTo(home_.path("track.csv"));
