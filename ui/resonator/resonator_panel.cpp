@@ -84,7 +84,7 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
         auto* made = new XYPlotView(content);
         made->setObjectName(QLatin1String(name));
         connect(made, &XYPlotView::exportWanted, this,
-                [this, made] { emit exportWanted(made->content(), made->size()); });
+                [this, made] { emit exportWanted(made->content()); });
         return made;
     };
     findings_ = sentence(content);

@@ -108,7 +108,7 @@ private:
                     const std::function<void(const QString&)>& save);
     void told(const Status& status, const QString& path);
     void askForPassport();
-    void exportResonatorPlot(const XYPlot& plot, QSize size);
+    void exportResonatorPlot(const XYPlot& plot);
     void openCompare();
     void showComparison(const QList<int>& run_ids);
     void showHelp();

@@ -51,7 +51,10 @@ void MainWindow::buildActions() {
     on(Command::quit, [this] { close(); });
     on(Command::undo, [this] { document_.undoStack().undo(); });
     on(Command::redo, [this] { document_.undoStack().redo(); });
-    on(Command::copy_plot, [this] { copyPlots(tracks_->content(), tracks_->size()); });
+    on(Command::copy_plot, [this] {
+        const PlotContent content = tracks_->content();
+        copyPlots(content, paperSize(content));
+    });
     on(Command::copy_table, [this] { QApplication::clipboard()->setText(cursor_->tableText()); });
     on(Command::zoom_in, [this] { tracks_->zoomIn(); });
     on(Command::zoom_out, [this] { tracks_->zoomOut(); });

@@ -151,7 +151,8 @@ void MainWindow::told(const Status& status, const QString& path) {
 
 void MainWindow::exportPlotsTo(const QString& path) {
     const Status possible = stayAsTheyAre(document_, path);
-    told(possible ? exportPlots(tracks_->content(), tracks_->size(), path) : possible, path);
+    const PlotContent content = tracks_->content();
+    told(possible ? exportPlots(content, paperSize(content), path) : possible, path);
 }
 
 void MainWindow::exportTrackTo(const QString& path) {
@@ -192,12 +193,12 @@ void MainWindow::askForPassport() {
     dialog->open();
 }
 
-void MainWindow::exportResonatorPlot(const XYPlot& plot, QSize size) {
+void MainWindow::exportResonatorPlot(const XYPlot& plot) {
     askWhereTo(tr("Export plot"), QStringLiteral("resonator.png"),
                {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
-               [this, plot, size](const QString& path) {
+               [this, plot](const QString& path) {
                    const Status possible = stayAsTheyAre(document_, path);
-                   told(possible ? exportXYPlot(plot, size, path) : possible, path);
+                   told(possible ? exportXYPlot(plot, xy_paper_size, path) : possible, path);
                });
 }
 
