@@ -4,6 +4,7 @@
 #include "ui/panels/events_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/run_list.h"
+#include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/window/compare_dialog.h"
@@ -279,6 +280,27 @@ private slots:
         QVERIFY(svg.open(QIODevice::ReadOnly) && svg.read(200).contains("<svg"));
         window_->exportPlotsTo(home_.path("no/such/folder/plots.png"));
         QVERIFY(the<MessageBar>().texts().first().contains("cannot be written"));
+    }
+
+    void overview_and_plots_have_one_range_where_a_part_is_analysed() {
+        openOne();
+        typeInto(field("Range from"), "1");
+        window_->action(Command::run)->trigger();
+        QVERIFY(idle(2));
+        document().removeRun(document().runs().front().run.id);
+        auto& overview = the<SignalView>();
+        auto& tracks = the<TrackView>();
+        QCOMPARE(overview.visibleRange(), tracks.timeRange());
+        // Its left edge, to where nothing is analysed.
+        const int middle = overview.height() / 3;
+        const QPoint edge(qRound(overview.width() * 0.5), middle);
+        for (const QPoint& start : {edge, edge + QPoint(3, 0), edge - QPoint(3, 0)}) {
+            QTest::mousePress(&overview, Qt::LeftButton, {}, start);
+            QTest::mouseMove(&overview, QPoint(overview.width() / 4, middle));
+            QTest::mouseRelease(&overview, Qt::LeftButton, {},
+                                QPoint(overview.width() / 4, middle));
+            QCOMPARE(overview.visibleRange(), tracks.timeRange());
+        }
     }
 
     void the_runs_icons_follow_the_theme() {

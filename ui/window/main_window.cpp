@@ -166,6 +166,9 @@ void MainWindow::connectViews() {
     });
     connect(signal_, &SignalView::visibleRangeEdited, this, [this](double from_s, double to_s) {
         tracks_->setTimeRange({from_s, to_s});
+        // The plots show no more than their runs cover, and say nothing where that is what they
+        // have shown before.
+        signal_->setVisibleRange(tracks_->timeRange());
     });
     connect(signal_, &SignalView::analysedRangeEdited, this, &MainWindow::editAnalysedRange);
     connect(tracks_, &TrackView::timeRangeChanged, this, [this](double from_s, double to_s) {
