@@ -282,6 +282,19 @@ private slots:
         QVERIFY(the<MessageBar>().texts().first().contains("cannot be written"));
     }
 
+    void a_second_longer_recording_is_shown_whole() {
+        openOne();
+        auto& tracks = the<TrackView>();
+        tracks.setTimeRange({0.5, 1.0});
+        document().open({home_.recording("longer.wav", 6)});
+        QVERIFY(idle(2));
+        QCOMPARE(tracks.timeRange(), tracks.fullTimeRange());
+        QVERIFY(tracks.timeRange().upper > 5.9);
+        QCOMPARE(the<SignalView>().visibleRange(), tracks.timeRange());
+        window_->action(Command::zoom_back)->trigger();
+        QCOMPARE(tracks.timeRange(), (AxisRange{0.5, 1.0}));
+    }
+
     void overview_and_plots_have_one_range_where_a_part_is_analysed() {
         openOne();
         typeInto(field("Range from"), "1");
