@@ -112,6 +112,30 @@ QStringList foreignTexts(const QRegularExpression& foreign) {
     return found;
 }
 
+// The texts of a translation that have plural forms, with their contexts.
+QStringList pluralsOf(const QString& translation) {
+    QFile file(QStringLiteral(VYBEG_SOURCE_DIR "/translations/") + translation);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    QXmlStreamReader xml(&file);
+    QStringList found;
+    QString context;
+    bool plural = false;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (xml.isStartElement() && xml.name() == QLatin1String("name")) {
+            context = xml.readElementText();
+        } else if (xml.isStartElement() && xml.name() == QLatin1String("message")) {
+            plural = xml.attributes().hasAttribute("numerus");
+        } else if (xml.isStartElement() && xml.name() == QLatin1String("source") && plural) {
+            found << context + ": " + xml.readElementText();
+        }
+    }
+    found.sort();
+    return found;
+}
+
 }  // namespace
 
 class TestLanguages : public QObject {
@@ -214,6 +238,11 @@ private slots:
             }
         }
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+
+    void what_has_plural_forms_has_them_in_both_languages() {
+        QVERIFY(pluralsOf("vybeg_ru.ts").size() > 5);
+        QCOMPARE(pluralsOf("vybeg_en.ts"), pluralsOf("vybeg_ru.ts"));
     }
 
     void the_translation_has_every_text_of_the_source_and_keeps_its_places() {
