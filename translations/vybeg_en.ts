@@ -49,23 +49,6 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::MainWindow</name>
-        <message numerus="yes">
-            <source>%n window(s) in %1 s</source>
-            <translation>
-                <numerusform>%n window in %1 s</numerusform>
-                <numerusform>%n windows in %1 s</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>Resonator of %n recording(s) in %1 s</source>
-            <translation>
-                <numerusform>Resonator of %n recording in %1 s</numerusform>
-                <numerusform>Resonator of %n recordings in %1 s</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
         <name>vybeg::ui::RecordingPanel</name>
         <message numerus="yes">
             <source>%1 s, %n sample(s)</source>
@@ -92,6 +75,23 @@
             <translation>
                 <numerusform>The frequency of %n window lies at the bound of the search; the mean's deviation allows for it.</numerusform>
                 <numerusform>The frequency of %n windows lies at the bound of the search; the mean's deviation allows for them.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::StatusLine</name>
+        <message numerus="yes">
+            <source>%n window(s) in %1 s</source>
+            <translation>
+                <numerusform>%n window in %1 s</numerusform>
+                <numerusform>%n windows in %1 s</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Resonator of %n recording(s) in %1 s</source>
+            <translation>
+                <numerusform>Resonator of %n recording in %1 s</numerusform>
+                <numerusform>Resonator of %n recordings in %1 s</numerusform>
             </translation>
         </message>
     </context>

@@ -164,7 +164,7 @@
         </message>
         <message>
             <source>One-&amp;sigma bands</source>
-            <translation>Полосы ±&amp;σ</translation>
+            <translation>П&amp;олосы ±σ</translation>
         </message>
         <message>
             <source>&amp;Logarithmic working amplitude</source>
@@ -212,7 +212,7 @@
         </message>
         <message>
             <source>Copy &amp;diagnostics</source>
-            <translation>Копировать &amp;сведения о программе</translation>
+            <translation>Копировать с&amp;ведения о программе</translation>
         </message>
         <message>
             <source>Versions and settings to the clipboard, for a report of a fault</source>
@@ -232,15 +232,15 @@
         </message>
         <message>
             <source>Compare &amp;with passport…</source>
-            <translation>Сравнить с &amp;паспортом…</translation>
+            <translation>Сравнить с п&amp;аспортом…</translation>
         </message>
         <message>
             <source>Which parameters of the resonator have changed since its passport</source>
             <translation>Какие параметры резонатора изменились по сравнению с паспортом</translation>
         </message>
         <message>
-            <source>Identify &amp;resonator</source>
-            <translation>Идентифицировать &amp;резонатор</translation>
+            <source>&amp;Identify resonator</source>
+            <translation>&amp;Идентифицировать резонатор</translation>
         </message>
         <message>
             <source>Fit one resonator to all recordings of the set</source>
@@ -248,7 +248,7 @@
         </message>
         <message>
             <source>&amp;New set of runs</source>
-            <translation>&amp;Новый набор пусков</translation>
+            <translation>Но&amp;вый набор пусков</translation>
         </message>
         <message>
             <source>Recordings of another resonator, to be identified together</source>
@@ -1609,6 +1609,14 @@
             <source>auto</source>
             <translation>авто</translation>
         </message>
+        <message>
+            <source>Both frequencies are needed.</source>
+            <translation>Нужны обе частоты.</translation>
+        </message>
+        <message>
+            <source>The second frequency must be above the first.</source>
+            <translation>Вторая частота должна быть выше первой.</translation>
+        </message>
     </context>
     <context>
         <name>vybeg::ui::CheckList</name>
@@ -2047,22 +2055,6 @@
             <source>Runs</source>
             <translation>Расчёты</translation>
         </message>
-        <message numerus="yes">
-            <source>%n window(s) in %1 s</source>
-            <translation>
-                <numerusform>%n окно за %1 с</numerusform>
-                <numerusform>%n окна за %1 с</numerusform>
-                <numerusform>%n окон за %1 с</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>%1 s left</source>
-            <translation>осталось %1 с</translation>
-        </message>
-        <message>
-            <source>Analysing…</source>
-            <translation>Идёт расчёт…</translation>
-        </message>
         <message>
             <source>Export plots</source>
             <translation>Экспорт графиков</translation>
@@ -2124,7 +2116,7 @@
             <translation>Отклонение от f₀, млн⁻¹</translation>
         </message>
         <message>
-            <source>&amp;Frequency in</source>
+            <source>Fre&amp;quency in</source>
             <translation>&amp;Частота в</translation>
         </message>
         <message>
@@ -2196,14 +2188,6 @@
             <translation>Инструменты</translation>
         </message>
         <message>
-            <source>Cancel</source>
-            <translation>Прервать</translation>
-        </message>
-        <message>
-            <source>Progress of the analysis</source>
-            <translation>Ход расчёта</translation>
-        </message>
-        <message>
             <source>Overview of the recording</source>
             <translation>Обзор записи</translation>
         </message>
@@ -2263,14 +2247,6 @@
             <source>Import a recording</source>
             <translation>Импорт записи</translation>
         </message>
-        <message numerus="yes">
-            <source>Resonator of %n recording(s) in %1 s</source>
-            <translation>
-                <numerusform>Резонатор по %n записи за %1 с</numerusform>
-                <numerusform>Резонатор по %n записям за %1 с</numerusform>
-                <numerusform>Резонатор по %n записям за %1 с</numerusform>
-            </translation>
-        </message>
         <message>
             <source>Save passport</source>
             <translation>Сохранение паспорта</translation>
@@ -2301,6 +2277,29 @@
         <message>
             <source>Import…</source>
             <translation>Импорт…</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::NumberField</name>
+        <message>
+            <source>A number is needed.</source>
+            <translation>Нужно число.</translation>
+        </message>
+        <message>
+            <source>“%1” is no number.</source>
+            <translation>«%1» — не число.</translation>
+        </message>
+        <message>
+            <source>A whole number is needed.</source>
+            <translation>Нужно целое число.</translation>
+        </message>
+        <message>
+            <source>At least %1 is needed.</source>
+            <translation>Нужно не меньше %1.</translation>
+        </message>
+        <message>
+            <source>At most %1 is possible.</source>
+            <translation>Нужно не больше %1.</translation>
         </message>
     </context>
     <context>
@@ -2777,6 +2776,13 @@
         </message>
     </context>
     <context>
+        <name>vybeg::ui::SettingsFields</name>
+        <message>
+            <source>Not in effect: %1</source>
+            <translation>Не действует: %1</translation>
+        </message>
+    </context>
+    <context>
         <name>vybeg::ui::SettingsPanel</name>
         <message>
             <source>Window</source>
@@ -2840,6 +2846,49 @@
         <message>
             <source>Visible range: drag the edges, or the inside to shift it</source>
             <translation>Видимый интервал: тяните за края, а за середину — для сдвига</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::StaleMark</name>
+        <message>
+            <source>algorithm</source>
+            <translation>алгоритм</translation>
+        </message>
+        <message>
+            <source>window</source>
+            <translation>окно</translation>
+        </message>
+        <message>
+            <source>range</source>
+            <translation>участок</translation>
+        </message>
+        <message>
+            <source>carrier</source>
+            <translation>несущая</translation>
+        </message>
+        <message>
+            <source>filter</source>
+            <translation>фильтр</translation>
+        </message>
+        <message>
+            <source>start values</source>
+            <translation>начальное приближение</translation>
+        </message>
+        <message>
+            <source>calibration</source>
+            <translation>калибровка</translation>
+        </message>
+        <message>
+            <source>The plots are older than the Analysis panel. Changed since: %1.</source>
+            <translation>Графики старше панели «Обработка». С тех пор изменено: %1.</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Рассчитать</translation>
+        </message>
+        <message>
+            <source>Analyse the current recording with the settings of the panel (F5)</source>
+            <translation>Рассчитать текущую запись с параметрами панели (F5)</translation>
         </message>
     </context>
     <context>
@@ -2907,6 +2956,45 @@
         <message>
             <source>On: every window starts from the typed values. Off: only the first one, the others from the result of the window before.</source>
             <translation>Включено: каждое окно начинается со своих значений. Выключено: только первое, остальные — с результата предыдущего окна.</translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::StatusLine</name>
+        <message numerus="yes">
+            <source>%n window(s) in %1 s</source>
+            <translation>
+                <numerusform>%n окно за %1 с</numerusform>
+                <numerusform>%n окна за %1 с</numerusform>
+                <numerusform>%n окон за %1 с</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Resonator of %n recording(s) in %1 s</source>
+            <translation>
+                <numerusform>Резонатор по %n записи за %1 с</numerusform>
+                <numerusform>Резонатор по %n записям за %1 с</numerusform>
+                <numerusform>Резонатор по %n записям за %1 с</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 s left</source>
+            <translation>осталось %1 с</translation>
+        </message>
+        <message>
+            <source>Analysing…</source>
+            <translation>Идёт расчёт…</translation>
+        </message>
+        <message>
+            <source>Progress of the analysis</source>
+            <translation>Ход расчёта</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Прервать</translation>
+        </message>
+        <message>
+            <source>Cancelled</source>
+            <translation>Прервано</translation>
         </message>
     </context>
     <context>

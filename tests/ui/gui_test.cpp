@@ -45,6 +45,22 @@ QString GuiTestHome::file(const QString& name, const QByteArray& content) const 
     return path(name);
 }
 
+NumberField& fieldOf(const QWidget& window, const QString& accessible_name) {
+    for (NumberField* each : window.findChildren<NumberField*>()) {
+        if (each->accessibleName() == accessible_name) {
+            return *each;
+        }
+    }
+    qFatal("no such field: %s", qPrintable(accessible_name));
+}
+
+void typeInto(NumberField& field, const char* text) {
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, text);
+    QTest::keyClick(&field, Qt::Key_Return);
+}
+
 std::unique_ptr<MainWindow> shownWindow() {
     QSettings().clear();
     QSettings().setValue(QStringLiteral("live"), false);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/widgets/number_field.h"
 #include "ui/window/main_window.h"
 
 #include <QCoreApplication>
@@ -38,6 +39,12 @@ Widget& childOf(const QObject& window, const QString& name = {}) {
     }
     return *widget;
 }
+
+// The field of a window by its accessible name: it must be there.
+NumberField& fieldOf(const QWidget& window, const QString& accessible_name);
+
+// Takes the place of the field's text, as a person types it, up to Return.
+void typeInto(NumberField& field, const char* text);
 
 // The main window in English, 1400 x 900, on the screen, with no settings of an earlier one but
 // that it is not live: a run is what a test asks for.

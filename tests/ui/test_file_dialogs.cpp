@@ -1,8 +1,11 @@
 // The questions for a file, and what may not be written over.
 #include "tests/ui/gui_test.h"
 #include "ui/panels/message_bar.h"
+#include "ui/plots/track_view.h"
 #include "ui/window/main_window.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
@@ -114,6 +117,22 @@ private slots:
             QVERIFY(bytes() == before);
         }
         QVERIFY(QFile::remove(link));
+    }
+
+    void an_exported_figure_has_its_size_whatever_else_is_in_the_window() {
+        openOne();
+        const auto size = [this] {
+            window_->exportPlotsTo(home_.path("size.png"));
+            window_->action(Command::copy_plot)->trigger();
+            const QSize written = QImage(home_.path("size.png")).size();
+            return std::pair(written, QApplication::clipboard()->image().size());
+        };
+        const auto before = size();
+        QCOMPARE(before.first, before.second);
+        QVERIFY(the<MessageBar>().isVisible());
+        window_->resize(1000, 700);
+        QVERIFY(QTest::qWaitFor([&] { return the<TrackView>().width() < 800; }));
+        QVERIFY(size() == before);
     }
 };
 

@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTabWidget>
@@ -111,6 +112,30 @@ QStringList foreignTexts(const QRegularExpression& foreign) {
     return found;
 }
 
+// The texts of a translation that have plural forms, with their contexts.
+QStringList pluralsOf(const QString& translation) {
+    QFile file(QStringLiteral(VYBEG_SOURCE_DIR "/translations/") + translation);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    QXmlStreamReader xml(&file);
+    QStringList found;
+    QString context;
+    bool plural = false;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (xml.isStartElement() && xml.name() == QLatin1String("name")) {
+            context = xml.readElementText();
+        } else if (xml.isStartElement() && xml.name() == QLatin1String("message")) {
+            plural = xml.attributes().hasAttribute("numerus");
+        } else if (xml.isStartElement() && xml.name() == QLatin1String("source") && plural) {
+            found << context + ": " + xml.readElementText();
+        }
+    }
+    found.sort();
+    return found;
+}
+
 }  // namespace
 
 class TestLanguages : public QObject {
@@ -175,6 +200,49 @@ private slots:
         QTest::qWait(300);
         const QStringList russian = foreignTexts(QRegularExpression("[А-Яа-яЁё]+"));
         QVERIFY2(russian.isEmpty(), qPrintable(russian.join('\n')));
+    }
+
+    void a_letter_opens_one_entry_of_a_menu_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("first");
+        QTest::newRow("English") << "en"
+                                 << "&File";
+        QTest::newRow("Russian") << "ru"
+                                 << "&Файл";
+    }
+    void a_letter_opens_one_entry_of_a_menu() {
+        QFETCH(QString, language);
+        QFETCH(QString, first);
+        MainWindow window;
+        window.setLanguage(language);
+        QVERIFY(
+            QTest::qWaitFor([&] { return window.menuBar()->actions().first()->text() == first; }));
+        QList<const QWidget*> menus{window.menuBar()};
+        for (const QMenu* menu : window.menuBar()->findChildren<QMenu*>()) {
+            menus << menu;
+        }
+        QVERIFY(menus.size() > 10);
+        static const QRegularExpression mnemonic("(?<!&)&([^&])");
+        static const QRegularExpression typed("[A-Za-zА-Яа-яЁё0-9]");
+        QStringList wrong;
+        for (const QWidget* menu : menus) {
+            QMap<QString, QString> taken;
+            for (const QAction* entry : menu->actions()) {
+                const auto found = mnemonic.match(entry->text());
+                const QString letter = found.captured(1).toLower();
+                if (found.hasMatch() &&
+                    (taken.contains(letter) || !typed.match(letter).hasMatch())) {
+                    wrong << QStringLiteral("%1: %2 %3").arg(letter, taken[letter], entry->text());
+                }
+                taken[letter] = entry->text();
+            }
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+
+    void what_has_plural_forms_has_them_in_both_languages() {
+        QVERIFY(pluralsOf("vybeg_ru.ts").size() > 5);
+        QCOMPARE(pluralsOf("vybeg_en.ts"), pluralsOf("vybeg_ru.ts"));
     }
 
     void the_translation_has_every_text_of_the_source_and_keeps_its_places() {

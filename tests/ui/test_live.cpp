@@ -3,10 +3,11 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/run_list.h"
 #include "ui/plots/track_view.h"
-#include "ui/widgets/number_field.h"
+#include "ui/window/status_line.h"
 
 #include <QCheckBox>
 #include <QElapsedTimer>
+#include <QPushButton>
 #include <QTest>
 
 #include <algorithm>
@@ -301,14 +302,10 @@ private slots:
         auto& list = *window->findChild<RunList*>();
         tracks.setTimeRange({0.5, 1.0});
         tracks.setCursor(Cursor::a, 0.7);
-        NumberField* length = nullptr;
-        for (NumberField* each : window->findChildren<NumberField*>()) {
-            length = each->accessibleName() == QLatin1String("Length") ? each : length;
-        }
-        QVERIFY(length);
-        length->setFocus();
-        QTest::keyClick(length, Qt::Key_Up);
-        QTest::keyClick(length, Qt::Key_Up);
+        NumberField& length = fieldOf(*window, "Length");
+        length.setFocus();
+        QTest::keyClick(&length, Qt::Key_Up);
+        QTest::keyClick(&length, Qt::Key_Up);
         QVERIFY(idle(document, 1));
         QCOMPARE(document.runs().front().run.analysis->plan.length, 62);
         QCOMPARE(tracks.timeRange(), (AxisRange{0.5, 1.0}));
@@ -317,9 +314,7 @@ private slots:
         QVERIFY(list.topLevelItem(0)->font(0).italic());
 
         const auto type = [&](const char* text) {
-            length->selectAll();
-            QTest::keyClicks(length, text);
-            QTest::keyClick(length, Qt::Key_Return);
+            typeInto(length, text);
             QVERIFY(QTest::qWaitFor([&] { return !document.busy(); }, 20000));
         };
         // Impossible ones, each with other numbers: one message, the newest.
@@ -332,6 +327,24 @@ private slots:
         type("70");
         QVERIFY(messages.texts().isEmpty());
         QCOMPARE(document.runs().front().run.analysis->plan.length, 70);
+    }
+
+    void cancelling_ends_what_the_status_bar_says() {
+        const auto window = shownWindow();
+        Document& document = window->document();
+        document.open({long_});
+        QVERIFY(idle(document, 1));
+        Settings settings = document.settings();
+        settings.algorithm = Algorithm::conjugate_gradient;
+        settings.hop = 1;
+        document.setSettings(settings);
+        document.analyse();
+        const auto& status = childOf<StatusLine>(*window);
+        QVERIFY(QTest::qWaitFor([&] { return status.text() == QStringLiteral("Analysing…"); }));
+        QTest::mouseClick(&childOf<QPushButton>(*window, "cancel"), Qt::LeftButton);
+        QVERIFY(QTest::qWaitFor([&] { return !document.busy(); }, 20000));
+        QCOMPARE(status.text(), QStringLiteral("Cancelled"));
+        QVERIFY(!childOf<QPushButton>(*window, "cancel").isVisible());
     }
 
     void the_switch_is_in_panel_and_menu_and_remembered() {

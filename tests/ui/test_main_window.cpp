@@ -4,9 +4,9 @@
 #include "ui/panels/events_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/run_list.h"
+#include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
-#include "ui/widgets/number_field.h"
 #include "ui/window/compare_dialog.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
@@ -43,19 +43,7 @@ class TestMainWindow : public QObject {
     }
 
     NumberField& field(const QString& accessible_name) {
-        for (NumberField* each : window_->findChildren<NumberField*>()) {
-            if (each->accessibleName() == accessible_name) {
-                return *each;
-            }
-        }
-        qFatal("no such field: %s", qPrintable(accessible_name));
-    }
-
-    void type(NumberField& into, const char* text) {
-        into.setFocus();
-        into.selectAll();
-        QTest::keyClicks(&into, text);
-        QTest::keyClick(&into, Qt::Key_Return);
+        return fieldOf(*window_, accessible_name);
     }
 
     bool idle(std::size_t runs) {
@@ -176,22 +164,22 @@ private slots:
 
     void the_window_is_tied_together_in_samples_periods_and_milliseconds() {
         openOne();
-        type(field("Length"), "80");
+        typeInto(field("Length"), "80");
         QVERIFY(std::abs(*field("Length in periods").value() - 10) < 1e-3);
         QCOMPARE(*field("Length in milliseconds").value(), 10.0);
-        type(field("Length in milliseconds"), "5,5");
+        typeInto(field("Length in milliseconds"), "5,5");
         QCOMPARE(document().settings().window, 44);
-        type(field("Length in periods"), "7.5");
+        typeInto(field("Length in periods"), "7.5");
         QCOMPARE(document().settings().periods, std::optional(7.5));
         QCOMPARE(*field("Length").value(), 60.0);
-        type(field("Length"), "4");
+        typeInto(field("Length"), "4");
         QVERIFY(!field("Length").isValid());
         QCOMPARE(document().settings().periods, std::optional(7.5));
     }
 
     void snap_moves_the_window_to_whole_half_periods() {
         openOne();
-        type(field("Length"), "61");
+        typeInto(field("Length"), "61");
         const QString before = the<QLabel>("residual").text();
         QTest::mouseClick(&the<QPushButton>("snap"), Qt::LeftButton);
         // At 1000 Hz and 8000 Hz half a period is four samples.
@@ -202,9 +190,9 @@ private slots:
 
     void overlap_and_hop_are_tied_together() {
         openOne();
-        type(field("Overlap"), "75");
+        typeInto(field("Overlap"), "75");
         QCOMPARE(document().settings().hop, 15);
-        type(field("Hop"), "30");
+        typeInto(field("Hop"), "30");
         QCOMPARE(*field("Overlap").value(), 50.0);
         QTest::keyClick(&the<TrackView>(), Qt::Key_F5);
         QVERIFY(idle(2));
@@ -224,8 +212,8 @@ private slots:
 
     void settings_are_undone_and_redone_by_keys() {
         openOne();
-        type(field("Length"), "80");
-        type(field("Range from"), "0,5");
+        typeInto(field("Length"), "80");
+        typeInto(field("Range from"), "0,5");
         window_->action(Command::undo)->trigger();
         QVERIFY(!document().settings().from_s);
         window_->action(Command::undo)->trigger();
@@ -294,6 +282,57 @@ private slots:
         QVERIFY(the<MessageBar>().texts().first().contains("cannot be written"));
     }
 
+    void a_second_longer_recording_is_shown_whole() {
+        openOne();
+        auto& tracks = the<TrackView>();
+        tracks.setTimeRange({0.5, 1.0});
+        document().open({home_.recording("longer.wav", 6)});
+        QVERIFY(idle(2));
+        QCOMPARE(tracks.timeRange(), tracks.fullTimeRange());
+        QVERIFY(tracks.timeRange().upper > 5.9);
+        QCOMPARE(the<SignalView>().visibleRange(), tracks.timeRange());
+        window_->action(Command::zoom_back)->trigger();
+        QCOMPARE(tracks.timeRange(), (AxisRange{0.5, 1.0}));
+    }
+
+    void overview_and_plots_have_one_range_where_a_part_is_analysed() {
+        openOne();
+        typeInto(field("Range from"), "1");
+        window_->action(Command::run)->trigger();
+        QVERIFY(idle(2));
+        document().removeRun(document().runs().front().run.id);
+        auto& overview = the<SignalView>();
+        auto& tracks = the<TrackView>();
+        QCOMPARE(overview.visibleRange(), tracks.timeRange());
+        // Its left edge, to where nothing is analysed.
+        const int middle = overview.height() / 3;
+        const QPoint edge(qRound(overview.width() * 0.5), middle);
+        for (const QPoint& start : {edge, edge + QPoint(3, 0), edge - QPoint(3, 0)}) {
+            QTest::mousePress(&overview, Qt::LeftButton, {}, start);
+            QTest::mouseMove(&overview, QPoint(overview.width() / 4, middle));
+            QTest::mouseRelease(&overview, Qt::LeftButton, {},
+                                QPoint(overview.width() / 4, middle));
+            QCOMPARE(overview.visibleRange(), tracks.timeRange());
+        }
+    }
+
+    void the_runs_icons_follow_the_theme() {
+        openOne();
+        window_->setThemeMode(ThemeMode::light);
+        const auto ground = [this] {
+            return the<RunList>().topLevelItem(0)->icon(0).pixmap(28, 14).toImage().pixelColor(1,
+                                                                                               1);
+        };
+        QCOMPARE(ground(), lightTheme().palette.color(QPalette::Base));
+        window_->setThemeMode(ThemeMode::dark);
+        QTRY_COMPARE(ground(), darkTheme().palette.color(QPalette::Base));
+        const auto* table = the<CursorPanel>().findChild<QTableWidget*>();
+        QTRY_COMPARE(
+            table->horizontalHeaderItem(1)->icon().pixmap(28, 14).toImage().pixelColor(1, 1),
+            darkTheme().palette.color(QPalette::Base));
+        window_->setThemeMode(ThemeMode::light);
+    }
+
     void the_track_is_exported_with_its_header_in_the_background() {
         openOne();
         window_->exportTrackTo(home_.path("track.csv"));
@@ -347,6 +386,7 @@ private slots:
         window_->close();
         window_ = std::make_unique<MainWindow>();
         QVERIFY(window_->diagnosticsText().contains("Language ru, theme dark"));
+        QVERIFY(window_->diagnosticsText().contains("Recordings: 0, runs: 0"));
         window_->setThemeMode(ThemeMode::light);
     }
 };

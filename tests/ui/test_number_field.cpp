@@ -65,17 +65,34 @@ private slots:
         field.setLimits(5, 100);
         field.setValue(60);
         QSignalSpy edits(&field, &NumberField::valueEdited);
-        for (const char* text : {"4", "101", "6.5", "x", ""}) {
+        const std::pair<const char*, QString> refusals[]{{"4", "At least 5 is needed."},
+                                                         {"101", "At most 100 is possible."},
+                                                         {"6.5", "A whole number is needed."},
+                                                         {"x", "“x” is no number."},
+                                                         {"", "A number is needed."}};
+        for (const auto& [text, refusal] : refusals) {
             field.selectAll();
             QTest::keyClick(&field, Qt::Key_Delete);
             QTest::keyClicks(&field, text);
             QVERIFY2(!field.isValid(), text);
             QTest::keyClick(&field, Qt::Key_Return);
+            QCOMPARE(field.fault(), refusal);
         }
         QCOMPARE(edits.count(), 0);
         QTest::keyClick(&field, Qt::Key_Escape);
         QCOMPARE(field.text(), QStringLiteral("60"));
-        QVERIFY(field.isValid());
+        QVERIFY(field.isValid() && field.fault().isEmpty());
+    }
+
+    void what_is_being_typed_stays_as_long_as_the_value_is_the_same() {
+        NumberField field;
+        field.setValue(60);
+        field.selectAll();
+        QTest::keyClicks(&field, "7");
+        field.setValue(60);
+        QCOMPARE(field.text(), QStringLiteral("7"));
+        field.setValue(61);
+        QCOMPARE(field.text(), QStringLiteral("61"));
     }
 
     void empty_is_a_value_only_where_that_is_allowed() {

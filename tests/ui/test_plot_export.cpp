@@ -70,6 +70,31 @@ private:
     QTemporaryDir dir_;
 
 private slots:
+    void where_curves_leave_the_frame_stand_pointers_of_each_and_no_bar() {
+        PlotContent content = onePlot(twoRuns(), SlowVariable::a_A);
+        content.units.sigma_bands = false;
+        // Amplitudes about one lie above the first, below the second.
+        for (const AxisRange& values : {AxisRange{0, 0.1}, AxisRange{10, 11}}) {
+            content.zoom.fixed[SlowVariable::a_A] = values;
+            const QImage image = plotImage(content, {800, 300}, 1);
+            for (const Run& run : content.runs) {
+                const QColor color = readable(run.color, lightTheme());
+                int pixels = 0;
+                int longest = 0;
+                for (int y = 0; y < image.height(); ++y) {
+                    int length = 0;
+                    for (int x = 0; x < image.width(); ++x) {
+                        length = image.pixelColor(x, y) == color ? length + 1 : 0;
+                        pixels += length > 0;
+                        longest = std::max(longest, length);
+                    }
+                }
+                QVERIFY2(pixels > 200, "the curve is seen to go on");
+                QVERIFY2(longest < 40, qPrintable(QString::number(longest)));  // the legend's line
+            }
+        }
+    }
+
     void a_png_has_twice_the_size_and_a_white_ground() {
         const QString path = dir_.filePath(QStringLiteral("plots.png"));
         QVERIFY(exportPlots(twoRuns(), {800, 600}, path));

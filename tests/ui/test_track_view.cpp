@@ -305,6 +305,7 @@ private slots:
         bench.view.setTimeRange({2, 3});
         std::vector<Run> runs = bench.view.runs();
         runs.push_back(syntheticRun(1, {.seconds = 10, .window = 6}));
+        runs[1].recording = runs[0].recording;
         bench.view.setRuns(runs);
         QVERIFY(near(bench.view.timeRange().lower, 2, 1e-9));
         runs[0].visible = runs[1].visible = false;

@@ -1,6 +1,7 @@
 #include "ui/import/import_fields.h"
 
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/wheel_guard.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -112,6 +113,7 @@ ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLa
     unit_ = words(unit, "unit");
     time_column_->setItemData(1, 0);
     setOptions({});
+    guardFromWheel(*this);
     retranslate();
     connect(this, &ImportFields::edited, this, &ImportFields::showRows);
 }

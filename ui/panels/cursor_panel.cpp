@@ -175,6 +175,8 @@ void CursorPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        refresh();  // the icons are drawn in the theme's colours
     }
 }
 

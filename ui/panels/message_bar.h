@@ -7,6 +7,8 @@
 #include <vector>
 
 class QLabel;
+class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 namespace vybeg::ui {
@@ -38,8 +40,8 @@ private:
         Message message;
         QWidget* widget = nullptr;
         QLabel* text = nullptr;
-        class QToolButton* close = nullptr;
-        class QPushButton* action = nullptr;
+        QToolButton* close = nullptr;
+        QPushButton* action = nullptr;
     };
     void retranslate();
     void remove(QWidget* widget);

@@ -225,6 +225,8 @@ void RunList::changeEvent(QEvent* event) {
     QTreeWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        rebuild();  // the icons are drawn in the theme's colours
     }
 }
 

@@ -12,6 +12,9 @@ namespace {
 constexpr double line_width = 1.4;
 // Wider apart than this, every window gets a dot.
 constexpr double dot_spacing = 9;
+// Between the pointers to where the curve goes on beyond the frame: fewer than would merge into a
+// bar.
+constexpr double pointer_spacing = 24;
 
 // The band of one standard deviation at one column, pixels.
 struct BandPoint {
@@ -19,6 +22,12 @@ struct BandPoint {
     double top = 0;
     double bottom = 0;
 };
+
+// A small triangle whose tip touches the frame; `inwards` is +1 at the top and -1 at the foot.
+QPolygonF pointer(const QPointF& tip, double inwards) {
+    constexpr double half = 3.5;
+    return {{tip, tip + QPointF(half, 5 * inwards), tip + QPointF(-half, 5 * inwards)}};
+}
 
 void drawBandShape(QCPPainter& painter, const std::vector<BandPoint>& piece) {
     QPolygonF shape;
@@ -245,6 +254,10 @@ void CrispGraph::drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& 
     const QCPRange shown = valueAxis()->range();
     painter.setAntialiasing(false);
     painter.setPen(Qt::NoPen);
+    QVector<QPolygonF> pointers;
+    // Where the last one stands.
+    double above = rect.left() + (pointers_begin_ - 1) * pointer_spacing;
+    double below = above;
     for (const CurveColumn& column : columns) {
         const double from = keyAxis()->coordToPixel(column.time_first);
         const double to = keyAxis()->coordToPixel(column.time_last);
@@ -256,13 +269,21 @@ void CrispGraph::drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& 
             continue;
         }
         const AxisRange values = displayedInterval(scale_, column.min, column.max);
-        if (values.upper > shown.upper) {
-            painter.fillRect(place.translated(0, rect.top() + 1), color_);
+        if (values.upper > shown.upper && from - above >= pointer_spacing) {
+            above = from;
+            pointers.append(pointer({from, rect.top() + 1.0}, 1));
         }
-        if (values.lower < shown.lower) {
-            painter.fillRect(place.translated(0, rect.bottom() - 3), color_);
+        if (values.lower < shown.lower && from - below >= pointer_spacing) {
+            below = from;
+            pointers.append(pointer({from, double(rect.bottom())}, -1));
         }
     }
+    painter.setAntialiasing(true);
+    painter.setBrush(color_);
+    for (const QPolygonF& each : pointers) {
+        painter.drawPolygon(each);
+    }
+    painter.setBrush(Qt::NoBrush);
 }
 
 void CrispGraph::drawLegendIcon(QCPPainter* painter, const QRectF& rect) const {

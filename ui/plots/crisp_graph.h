@@ -22,6 +22,9 @@ public:
 
     void setScale(const DisplayScale& scale) { scale_ = scale; }
     void setBand(bool shown) { band_ = shown; }
+    // Where its pointers to what lies beyond the frame begin, 0 to 1 of the space between two:
+    // those of several curves stand beside each other.
+    void setPointers(double begin) { pointers_begin_ = begin; }
     // How the curve, its band and the marks of missing windows look.
     void setLook(const QColor& color, Qt::PenStyle dash, const QColor& missing);
 
@@ -54,6 +57,7 @@ private:
     std::shared_ptr<const CurveData> data_;
     DisplayScale scale_;
     bool band_ = true;
+    double pointers_begin_ = 0;
     QColor color_;
     QColor missing_;
     QVector<double> pattern_;  // lengths of dash and gap in turns, pixels; empty: solid

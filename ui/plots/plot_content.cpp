@@ -1,6 +1,7 @@
 #include "ui/plots/plot_content.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vybeg::ui {
 
@@ -25,6 +26,35 @@ std::optional<AxisRange> coveredTime(const std::vector<Run>& runs) {
         covered = AxisRange{covered->lower - 0.5, covered->upper + 0.5};  // a single window
     }
     return covered;
+}
+
+ZoomState clipped(ZoomState state, const std::vector<Run>& runs) {
+    const AxisRange full = coveredTime(runs).value_or(AxisRange{0, 1});
+    AxisRange& time = state.time;
+    // Down to four samples: nothing in a track is finer.
+    double least = 1e-6 * full.span();
+    for (const Run& run : runs) {
+        if (run.rate_hz > 0) {
+            least = std::min(least, 4 / run.rate_hz);
+        }
+    }
+    const double span = std::clamp(time.span(), std::min(least, full.span()), full.span());
+    const double centre = 0.5 * (time.lower + time.upper);
+    // A range that only lies too far out is shifted as it is, not through its centre: it keeps its
+    // last bit and the history knows it again.
+    if (span != time.span()) {
+        time = {centre - 0.5 * span, centre + 0.5 * span};
+    }
+    if (time.lower < full.lower) {
+        time = {full.lower, std::min(full.upper, full.lower + span)};
+    } else if (time.upper > full.upper) {
+        time = {std::max(full.lower, full.upper - span), full.upper};
+    }
+    std::erase_if(state.fixed, [](const auto& entry) {
+        const AxisRange& range = entry.second;
+        return !(range.span() > 0) || !std::isfinite(range.span());
+    });
+    return state;
 }
 
 double referenceFrequency(const std::vector<Run>& runs) {

@@ -32,6 +32,9 @@ struct PlotContent {
 // window.
 std::optional<AxisRange> coveredTime(const std::vector<Run>& runs);
 
+// A view with its time range inside what the visible runs cover, and with sound value ranges.
+ZoomState clipped(ZoomState state, const std::vector<Run>& runs);
+
 // What frequency deviations are counted from: the carrier of the first visible run, or 0.
 double referenceFrequency(const std::vector<Run>& runs);
 

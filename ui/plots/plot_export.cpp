@@ -1,5 +1,6 @@
 #include "ui/plots/plot_export.h"
 
+#include "ui/plots/figure.h"
 #include "ui/plots/plot_file.h"
 #include "ui/plots/plot_stack.h"
 
@@ -25,6 +26,13 @@ void onPaper(const PlotContent& content, QSize size, const Draw& draw) {
 }
 
 }  // namespace
+
+QSize paperSize(const PlotContent& content) {
+    FigureOptions options;
+    options.variables = content.variables;
+    constexpr int width = 900;
+    return {width, figureSize(1, options).height()};
+}
 
 QImage plotImage(const PlotContent& content, QSize size, double scale) {
     QImage image;

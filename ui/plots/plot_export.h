@@ -12,6 +12,10 @@ namespace vybeg::ui {
 // Stacked plots as they are put on paper: always in the light theme, with the runs' names above
 // where there are several. `size` is in device-independent pixels.
 
+// The size of a figure of these plots: as wide as a page, each plot as high as in figure.h. It is
+// the same whatever else the window holds.
+QSize paperSize(const PlotContent& content);
+
 // `scale` pixels of the image per pixel of `size`.
 QImage plotImage(const PlotContent& content, QSize size, double scale = 2);
 

@@ -69,6 +69,8 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
                                          : *made);
         graph->setScale(scale);
         graph->setBand(units_.sigma_bands && info(variable_).has_sd);
+        graph->setPointers(static_cast<double>(graphs_.size()) /
+                           static_cast<double>(content.runs.size()));
         graph->setLook(readable(run.color, theme_), run.dash, theme_.warning);
         graphs_.push_back(graph);
     }

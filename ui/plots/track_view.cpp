@@ -22,6 +22,13 @@ bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& 
     return displayScale(variable, a, 1) == displayScale(variable, b, 1);
 }
 
+// Whether a run is of a recording that no run is of that was there before.
+bool hasOtherRecording(const std::vector<Run>& runs, const std::vector<Run>& before) {
+    return std::ranges::any_of(runs, [&](const Run& run) {
+        return std::ranges::find(before, run.recording, &Run::recording) == before.end();
+    });
+}
+
 }  // namespace
 
 TrackView::TrackView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
@@ -49,16 +56,22 @@ TrackView::~TrackView() {
 }
 
 void TrackView::setRuns(std::vector<Run> runs) {
-    const bool had_nothing = !coveredTime(content_.runs);
+    const auto before = coveredTime(content_.runs);
+    const bool joined = hasOtherRecording(runs, content_.runs);
     content_.runs = std::move(runs);
     const AxisRange full = fullTimeRange();
     const AxisRange shown = timeRange();
+    const bool fitted = shown == before;
     rebuild();
-    if (had_nothing || shown.lower >= full.upper || shown.upper <= full.lower) {
+    if (!before || shown.lower >= full.upper || shown.upper <= full.lower) {
         history_ = ZoomStack({full, {}});
-        goTo(history_.current());
-        emit zoomHistoryChanged();
+    } else if ((fitted || joined) && coveredTime(content_.runs)) {
+        history_.visit({full, history_.current().fixed}, fitted);
+    } else {
+        return;
     }
+    goTo(history_.current());
+    emit zoomHistoryChanged();
 }
 
 void TrackView::setShownVariables(std::vector<SlowVariable> variables) {

@@ -41,8 +41,8 @@ public:
     explicit TrackView(QWidget* parent = nullptr);
     ~TrackView() override;
 
-    // The visible time range is kept, unless there was nothing to see before or it lies outside the
-    // new runs.
+    // The visible time range is kept, unless it was all that there was to see, lies outside the new
+    // runs, or a recording joins that was not there: then all is shown.
     void setRuns(std::vector<Run> runs);
     const std::vector<Run>& runs() const { return content_.runs; }
     void setShownVariables(std::vector<SlowVariable> variables);
@@ -127,7 +127,6 @@ private:
     // Goes to a view: clips it, draws it, remembers it and tells the others.
     void visit(ZoomState state, Gesture gesture);
     void goTo(const ZoomState& state);
-    ZoomState clipped(ZoomState state) const;
     void moveTracker(std::optional<double> time_s);
     void moveCursor(Cursor which, std::optional<double> time_s);
     void rebuild();

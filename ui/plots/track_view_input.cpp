@@ -60,37 +60,8 @@ std::optional<Cursor> TrackView::cursorAt(const QPointF& position) const {
     return std::nullopt;
 }
 
-ZoomState TrackView::clipped(ZoomState state) const {
-    const AxisRange full = fullTimeRange();
-    AxisRange& time = state.time;
-    // Down to four samples: nothing in a track is finer.
-    double least = 1e-6 * full.span();
-    for (const Run& run : content_.runs) {
-        if (run.rate_hz > 0) {
-            least = std::min(least, 4 / run.rate_hz);
-        }
-    }
-    const double span = std::clamp(time.span(), std::min(least, full.span()), full.span());
-    const double centre = 0.5 * (time.lower + time.upper);
-    // A range that only lies too far out is shifted as it is, not through its centre: it keeps its
-    // last bit and the history knows it again.
-    if (span != time.span()) {
-        time = {centre - 0.5 * span, centre + 0.5 * span};
-    }
-    if (time.lower < full.lower) {
-        time = {full.lower, std::min(full.upper, full.lower + span)};
-    } else if (time.upper > full.upper) {
-        time = {std::max(full.lower, full.upper - span), full.upper};
-    }
-    std::erase_if(state.fixed, [](const auto& entry) {
-        const AxisRange& range = entry.second;
-        return !(range.span() > 0) || !std::isfinite(range.span());
-    });
-    return state;
-}
-
 void TrackView::visit(ZoomState state, Gesture gesture) {
-    state = clipped(std::move(state));
+    state = clipped(std::move(state), content_.runs);
     if (state == history_.current()) {
         return;
     }

@@ -44,6 +44,9 @@ struct XYPlot {
 // Puts it on a plot, replacing what is there; `size` is that of the plot.
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size);
 
+// The size of a figure of one plot, whatever the window's.
+inline constexpr QSize xy_paper_size{640, 420};
+
 // On paper: in the light theme. By the ending of the path: .png, .svg, .pdf. Errors:
 // output_format_unknown, output_failed.
 Status exportXYPlot(const XYPlot& content, QSize size, const QString& path);

@@ -29,8 +29,9 @@ XYPlotView::XYPlotView(QWidget* parent)
     copy_->setShortcut(QKeySequence::Copy);
     copy_->setShortcutContext(Qt::WidgetShortcut);
     addActions({copy_, export_});
-    connect(copy_, &QAction::triggered, this,
-            [this] { QGuiApplication::clipboard()->setImage(xyPlotImage(content_, size())); });
+    connect(copy_, &QAction::triggered, this, [this] {
+        QGuiApplication::clipboard()->setImage(xyPlotImage(content_, xy_paper_size));
+    });
     connect(export_, &QAction::triggered, this, &XYPlotView::exportWanted);
     retranslate();
 }

@@ -7,6 +7,7 @@
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/widgets/section.h"
+#include "ui/widgets/wheel_guard.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
@@ -83,7 +84,7 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
         auto* made = new XYPlotView(content);
         made->setObjectName(QLatin1String(name));
         connect(made, &XYPlotView::exportWanted, this,
-                [this, made] { emit exportWanted(made->content(), made->size()); });
+                [this, made] { emit exportWanted(made->content()); });
         return made;
     };
     findings_ = sentence(content);
@@ -139,6 +140,7 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::setsChanged, this, &ResonatorPanel::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResonatorPanel::refresh);
     connect(&document_, &Document::passportChanged, this, &ResonatorPanel::rebuild);
+    guardFromWheel(*this);
     retranslate();
 }
 

@@ -37,7 +37,7 @@ public:
 
 signals:
     // The engineer wants a plot in a file.
-    void exportWanted(const XYPlot& plot, QSize size);
+    void exportWanted(const XYPlot& plot);
 
 protected:
     void changeEvent(QEvent* event) override;

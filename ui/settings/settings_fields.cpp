@@ -7,6 +7,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include <algorithm>
+
 namespace vybeg::ui {
 
 SettingsFields::SettingsFields(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
@@ -40,6 +42,7 @@ NumberField* SettingsFields::addField(const Texts& texts) {
     NumberField* field = makeField(texts);
     entries_.back().label = makeLabel(field);
     form_->addRow(entries_.back().label, field);
+    addFaults({field});
     return field;
 }
 
@@ -54,7 +57,40 @@ std::pair<NumberField*, NumberField*> SettingsFields::addPair(const Texts& first
     line->addWidget(left, 1);
     line->addWidget(right, 1);
     form_->addRow(label, line);
+    addFaults({left, right});
     return {left, right};
+}
+
+// A line below the fields that says what is wrong with them.
+void SettingsFields::addFaults(const std::vector<NumberField*>& fields) {
+    auto* line = new QLabel(this);
+    line->setObjectName(QStringLiteral("fault"));
+    line->setWordWrap(true);
+    line->hide();
+    form_->addRow(line);
+    const auto show = [line, fields] {
+        const auto wrong = std::ranges::find_if(
+            fields, [](const NumberField* field) { return !field->fault().isEmpty(); });
+        line->setVisible(wrong != fields.end());
+        line->setText(wrong == fields.end() ? QString()
+                                            : tr("Not in effect: %1").arg((*wrong)->fault()));
+    };
+    for (NumberField* field : fields) {
+        connect(field, &NumberField::faultChanged, line, [field, show] {
+            field->setAccessibleDescription(field->fault());
+            show();
+        });
+    }
+}
+
+NumberField* SettingsFields::faulty() const {
+    for (const Entry& entry : entries_) {
+        auto* field = qobject_cast<NumberField*>(entry.widget);
+        if (field && field->isEnabled() && !field->fault().isEmpty()) {
+            return field;
+        }
+    }
+    return nullptr;
 }
 
 QLabel* SettingsFields::addWidget(QWidget* widget, const Texts& texts) {

@@ -32,6 +32,8 @@ public:
     explicit SettingsFields(QWidget* parent = nullptr);
 
     void setState(const SettingsState& state);
+    // A field whose text is not in effect; null where all is well.
+    NumberField* faulty() const;
 
 signals:
     void edited(const Settings& settings);
@@ -65,6 +67,7 @@ private:
         Texts texts;
     };
     NumberField* makeField(const Texts& texts);
+    void addFaults(const std::vector<NumberField*>& fields);
     QLabel* makeLabel(QWidget* buddy);
 
     QFormLayout* form_;

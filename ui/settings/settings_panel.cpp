@@ -5,9 +5,11 @@
 #include "ui/settings/start_fields.h"
 #include "ui/settings/window_fields.h"
 #include "ui/widgets/section.h"
+#include "ui/widgets/wheel_guard.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/rich_text.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
@@ -89,10 +91,11 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     });
     connect(range, &RangeFields::visibleRangeWanted, this, &SettingsPanel::visibleRangeWanted);
     connect(calibration, &CalibrationFields::toleranceEdited, &document_, &Document::setTolerance);
-    connect(run_, &QPushButton::clicked, &document_, &Document::analyse);
+    connect(run_, &QPushButton::clicked, this, &SettingsPanel::run);
     connect(live_, &QCheckBox::toggled, &document_, &Document::setLive);
     connect(&document_, &Document::liveChanged, live_,
             [this] { live_->setChecked(document_.live()); });
+    guardFromWheel(*this);
     connect(&document_, &Document::settingsChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::carrierChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SettingsPanel::refresh);
@@ -106,6 +109,23 @@ void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
     groups_.push_back({section, fields, title});
     connect(fields, &SettingsFields::edited, this,
             [this](const Settings& settings) { document_.setSettings(settings); });
+}
+
+void SettingsPanel::run() {
+    // F5 leaves the focus in the field that was being edited.
+    if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget())) {
+        field->commit();
+    }
+    for (const Group& group : groups_) {
+        if (NumberField* field = group.fields->faulty()) {
+            parentWidget()->show();  // the panel may have been closed
+            group.section->setOpen(true);
+            scroll_->ensureWidgetVisible(field);
+            field->setFocus();
+            return;
+        }
+    }
+    document_.analyse();
 }
 
 void SettingsPanel::refresh() {

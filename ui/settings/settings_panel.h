@@ -27,6 +27,9 @@ public:
 
     QSize sizeHint() const override { return {310, 420}; }
 
+    // Analyses with what the fields say. Where one says what cannot be, it gets the focus instead.
+    void run();
+
 signals:
     void visibleRangeWanted();
 

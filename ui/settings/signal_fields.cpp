@@ -84,50 +84,69 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
     const auto filter =
         addPair({QT_TR_NOOP("Filter"), QT_TR_NOOP("Hz"), filter_tip, QT_TR_NOOP("Filter from")},
                 {"", QT_TR_NOOP("Hz"), filter_tip, QT_TR_NOOP("Filter to")});
-    band_low_ = band.first;
-    band_high_ = band.second;
-    filter_low_ = filter.first;
-    filter_high_ = filter.second;
-    for (NumberField* field : {band_low_, band_high_, filter_low_, filter_high_}) {
-        field->setOptional(true);
-        field->setLimits(0, 1e12);
-        field->setStep(10);
-    }
+    bands_ = {BandFields{&Settings::band, band.first, band.second, std::nullopt},
+              BandFields{&Settings::filter, filter.first, filter.second, std::nullopt}};
     connect(f0_, &NumberField::valueEdited, this, [this](auto value) {
         Settings settings = state().settings;
         settings.f0_hz = value;
         emit edited(settings);
     });
-    for (NumberField* field : {band_low_, band_high_}) {
-        connect(field, &NumberField::valueEdited, this,
-                [this] { editBand(&Settings::band, *band_low_, *band_high_); });
-    }
-    for (NumberField* field : {filter_low_, filter_high_}) {
-        connect(field, &NumberField::valueEdited, this,
-                [this] { editBand(&Settings::filter, *filter_low_, *filter_high_); });
+    for (const BandFields& fields : bands_) {
+        for (NumberField* field : {fields.low, fields.high}) {
+            field->setOptional(true);
+            field->setLimits(0, 1e12);
+            field->setStep(10);
+            connect(field, &NumberField::valueEdited, this, [this, &fields] { editBand(fields); });
+            // A field that is mended to what it was has no new value, but its band may have.
+            connect(field, &NumberField::editingFinished, this,
+                    [this, &fields] { editBand(fields); });
+        }
     }
     retranslate();
 }
 
-void CarrierFields::editBand(std::optional<Band> Settings::*band, const NumberField& low,
-                             const NumberField& high) {
-    // Half a band is no setting yet: it stays in the fields until the other half is typed.
-    Settings settings = state().settings;
-    if (low.value() && high.value() && *low.value() < *high.value()) {
-        settings.*band = Band{*low.value(), *high.value()};
-    } else if (!low.value() && !high.value()) {
-        (settings.*band).reset();
-    } else {
+void CarrierFields::editBand(const BandFields& fields) {
+    showConflict(fields);
+    if (!fields.low->fault().isEmpty() || !fields.high->fault().isEmpty()) {
         return;
     }
+    const auto low = fields.low->value();
+    const auto high = fields.high->value();
+    Settings settings = state().settings;
+    settings.*fields.member = low ? std::optional(Band{*low, *high}) : std::nullopt;
     emit edited(settings);
 }
 
+// Half a band and a reversed one are no settings yet: they stay in the fields, with the reason.
+void CarrierFields::showConflict(const BandFields& fields) {
+    const auto low = fields.low->value();
+    const auto high = fields.high->value();
+    QString sentence;
+    if (low.has_value() != high.has_value()) {
+        sentence = tr("Both frequencies are needed.");
+    } else if (low && *low >= *high) {
+        sentence = tr("The second frequency must be above the first.");
+    }
+    fields.high->setConflict(sentence);
+}
+
+void CarrierFields::showBand(BandFields& fields) {
+    const std::optional<Band>& band = state().settings.*fields.member;
+    // What has a fault goes on waiting for its mending, unless undo brings another band.
+    const bool waits = !fields.low->fault().isEmpty() || !fields.high->fault().isEmpty();
+    if (!waits || band != fields.shown) {
+        fields.low->setValue(band ? std::optional(band->low_hz) : std::nullopt);
+        fields.high->setValue(band ? std::optional(band->high_hz) : std::nullopt);
+    }
+    fields.shown = band;
+    showConflict(fields);
+}
+
 void CarrierFields::retranslate() {
-    band_low_->setPlaceholderText(tr("from"));
-    band_high_->setPlaceholderText(tr("to"));
-    filter_low_->setPlaceholderText(tr("from"));
-    filter_high_->setPlaceholderText(tr("to"));
+    for (const BandFields& fields : bands_) {
+        fields.low->setPlaceholderText(tr("from"));
+        fields.high->setPlaceholderText(tr("to"));
+    }
     SettingsFields::retranslate();
 }
 
@@ -136,17 +155,9 @@ void CarrierFields::refresh() {
     f0_->setValue(settings.f0_hz);
     f0_->setPlaceholderText(state().f0_hz ? QLocale().toString(*state().f0_hz, 'f', 3)
                                           : tr("auto"));
-    const auto show = [](const std::optional<Band>& band, NumberField* low, NumberField* high) {
-        if (band) {
-            low->setValue(band->low_hz);
-            high->setValue(band->high_hz);
-        } else if (low->value() && high->value()) {
-            low->setValue(std::nullopt);
-            high->setValue(std::nullopt);
-        }
-    };
-    show(settings.band, band_low_, band_high_);
-    show(settings.filter, filter_low_, filter_high_);
+    for (BandFields& fields : bands_) {
+        showBand(fields);
+    }
 }
 
 CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {

@@ -2,6 +2,9 @@
 
 #include "ui/settings/settings_fields.h"
 
+#include <array>
+#include <optional>
+
 class QCheckBox;
 class QLabel;
 class QPushButton;
@@ -42,14 +45,19 @@ protected:
     void retranslate() override;
 
 private:
-    void editBand(std::optional<Band> Settings::*band, const NumberField& low,
-                  const NumberField& high);
+    struct BandFields {
+        std::optional<Band> Settings::*member;
+        NumberField* low;
+        NumberField* high;
+        std::optional<Band> shown;
+    };
+
+    void editBand(const BandFields& fields);
+    void showBand(BandFields& fields);
+    static void showConflict(const BandFields& fields);
 
     NumberField* f0_;
-    NumberField* band_low_;
-    NumberField* band_high_;
-    NumberField* filter_low_;
-    NumberField* filter_high_;
+    std::array<BandFields, 2> bands_;
 };
 
 // What is known of the pick-offs, and how well.

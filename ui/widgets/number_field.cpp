@@ -2,11 +2,13 @@
 
 #include "core/base/number_text.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -27,7 +29,12 @@ std::optional<double> readNumber(QString text) {
 NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
     setAlignment(Qt::AlignRight);
     connect(this, &QLineEdit::editingFinished, this, &NumberField::commit);
-    connect(this, &QLineEdit::textChanged, this, [this] { update(); });
+    connect(this, &QLineEdit::textChanged, this, [this] {
+        if (isValid()) {
+            setRefusal({});
+        }
+        update();
+    });
 }
 
 void NumberField::setUnit(const QString& unit) {
@@ -44,8 +51,26 @@ void NumberField::setLimits(double lowest, double highest) {
 }
 
 void NumberField::setValue(std::optional<double> value) {
+    if (isModified() && value == value_) {
+        return;
+    }
     value_ = value;
     show();
+}
+
+void NumberField::setConflict(const QString& sentence) {
+    if (sentence != conflict_) {
+        conflict_ = sentence;
+        update();
+        emit faultChanged();
+    }
+}
+
+void NumberField::setRefusal(const QString& sentence) {
+    if (sentence != refusal_) {
+        refusal_ = sentence;
+        emit faultChanged();
+    }
 }
 
 void NumberField::show() {
@@ -60,16 +85,31 @@ void NumberField::show() {
 
 NumberField::Reading NumberField::read() const {
     if (text().trimmed().isEmpty()) {
-        return {optional_, std::nullopt};
+        return {std::nullopt, optional_ ? QString() : tr("A number is needed.")};
     }
     const auto number = readNumber(text());
-    const bool valid = number && *number >= lowest_ && *number <= highest_ &&
-                       (!integer_ || std::floor(*number) == *number);
-    return {valid, number};
+    return {number, refusalOf(number)};
+}
+
+QString NumberField::refusalOf(std::optional<double> number) const {
+    const QLocale locale;
+    if (!number) {
+        return tr("“%1” is no number.").arg(text().trimmed());
+    }
+    if (integer_ && std::floor(*number) != *number) {
+        return tr("A whole number is needed.");
+    }
+    if (*number < lowest_) {
+        return tr("At least %1 is needed.").arg(locale.toString(lowest_, 'g', digits_));
+    }
+    if (*number > highest_) {
+        return tr("At most %1 is possible.").arg(locale.toString(highest_, 'g', digits_));
+    }
+    return {};
 }
 
 bool NumberField::isValid() const {
-    return read().valid;
+    return read().refusal.isEmpty();
 }
 
 void NumberField::commit() {
@@ -77,7 +117,8 @@ void NumberField::commit() {
         return;
     }
     const Reading reading = read();
-    if (!reading.valid) {
+    setRefusal(reading.refusal);
+    if (!reading.refusal.isEmpty()) {
         return;
     }
     setModified(false);
@@ -90,6 +131,34 @@ void NumberField::commit() {
     }
 }
 
+// Of the keys that a line edit would keep, on X11 also Ctrl+E, those that are a command's.
+bool NumberField::isForTheWindow(const QKeyEvent& key) const {
+    const bool own_undo = isModified() && isUndoAvailable() && key.matches(QKeySequence::Undo);
+    const bool own_redo = isRedoAvailable() && key.matches(QKeySequence::Redo);
+    if (own_undo || own_redo) {
+        return false;
+    }
+    const auto is_command = [pressed = QKeySequence(key.keyCombination())](const QAction* action) {
+        return action->isEnabled() && action->shortcutContext() == Qt::WindowShortcut &&
+               action->shortcuts().contains(pressed);
+    };
+    const QWidget* window = this->window();
+    while (window && !std::ranges::any_of(window->findChildren<QAction*>(), is_command)) {
+        // A floating panel hands its keys to the window behind it.
+        window = window->parentWidget() ? window->parentWidget()->window() : nullptr;
+    }
+    return window != nullptr;
+}
+
+bool NumberField::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride &&
+        isForTheWindow(*static_cast<QKeyEvent*>(event))) {
+        event->ignore();
+        return true;
+    }
+    return QLineEdit::event(event);
+}
+
 void NumberField::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && isModified()) {
         show();
@@ -98,7 +167,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     }
     if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         const Reading reading = read();
-        if (reading.valid && reading.value) {
+        if (reading.refusal.isEmpty() && reading.value) {
             const double sign = event->key() == Qt::Key_Up ? 1 : -1;
             const double stepped = *reading.value + sign * step_;
             if (stepped >= lowest_ && stepped <= highest_) {
@@ -114,8 +183,12 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
 
 void NumberField::changeEvent(QEvent* event) {
     QLineEdit::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && !isModified()) {
-        show();
+    if (event->type() == QEvent::LanguageChange) {
+        if (!isModified()) {
+            show();
+        } else if (!refusal_.isEmpty()) {
+            setRefusal(read().refusal);
+        }
     }
 }
 
@@ -137,7 +210,7 @@ void NumberField::paintEvent(QPaintEvent* event) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);
     }
-    if (!isValid() && isEnabled()) {
+    if ((!isValid() || !conflict_.isEmpty()) && isEnabled()) {
         painter.setPen(QPen(QColor(0xd5, 0x3e, 0x2a), 2));
         painter.setRenderHint(QPainter::Antialiasing);
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2, 2);

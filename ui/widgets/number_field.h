@@ -9,8 +9,9 @@ namespace vybeg::ui {
 
 // A field for one number with its unit inside the frame. Takes a decimal point and a decimal comma,
 // whatever the language; shows the one of the interface's language. Empty means "no value", where
-// that is allowed. What cannot be a value is framed in red and never leaves the field; Escape
-// brings the last value back. Up and Down step.
+// that is allowed. What cannot be a value is framed in red and never leaves the field, which says
+// why; Escape brings the last value back. Up and Down step. The window's shortcuts work in it; undo
+// and redo are its own as long as there is typing to undo.
 class NumberField : public QLineEdit {
     Q_OBJECT
     Q_PROPERTY(QString unit READ unit WRITE setUnit)
@@ -28,11 +29,15 @@ public:
     // Significant digits shown.
     void setDigits(int digits) { digits_ = digits; }
 
-    // Shows a value; emits nothing.
+    // Shows a value; emits no edit. What is being typed stays as long as the value is the same.
     void setValue(std::optional<double> value);
     std::optional<double> value() const { return value_; }
     // Takes the text over as leaving the field does.
     void commit();
+    // Why the text, as it was left, is no value; else what setConflict() told. Empty: all is well.
+    QString fault() const { return refusal_.isEmpty() ? conflict_ : refusal_; }
+    // Why the value does not go together with those of other fields.
+    void setConflict(const QString& sentence);
     // Whether the text as it stands is acceptable.
     bool isValid() const;
 
@@ -42,23 +47,30 @@ public:
 signals:
     // The user finished an edit that changed the value.
     void valueEdited(std::optional<double> value);
+    void faultChanged();
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     struct Reading {
-        bool valid = false;
         std::optional<double> value;
+        QString refusal;  // empty: a value
     };
     Reading read() const;
+    QString refusalOf(std::optional<double> number) const;
+    bool isForTheWindow(const QKeyEvent& key) const;
+    void setRefusal(const QString& sentence);
     void show();
     int unitWidth() const;
 
     QString unit_;
     std::optional<double> value_;
+    QString refusal_;
+    QString conflict_;
     double lowest_ = -std::numeric_limits<double>::max();
     double highest_ = std::numeric_limits<double>::max();
     double step_ = 1;

@@ -61,7 +61,7 @@ constexpr std::array<CommandTexts, static_cast<std::size_t>(Command::count)> com
      QT_TRANSLATE_NOOP("Command", "Stop the analyses that are under way")},
     {QT_TRANSLATE_NOOP("Command", "Compare &windows…"),
      QT_TRANSLATE_NOOP("Command", "The article's figure: one column per window length")},
-    {QT_TRANSLATE_NOOP("Command", "Identify &resonator"),
+    {QT_TRANSLATE_NOOP("Command", "&Identify resonator"),
      QT_TRANSLATE_NOOP("Command", "Fit one resonator to all recordings of the set")},
     {QT_TRANSLATE_NOOP("Command", "&New set of runs"),
      QT_TRANSLATE_NOOP("Command", "Recordings of another resonator, to be identified together")},

@@ -5,19 +5,18 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/run_list.h"
+#include "ui/panels/stale_mark.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/resonator/resonator_panel.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/window/compare_dialog.h"
 #include "ui/window/recent_files.h"
+#include "ui/window/status_line.h"
 #include "ui/window/welcome_page.h"
 #include "ui/words/error_text.h"
 
 #include <QDockWidget>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -25,8 +24,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace vybeg::ui {
 
@@ -34,9 +31,6 @@ namespace {
 
 // Edits of the analysed range closer together than this are one drag, and one step of undo.
 constexpr qint64 one_gesture_ms = 700;
-// Analyses shorter than this come and go without a progress bar, which would only flicker while a
-// setting is changed.
-constexpr int patience_ms = 250;
 
 }  // namespace
 
@@ -46,12 +40,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-    wait_.setSingleShot(true);
-    wait_.setInterval(patience_ms);
-    connect(&wait_, &QTimer::timeout, this, &MainWindow::showProgress);
     buildViews();
     buildDocks();
-    buildStatusBar();
+    status_ = new StatusLine(document_, this);
+    statusBar()->addWidget(status_, 1);
     buildActions();
     buildMenus();
     buildToolBar();
@@ -61,7 +53,6 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     retranslate();
     showCurrentRecording();
     showRuns();
-    showProgress();
     tracks_->setFocus();
 }
 
@@ -81,11 +72,13 @@ void MainWindow::buildViews() {
     welcome_ = new WelcomePage(pages_);
     auto* plots = new QWidget(pages_);
     signal_ = new SignalView(plots);
+    stale_ = new StaleMark(document_, plots);
     tracks_ = new TrackView(plots);
     auto* layout = new QVBoxLayout(plots);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     layout->addWidget(signal_);
+    layout->addWidget(stale_);
     layout->addWidget(tracks_, 1);
     pages_->addWidget(welcome_);
     pages_->addWidget(plots);
@@ -134,22 +127,6 @@ void MainWindow::buildDocks() {
     resizeDocks({runs}, {130}, Qt::Vertical);
 }
 
-void MainWindow::buildStatusBar() {
-    status_ = new QLabel(this);
-    time_left_ = new QLabel(this);
-    progress_ = new QProgressBar(this);
-    progress_->setRange(0, 1000);
-    progress_->setFixedWidth(180);
-    progress_->setTextVisible(false);
-    cancel_ = new QPushButton(this);
-    cancel_->setObjectName(QStringLiteral("cancel"));
-    statusBar()->addWidget(status_, 1);
-    statusBar()->addPermanentWidget(time_left_);
-    statusBar()->addPermanentWidget(progress_);
-    statusBar()->addPermanentWidget(cancel_);
-    connect(cancel_, &QPushButton::clicked, &document_, &Document::cancel);
-}
-
 void MainWindow::connectDocument() {
     connect(&document_, &Document::recordingsChanged, this, &MainWindow::showCurrentRecording);
     connect(&document_, &Document::recordingChanged, this, &MainWindow::showCurrentRecording);
@@ -158,8 +135,7 @@ void MainWindow::connectDocument() {
             &MainWindow::showCurrentRecording);
     connect(&document_, &Document::settingsChanged, this, &MainWindow::showAnalysedRange);
     connect(&document_, &Document::runsChanged, this, &MainWindow::showRuns);
-    connect(&document_, &Document::busyChanged, this, &MainWindow::showProgress);
-    connect(&document_, &Document::progressChanged, this, &MainWindow::showProgress);
+    connect(&document_, &Document::busyChanged, this, &MainWindow::showBusy);
     connect(&document_, &Document::opened, recent_, &RecentFiles::add);
     connect(&document_, &Document::liveChanged, this, [this] {
         action(Command::live)->setChecked(document_.live());
@@ -176,24 +152,6 @@ void MainWindow::connectDocument() {
             resonator_->showComparison();
         }
     });
-    connect(&document_, &Document::identified, this, [this](int set_id) {
-        const auto found = document_.outcome(*document_.set(set_id));
-        const auto count = static_cast<int>(found->inputs.size());
-        status_text_ = [count, seconds = found->seconds] {
-            return tr("Resonator of %n recording(s) in %1 s", nullptr, count)
-                .arg(QLocale().toString(seconds, 'g', 2));
-        };
-        status_->setText(status_text_());
-    });
-    connect(&document_, &Document::finished, this, [this](int run_id, double seconds) {
-        const RunEntry* entry = document_.run(run_id);
-        const auto windows = static_cast<int>(entry->summary.windows);
-        status_text_ = [windows, seconds] {
-            return tr("%n window(s) in %1 s", nullptr, windows)
-                .arg(QLocale().toString(seconds, 'g', 2));
-        };
-        status_->setText(status_text_());
-    });
 }
 
 void MainWindow::connectViews() {
@@ -201,12 +159,16 @@ void MainWindow::connectViews() {
     connect(messages_, &MessageBar::reopenWanted, this, &MainWindow::openImport);
     connect(recordings_, &RecordingPanel::placeChosen, this, &MainWindow::goToEvent);
     connect(recordings_, &RecordingPanel::reopenWanted, this, &MainWindow::openImport);
+    connect(stale_, &StaleMark::runWanted, settings_, &SettingsPanel::run);
     connect(settings_, &SettingsPanel::visibleRangeWanted, this, [this] {
         const AxisRange range = tracks_->timeRange();
         editAnalysedRange(range.lower, range.upper);
     });
     connect(signal_, &SignalView::visibleRangeEdited, this, [this](double from_s, double to_s) {
         tracks_->setTimeRange({from_s, to_s});
+        // The plots show no more than their runs cover, and say nothing where that is what they
+        // have shown before.
+        signal_->setVisibleRange(tracks_->timeRange());
     });
     connect(signal_, &SignalView::analysedRangeEdited, this, &MainWindow::editAnalysedRange);
     connect(tracks_, &TrackView::timeRangeChanged, this, [this](double from_s, double to_s) {
@@ -288,23 +250,9 @@ void MainWindow::showRun(int id) {
     tracks_->setMarks(std::move(crossings));
 }
 
-void MainWindow::showProgress() {
-    if (std::exchange(was_busy_, document_.busy()) != document_.busy()) {
-        document_.busy() ? wait_.start() : wait_.stop();
-    }
-    const bool busy = document_.busy() && !wait_.isActive();
-    progress_->setVisible(busy);
-    cancel_->setVisible(busy);
-    time_left_->setVisible(busy);
-    progress_->setValue(static_cast<int>(1000 * document_.progress()));
-    const auto left = document_.secondsLeft();
-    time_left_->setText(left ? tr("%1 s left").arg(std::ceil(*left)) : QString());
-    if (busy) {
-        status_text_ = [] { return tr("Analysing…"); };
-        status_->setText(status_text_());
-    }
+void MainWindow::showBusy() {
     if (compare_) {
-        compare_->setBusy(busy);
+        compare_->setBusy(document_.busy());
     }
     refreshActions();
 }

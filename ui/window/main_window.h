@@ -11,15 +11,11 @@
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QPointer>
-#include <QTimer>
 
 #include <array>
 #include <map>
 
 class QActionGroup;
-class QLabel;
-class QProgressBar;
-class QPushButton;
 class QStackedWidget;
 class QTabWidget;
 class QToolBar;
@@ -38,6 +34,8 @@ class ResonatorPanel;
 class RunList;
 class SettingsPanel;
 class SignalView;
+class StaleMark;
+class StatusLine;
 class TrackView;
 class WelcomePage;
 
@@ -80,14 +78,13 @@ private:
     // main_window.cpp
     void buildViews();
     void buildDocks();
-    void buildStatusBar();
     void connectDocument();
     void connectViews();
     void showCurrentRecording();
     void showEnvelope();
     void showAnalysedRange();
     void showRuns();
-    void showProgress();
+    void showBusy();
     void showRun(int id);
     void editAnalysedRange(double from_s, double to_s);
     void goToEvent(double time_s, double seconds);
@@ -111,7 +108,7 @@ private:
                     const std::function<void(const QString&)>& save);
     void told(const Status& status, const QString& path);
     void askForPassport();
-    void exportResonatorPlot(const XYPlot& plot, QSize size);
+    void exportResonatorPlot(const XYPlot& plot);
     void openCompare();
     void showComparison(const QList<int>& run_ids);
     void showHelp();
@@ -137,6 +134,7 @@ private:
     WelcomePage* welcome_ = nullptr;
     MessageBar* messages_ = nullptr;
     SignalView* signal_ = nullptr;
+    StaleMark* stale_ = nullptr;
     TrackView* tracks_ = nullptr;
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
@@ -146,17 +144,11 @@ private:
     RunList* runs_ = nullptr;
     QTabWidget* readings_ = nullptr;
     RecentFiles* recent_ = nullptr;
-    QLabel* status_ = nullptr;
-    QLabel* time_left_ = nullptr;
-    QProgressBar* progress_ = nullptr;
-    QPushButton* cancel_ = nullptr;
-    std::function<QString()> status_text_;
+    StatusLine* status_ = nullptr;
     QPointer<CompareDialog> compare_;
     QPointer<HelpView> help_;
     AnalysisJob imports_;  // previews of the import dialog
     QPointer<ImportDialog> import_;
-    QTimer wait_;  // what takes less than this shows no progress
-    bool was_busy_ = false;
     QElapsedTimer last_range_edit_;
     int range_gesture_ = 0;
 };

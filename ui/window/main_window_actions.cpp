@@ -5,22 +5,19 @@
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/resonator/resonator_panel.h"
-#include "ui/widgets/number_field.h"
+#include "ui/settings/settings_panel.h"
 #include "ui/window/command_texts.h"
 #include "ui/window/compare_dialog.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recent_files.h"
+#include "ui/window/status_line.h"
 
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
-#include <QLabel>
 #include <QMenuBar>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSettings>
-#include <QStatusBar>
 #include <QToolBar>
 
 namespace vybeg::ui {
@@ -54,22 +51,19 @@ void MainWindow::buildActions() {
     on(Command::quit, [this] { close(); });
     on(Command::undo, [this] { document_.undoStack().undo(); });
     on(Command::redo, [this] { document_.undoStack().redo(); });
-    on(Command::copy_plot, [this] { copyPlots(tracks_->content(), tracks_->size()); });
+    on(Command::copy_plot, [this] {
+        const PlotContent content = tracks_->content();
+        copyPlots(content, paperSize(content));
+    });
     on(Command::copy_table, [this] { QApplication::clipboard()->setText(cursor_->tableText()); });
     on(Command::zoom_in, [this] { tracks_->zoomIn(); });
     on(Command::zoom_out, [this] { tracks_->zoomOut(); });
     on(Command::zoom_fit, [this] { tracks_->fit(); });
     on(Command::zoom_back, [this] { tracks_->zoomBack(); });
     on(Command::zoom_forward, [this] { tracks_->zoomForward(); });
-    on(Command::run, [this] {
-        // F5 leaves the focus in the field that was being edited.
-        if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget())) {
-            field->commit();
-        }
-        document_.analyse();
-    });
+    on(Command::run, [this] { settings_->run(); });
     on(Command::live, [this](bool on_now) { document_.setLive(on_now); });
-    on(Command::cancel, [this] { document_.cancel(); });
+    on(Command::cancel, [this] { status_->cancel(); });
     on(Command::compare, [this] { openCompare(); });
     on(Command::identify, [this] { identify(); });
     on(Command::new_set, [this] {
@@ -181,7 +175,7 @@ void MainWindow::buildMenus() {
                           changeUnits([unit](DisplayUnits& units) {
                               units.frequency = static_cast<FrequencyUnit>(unit);
                           });
-                      })] = QT_TR_NOOP("&Frequency in");
+                      })] = QT_TR_NOOP("Fre&quency in");
     menus_[choiceMenu(view, {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")},
                       static_cast<int>(tracks_->units().angle), [this](int unit) {
                           changeUnits([unit](DisplayUnits& units) {
@@ -318,13 +312,8 @@ void MainWindow::retranslate() {
     readings_->setTabText(1, tr("Resonator"));
     readings_->setTabText(2, tr("Events"));
     tools_->setWindowTitle(tr("Tools"));
-    cancel_->setText(tr("Cancel"));
-    progress_->setAccessibleName(tr("Progress of the analysis"));
     signal_->setAccessibleName(tr("Overview of the recording"));
-    if (status_text_) {
-        status_->setText(status_text_());
-    }
-    showProgress();
+    refreshActions();
 }
 
 }  // namespace vybeg::ui

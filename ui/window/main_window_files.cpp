@@ -151,7 +151,8 @@ void MainWindow::told(const Status& status, const QString& path) {
 
 void MainWindow::exportPlotsTo(const QString& path) {
     const Status possible = stayAsTheyAre(document_, path);
-    told(possible ? exportPlots(tracks_->content(), tracks_->size(), path) : possible, path);
+    const PlotContent content = tracks_->content();
+    told(possible ? exportPlots(content, paperSize(content), path) : possible, path);
 }
 
 void MainWindow::exportTrackTo(const QString& path) {
@@ -192,12 +193,12 @@ void MainWindow::askForPassport() {
     dialog->open();
 }
 
-void MainWindow::exportResonatorPlot(const XYPlot& plot, QSize size) {
+void MainWindow::exportResonatorPlot(const XYPlot& plot) {
     askWhereTo(tr("Export plot"), QStringLiteral("resonator.png"),
                {tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
-               [this, plot, size](const QString& path) {
+               [this, plot](const QString& path) {
                    const Status possible = stayAsTheyAre(document_, path);
-                   told(possible ? exportXYPlot(plot, size, path) : possible, path);
+                   told(possible ? exportXYPlot(plot, xy_paper_size, path) : possible, path);
                });
 }
 
@@ -256,7 +257,7 @@ QString MainWindow::diagnosticsText() const {
                  .arg(language_.code(),
                       theme_.dark ? QStringLiteral("dark") : QStringLiteral("light"))
                  .arg(devicePixelRatioF())
-          << QStringLiteral("%1 recordings, %2 runs")
+          << QStringLiteral("Recordings: %1, runs: %2")
                  .arg(document_.recordings().size())
                  .arg(document_.runs().size());
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');

@@ -1,0 +1,90 @@
+#include "ui/panels/stale_mark.h"
+
+#include "ui/document/document.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace vybeg::ui {
+
+namespace {
+
+// The groups of the panel in which two settings differ, as its titles name them.
+QStringList differences(const Settings& a, const Settings& b) {
+    QStringList names;
+    const auto name = [&names](bool differ, const QString& group) {
+        if (differ) {
+            names << group;
+        }
+    };
+    name(a.algorithm != b.algorithm, StaleMark::tr("algorithm"));
+    name(a.window != b.window || a.periods != b.periods || a.snap != b.snap || a.hop != b.hop,
+         StaleMark::tr("window"));
+    name(a.from_s != b.from_s || a.to_s != b.to_s, StaleMark::tr("range"));
+    name(a.f0_hz != b.f0_hz || a.band != b.band, StaleMark::tr("carrier"));
+    name(a.filter != b.filter, StaleMark::tr("filter"));
+    name(a.initial != b.initial || a.start != b.start, StaleMark::tr("start values"));
+    name(!(a.calibration == b.calibration) || a.repair_lost != b.repair_lost,
+         StaleMark::tr("calibration"));
+    return names;
+}
+
+// In what the plots of the current recording differ from the panel; empty where they do not.
+QStringList staleness(const Document& document) {
+    const RecordingEntry* current = document.currentRecording();
+    QStringList newest;
+    for (const RunEntry& entry : document.runs()) {
+        if (current && entry.recording_id == current->id && entry.run.visible) {
+            newest = differences(entry.requested, document.settings());
+            if (newest.isEmpty()) {
+                return {};
+            }
+        }
+    }
+    return newest;
+}
+
+}  // namespace
+
+StaleMark::StaleMark(const Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), text_(new QLabel(this)), run_(new QPushButton(this)) {
+    text_->setWordWrap(true);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 0, 8, 0);
+    layout->addWidget(text_, 1);
+    layout->addWidget(run_);
+    connect(run_, &QPushButton::clicked, this, &StaleMark::runWanted);
+    // Queued: a live analysis begins right after the change that asks for it, and the plots would
+    // make room for a mark that is not meant.
+    for (const auto changed :
+         {&Document::settingsChanged, &Document::runsChanged, &Document::currentRecordingChanged,
+          &Document::busyChanged, &Document::liveChanged}) {
+        connect(&document_, changed, this, &StaleMark::refresh, Qt::QueuedConnection);
+    }
+    refresh();
+}
+
+QString StaleMark::text() const {
+    return text_->text();
+}
+
+void StaleMark::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refresh();
+    }
+}
+
+void StaleMark::refresh() {
+    const bool coming = document_.live() && document_.busy();
+    const QStringList differences = coming ? QStringList() : staleness(document_);
+    setVisible(!differences.isEmpty());
+    text_->setText(tr("The plots are older than the Analysis panel. Changed since: %1.")
+                       .arg(differences.join(QStringLiteral(", "))));
+    run_->setText(tr("Run"));
+    run_->setToolTip(tr("Analyse the current recording with the settings of the panel (F5)"));
+}
+
+}  // namespace vybeg::ui

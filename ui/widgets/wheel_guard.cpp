@@ -1,0 +1,36 @@
+#include "ui/widgets/wheel_guard.h"
+
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
+
+namespace vybeg::ui {
+
+namespace {
+
+class WheelGuard : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) {
+            return QObject::eventFilter(watched, event);
+        }
+        event->ignore();  // it goes on to the parent
+        return true;
+    }
+};
+
+}  // namespace
+
+void guardFromWheel(QWidget& panel) {
+    auto* guard = new WheelGuard(&panel);
+    for (QWidget* field : panel.findChildren<QWidget*>()) {
+        if (qobject_cast<QComboBox*>(field) || qobject_cast<QAbstractSpinBox*>(field)) {
+            field->setFocusPolicy(Qt::StrongFocus);  // that of Qt takes the focus by the wheel
+            field->installEventFilter(guard);
+        }
+    }
+}
+
+}  // namespace vybeg::ui

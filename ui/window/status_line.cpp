@@ -1,0 +1,128 @@
+#include "ui/window/status_line.h"
+
+#include "ui/document/document.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include <cmath>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Analyses shorter than this come and go without a progress bar, which would only flicker while a
+// setting is changed.
+constexpr int patience_ms = 250;
+
+}  // namespace
+
+StatusLine::StatusLine(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      status_(new QLabel(this)),
+      time_left_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
+      cancel_(new QPushButton(this)) {
+    progress_->setRange(0, 1000);
+    progress_->setFixedWidth(180);
+    progress_->setTextVisible(false);
+    cancel_->setObjectName(QStringLiteral("cancel"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(status_, 1);
+    layout->addWidget(time_left_);
+    layout->addWidget(progress_);
+    layout->addWidget(cancel_);
+    wait_.setSingleShot(true);
+    wait_.setInterval(patience_ms);
+    connect(&wait_, &QTimer::timeout, this, &StatusLine::refresh);
+    connect(cancel_, &QPushButton::clicked, this, &StatusLine::cancel);
+    connect(&document_, &Document::busyChanged, this, &StatusLine::whenBusyChanged);
+    connect(&document_, &Document::progressChanged, this, &StatusLine::refresh);
+    connect(&document_, &Document::identified, this, [this](int set_id) {
+        const auto found = document_.outcome(*document_.set(set_id));
+        const auto count = static_cast<int>(found->inputs.size());
+        tell([count, seconds = found->seconds] {
+            return tr("Resonator of %n recording(s) in %1 s", nullptr, count)
+                .arg(QLocale().toString(seconds, 'g', 2));
+        });
+    });
+    connect(&document_, &Document::finished, this, [this](int run_id, double seconds) {
+        const auto windows = static_cast<int>(document_.run(run_id)->summary.windows);
+        tell([windows, seconds] {
+            return tr("%n window(s) in %1 s", nullptr, windows)
+                .arg(QLocale().toString(seconds, 'g', 2));
+        });
+    });
+    retranslate();
+}
+
+QString StatusLine::text() const {
+    return status_->text();
+}
+
+void StatusLine::cancel() {
+    cancelled_ = true;
+    document_.cancel();
+}
+
+void StatusLine::tell(std::function<QString()> text) {
+    analysing_ = false;
+    text_ = std::move(text);
+    status_->setText(text_());
+}
+
+void StatusLine::whenBusyChanged() {
+    const bool busy = document_.busy();
+    if (std::exchange(was_busy_, busy) != busy) {
+        if (busy) {
+            cancelled_ = false;
+            wait_.start();
+        } else {
+            wait_.stop();
+        }
+    }
+    refresh();
+    if (!busy && analysing_) {
+        // Nothing came of it that has a text of its own; an error stands among the messages.
+        tell([cancelled = cancelled_] { return cancelled ? tr("Cancelled") : QString(); });
+    }
+}
+
+void StatusLine::refresh() {
+    const bool busy = document_.busy() && !wait_.isActive();
+    progress_->setVisible(busy);
+    cancel_->setVisible(busy);
+    time_left_->setVisible(busy);
+    progress_->setValue(static_cast<int>(1000 * document_.progress()));
+    const auto left = document_.secondsLeft();
+    time_left_->setText(left ? tr("%1 s left").arg(std::ceil(*left)) : QString());
+    if (busy) {
+        tell([] { return tr("Analysing…"); });
+        analysing_ = true;
+    }
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void StatusLine::retranslate() {
+    cancel_->setText(tr("Cancel"));
+    progress_->setAccessibleName(tr("Progress of the analysis"));
+    if (text_) {
+        status_->setText(text_());
+    }
+    refresh();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace vybeg::ui {
+
+class Document;
+
+// What the status bar shows: how the last analysis ended, or how far the one under way is, with the
+// button that stops it.
+class StatusLine : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(Document& document, QWidget* parent = nullptr);
+
+    QString text() const;
+    void cancel();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void tell(std::function<QString()> text);
+    void whenBusyChanged();
+    void refresh();
+    void retranslate();
+
+    Document& document_;
+    QLabel* status_;
+    QLabel* time_left_;
+    QProgressBar* progress_;
+    QPushButton* cancel_;
+    std::function<QString()> text_;  // a function, so that a change of language reaches it
+    QTimer wait_;                    // what takes less than this shows no progress
+    bool was_busy_ = false;
+    bool analysing_ = false;  // is what the text says
+    bool cancelled_ = false;
+};
+
+}  // namespace vybeg::ui
