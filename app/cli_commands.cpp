@@ -155,6 +155,9 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     if (const Status valid = validate(request.settings); !valid) {
         return log.fail(valid.error());
     }
+    if (const Status csv = check_track_ending(request.output); !csv) {
+        return log.fail(csv.error());
+    }
     const double begun = seconds_now();
     const Result<Recording> recording =
         open_recording(request.input, request.open, silent_job(stop));

@@ -121,7 +121,8 @@ public:
         leave_out([this](int i) { return at(i).filled == 0 || at(i).is_date(); });
         find_time();
         leave_out([this](int i) { return counts_by_one(at(i).values); });
-        leave_out([this](int i) { return is_time_again(i) || is_ramp(i); });
+        leave_out(
+            [this](int i) { return is_time_again(i) || (!choice_.time_column && is_ramp(i)); });
         find_own_times();
     }
 
@@ -163,7 +164,8 @@ private:
 
     // A unit that is none of time: a ramp of a voltage, a temperature.
     bool counts_other(int column) const {
-        return !name(column).unit.empty() && !seconds_per(name(column).unit);
+        const std::string& unit = name(column).unit;
+        return !unit.empty() && !seconds_per(unit) && !is_time_name(unit);
     }
 
     void find_time() {
@@ -201,7 +203,7 @@ private:
             format_.clock_from_s = at(candidate).clock_from_s;
         } else {
             format_.time_unit_s = choice_.time_unit_s.value_or(seconds_per(unit).value_or(1));
-            if (!unit_said && unit.empty()) {
+            if (!unit_said && unit.empty() && counts_other(candidate)) {
                 format_.unknown_time_unit = name(candidate).unit;
             }
         }

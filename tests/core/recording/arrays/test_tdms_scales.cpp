@@ -140,6 +140,33 @@ void add_refused_scales() {
         number_of_scales(t, 2000000000) + linear(t, 0, 1, 0));
 }
 
+// Units of the channels and of the axis of times.
+void add_units() {
+    for (const bool big_endian : {false, true}) {
+        const Tdms t{big_endian};
+        const auto file = [&](const char* unit_d, double step, const Properties& axis) {
+            Properties of_c{t.real("wf_increment", step), t.words("unit_string", "V")};
+            of_c.insert(of_c.end(), axis.begin(), axis.end());
+            return t.segment(first_segment,
+                             t.metadata({t.object(path_c, t.values(tds_i16, 8), of_c),
+                                         t.object(path_d, t.values(tds_i16, 8),
+                                                  {t.words("unit_string", unit_d)})}),
+                             t.raw<std::int16_t>(raw_c) + t.raw<std::int16_t>(raw_d));
+        };
+        const auto name = [&](const char* what) {
+            return QString("%1, %2").arg(what, order_of(big_endian));
+        };
+        add(name("D in mV, C in V"), {file("mV", 1e-3, {}),
+                                      raw_c,
+                                      each(raw_d, [](double x) { return 1e-3 * x; }),
+                                      {DiagnosticKind::unit_converted}});
+        add(name("D in m/s^2, C in V"),
+            {file("m/s^2", 1e-3, {}), raw_c, raw_d, {DiagnosticKind::units_differ}});
+        add(name("steps in ms"), {file("V", 1, {t.words("wf_xunit_string", "ms")}), raw_c, raw_d});
+        add(name("steps in s"), {file("V", 1e-3, {t.words("wf_xunit_string", "s")}), raw_c, raw_d});
+    }
+}
+
 }  // namespace
 
 class TestTdmsScales : public QObject {
@@ -159,6 +186,7 @@ void TestTdmsScales::a_file_is_read_as_its_layout_says_data() {
     add_precedence();
     add_chains();
     add_refused_scales();
+    add_units();
 }
 
 void TestTdmsScales::a_file_is_read_as_its_layout_says() {

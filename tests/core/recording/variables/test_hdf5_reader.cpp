@@ -20,7 +20,7 @@ save('latest.h5', plain, libver='latest')
 save('userblock.h5', plain, userblock_size=2048)
 def groups(f):
     f.create_dataset('2024/run 7/C', data=c).attrs['unit'] = 'V'
-    f.create_dataset('2024/run 7/D', data=d).attrs['units'] = np.bytes_('mV')
+    f.create_dataset('2024/run 7/D', data=d).attrs['Units'] = np.bytes_('V')
     f['2024/run 7'].attrs['sampling_rate'] = fs
     f['2024'].attrs['fs'] = 1.0
 save('groups.h5', groups)
@@ -268,8 +268,9 @@ void TestHdf5Reader::fields_of_records_are_named_and_chosen() {
 void TestHdf5Reader::units_are_those_of_the_attributes() {
     const Recording recording = opened(folder_.file("groups.h5"));
     QCOMPARE(recording.channels,
-             (std::vector<Channel>{{"/2024/run 7/C", "V"}, {"/2024/run 7/D", "mV"}}));
+             (std::vector<Channel>{{"/2024/run 7/C", "V"}, {"/2024/run 7/D", "V"}}));
     QCOMPARE(recording.rate_hz, 33333.0);  // of the group itself, before the one around it
+    QVERIFY(recording.diagnostics.empty());
 }
 
 void TestHdf5Reader::times_that_count_in_another_unit_are_converted() {
