@@ -96,6 +96,22 @@ private slots:
         QCOMPARE(document.runs().front().run.analysis->settings.algorithm, Algorithm::demodulation);
     }
 
+    void runs_stand_and_are_coloured_as_their_recordings_whichever_is_done_first() {
+        for (const QStringList& files : {QStringList{long_, short_}, QStringList{short_, long_}}) {
+            Document document;
+            document.setLive(true);
+            change(document, 60, 1);
+            document.open(files);
+            QVERIFY(idle(document, 2));
+            for (std::size_t k = 0; k < 2; ++k) {
+                const RunEntry& entry = document.runs()[k];
+                QCOMPARE(entry.recording_id, document.recordings()[k].id);
+                QCOMPARE(entry.run.color, runStyle(static_cast<int>(k)).color);
+                QCOMPARE(entry.run.dash, runStyle(static_cast<int>(k)).dash);
+            }
+        }
+    }
+
     void run_keeps_what_the_live_run_leaves() {
         Document document;
         document.setLive(true);

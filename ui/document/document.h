@@ -204,11 +204,13 @@ private:
     void runAgain(int recording_id, const Settings& requested);
     void enter(int key, const Request& request);
     static void showOutcome(RunEntry& entry, const Settings& requested, AnalysisOutcome outcome);
-    RunEntry newRun(const RecordingEntry& recording, const QString& name);
+    // `wish`: its style, where no other run has it.
+    RunEntry newRun(const RecordingEntry& recording, const QString& name, int wish = 0);
     // document_live.cpp
     void follow(int recording_id);
     void catchUp(int recording_id);
     void showLive(int recording_id, const Settings& requested, AnalysisOutcome outcome);
+    RunEntry& addLive(int recording_id);
     void whenLive(int recording_id, Result<AnalysisOutcome> result);
     void forgetLive(int recording_id);
     RunEntry* liveRun(int recording_id);
@@ -226,8 +228,6 @@ private:
     void apply(const Settings& settings);
     void apply(const Tolerance& tolerance);
     void requestDone(int key);
-    QString freeName(const QString& wish) const;
-    int freeStyle() const;
 
     AnalysisJob job_;
     QUndoStack undo_;

@@ -7,6 +7,41 @@
 #include <algorithm>
 
 namespace vybeg::ui {
+namespace {
+
+// A name that no run has: "demo", "demo (2)", ...
+QString freeName(const std::vector<RunEntry>& runs, const QString& wish) {
+    const auto taken = [&](const QString& name) {
+        return std::ranges::any_of(runs,
+                                   [&](const RunEntry& entry) { return entry.run.name == name; });
+    };
+    QString name = wish;
+    for (int count = 2; taken(name); ++count) {
+        name = QStringLiteral("%1 (%2)").arg(wish).arg(count);
+    }
+    return name;
+}
+
+// The style wished for, or the first that no run has.
+int freeStyle(const std::vector<RunEntry>& runs, int wish) {
+    const auto taken = [&](int candidate) {
+        const RunStyle style = runStyle(candidate);
+        return std::ranges::any_of(runs, [&](const RunEntry& entry) {
+            return entry.run.color == style.color && entry.run.dash == style.dash;
+        });
+    };
+    if (!taken(wish)) {
+        return wish;
+    }
+    // Styles repeat after a while; with more runs than styles the first free index is as good.
+    int index = 0;
+    while (index < static_cast<int>(runs.size()) && taken(index)) {
+        ++index;
+    }
+    return index;
+}
+
+}  // namespace
 
 void Document::analyse() {
     if (const RecordingEntry* entry = currentRecording(); entry && entry->recording) {
@@ -142,12 +177,12 @@ int Document::addRun(const Request& request, AnalysisOutcome outcome) {
     return id;
 }
 
-RunEntry Document::newRun(const RecordingEntry& recording, const QString& name) {
-    const RunStyle style = runStyle(freeStyle());
+RunEntry Document::newRun(const RecordingEntry& recording, const QString& name, int wish) {
+    const RunStyle style = runStyle(freeStyle(runs_, wish));
     RunEntry entry;
     entry.recording_id = recording.id;
     entry.run.id = ++last_id_;
-    entry.run.name = freeName(name);
+    entry.run.name = freeName(runs_, name);
     entry.run.recording = recording.name;
     entry.run.color = style.color;
     entry.run.dash = style.dash;
@@ -162,33 +197,6 @@ void Document::showOutcome(RunEntry& entry, const Settings& requested, AnalysisO
     entry.run.seconds_taken = outcome.analysis->timing.estimate_s;
     entry.run.analysis = std::move(outcome.analysis);
     entry.run.curves = std::move(outcome.curves);
-}
-
-QString Document::freeName(const QString& wish) const {
-    QString name = wish;
-    const auto taken = [&] {
-        return std::ranges::any_of(runs_,
-                                   [&](const RunEntry& entry) { return entry.run.name == name; });
-    };
-    for (int count = 2; taken(); ++count) {
-        name = QStringLiteral("%1 (%2)").arg(wish).arg(count);
-    }
-    return name;
-}
-
-int Document::freeStyle() const {
-    int index = 0;
-    const auto taken = [&](int candidate) {
-        const RunStyle style = runStyle(candidate);
-        return std::ranges::any_of(runs_, [&](const RunEntry& entry) {
-            return entry.run.color == style.color && entry.run.dash == style.dash;
-        });
-    };
-    // Styles repeat after a while; with more runs than styles the first free index is as good.
-    while (index < static_cast<int>(runs_.size()) && taken(index)) {
-        ++index;
-    }
-    return index;
 }
 
 void Document::cancel() {

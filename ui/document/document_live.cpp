@@ -65,11 +65,7 @@ void Document::showLive(int recording_id, const Settings& requested, AnalysisOut
     RunEntry* live = liveRun(recording_id);
     const bool is_new = !live;
     if (is_new) {
-        // Its name says nothing of the settings, which change; its row does.
-        const RecordingEntry& entry = *recording(recording_id);
-        runs_.push_back(newRun(entry, QFileInfo(entry.path).completeBaseName()));
-        live = &runs_.back();
-        live->live = true;
+        live = &addLive(recording_id);
     }
     showOutcome(*live, requested, std::move(outcome));
     const int id = live->run.id;
@@ -78,6 +74,22 @@ void Document::showLive(int recording_id, const Settings& requested, AnalysisOut
     if (is_new) {
         emit runAdded(id);
     }
+}
+
+// In the place and the colour of its recording, whichever analysis is done first.
+RunEntry& Document::addLive(int recording_id) {
+    const auto place = [this](int id) {
+        return std::ranges::find(recordings_, id, &RecordingEntry::id) - recordings_.begin();
+    };
+    const auto own = place(recording_id);
+    const RecordingEntry& entry = *recording(recording_id);
+    // Its name says nothing of the settings, which change; its row does.
+    RunEntry added = newRun(entry, QFileInfo(entry.path).completeBaseName(), static_cast<int>(own));
+    added.live = true;
+    const auto next = std::ranges::find_if(runs_, [&](const RunEntry& other) {
+        return other.live && place(other.recording_id) > own;
+    });
+    return *runs_.insert(next, std::move(added));
 }
 
 void Document::whenLive(int recording_id, Result<AnalysisOutcome> result) {

@@ -13,11 +13,7 @@ SignalView::SignalView(QWidget* parent) : QWidget(parent), theme_(lightTheme()) 
 }
 
 void SignalView::clear() {
-    envelope_.reset();
-    faults_.reset();
-    seconds_ = 0;
-    drawn_ = {};
-    update();
+    setReading(0);
 }
 
 void SignalView::setReading(double seconds) {
@@ -61,6 +57,9 @@ void SignalView::setTheme(const Theme& theme) {
 }
 
 void SignalView::setMargins(int left, int right) {
+    if (left == left_ && right == right_) {
+        return;
+    }
     left_ = left;
     right_ = right;
     drawn_ = {};

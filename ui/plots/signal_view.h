@@ -42,6 +42,8 @@ public:
     void setTheme(const Theme& theme);
     // Where the time axis begins and ends, pixels from both edges: lines it up with other plots.
     void setMargins(int left, int right);
+    // What lies over the time axis, in coordinates of the widget.
+    QRect plotArea() const;
 
     AxisRange visibleRange() const { return visible_; }
     AxisRange analysedRange() const { return analysed_; }
@@ -79,7 +81,6 @@ private:
     static constexpr int time_row = 15;
     static constexpr int range_row = 9;
 
-    QRect plotArea() const;
     double toPixel(double time_s) const;
     double toTime(double pixel) const;
     Grip gripAt(const QPointF& position) const;

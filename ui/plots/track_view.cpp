@@ -233,6 +233,10 @@ void TrackView::placeFocusWidgets() {
             widget->setGeometry(panel->outerRect());
         }
     }
+    if (!stack_->panels().empty()) {
+        const QRect area = stack_->panels().front()->rect();
+        emit timeAxisPlaced(area.left(), width() - 1 - area.right());
+    }
 }
 
 void TrackView::resizeEvent(QResizeEvent* event) {

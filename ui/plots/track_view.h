@@ -95,6 +95,8 @@ signals:
     // The user moved, placed or removed a cursor.
     void cursorsChanged();
     void zoomHistoryChanged();
+    // Where the time axes begin and end, pixels from both edges.
+    void timeAxisPlaced(int left, int right);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

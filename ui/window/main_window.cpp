@@ -176,6 +176,7 @@ void MainWindow::connectViews() {
         // Empty plots show nothing of the recording that is about to come.
         document_.setVisibleRange(document_.runs().empty() ? TimeRange() : TimeRange{from_s, to_s});
     });
+    connect(tracks_, &TrackView::timeAxisPlaced, signal_, &SignalView::setMargins);
     connect(tracks_, &TrackView::trackerMoved, this,
             [this](double time_s) { cursor_->setTime(time_s); });
     connect(tracks_, &TrackView::zoomHistoryChanged, this, &MainWindow::refreshActions);

@@ -1,0 +1,53 @@
+// The overview and the plots below it have one time axis.
+#include "tests/ui/gui_test.h"
+#include "ui/plots/signal_view.h"
+#include "ui/plots/track_view.h"
+#include "ui/window/main_window.h"
+
+#include <QTest>
+#include <qcustomplot.h>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestPlotAlignment : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    // Where a widget's area begins and ends, in the window's coordinates.
+    std::pair<int, int> span(const QWidget& widget, const QRect& area) const {
+        return {widget.mapTo(window_.get(), area.topLeft()).x(),
+                widget.mapTo(window_.get(), area.bottomRight()).x()};
+    }
+
+    std::pair<int, int> plotSpan() {
+        const auto& plot = childOf<QCustomPlot>(childOf<TrackView>(*window_));
+        return span(plot, plot.axisRects().front()->rect());
+    }
+
+    std::pair<int, int> overviewSpan() {
+        const auto& view = childOf<SignalView>(*window_);
+        return span(view, view.plotArea());
+    }
+
+private slots:
+    void the_overview_stands_over_the_plots() {
+        window_ = shownWindow();
+        QTRY_COMPARE(overviewSpan(), plotSpan());
+        Document& document = window_->document();
+        document.open({home_.recording("demo.wav")});
+        QTRY_VERIFY(!document.busy() && document.runs().size() == 1);
+        QTRY_COMPARE(overviewSpan(), plotSpan());
+        for (const QSize by : {QSize(101, 0), QSize(-60, 40)}) {
+            const auto before = plotSpan();
+            window_->resize(window_->size() + by);
+            QTRY_VERIFY(plotSpan() != before);
+            QTRY_COMPARE(overviewSpan(), plotSpan());
+        }
+    }
+};
+
+QTEST_MAIN(TestPlotAlignment)
+#include "test_plot_alignment.moc"
