@@ -12,10 +12,10 @@ namespace {
 // Classes that have grown too large, with their size. They may only shrink: lower a number with its
 // class, take it out below largest_class, and add none.
 const ClassCeilings ceilings{
-    {"ui/document/document.h: Document", 1041},
+    {"ui/document/document.h: Document", 1021},
     {"ui/plots/signal_view.h: SignalView", 539},
-    {"ui/plots/track_view.h: TrackView", 602},
-    {"ui/window/main_window.h: MainWindow", 947},
+    {"ui/plots/track_view.h: TrackView", 585},
+    {"ui/window/main_window.h: MainWindow", 890},
 };
 
 // A source tree with the folders base, recording/bytes, recording/text and windows in core/, words
