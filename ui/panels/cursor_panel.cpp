@@ -130,7 +130,11 @@ void CursorPanel::refresh() {
         for (int line = 0; line < shown_count; ++line) {
             const Reading reading = readingAt(
                 analysis, shown_slow_variables[static_cast<std::size_t>(line)], row, units_);
-            set(line, valueText(reading.value, reading.sd));
+            QString text = valueText(reading.value, reading.sd);
+            if (runs.size() > 1) {
+                text.replace(QStringLiteral(" ± "), QStringLiteral("\n± "));  // narrower columns
+            }
+            set(line, text);
         }
         const QString reason = flagsText(analysis.track.flags()[row]);
         set(shown_count, reason);

@@ -1,16 +1,19 @@
-// The overview and the plots below it have one time axis.
+// Where things stand in the window: the overview over the plots, values of two runs uncut.
 #include "tests/ui/gui_test.h"
+#include "ui/panels/cursor_panel.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/main_window.h"
 
+#include <QScrollBar>
+#include <QTableWidget>
 #include <QTest>
 #include <qcustomplot.h>
 
 using namespace vybeg;
 using namespace vybeg::ui;
 
-class TestPlotAlignment : public QObject {
+class TestWindowLayout : public QObject {
     Q_OBJECT
 
     GuiTestHome home_;
@@ -47,7 +50,18 @@ private slots:
             QTRY_COMPARE(overviewSpan(), plotSpan());
         }
     }
+
+    void the_values_of_two_runs_at_the_cursor_are_not_cut() {
+        window_ = shownWindow();
+        Document& document = window_->document();
+        document.open({home_.recording("demo.wav"), home_.recording("other.wav")});
+        QTRY_VERIFY(!document.busy() && document.runs().size() == 2);
+        const auto& table = childOf<QTableWidget>(childOf<CursorPanel>(*window_));
+        QTRY_COMPARE(table.columnCount(), 3);
+        QTRY_COMPARE(table.horizontalScrollBar()->maximum(), 0);
+        QVERIFY(table.item(0, 1)->text().contains("\n± "));
+    }
 };
 
-QTEST_MAIN(TestPlotAlignment)
-#include "test_plot_alignment.moc"
+QTEST_MAIN(TestWindowLayout)
+#include "test_window_layout.moc"
