@@ -101,7 +101,8 @@ public:
         }
         Contents contents{tdms.objects(), {}, tdms.open_ended()};
         for (const std::size_t object : order) {
-            if (has_numbers(*first[object]) && !is_time_name(contents.objects[object].channel)) {
+            const Channel named = name_and_unit(contents.objects[object].channel);
+            if (has_numbers(*first[object]) && !is_time_name(named.name)) {
                 contents.channels.push_back({object, std::move(*first[object])});
             }
         }

@@ -63,7 +63,7 @@ std::optional<double> usual_value(std::string_view field, bool decimal_comma) {
     if (magnitude == no_number_mark) {
         return missing;
     }
-    return magnitude == least_mark ? std::copysign(std::numeric_limits<double>::infinity(), value)
+    return magnitude >= least_mark ? std::copysign(std::numeric_limits<double>::infinity(), value)
                                    : value;
 }
 

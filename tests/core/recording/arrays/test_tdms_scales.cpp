@@ -163,6 +163,15 @@ void add_units() {
         add(name("D in m/s^2, C in V"),
             {file("m/s^2", 1e-3, {}), raw_c, raw_d, {DiagnosticKind::units_differ}});
         add(name("steps in ms"), {file("V", 1, {t.words("wf_xunit_string", "ms")}), raw_c, raw_d});
+        add(name("times beside the channels"),
+            {t.segment(
+                 first_segment,
+                 t.metadata({t.object("/'Run'/'Time (ms)'", t.values(tds_i16, 8)),
+                             t.object(path_c, t.values(tds_i16, 8), {t.real("wf_increment", 1e-3)}),
+                             t.object(path_d, t.values(tds_i16, 8))}),
+                 t.raw<std::int16_t>({0, 1, 2, 3, 4, 5, 6, 7}) + t.raw<std::int16_t>(raw_c) +
+                     t.raw<std::int16_t>(raw_d)),
+             raw_c, raw_d});
         add(name("steps in s"), {file("V", 1e-3, {t.words("wf_xunit_string", "s")}), raw_c, raw_d});
     }
 }

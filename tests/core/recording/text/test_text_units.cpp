@@ -185,6 +185,26 @@ private slots:
         }
     }
 
+    void marks_of_an_overload_are_no_samples_data() {
+        QTest::addColumn<QString>("mark");
+        for (const char* mark : {"9.9E+37", "9.99E+37", "-1E+38", "3.4e38", "OVLD"}) {
+            QTest::newRow(mark) << mark;
+        }
+    }
+    void marks_of_an_overload_are_no_samples() {
+        QFETCH(QString, mark);
+        const Folder folder;
+        QString text = QString::fromStdString(table("Time (s),C (V),D (V)", 1, 1));
+        const qsizetype line = text.indexOf('\n', text.indexOf('\n', text.indexOf('\n') + 1) + 1);
+        const qsizetype last = text.lastIndexOf(',', line);
+        text.replace(last + 1, line - last - 1, mark);
+        const Recording recording = opened(folder.write("run.csv", text.toStdString()));
+        const Diagnostic* beyond = find(recording, DiagnosticKind::over_range);
+        QVERIFY(beyond);
+        QCOMPARE(beyond->args, (std::vector<std::string>{"D", "1"}));
+        QVERIFY(std::isnan(read_all(recording).d[1]));
+    }
+
     void samples_in_rows_are_refused_at_once() {
         std::string line = "1";
         for (int i = 1; i < 60000; ++i) {
