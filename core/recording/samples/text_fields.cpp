@@ -24,6 +24,7 @@ std::string_view unquoted(std::string_view field) {
 }
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double most_mark = 3.5e38;        // the largest number of 32 bits, and its neighbours
 constexpr double no_number_mark = 9.91e37;  // SCPI's NaN; its infinity is least_mark
 
 constexpr std::string_view minus_sign = "\xE2\x88\x92";     // U+2212
@@ -63,8 +64,8 @@ std::optional<double> usual_value(std::string_view field, bool decimal_comma) {
     if (magnitude == no_number_mark) {
         return missing;
     }
-    return magnitude >= least_mark ? std::copysign(std::numeric_limits<double>::infinity(), value)
-                                   : value;
+    const bool mark = magnitude >= least_mark && magnitude <= most_mark;
+    return mark ? std::copysign(std::numeric_limits<double>::infinity(), value) : value;
 }
 
 }  // namespace

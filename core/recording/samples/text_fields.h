@@ -19,9 +19,9 @@ bool is_comment(std::string_view line, char delimiter);
 void split_fields(std::string_view line, char delimiter, std::vector<std::string_view>& fields);
 
 // A whole field as a number; NaN where it is empty or says that there is none ("nan", "NA"),
-// infinite where the sample lies beyond the range ("inf", U+221E, "OVLD", 9.9E37 and more); nothing
-// where it is anything else. The locale plays no part. With a decimal comma a point is no part of a
-// number. Fortran's D is read as E, the sign U+2212 as a minus.
+// infinite where the sample lies beyond the range ("inf", U+221E, "OVLD", 9.9E37 to 3.5E38);
+// nothing where it is anything else. The locale plays no part. With a decimal comma a point is no
+// part of a number. Fortran's D is read as E, the sign U+2212 as a minus.
 std::optional<double> parse_field(std::string_view field, bool decimal_comma);
 
 // From this magnitude on a number may be a mark of parse_field().
