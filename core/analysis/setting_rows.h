@@ -52,43 +52,39 @@ inline Status within(const Bounds& bounds, const std::string& option, double val
                : refused_value(option, short_text(value, 12), bounds.allowed);
 }
 
-// The field that `access` returns is a T or an optional T.
-template <class S, class T, class Access>
-constexpr bool is_optional_of =
-    std::is_same_v<std::remove_reference_t<std::invoke_result_t<Access, S&>>, std::optional<T>>;
-
-// `unset`: the text of a value that is not there.
-template <class S, class T, class Access>
-SettingRow<S> value_row(SettingRow<S> row, Access access, const std::string& unset,
-                        Result<T> (*read)(const std::string&, const std::string&),
-                        std::string (*text)(T), Bounds bounds) {
-    row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
-        if constexpr (is_optional_of<S, T, Access>) {
+// The field that `access` returns is a T or an optional T, whose text where it is not there is
+// `unset`. `read` makes a Result<T> of a text, `text` a text of a T, `check` a Status of a T.
+template <class T, class S, class Access, class Read, class Text, class Check>
+SettingRow<S> value_row(SettingRow<S> row, Access access, Read read, Text text, Check check,
+                        const std::string& unset = not_set) {
+    using Field = std::remove_reference_t<std::invoke_result_t<Access, S&>>;
+    constexpr bool may_be_unset = std::is_same_v<Field, std::optional<T>>;
+    row.read = [=](const std::string& from, S& settings) -> Status {
+        if constexpr (may_be_unset) {
             if (from == unset) {
                 access(settings).reset();
                 return {};
             }
         }
-        const Result<T> value = read(option, from);
+        const Result<T> value = read(from);
         if (!value) {
             return value.error();
         }
         access(settings) = *value;
         return {};
     };
-    row.text = [=](const S& settings) {
-        if constexpr (is_optional_of<S, T, Access>) {
+    row.text = [=](const S& settings) -> std::string {
+        if constexpr (may_be_unset) {
             return access(settings) ? text(*access(settings)) : unset;
         } else {
             return text(access(settings));
         }
     };
-    row.check = [=, option = row.option()](const S& settings) -> Status {
-        if constexpr (is_optional_of<S, T, Access>) {
-            return access(settings) ? within(bounds, option, static_cast<double>(*access(settings)))
-                                    : Status();
+    row.check = [=](const S& settings) -> Status {
+        if constexpr (may_be_unset) {
+            return access(settings) ? check(*access(settings)) : Status();
         } else {
-            return within(bounds, option, static_cast<double>(access(settings)));
+            return check(access(settings));
         }
     };
     return row;
@@ -96,15 +92,23 @@ SettingRow<S> value_row(SettingRow<S> row, Access access, const std::string& uns
 
 template <class S, class Access>
 SettingRow<S> number_row(SettingRow<S> row, Access access, Bounds bounds = {}) {
-    return value_row<S, double>(std::move(row), access, not_set, read_number, round_trip_text,
-                                bounds);
+    return value_row<double>(
+        row, access,
+        [option = row.option()](const std::string& from) { return read_number(option, from); },
+        round_trip_text,
+        [=, option = row.option()](double value) { return within(bounds, option, value); });
 }
 
 template <class S, class Access>
-SettingRow<S> whole_row(SettingRow<S> row, Access access, Bounds bounds,
-                        const std::string& unset = not_set) {
-    return value_row<S, std::int64_t>(std::move(row), access, unset, read_whole, integer_text,
-                                      bounds);
+SettingRow<S> whole_row(SettingRow<S> row, Access access, Bounds bounds, const std::string& unset) {
+    return value_row<std::int64_t>(
+        row, access,
+        [option = row.option()](const std::string& from) { return read_whole(option, from); },
+        integer_text,
+        [=, option = row.option()](std::int64_t value) {
+            return within(bounds, option, static_cast<double>(value));
+        },
+        unset);
 }
 
 // A number of 1 or more, for which a field of 0 stands where it is not set.
@@ -164,6 +168,9 @@ SettingRow<S> switch_row(SettingRow<S> row, Access access) {
                       std::array{std::pair{"yes", true}, std::pair{"no", false}},
                       "it is yes or no");
 }
+
+// What has no bounds of its own.
+inline constexpr auto any_value = [](const auto&) { return Status(); };
 
 inline std::string joined(std::initializer_list<double> numbers) {
     std::string text;

@@ -18,35 +18,26 @@ constexpr double most_number = std::numeric_limits<double>::max();
 template <class S>
 using Rows = std::vector<SettingRow<S>>;
 
-std::string band_text(const std::optional<Band>& band) {
-    return band ? joined({band->low_hz, band->high_hz}) : not_set;
-}
-
 template <class S, class Access>
 SettingRow<S> band_row(SettingRow<S> row, Access access) {
-    row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
-        if (from == not_set) {
-            access(settings).reset();
-            return {};
-        }
-        const auto edges = read_numbers(option, from, 2, "it must be two frequencies in Hz, LO,HI");
-        if (!edges) {
-            return edges.error();
-        }
-        access(settings) = Band{(*edges)[0], (*edges)[1]};
-        return {};
-    };
-    row.text = [=](const S& settings) { return band_text(access(settings)); };
-    row.check = [=, option = row.option()](const S& settings) -> Status {
-        const std::optional<Band>& band = access(settings);
-        if (!band ||
-            (band->low_hz >= 0 && band->high_hz > band->low_hz && std::isfinite(band->high_hz))) {
-            return {};
-        }
-        return refused_value(option, short_text(band->low_hz, 12),
-                             "a band needs a low edge of at least 0 Hz and a higher edge");
-    };
-    return row;
+    return value_row<Band>(
+        row, access,
+        [option = row.option()](const std::string& from) -> Result<Band> {
+            const auto edges =
+                read_numbers(option, from, 2, "it must be two frequencies in Hz, LO,HI");
+            return edges ? Result(Band{(*edges)[0], (*edges)[1]}) : edges.error();
+        },
+        [](const Band& band) {
+            return joined({band.low_hz, band.high_hz});
+        },
+        [option = row.option()](const Band& band) {
+            const bool rises =
+                band.low_hz >= 0 && band.high_hz > band.low_hz && std::isfinite(band.high_hz);
+            return rises ? Status()
+                         : refused_value(
+                               option, short_text(band.low_hz, 12),
+                               "a band needs a low edge of at least 0 Hz and a higher edge");
+        });
 }
 
 template <class S, class Access>
@@ -163,24 +154,36 @@ SettingRow<S> threads_row() {
     return row;
 }
 
+Result<Algorithm> read_algorithm(const std::string& from) {
+    const std::optional<Algorithm> algorithm = algorithm_from_name(from);
+    if (!algorithm) {
+        return refused_value("--algorithm", from,
+                             "it is in-phase, phase-shift, moving-axes, demodulation, "
+                             "conjugate-gradient or maximum-likelihood");
+    }
+    return *algorithm;
+}
+
 SettingRow<Settings> algorithm_row() {
-    SettingRow<Settings> row{"algorithm", "NAME",
-                             "in-phase, phase-shift, moving-axes, demodulation, conjugate-gradient "
-                             "or maximum-likelihood (default)"};
-    row.read = [](const std::string& from, Settings& settings) -> Status {
-        const std::optional<Algorithm> algorithm = algorithm_from_name(from);
-        if (!algorithm) {
-            return refused_value("--algorithm", from,
-                                 "it is in-phase, phase-shift, moving-axes, demodulation, "
-                                 "conjugate-gradient or maximum-likelihood");
-        }
-        settings.algorithm = *algorithm;
-        return {};
-    };
-    row.text = [](const Settings& settings) {
-        return std::string(algorithm_name(settings.algorithm));
-    };
-    return row;
+    return value_row<Algorithm, Settings>(
+        {"algorithm", "NAME",
+         "in-phase, phase-shift, moving-axes, demodulation, conjugate-gradient "
+         "or maximum-likelihood (default)"},
+        [](auto& s) -> auto& { return s.algorithm; }, read_algorithm,
+        [](Algorithm algorithm) { return std::string(algorithm_name(algorithm)); }, any_value);
+}
+
+Result<StartValues> read_initial(const std::string& from) {
+    const auto v = read_numbers("--initial", from, 5, "it must be five numbers with commas");
+    if (!v) {
+        return v.error();
+    }
+    return StartValues{{(*v)[0], (*v)[1], (*v)[2], (*v)[3]}, (*v)[4]};
+}
+
+std::string initial_text(const StartValues& initial) {
+    const WaveState& state = initial.state;
+    return joined({state.a_A, state.a_B, state.two_theta_A, state.alpha, initial.f_hz});
 }
 
 Status check_initial(const StartValues& initial) {
@@ -201,33 +204,11 @@ Status check_initial(const StartValues& initial) {
 }
 
 SettingRow<Settings> initial_row() {
-    SettingRow<Settings> row{"initial", "aA,aB,2thetaA,alpha,f",
-                             "Start values of conjugate-gradient: recording units, rad, Hz; alpha "
-                             "at the centre of the first window"};
-    row.read = [](const std::string& from, Settings& settings) -> Status {
-        if (from == not_set) {
-            settings.initial.reset();
-            return {};
-        }
-        const auto v = read_numbers("--initial", from, 5, "it must be five numbers with commas");
-        if (!v) {
-            return v.error();
-        }
-        settings.initial = StartValues{{(*v)[0], (*v)[1], (*v)[2], (*v)[3]}, (*v)[4]};
-        return {};
-    };
-    row.text = [](const Settings& settings) {
-        if (!settings.initial) {
-            return not_set;
-        }
-        const WaveState& state = settings.initial->state;
-        return joined(
-            {state.a_A, state.a_B, state.two_theta_A, state.alpha, settings.initial->f_hz});
-    };
-    row.check = [](const Settings& settings) {
-        return settings.initial ? check_initial(*settings.initial) : Status();
-    };
-    return row;
+    return value_row<StartValues, Settings>(
+        {"initial", "aA,aB,2thetaA,alpha,f",
+         "Start values of conjugate-gradient: recording units, rad, Hz; alpha "
+         "at the centre of the first window"},
+        [](auto& s) -> auto& { return s.initial; }, read_initial, initial_text, check_initial);
 }
 
 constexpr std::array<std::pair<const char*, FitOptions::Model>, 3> models{
@@ -236,22 +217,13 @@ constexpr std::array<std::pair<const char*, FitOptions::Model>, 3> models{
      {"free", FitOptions::Model::free}}};
 
 SettingRow<IdentifySettings> tolerance_row() {
-    SettingRow<IdentifySettings> row{
-        "tolerance", "NAME=X[,NAME=X]",
-        "How well the channels are known, standard deviations: kappa (relative, default "
-        "0.01), skew (deg), delay (s), crosstalk (relative), phase-drift (rad over a run), "
-        "gain-drift (relative, over a run); default 0, but for kappa. Units may follow, as in "
-        "skew=0.1deg,delay=10ns"};
-    row.read = [](const std::string& from, IdentifySettings& settings) -> Status {
-        const Result<Tolerance> tolerance = read_tolerance(from);
-        if (!tolerance) {
-            return tolerance.error();
-        }
-        settings.tolerance = *tolerance;
-        return {};
-    };
-    row.text = [](const IdentifySettings& settings) { return tolerance_text(settings.tolerance); };
-    return row;
+    return value_row<Tolerance, IdentifySettings>(
+        {"tolerance", "NAME=X[,NAME=X]",
+         "How well the channels are known, standard deviations: kappa (relative, default "
+         "0.01), skew (deg), delay (s), crosstalk (relative), phase-drift (rad over a run), "
+         "gain-drift (relative, over a run); default 0, but for kappa. Units may follow, as in "
+         "skew=0.1deg,delay=10ns"},
+        [](auto& s) -> auto& { return s.tolerance; }, read_tolerance, tolerance_text, any_value);
 }
 
 template <class S>

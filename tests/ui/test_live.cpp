@@ -65,6 +65,14 @@ class TestLive : public QObject {
         document.setSettings(settings);
     }
 
+    // Takes long enough to be stopped.
+    static void makeSlow(Document& document) {
+        Settings settings = document.settings();
+        settings.algorithm = Algorithm::conjugate_gradient;
+        settings.hop = 1;
+        document.setSettings(settings);
+    }
+
 private slots:
     void initTestCase() {
         short_ = home_.recording("short.wav");
@@ -290,10 +298,7 @@ private slots:
         document.setLive(true);
         document.open({long_});
         QVERIFY(idle(document, 1));
-        Settings settings = document.settings();
-        settings.algorithm = Algorithm::conjugate_gradient;
-        settings.hop = 1;
-        document.setSettings(settings);
+        makeSlow(document);
         QVERIFY(QTest::qWaitFor([&] { return document.runs().front().partial(); }, 20000));
         document.cancel();
         QVERIFY(idle(document, 1));
@@ -350,10 +355,7 @@ private slots:
         Document& document = window->document();
         document.open({long_});
         QVERIFY(idle(document, 1));
-        Settings settings = document.settings();
-        settings.algorithm = Algorithm::conjugate_gradient;
-        settings.hop = 1;
-        document.setSettings(settings);
+        makeSlow(document);
         document.analyse();
         const auto& status = childOf<StatusLine>(*window);
         QVERIFY(QTest::qWaitFor([&] { return status.text() == QStringLiteral("Analysing…"); }));

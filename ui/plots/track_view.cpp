@@ -46,7 +46,7 @@ TrackView::TrackView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
     preparePlot(*plot_, content_.theme);
     stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::run_names);
     overlay_ = new PlotOverlay(plot_, stack_.get());
-    connect(plot_, &QCustomPlot::afterLayout, this, &TrackView::placeFocusWidgets);
+    connect(plot_, &QCustomPlot::afterLayout, this, &TrackView::followLayout);
     rebuild();
 }
 
@@ -227,7 +227,7 @@ void TrackView::refreshOverlay() {
     }
 }
 
-void TrackView::placeFocusWidgets() {
+void TrackView::followLayout() {
     for (PanelFocus* widget : focus_widgets_) {
         if (const PlotPanel* panel = stack_->panel(widget->variable())) {
             widget->setGeometry(panel->outerRect());

@@ -136,7 +136,7 @@ private:
     void fillOverlay();
     void refreshOverlay();
     void matchFocusWidgets();
-    void placeFocusWidgets();
+    void followLayout();
     SlowVariable focusedVariable() const;
 
     PlotContent content_;

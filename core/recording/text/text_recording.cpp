@@ -1,6 +1,7 @@
 #include "core/recording/text/text_recording.h"
 
 #include "core/base/number_text.h"
+#include "core/recording/samples/channel_units.h"
 #include "core/recording/samples/column_words.h"
 #include "core/recording/samples/memory_source.h"
 #include "core/recording/samples/reader_rules.h"
@@ -131,21 +132,6 @@ const Channel& channel_of(const FoundSamples& found, int number) {
     return found.channels[static_cast<std::size_t>(number - 1)];
 }
 
-// What the units of the two channels ask for.
-void check_units(const TextTable& table, const OpenOptions& options, FoundSamples& found) {
-    const Channel& c = channel_of(found, options.channel_c);
-    const Channel& d = channel_of(found, options.channel_d);
-    const std::string& unit_c = table.format.units[static_cast<std::size_t>(table.columns.c)];
-    const std::string& unit_d = table.format.units[static_cast<std::size_t>(table.columns.d)];
-    if (table.columns.d_factor != 1) {
-        found.diagnostics.push_back(
-            {DiagnosticKind::unit_converted, {d.name, unit_d, unit_c}, -1, 0});
-    } else if (!unit_c.empty() && !unit_d.empty() && !unit_ratio(unit_d, unit_c)) {
-        found.diagnostics.push_back(
-            {DiagnosticKind::units_differ, {c.name, unit_c, d.name, unit_d}, -1, 0});
-    }
-}
-
 void report_over_range(const std::array<std::int64_t, 2>& counts, const OpenOptions& options,
                        FoundSamples& found) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -177,7 +163,13 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
     const std::int64_t above = said ? 0 : table.header_lines - table.format.header_lines_used;
     const std::int64_t lines_ignored = above + scan->lines_ignored;
     const auto over_range = scan->over_range;
-    check_units(table, options, found);
+    const auto written = [&](int number, int column) {
+        return Channel{channel_of(found, number).name,
+                       table.format.units[static_cast<std::size_t>(column)]};
+    };
+    // The rows are read with the factor; their units may have gone with --scale.
+    note_units(written(options.channel_c, table.columns.c),
+               written(options.channel_d, table.columns.d), found.diagnostics);
     const TextTable looked_at = table;
     const bool uneven = table.columns.time >= 0 && !scan->even;
     auto samples = uneven ? resampled(table, *scan, job)

@@ -120,6 +120,12 @@ private:
     std::vector<Known> known_;
 };
 
+// A shape that a part of the noise may have.
+struct Candidate {
+    NoiseShape shape;
+    WhiteSpectra white;
+};
+
 bool concerns(const NoiseShape& shape, std::size_t series) {
     return !shape.of_phase || series == ResidualSeries::phase;
 }
@@ -132,15 +138,13 @@ public:
                 blocks_.push_back(block_of(run, k, root));
             }
         }
-        white_common_.resize(widths + 1);
-        white_phase_.resize(widths + 1);
         for (int k = 0; k < widths; ++k) {
             const double width = std::ldexp(narrowest_width / longest_s, k);
-            common_.push_back({width, false});
-            phase_.push_back({width, true});
+            common_.push_back({{width, false}, {}});
+            phase_.push_back({{width, true}, {}});
         }
-        common_.push_back({std::numeric_limits<double>::infinity(), false});
-        phase_.push_back({0, true});
+        common_.push_back({{std::numeric_limits<double>::infinity(), false}, {}});
+        phase_.push_back({{0, true}, {}});
     }
 
     ResidualNoise find() {
@@ -153,8 +157,7 @@ public:
             const double now = likelihood_of(given);
             for (const bool phase : {false, true}) {
                 if (phase ? left_phase : left_common) {
-                    Trial trial = phase ? try_shapes(phase_, white_phase_, given)
-                                        : try_shapes(common_, white_common_, given);
+                    Trial trial = try_shapes(phase ? phase_ : common_, given);
                     if (!best || trial.top > best->top) {
                         best = std::move(trial);
                     }
@@ -165,7 +168,7 @@ public:
             }
             given.push_back(best->part);
             noise.narrowest =
-                noise.narrowest || best->part.shape.half_width_hz == common_[0].half_width_hz;
+                noise.narrowest || best->part.shape.half_width_hz == common_[0].shape.half_width_hz;
             add_mean(*best, noise.parts);
             (best->part.shape.of_phase ? left_phase : left_common) = false;
         }
@@ -218,8 +221,9 @@ private:
     }
 
     // Spectra of one shape in all blocks.
-    std::vector<Spectrum> spectra(const NoiseShape& shape, WhiteSpectra& white,
+    std::vector<Spectrum> spectra(Candidate& candidate,
                                   const std::vector<ResidualNoise::Part>& given) const {
+        const NoiseShape& shape = candidate.shape;
         std::vector<Spectrum> all;
         for (const Block& block : blocks_) {
             if (!concerns(shape, block.series)) {
@@ -228,7 +232,7 @@ private:
             Spectrum at;
             at.rotated = block.residual_and_absorbed;
             if (is_white(block, given)) {
-                rotate(white.of(shape, *block.run), at);
+                rotate(candidate.white.of(shape, *block.run), at);
             } else {
                 const Eigen::LLT<MatrixXd> factor(covariance(block, given));
                 MatrixXd k = part_covariance(shape, *block.run);
@@ -259,7 +263,7 @@ private:
                });
     }
 
-    Trial try_shapes(const std::vector<NoiseShape>& shapes, std::vector<WhiteSpectra>& white,
+    Trial try_shapes(std::vector<Candidate>& shapes,
                      const std::vector<ResidualNoise::Part>& given) const {
         const auto steps =
             static_cast<std::size_t>(std::lround((last_decade - first_decade) / decade_step)) + 1;
@@ -267,7 +271,7 @@ private:
         trial.table.resize(shapes.size() * steps);
         double unconcerned = 0;
         for (const Block& block : blocks_) {
-            if (!concerns(shapes.front(), block.series)) {
+            if (!concerns(shapes.front().shape, block.series)) {
                 unconcerned += log_likelihood(plain(block, given), 0);
             }
         }
@@ -281,12 +285,12 @@ private:
             for (const Spectrum& at : all) {
                 sum += log_likelihood(at, a);
             }
-            row(k, step) = {sum, {shapes[k], a}};
+            row(k, step) = {sum, {shapes[k].shape, a}};
             return sum;
         };
         // A first look at some variances, then those around the best of them, as far as they count.
         tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
-            const std::vector<Spectrum> all = spectra(shapes[k], white[k], given);
+            const std::vector<Spectrum> all = spectra(shapes[k], given);
             double best = -std::numeric_limits<double>::infinity();
             for (std::size_t step = 0; step < steps; step += coarse_step) {
                 best = std::max(best, evaluate(k, all, step));
@@ -330,10 +334,8 @@ private:
     }
 
     std::vector<Block> blocks_;
-    std::vector<NoiseShape> common_;
-    std::vector<NoiseShape> phase_;
-    std::vector<WhiteSpectra> white_common_;
-    std::vector<WhiteSpectra> white_phase_;
+    std::vector<Candidate> common_;
+    std::vector<Candidate> phase_;
 };
 
 }  // namespace
