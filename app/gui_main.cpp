@@ -6,6 +6,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/output/output_file.h"
+#include "ui/document/document.h"
 #include "ui/window/main_window.h"
 #include "ui/words/language.h"
 
@@ -140,14 +141,15 @@ int window_mode(int argc, char** argv, const FigureRequest& request) {
     search.reset();
     name_application();
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/io.github.vybeg.Vybeg.svg")));
-    ui::MainWindow window;
+    ui::Document document;
+    ui::MainWindow window(document);
     QStringList files;
     for (const std::string& input : request.inputs) {
         files << QString::fromStdString(input);
     }
-    window.document().startWith(request.settings);
+    document.startWith(request.settings);
     window.show();
-    window.document().open(files, request.open);
+    document.open(files, request.open);
     return QApplication::exec();
 }
 

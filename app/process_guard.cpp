@@ -41,7 +41,7 @@ void say(const char* text) {
     }
     say(program_invocation_short_name);
     say(": ");
-    say(message_template(code));
+    say(message_row(code).sentence);
     say("\n");
     std::_Exit(exit_status(code));
 }

@@ -1,695 +1,710 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="ru_RU" sourcelanguage="en">
-    <context>
-        <name>Algorithm</name>
-        <message>
-            <source>1 In phase</source>
-            <translation>1 Синфазный</translation>
-        </message>
-        <message>
-            <source>(15)-(18): without the quadrature wave; a_B is not estimated. The starting point for the others.</source>
-            <translation>(15)–(18): без учёта квадратурной волны; a_B не оценивается. Начальное приближение для остальных.</translation>
-        </message>
-        <message>
-            <source>2 Phase shift</source>
-            <translation>2 Фазовый сдвиг</translation>
-        </message>
-        <message>
-            <source>(19)-(24): phase difference of the pick-off signals, by a delay of a quarter of a period.</source>
-            <translation>(19)–(24): фазовый сдвиг измерительных сигналов, через задержку на четверть периода.</translation>
-        </message>
-        <message>
-            <source>3 Moving axes</source>
-            <translation>3 Подвижные оси</translation>
-        </message>
-        <message>
-            <source>(26)-(30): signals in the axes of the standing waves; gives the orthogonality of (30).</source>
-            <translation>(26)–(30): сигналы в осях стоячих волн; даёт проверку ортогональности (30).</translation>
-        </message>
-        <message>
-            <source>4 Demodulation</source>
-            <translation>4 Цифровая демодуляция</translation>
-        </message>
-        <message>
-            <source>(31)-(33): synchronous averages at the carrier.</source>
-            <translation>(31)–(33): синхронное усреднение на несущей частоте.</translation>
-        </message>
-        <message>
-            <source>5 Conjugate gradient</source>
-            <translation>5 Сопряжённый градиент</translation>
-        </message>
-        <message>
-            <source>Minimum of the functional F over all five parameters at once; any window above one period.</source>
-            <translation>Минимум функционала F сразу по всем пяти параметрам; любое окно длиннее одного периода.</translation>
-        </message>
-        <message>
-            <source>6 Maximum likelihood</source>
-            <translation>6 Макс. правдоподобие</translation>
-        </message>
-        <message>
-            <source>The same minimum as 5 by the linear form (33), at a fraction of the cost; any window above one period.</source>
-            <translation>Тот же минимум, что в 5, через линейную форму (33) и во много раз быстрее; любое окно длиннее одного периода.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Command</name>
-        <message>
-            <source>&amp;Open…</source>
-            <translation>&amp;Открыть…</translation>
-        </message>
-        <message>
-            <source>Open recordings of a free decay</source>
-            <translation>Открыть записи свободного выбега</translation>
-        </message>
-        <message>
-            <source>&amp;Import…</source>
-            <translation>&amp;Импорт…</translation>
-        </message>
-        <message>
-            <source>Say how a file is to be read, and see at once what comes of it</source>
-            <translation>Указать, как читать файл, и сразу увидеть, что получается</translation>
-        </message>
-        <message>
-            <source>&amp;Close recording</source>
-            <translation>&amp;Закрыть запись</translation>
-        </message>
-        <message>
-            <source>Close the current recording and its runs</source>
-            <translation>Закрыть текущую запись и её расчёты</translation>
-        </message>
-        <message>
-            <source>&amp;Export plots…</source>
-            <translation>&amp;Экспорт графиков…</translation>
-        </message>
-        <message>
-            <source>Save the plots as PNG, SVG or PDF</source>
-            <translation>Сохранить графики в PNG, SVG или PDF</translation>
-        </message>
-        <message>
-            <source>Export &amp;track…</source>
-            <translation>Экспорт &amp;ряда…</translation>
-        </message>
-        <message>
-            <source>Save the slow variables of the chosen run as CSV</source>
-            <translation>Сохранить медленные переменные выбранного расчёта в CSV</translation>
-        </message>
-        <message>
-            <source>&amp;Quit</source>
-            <translation>В&amp;ыход</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Отменить</translation>
-        </message>
-        <message>
-            <source>Take back the last change of the settings</source>
-            <translation>Отменить последнее изменение настроек</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>&amp;Повторить</translation>
-        </message>
-        <message>
-            <source>Make the change of the settings again</source>
-            <translation>Вернуть отменённое изменение настроек</translation>
-        </message>
-        <message>
-            <source>&amp;Copy plots</source>
-            <translation>&amp;Копировать графики</translation>
-        </message>
-        <message>
-            <source>The plots as an image to the clipboard</source>
-            <translation>Графики в буфер обмена как изображение</translation>
-        </message>
-        <message>
-            <source>Copy &amp;table</source>
-            <translation>Копировать &amp;таблицу</translation>
-        </message>
-        <message>
-            <source>The values at the cursor to the clipboard, for a spreadsheet</source>
-            <translation>Значения под курсором в буфер обмена, для электронной таблицы</translation>
-        </message>
-        <message>
-            <source>Zoom &amp;in</source>
-            <translation>&amp;Крупнее</translation>
-        </message>
-        <message>
-            <source>Zoom &amp;out</source>
-            <translation>&amp;Мельче</translation>
-        </message>
-        <message>
-            <source>&amp;Fit</source>
-            <translation>&amp;Целиком</translation>
-        </message>
-        <message>
-            <source>Show the whole time range (double click, Home)</source>
-            <translation>Показать весь интервал времени (двойной щелчок, Home)</translation>
-        </message>
-        <message>
-            <source>Zoom &amp;back</source>
-            <translation>Масштаб &amp;назад</translation>
-        </message>
-        <message>
-            <source>Back in the zoom history (R)</source>
-            <translation>Назад по истории масштабов (R)</translation>
-        </message>
-        <message>
-            <source>Zoom fo&amp;rward</source>
-            <translation>Масштаб &amp;вперёд</translation>
-        </message>
-        <message>
-            <source>Forward in the zoom history</source>
-            <translation>Вперёд по истории масштабов</translation>
-        </message>
-        <message>
-            <source>One-&amp;sigma bands</source>
-            <translation>П&amp;олосы ±σ</translation>
-        </message>
-        <message>
-            <source>&amp;Logarithmic working amplitude</source>
-            <translation>&amp;Логарифмическая шкала рабочей амплитуды</translation>
-        </message>
-        <message>
-            <source>&amp;Run</source>
-            <translation>&amp;Рассчитать</translation>
-        </message>
-        <message>
-            <source>Analyse the current recording with the settings of the panel, as a run that is kept</source>
-            <translation>Обработать текущую запись с настройками панели и оставить расчёт в списке</translation>
-        </message>
-        <message>
-            <source>&amp;Live</source>
-            <translation>&amp;На лету</translation>
-        </message>
-        <message>
-            <source>Every change of a setting shows at once, in a run that follows the panel</source>
-            <translation>Каждое изменение настройки сразу видно: один расчёт следует за панелью</translation>
-        </message>
-        <message>
-            <source>&amp;Cancel</source>
-            <translation>&amp;Прервать</translation>
-        </message>
-        <message>
-            <source>Stop the analyses that are under way</source>
-            <translation>Остановить идущие расчёты</translation>
-        </message>
-        <message>
-            <source>Compare &amp;windows…</source>
-            <translation>Сравнить &amp;окна…</translation>
-        </message>
-        <message>
-            <source>The article&apos;s figure: one column per window length</source>
-            <translation>Рисунок из статьи: столбец на каждую длину окна</translation>
-        </message>
-        <message>
-            <source>&amp;Help</source>
-            <translation>&amp;Справка</translation>
-        </message>
-        <message>
-            <source>How to use the program, the method and its formulas</source>
-            <translation>Как работать с программой, метод и его формулы</translation>
-        </message>
-        <message>
-            <source>Copy &amp;diagnostics</source>
-            <translation>Копировать с&amp;ведения о программе</translation>
-        </message>
-        <message>
-            <source>Versions and settings to the clipboard, for a report of a fault</source>
-            <translation>Версии и настройки в буфер обмена, для сообщения об ошибке</translation>
-        </message>
-        <message>
-            <source>&amp;About Vybeg</source>
-            <translation>&amp;О программе</translation>
-        </message>
-        <message>
-            <source>Save &amp;passport…</source>
-            <translation>Сохранить &amp;паспорт…</translation>
-        </message>
-        <message>
-            <source>Save what was identified from the set as the gyro&apos;s passport</source>
-            <translation>Сохранить найденное по набору как паспорт гироскопа</translation>
-        </message>
-        <message>
-            <source>Compare &amp;with passport…</source>
-            <translation>Сравнить с п&amp;аспортом…</translation>
-        </message>
-        <message>
-            <source>Which parameters of the resonator have changed since its passport</source>
-            <translation>Какие параметры резонатора изменились по сравнению с паспортом</translation>
-        </message>
-        <message>
-            <source>&amp;Identify resonator</source>
-            <translation>&amp;Идентифицировать резонатор</translation>
-        </message>
-        <message>
-            <source>Fit one resonator to all recordings of the set</source>
-            <translation>Подогнать один резонатор ко всем записям набора</translation>
-        </message>
-        <message>
-            <source>&amp;New set of runs</source>
-            <translation>Но&amp;вый набор пусков</translation>
-        </message>
-        <message>
-            <source>Recordings of another resonator, to be identified together</source>
-            <translation>Записи другого резонатора, которые идентифицируются вместе</translation>
-        </message>
-    </context>
-    <context>
-        <name>DisplayUnits</name>
-        <message>
-            <source>V</source>
-            <translation>В</translation>
-        </message>
-        <message>
-            <source>dB</source>
-            <translation>дБ</translation>
-        </message>
-        <message>
-            <source>rad</source>
-            <translation>рад</translation>
-        </message>
-        <message>
-            <source>Hz</source>
-            <translation>Гц</translation>
-        </message>
-        <message>
-            <source>rad/s</source>
-            <translation>рад/с</translation>
-        </message>
-        <message>
-            <source>ppm</source>
-            <translation>млн⁻¹</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>с</translation>
-        </message>
-    </context>
-    <context>
-        <name>Event</name>
-        <message>
-            <source>2θ_A passes %1, rising</source>
-            <translation>2θ_A проходит %1, возрастая</translation>
-        </message>
-        <message>
-            <source>2θ_A passes %1, falling</source>
-            <translation>2θ_A проходит %1, убывая</translation>
-        </message>
-        <message>
-            <source>Samples are missing, %1 s</source>
-            <translation>Нет отсчётов, %1 с</translation>
-        </message>
-        <message>
-            <source>Not converged, %1 s</source>
-            <translation>Нет сходимости, %1 с</translation>
-        </message>
-        <message>
-            <source>Transient of the band-pass, %1 s</source>
-            <translation>Переходный процесс фильтра, %1 с</translation>
-        </message>
-        <message>
-            <source>The delay reaches beyond the samples, %1 s</source>
-            <translation>Задержка выходит за край записи, %1 с</translation>
-        </message>
-        <message>
-            <source>The wave moves inside its windows, %1 s</source>
-            <translation>Волна меняется внутри окон, %1 с</translation>
-        </message>
-        <message>
-            <source>Clipped, %1 s</source>
-            <translation>Ограничение, %1 с</translation>
-        </message>
-    </context>
-    <context>
-        <name>Flag</name>
-        <message>
-            <source>a_B is not estimated</source>
-            <translation>a_B не оценивается</translation>
-        </message>
-        <message>
-            <source>circular wave: no angle</source>
-            <translation>круговая волна: угла нет</translation>
-        </message>
-        <message>
-            <source>samples are missing</source>
-            <translation>нет отсчётов</translation>
-        </message>
-        <message>
-            <source>transient of the band-pass</source>
-            <translation>переходный процесс фильтра</translation>
-        </message>
-        <message>
-            <source>the delay reaches beyond the samples</source>
-            <translation>задержка выходит за край записи</translation>
-        </message>
-        <message>
-            <source>leakage above one standard deviation</source>
-            <translation>утечка больше одного СКО</translation>
-        </message>
-        <message>
-            <source>the wave moves inside the window</source>
-            <translation>волна меняется внутри окна</translation>
-        </message>
-        <message>
-            <source>not converged</source>
-            <translation>нет сходимости</translation>
-        </message>
-        <message>
-            <source>frequency at its bound</source>
-            <translation>частота на границе поиска</translation>
-        </message>
-        <message>
-            <source>samples at the rail</source>
-            <translation>отсчёты на пределе шкалы</translation>
-        </message>
-    </context>
-    <context>
-        <name>Format</name>
-        <message>
-            <source>text</source>
-            <translation>текст</translation>
-        </message>
-        <message>
-            <source>raw</source>
-            <translation>без заголовка</translation>
-        </message>
-        <message>
-            <source>tab</source>
-            <translation>табуляция</translation>
-        </message>
-        <message>
-            <source>semicolon</source>
-            <translation>точка с запятой</translation>
-        </message>
-        <message>
-            <source>comma</source>
-            <translation>запятая</translation>
-        </message>
-        <message>
-            <source>bar</source>
-            <translation>черта</translation>
-        </message>
-        <message>
-            <source>blanks</source>
-            <translation>пробелы</translation>
-        </message>
-        <message>
-            <source>decimal comma</source>
-            <translation>десятичная запятая</translation>
-        </message>
-        <message>
-            <source>16 bit integer</source>
-            <translation>целые 16 бит</translation>
-        </message>
-        <message>
-            <source>32 bit integer</source>
-            <translation>целые 32 бита</translation>
-        </message>
-        <message>
-            <source>32 bit float</source>
-            <translation>вещественные 32 бита</translation>
-        </message>
-        <message>
-            <source>64 bit float</source>
-            <translation>вещественные 64 бита</translation>
-        </message>
-        <message>
-            <source>big endian</source>
-            <translation>старший байт первым</translation>
-        </message>
-        <message>
-            <source>little endian</source>
-            <translation>младший байт первым</translation>
-        </message>
-        <message>
-            <source>Signed 8 bit PCM</source>
-            <translation>ИКМ 8 бит со знаком</translation>
-        </message>
-        <message>
-            <source>Unsigned 8 bit PCM</source>
-            <translation>ИКМ 8 бит без знака</translation>
-        </message>
-        <message>
-            <source>Signed 16 bit PCM</source>
-            <translation>ИКМ 16 бит</translation>
-        </message>
-        <message>
-            <source>Signed 24 bit PCM</source>
-            <translation>ИКМ 24 бита</translation>
-        </message>
-        <message>
-            <source>Signed 32 bit PCM</source>
-            <translation>ИКМ 32 бита</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n channel(s)</source>
-            <translation>
-                <numerusform>%n канал</numerusform>
-                <numerusform>%n канала</numerusform>
-                <numerusform>%n каналов</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n column(s)</source>
-            <translation>
-                <numerusform>%n столбец</numerusform>
-                <numerusform>%n столбца</numerusform>
-                <numerusform>%n столбцов</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>Message</name>
-        <message>
-            <source>%2 cannot be &quot;%3&quot;: %4.</source>
-            <translation>Недопустимое значение «%3» параметра %2: %4.</translation>
-        </message>
-        <message>
-            <source>%1: there is no such file. Check the name and the folder.</source>
-            <translation>%1: такого файла нет. Проверьте имя и папку.</translation>
-        </message>
-        <message>
-            <source>%1: no permission to read this file. Change its permissions or copy it.</source>
-            <translation>%1: нет права читать этот файл. Измените права доступа или скопируйте файл.</translation>
-        </message>
-        <message>
-            <source>%1 is a folder, not a recording. Name one file inside it.</source>
-            <translation>%1 — папка, а не запись. Укажите файл внутри неё.</translation>
-        </message>
-        <message>
-            <source>%1: the file is empty (0 bytes). Record or copy it again.</source>
-            <translation>%1: файл пуст (0 байт). Запишите или скопируйте его заново.</translation>
-        </message>
-        <message>
-            <source>%1: reading failed: %2. Check the disk and copy the file again.</source>
-            <translation>%1: ошибка чтения: %2. Проверьте диск и скопируйте файл заново.</translation>
-        </message>
-        <message>
-            <source>%1: neither an audio file nor a table of numbers. Save the recording as WAV or CSV, or give the layout of raw samples with --raw.</source>
-            <translation>%1: это не звуковой файл и не таблица чисел. Сохраните запись в WAV или CSV либо задайте расположение отсчётов параметром --raw.</translation>
-        </message>
-        <message>
-            <source>%1: the %2 file is damaged: %3. Copy it again.</source>
-            <translation>%1: файл %2 повреждён: %3. Скопируйте его заново.</translation>
-        </message>
-        <message>
-            <source>%1, line %2, column %3: &quot;%4&quot; is not a number. Correct it, or write nan for a missing sample.</source>
-            <translation>%1, строка %2, столбец %3: «%4» — не число. Исправьте его или напишите nan на месте потерянного отсчёта.</translation>
-        </message>
-        <message>
-            <source>%1: no line with two or more numbers. The file needs one column for each pick-off.</source>
-            <translation>%1: нет ни одной строки с двумя и более числами. Нужен столбец на каждый измерительный канал.</translation>
-        </message>
-        <message>
-            <source>%1, line %2: the time %3 does not follow %4. The time column must rise.</source>
-            <translation>%1, строка %2: время %3 не следует за %4. Столбец времени должен возрастать.</translation>
-        </message>
-        <message>
-            <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D.</source>
-            <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D.</translation>
-        </message>
-        <message>
-            <source>%1: there is no channel %2; the file has %3. Choose other channels with --channels.</source>
-            <translation>%1: канала %2 нет, в файле их %3. Выберите другие каналы (--channels).</translation>
-        </message>
-        <message>
-            <source>%1 holds %2 sample(s), and at least %3 are needed.</source>
-            <translation>%1: отсчётов %2, а нужно не менее %3.</translation>
-        </message>
-        <message>
-            <source>%1: the file does not tell its sample rate. Give it with --rate, in Hz.</source>
-            <translation>%1: в файле не указана частота дискретизации. Задайте её в герцах (--rate).</translation>
-        </message>
-        <message>
-            <source>%1 changed while it was read: its size or the time of its last change is another. Wait until it is complete, and open it again.</source>
-            <translation>%1: файл изменился во время чтения (размер или время последнего изменения). Дождитесь окончания записи и откройте его снова.</translation>
-        </message>
-        <message>
-            <source>%1: the window of %2 samples is longer than the %3 samples to analyse. Choose a shorter window or a longer range.</source>
-            <translation>%1: окно из %2 отсчётов длиннее обрабатываемого участка (отсчётов: %3). Выберите более короткое окно или более длинный участок.</translation>
-        </message>
-        <message>
-            <source>%1: the window of %2 samples is too short; at this carrier it needs at least %3 (5 samples, and three quarters of a period of the carrier and of its distance from half the sample rate).</source>
-            <translation>%1: окно из %2 отсчётов слишком короткое; при этой несущей частоте нужно не менее %3 (5 отсчётов и три четверти периода — как несущей, так и её расстояния до половины частоты дискретизации).</translation>
-        </message>
-        <message>
-            <source>%1: nothing lies between %2 s and %3 s; the recording is %4 s long.</source>
-            <translation>%1: между %2 с и %3 с ничего нет; длительность записи %4 с.</translation>
-        </message>
-        <message>
-            <source>%1: the carrier of %2 Hz is not below half the sample rate, %3 Hz. Check the carrier and the rate.</source>
-            <translation>%1: несущая частота %2 Гц не ниже половины частоты дискретизации, %3 Гц. Проверьте обе частоты.</translation>
-        </message>
-        <message>
-            <source>%1: no carrier stands out of the spectrum. Give it with --f0, or the band to look in with --band.</source>
-            <translation>%1: несущая не выделяется в спектре. Задайте её (--f0) или полосу поиска (--band).</translation>
-        </message>
-        <message>
-            <source>%1: no line stands out of the spectrum within %3 Hz of the carrier given, %2 Hz. Give a nearer one, or leave it out so that it is looked for.</source>
-            <translation>%1: в пределах %3 Гц от заданной несущей, %2 Гц, в спектре нет ни одной линии. Задайте частоту точнее или не задавайте её: программа найдёт несущую сама.</translation>
-        </message>
-        <message>
-            <source>%1: the band from %2 Hz to %3 Hz is impossible; it must rise and lie between 0 and half the sample rate, %4 Hz.</source>
-            <translation>%1: полоса от %2 Гц до %3 Гц невозможна; она должна возрастать и лежать между 0 и половиной частоты дискретизации, %4 Гц.</translation>
-        </message>
-        <message>
-            <source>%1: the filter needs %2 samples at each end, and the recording has only %3. Choose a wider band or a longer recording.</source>
-            <translation>%1: фильтру нужно %2 отсчётов на каждом конце, а в записи их всего %3. Выберите более широкую полосу или более длинную запись.</translation>
-        </message>
-        <message>
-            <source>%1: every sample of the range is missing (NaN).</source>
-            <translation>%1: на участке нет ни одного годного отсчёта (все NaN).</translation>
-        </message>
-        <message>
-            <source>%1: every window holds clipped samples (channel %2). Record with a lower gain, begin the range where the wave is weaker (--from), or shorten the window.</source>
-            <translation>%1: в каждом окне есть ограниченные отсчёты (канал %2). Уменьшите усиление при записи, начните участок там, где волна слабее (--from), или возьмите окно короче.</translation>
-        </message>
-        <message>
-            <source>This decay cannot be simulated: %2.</source>
-            <translation>Такой выбег смоделировать нельзя: %2.</translation>
-        </message>
-        <message>
-            <source>%1: the window of %2 samples is too short for the resonator&apos;s fit; at this carrier it needs at least %3 (16 samples and two periods).</source>
-            <translation>%1: окно из %2 отсчётов слишком коротко для подгонки резонатора; при такой несущей нужно не меньше %3 (16 отсчётов и два периода).</translation>
-        </message>
-        <message>
-            <source>%1 and %2 hold the same samples (SHA-256): a recording that is counted twice is no new evidence. Name each recording once.</source>
-            <translation>%1 и %2 содержат одни и те же отсчёты (SHA-256): запись, учтённая дважды, новых данных не даёт. Укажите каждую запись один раз.</translation>
-        </message>
-        <message>
-            <source>%1: the band from %2 Hz to %3 Hz is too narrow for the search for the carrier; at this length it needs at least %4 Hz. Give the carrier with --f0, or a wider band.</source>
-            <translation>%1: полоса от %2 до %3 Гц слишком узка для поиска несущей; при такой длине нужно не меньше %4 Гц. Задайте несущую параметром --f0 или более широкую полосу.</translation>
-        </message>
-        <message>
-            <source>%1: channel %2 has no samples in the range: every one is missing (NaN). Choose other channels or another range.</source>
-            <translation>%1: в канале %2 на этом участке нет отсчётов: все пропущены (NaN). Выберите другие каналы или другой участок.</translation>
-        </message>
-        <message>
-            <source>There is not enough memory. Choose a shorter range, or end other programs.</source>
-            <translation>Не хватает памяти. Выберите участок короче или закройте другие программы.</translation>
-        </message>
-        <message>
-            <source>The system starts no more threads. Raise the limit of processes, or give a smaller number with --threads.</source>
-            <translation>Система больше не запускает потоков. Увеличьте ограничение на число процессов или задайте меньшее число параметром --threads.</translation>
-        </message>
-        <message>
-            <source>%1 cannot be written: %2. Nothing was changed there.</source>
-            <translation>Не удалось записать %1: %2. Прежнее содержимое не изменено.</translation>
-        </message>
-        <message>
-            <source>%1: the ending &quot;%2&quot; is not one that can be written here.</source>
-            <translation>%1: запись в файл с окончанием «%2» здесь невозможна.</translation>
-        </message>
-        <message>
-            <source>%1 is one of the open recordings, and stays as it is. Choose another name.</source>
-            <translation>%1 — одна из открытых записей; она не изменена. Выберите другое имя.</translation>
-        </message>
-        <message>
-            <source>%1 cannot be written: %2. What has gone out there is incomplete.</source>
-            <translation>Не удалось записать %1: %2. Уже переданное туда неполно.</translation>
-        </message>
-        <message>
-            <source>Interrupted; what has gone out to %1 is incomplete.</source>
-            <translation>Прервано; переданное в %1 неполно.</translation>
-        </message>
-        <message>
-            <source>Interrupted; nothing was written.</source>
-            <translation>Прервано; ничего не записано.</translation>
-        </message>
-        <message>
-            <source>The time column is uneven, by up to %1 s (%2 samples); the signals were resampled to a uniform grid by local cubic interpolation.</source>
-            <translation>Столбец времени неравномерен, отклонение до %1 с (отсчётов: %2); сигналы пересчитаны на равномерную сетку локальной кубической интерполяцией.</translation>
-        </message>
-        <message>
-            <source>%1 samples are missing at %2 s; windows over them are flagged.</source>
-            <translation>Пропущено отсчётов: %1, момент %2 с; окна с ними помечены.</translation>
-        </message>
-        <message>
-            <source>%1 samples are NaN or infinite; windows over them are flagged.</source>
-            <translation>Отсчётов NaN или бесконечных: %1; окна с ними помечены.</translation>
-        </message>
-        <message>
-            <source>The file ends early: its header promises %1 frames, %2 are there. Those are used.</source>
-            <translation>Файл обрывается: в заголовке указано отсчётов %1, есть %2. Обработаны имеющиеся.</translation>
-        </message>
-        <message>
-            <source>The file is still being written, was never closed or has been cut off: nothing in it says how many frames there are to be. The %1 that are there are used.</source>
-            <translation>Файл ещё записывается, не был закрыт или обрезан: сколько в нём должно быть отсчётов, неизвестно. Обработаны имеющиеся: %1.</translation>
-        </message>
-        <message>
-            <source>The channels differ in length: %1 has %2 samples, %3 has %4. Both are counted from their first sample, and the end of the longer one is left out.</source>
-            <translation>Каналы разной длины: в канале %1 отсчётов %2, в канале %3 отсчётов %4. Оба отсчитываются от первого отсчёта, конец более длинного отброшен.</translation>
-        </message>
-        <message>
-            <source>The band-pass takes %1 s at each end for its transient; those windows are flagged.</source>
-            <translation>Переходный процесс полосового фильтра занимает %1 с на каждом конце; эти окна помечены.</translation>
-        </message>
-        <message>
-            <source>This algorithm needs %1 samples on both sides of a window; windows without them are flagged.</source>
-            <translation>Этому алгоритму нужно %1 отсчётов по обе стороны окна; окна без них помечены.</translation>
-        </message>
-        <message>
-            <source>%1 of %2 windows did not converge; they are flagged.</source>
-            <translation>Окон без сходимости: %1 из %2; они помечены.</translation>
-        </message>
-        <message>
-            <source>In %1 of %2 windows the algorithm is off by more than one standard deviation, by leakage; they are flagged. A window of whole half-periods (Snap) makes it smallest; conjugate gradient and maximum likelihood have none.</source>
-            <translation>Окон, в которых из-за утечки ошибка алгоритма больше одного СКО: %1 из %2; они помечены. Меньше всего утечка в окне из целых полупериодов («Подогнать»); у сопряжённых градиентов и максимального правдоподобия её нет.</translation>
-        </message>
-        <message>
-            <source>In %1 of %2 windows the wave moves inside the window, or turns too far from one window to the next; they are flagged. Choose a shorter window or a smaller hop.</source>
-            <translation>Окон, в которых волна заметно меняется за время окна или слишком далеко поворачивается от окна к окну: %1 из %2; они помечены. Возьмите более короткое окно или меньший шаг.</translation>
-        </message>
-        <message>
-            <source>%1 header or comment lines were passed over.</source>
-            <translation>Пропущено строк заголовка и комментариев: %1.</translation>
-        </message>
-        <message>
-            <source>%1: this %2 file holds %3, which is not read here. Export the recording as WAV or CSV.</source>
-            <translation>%1: файл %2 содержит %3, здесь это не читается. Сохраните запись в WAV или CSV.</translation>
-        </message>
-        <message>
-            <source>%1 is not a passport that can be read: %2.</source>
-            <translation>%1 — не паспорт, который можно прочитать: %2.</translation>
-        </message>
-        <message>
-            <source>%1: a passport of schema %2; this program knows schemas up to %3. Use the program that wrote it, or a newer one.</source>
-            <translation>%1: паспорт схемы %2; эта программа знает схемы до %3. Возьмите программу, которая его записала, или более новую.</translation>
-        </message>
-        <message>
-            <source>%1: there is no variable &quot;%2&quot; to read; the file has %3. Choose others with --variables.</source>
-            <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие (--variables).</translation>
-        </message>
-        <message>
-            <source>Channel %1: %2 samples lie beyond its range and are missing. Record with a larger range.</source>
-            <translation>Канал %1: отсчётов за пределами шкалы: %2, они пропущены. Запишите с большим пределом измерения.</translation>
-        </message>
-        <message>
-            <source>Channel %1 is in %2 in the file; it was converted to %3, the unit of channel C.</source>
-            <translation>Канал %1 записан в файле в %2; пересчитан в %3, единицу канала C.</translation>
-        </message>
-        <message>
+<context>
+    <name>About</name>
+    <message>
+        <source>About Vybeg</source>
+        <translation>О программе Vybeg</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Standing waves in the free decay of hemispherical resonator gyros.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Free software: GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Стоячие волны в свободном выбеге твердотельных волновых гироскопов.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Свободная программа: GNU General Public License версии 3 или новее.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Copy diagnostics</source>
+        <translation>Копировать сведения</translation>
+    </message>
+</context>
+<context>
+    <name>Algorithm</name>
+    <message>
+        <source>1 In phase</source>
+        <translation>1 Синфазный</translation>
+    </message>
+    <message>
+        <source>(15)-(18): without the quadrature wave; a_B is not estimated. The starting point for the others.</source>
+        <translation>(15)–(18): без учёта квадратурной волны; a_B не оценивается. Начальное приближение для остальных.</translation>
+    </message>
+    <message>
+        <source>2 Phase shift</source>
+        <translation>2 Фазовый сдвиг</translation>
+    </message>
+    <message>
+        <source>(19)-(24): phase difference of the pick-off signals, by a delay of a quarter of a period.</source>
+        <translation>(19)–(24): фазовый сдвиг измерительных сигналов, через задержку на четверть периода.</translation>
+    </message>
+    <message>
+        <source>3 Moving axes</source>
+        <translation>3 Подвижные оси</translation>
+    </message>
+    <message>
+        <source>(26)-(30): signals in the axes of the standing waves; gives the orthogonality of (30).</source>
+        <translation>(26)–(30): сигналы в осях стоячих волн; даёт проверку ортогональности (30).</translation>
+    </message>
+    <message>
+        <source>4 Demodulation</source>
+        <translation>4 Цифровая демодуляция</translation>
+    </message>
+    <message>
+        <source>(31)-(33): synchronous averages at the carrier.</source>
+        <translation>(31)–(33): синхронное усреднение на несущей частоте.</translation>
+    </message>
+    <message>
+        <source>5 Conjugate gradient</source>
+        <translation>5 Сопряжённый градиент</translation>
+    </message>
+    <message>
+        <source>Minimum of the functional F over all five parameters at once; any window above one period.</source>
+        <translation>Минимум функционала F сразу по всем пяти параметрам; любое окно длиннее одного периода.</translation>
+    </message>
+    <message>
+        <source>6 Maximum likelihood</source>
+        <translation>6 Макс. правдоподобие</translation>
+    </message>
+    <message>
+        <source>The same minimum as 5 by the linear form (33), at a fraction of the cost; any window above one period.</source>
+        <translation>Тот же минимум, что в 5, через линейную форму (33) и во много раз быстрее; любое окно длиннее одного периода.</translation>
+    </message>
+</context>
+<context>
+    <name>Command</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Открыть…</translation>
+    </message>
+    <message>
+        <source>Open recordings of a free decay</source>
+        <translation>Открыть записи свободного выбега</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Импорт…</translation>
+    </message>
+    <message>
+        <source>Say how a file is to be read, and see at once what comes of it</source>
+        <translation>Указать, как читать файл, и сразу увидеть, что получается</translation>
+    </message>
+    <message>
+        <source>&amp;Close recording</source>
+        <translation>&amp;Закрыть запись</translation>
+    </message>
+    <message>
+        <source>Close the current recording and its runs</source>
+        <translation>Закрыть текущую запись и её расчёты</translation>
+    </message>
+    <message>
+        <source>&amp;Export plots…</source>
+        <translation>&amp;Экспорт графиков…</translation>
+    </message>
+    <message>
+        <source>Save the plots as PNG, SVG or PDF</source>
+        <translation>Сохранить графики в PNG, SVG или PDF</translation>
+    </message>
+    <message>
+        <source>Export &amp;track…</source>
+        <translation>Экспорт &amp;ряда…</translation>
+    </message>
+    <message>
+        <source>Save the slow variables of the chosen run as CSV</source>
+        <translation>Сохранить медленные переменные выбранного расчёта в CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>В&amp;ыход</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Отменить</translation>
+    </message>
+    <message>
+        <source>Take back the last change of the settings</source>
+        <translation>Отменить последнее изменение настроек</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Повторить</translation>
+    </message>
+    <message>
+        <source>Make the change of the settings again</source>
+        <translation>Вернуть отменённое изменение настроек</translation>
+    </message>
+    <message>
+        <source>&amp;Copy plots</source>
+        <translation>&amp;Копировать графики</translation>
+    </message>
+    <message>
+        <source>The plots as an image to the clipboard</source>
+        <translation>Графики в буфер обмена как изображение</translation>
+    </message>
+    <message>
+        <source>Copy &amp;table</source>
+        <translation>Копировать &amp;таблицу</translation>
+    </message>
+    <message>
+        <source>The values at the cursor to the clipboard, for a spreadsheet</source>
+        <translation>Значения под курсором в буфер обмена, для электронной таблицы</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Крупнее</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>&amp;Мельче</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Целиком</translation>
+    </message>
+    <message>
+        <source>Show the whole time range (double click, Home)</source>
+        <translation>Показать весь интервал времени (двойной щелчок, Home)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;back</source>
+        <translation>Масштаб &amp;назад</translation>
+    </message>
+    <message>
+        <source>Back in the zoom history (R)</source>
+        <translation>Назад по истории масштабов (R)</translation>
+    </message>
+    <message>
+        <source>Zoom fo&amp;rward</source>
+        <translation>Масштаб &amp;вперёд</translation>
+    </message>
+    <message>
+        <source>Forward in the zoom history</source>
+        <translation>Вперёд по истории масштабов</translation>
+    </message>
+    <message>
+        <source>One-&amp;sigma bands</source>
+        <translation>П&amp;олосы ±σ</translation>
+    </message>
+    <message>
+        <source>&amp;Logarithmic working amplitude</source>
+        <translation>&amp;Логарифмическая шкала рабочей амплитуды</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Рассчитать</translation>
+    </message>
+    <message>
+        <source>Analyse the current recording with the settings of the panel, as a run that is kept</source>
+        <translation>Обработать текущую запись с настройками панели и оставить расчёт в списке</translation>
+    </message>
+    <message>
+        <source>&amp;Live</source>
+        <translation>&amp;На лету</translation>
+    </message>
+    <message>
+        <source>Every change of a setting shows at once, in a run that follows the panel</source>
+        <translation>Каждое изменение настройки сразу видно: один расчёт следует за панелью</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Прервать</translation>
+    </message>
+    <message>
+        <source>Stop the analyses that are under way</source>
+        <translation>Остановить идущие расчёты</translation>
+    </message>
+    <message>
+        <source>Compare &amp;windows…</source>
+        <translation>Сравнить &amp;окна…</translation>
+    </message>
+    <message>
+        <source>The article&apos;s figure: one column per window length</source>
+        <translation>Рисунок из статьи: столбец на каждую длину окна</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Справка</translation>
+    </message>
+    <message>
+        <source>How to use the program, the method and its formulas</source>
+        <translation>Как работать с программой, метод и его формулы</translation>
+    </message>
+    <message>
+        <source>Copy &amp;diagnostics</source>
+        <translation>Копировать с&amp;ведения о программе</translation>
+    </message>
+    <message>
+        <source>Versions and settings to the clipboard, for a report of a fault</source>
+        <translation>Версии и настройки в буфер обмена, для сообщения об ошибке</translation>
+    </message>
+    <message>
+        <source>&amp;About Vybeg</source>
+        <translation>&amp;О программе</translation>
+    </message>
+    <message>
+        <source>Save &amp;passport…</source>
+        <translation>Сохранить &amp;паспорт…</translation>
+    </message>
+    <message>
+        <source>Save what was identified from the set as the gyro&apos;s passport</source>
+        <translation>Сохранить найденное по набору как паспорт гироскопа</translation>
+    </message>
+    <message>
+        <source>Compare &amp;with passport…</source>
+        <translation>Сравнить с п&amp;аспортом…</translation>
+    </message>
+    <message>
+        <source>Which parameters of the resonator have changed since its passport</source>
+        <translation>Какие параметры резонатора изменились по сравнению с паспортом</translation>
+    </message>
+    <message>
+        <source>&amp;Identify resonator</source>
+        <translation>&amp;Идентифицировать резонатор</translation>
+    </message>
+    <message>
+        <source>Fit one resonator to all recordings of the set</source>
+        <translation>Подогнать один резонатор ко всем записям набора</translation>
+    </message>
+    <message>
+        <source>&amp;New set of runs</source>
+        <translation>Но&amp;вый набор пусков</translation>
+    </message>
+    <message>
+        <source>Recordings of another resonator, to be identified together</source>
+        <translation>Записи другого резонатора, которые идентифицируются вместе</translation>
+    </message>
+</context>
+<context>
+    <name>DisplayUnits</name>
+    <message>
+        <source>V</source>
+        <translation>В</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>дБ</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>рад</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>рад/с</translation>
+    </message>
+    <message>
+        <source>ppm</source>
+        <translation>млн⁻¹</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+</context>
+<context>
+    <name>Event</name>
+    <message>
+        <source>2θ_A passes %1, rising</source>
+        <translation>2θ_A проходит %1, возрастая</translation>
+    </message>
+    <message>
+        <source>2θ_A passes %1, falling</source>
+        <translation>2θ_A проходит %1, убывая</translation>
+    </message>
+    <message>
+        <source>Samples are missing, %1 s</source>
+        <translation>Нет отсчётов, %1 с</translation>
+    </message>
+    <message>
+        <source>Not converged, %1 s</source>
+        <translation>Нет сходимости, %1 с</translation>
+    </message>
+    <message>
+        <source>Transient of the band-pass, %1 s</source>
+        <translation>Переходный процесс фильтра, %1 с</translation>
+    </message>
+    <message>
+        <source>The delay reaches beyond the samples, %1 s</source>
+        <translation>Задержка выходит за край записи, %1 с</translation>
+    </message>
+    <message>
+        <source>The wave moves inside its windows, %1 s</source>
+        <translation>Волна меняется внутри окон, %1 с</translation>
+    </message>
+    <message>
+        <source>Clipped, %1 s</source>
+        <translation>Ограничение, %1 с</translation>
+    </message>
+</context>
+<context>
+    <name>Flag</name>
+    <message>
+        <source>a_B is not estimated</source>
+        <translation>a_B не оценивается</translation>
+    </message>
+    <message>
+        <source>circular wave: no angle</source>
+        <translation>круговая волна: угла нет</translation>
+    </message>
+    <message>
+        <source>samples are missing</source>
+        <translation>нет отсчётов</translation>
+    </message>
+    <message>
+        <source>transient of the band-pass</source>
+        <translation>переходный процесс фильтра</translation>
+    </message>
+    <message>
+        <source>the delay reaches beyond the samples</source>
+        <translation>задержка выходит за край записи</translation>
+    </message>
+    <message>
+        <source>leakage above one standard deviation</source>
+        <translation>утечка больше одного СКО</translation>
+    </message>
+    <message>
+        <source>the wave moves inside the window</source>
+        <translation>волна меняется внутри окна</translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation>нет сходимости</translation>
+    </message>
+    <message>
+        <source>frequency at its bound</source>
+        <translation>частота на границе поиска</translation>
+    </message>
+    <message>
+        <source>samples at the rail</source>
+        <translation>отсчёты на пределе шкалы</translation>
+    </message>
+</context>
+<context>
+    <name>Format</name>
+    <message>
+        <source>text</source>
+        <translation>текст</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>без заголовка</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>табуляция</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>точка с запятой</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>запятая</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>черта</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>пробелы</translation>
+    </message>
+    <message>
+        <source>decimal comma</source>
+        <translation>десятичная запятая</translation>
+    </message>
+    <message>
+        <source>16 bit integer</source>
+        <translation>целые 16 бит</translation>
+    </message>
+    <message>
+        <source>32 bit integer</source>
+        <translation>целые 32 бита</translation>
+    </message>
+    <message>
+        <source>32 bit float</source>
+        <translation>вещественные 32 бита</translation>
+    </message>
+    <message>
+        <source>64 bit float</source>
+        <translation>вещественные 64 бита</translation>
+    </message>
+    <message>
+        <source>big endian</source>
+        <translation>старший байт первым</translation>
+    </message>
+    <message>
+        <source>little endian</source>
+        <translation>младший байт первым</translation>
+    </message>
+    <message>
+        <source>Signed 8 bit PCM</source>
+        <translation>ИКМ 8 бит со знаком</translation>
+    </message>
+    <message>
+        <source>Unsigned 8 bit PCM</source>
+        <translation>ИКМ 8 бит без знака</translation>
+    </message>
+    <message>
+        <source>Signed 16 bit PCM</source>
+        <translation>ИКМ 16 бит</translation>
+    </message>
+    <message>
+        <source>Signed 24 bit PCM</source>
+        <translation>ИКМ 24 бита</translation>
+    </message>
+    <message>
+        <source>Signed 32 bit PCM</source>
+        <translation>ИКМ 32 бита</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n channel(s)</source>
+        <translation>
+            <numerusform>%n канал</numerusform>
+            <numerusform>%n канала</numerusform>
+            <numerusform>%n каналов</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n column(s)</source>
+        <translation>
+            <numerusform>%n столбец</numerusform>
+            <numerusform>%n столбца</numerusform>
+            <numerusform>%n столбцов</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Message</name>
+    <message>
+        <source>%2 cannot be &quot;%3&quot;: %4.</source>
+        <translation>Недопустимое значение «%3» параметра %2: %4.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file. Check the name and the folder.</source>
+        <translation>%1: такого файла нет. Проверьте имя и папку.</translation>
+    </message>
+    <message>
+        <source>%1: no permission to read this file. Change its permissions or copy it.</source>
+        <translation>%1: нет права читать этот файл. Измените права доступа или скопируйте файл.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder, not a recording. Name one file inside it.</source>
+        <translation>%1 — папка, а не запись. Укажите файл внутри неё.</translation>
+    </message>
+    <message>
+        <source>%1: the file is empty (0 bytes). Record or copy it again.</source>
+        <translation>%1: файл пуст (0 байт). Запишите или скопируйте его заново.</translation>
+    </message>
+    <message>
+        <source>%1: reading failed: %2. Check the disk and copy the file again.</source>
+        <translation>%1: ошибка чтения: %2. Проверьте диск и скопируйте файл заново.</translation>
+    </message>
+    <message>
+        <source>%1: neither an audio file nor a table of numbers. Save the recording as WAV or CSV, or give the layout of raw samples with --raw.</source>
+        <translation>%1: это не звуковой файл и не таблица чисел. Сохраните запись в WAV или CSV либо задайте расположение отсчётов параметром --raw.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 file is damaged: %3. Copy it again.</source>
+        <translation>%1: файл %2 повреждён: %3. Скопируйте его заново.</translation>
+    </message>
+    <message>
+        <source>%1, line %2, column %3: &quot;%4&quot; is not a number. Correct it, or write nan for a missing sample.</source>
+        <translation>%1, строка %2, столбец %3: «%4» — не число. Исправьте его или напишите nan на месте потерянного отсчёта.</translation>
+    </message>
+    <message>
+        <source>%1: no line with two or more numbers. The file needs one column for each pick-off.</source>
+        <translation>%1: нет ни одной строки с двумя и более числами. Нужен столбец на каждый измерительный канал.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the time %3 does not follow %4. The time column must rise.</source>
+        <translation>%1, строка %2: время %3 не следует за %4. Столбец времени должен возрастать.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D.</source>
+        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D.</translation>
+    </message>
+    <message>
+        <source>%1: there is no channel %2; the file has %3. Choose other channels with --channels.</source>
+        <translation>%1: канала %2 нет, в файле их %3. Выберите другие каналы (--channels).</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 sample(s), and at least %3 are needed.</source>
+        <translation>%1: отсчётов %2, а нужно не менее %3.</translation>
+    </message>
+    <message>
+        <source>%1: the file does not tell its sample rate. Give it with --rate, in Hz.</source>
+        <translation>%1: в файле не указана частота дискретизации. Задайте её в герцах (--rate).</translation>
+    </message>
+    <message>
+        <source>%1 changed while it was read: its size or the time of its last change is another. Wait until it is complete, and open it again.</source>
+        <translation>%1: файл изменился во время чтения (размер или время последнего изменения). Дождитесь окончания записи и откройте его снова.</translation>
+    </message>
+    <message>
+        <source>%1: the window of %2 samples is longer than the %3 samples to analyse. Choose a shorter window or a longer range.</source>
+        <translation>%1: окно из %2 отсчётов длиннее обрабатываемого участка (отсчётов: %3). Выберите более короткое окно или более длинный участок.</translation>
+    </message>
+    <message>
+        <source>%1: the window of %2 samples is too short; at this carrier it needs at least %3 (5 samples, and three quarters of a period of the carrier and of its distance from half the sample rate).</source>
+        <translation>%1: окно из %2 отсчётов слишком короткое; при этой несущей частоте нужно не менее %3 (5 отсчётов и три четверти периода — как несущей, так и её расстояния до половины частоты дискретизации).</translation>
+    </message>
+    <message>
+        <source>%1: nothing lies between %2 s and %3 s; the recording is %4 s long.</source>
+        <translation>%1: между %2 с и %3 с ничего нет; длительность записи %4 с.</translation>
+    </message>
+    <message>
+        <source>%1: the carrier of %2 Hz is not below half the sample rate, %3 Hz. Check the carrier and the rate.</source>
+        <translation>%1: несущая частота %2 Гц не ниже половины частоты дискретизации, %3 Гц. Проверьте обе частоты.</translation>
+    </message>
+    <message>
+        <source>%1: no carrier stands out of the spectrum. Give it with --f0, or the band to look in with --band.</source>
+        <translation>%1: несущая не выделяется в спектре. Задайте её (--f0) или полосу поиска (--band).</translation>
+    </message>
+    <message>
+        <source>%1: no line stands out of the spectrum within %3 Hz of the carrier given, %2 Hz. Give a nearer one, or leave it out so that it is looked for.</source>
+        <translation>%1: в пределах %3 Гц от заданной несущей, %2 Гц, в спектре нет ни одной линии. Задайте частоту точнее или не задавайте её: программа найдёт несущую сама.</translation>
+    </message>
+    <message>
+        <source>%1: the band from %2 Hz to %3 Hz is impossible; it must rise and lie between 0 and half the sample rate, %4 Hz.</source>
+        <translation>%1: полоса от %2 Гц до %3 Гц невозможна; она должна возрастать и лежать между 0 и половиной частоты дискретизации, %4 Гц.</translation>
+    </message>
+    <message>
+        <source>%1: the filter needs %2 samples at each end, and the recording has only %3. Choose a wider band or a longer recording.</source>
+        <translation>%1: фильтру нужно %2 отсчётов на каждом конце, а в записи их всего %3. Выберите более широкую полосу или более длинную запись.</translation>
+    </message>
+    <message>
+        <source>%1: every sample of the range is missing (NaN).</source>
+        <translation>%1: на участке нет ни одного годного отсчёта (все NaN).</translation>
+    </message>
+    <message>
+        <source>%1: every window holds clipped samples (channel %2). Record with a lower gain, begin the range where the wave is weaker (--from), or shorten the window.</source>
+        <translation>%1: в каждом окне есть ограниченные отсчёты (канал %2). Уменьшите усиление при записи, начните участок там, где волна слабее (--from), или возьмите окно короче.</translation>
+    </message>
+    <message>
+        <source>This decay cannot be simulated: %2.</source>
+        <translation>Такой выбег смоделировать нельзя: %2.</translation>
+    </message>
+    <message>
+        <source>%1: the window of %2 samples is too short for the resonator&apos;s fit; at this carrier it needs at least %3 (16 samples and two periods).</source>
+        <translation>%1: окно из %2 отсчётов слишком коротко для подгонки резонатора; при такой несущей нужно не меньше %3 (16 отсчётов и два периода).</translation>
+    </message>
+    <message>
+        <source>%1 and %2 hold the same samples (SHA-256): a recording that is counted twice is no new evidence. Name each recording once.</source>
+        <translation>%1 и %2 содержат одни и те же отсчёты (SHA-256): запись, учтённая дважды, новых данных не даёт. Укажите каждую запись один раз.</translation>
+    </message>
+    <message>
+        <source>%1: the band from %2 Hz to %3 Hz is too narrow for the search for the carrier; at this length it needs at least %4 Hz. Give the carrier with --f0, or a wider band.</source>
+        <translation>%1: полоса от %2 до %3 Гц слишком узка для поиска несущей; при такой длине нужно не меньше %4 Гц. Задайте несущую параметром --f0 или более широкую полосу.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 has no samples in the range: every one is missing (NaN). Choose other channels or another range.</source>
+        <translation>%1: в канале %2 на этом участке нет отсчётов: все пропущены (NaN). Выберите другие каналы или другой участок.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory. Choose a shorter range, or end other programs.</source>
+        <translation>Не хватает памяти. Выберите участок короче или закройте другие программы.</translation>
+    </message>
+    <message>
+        <source>The system starts no more threads. Raise the limit of processes, or give a smaller number with --threads.</source>
+        <translation>Система больше не запускает потоков. Увеличьте ограничение на число процессов или задайте меньшее число параметром --threads.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Nothing was changed there.</source>
+        <translation>Не удалось записать %1: %2. Прежнее содержимое не изменено.</translation>
+    </message>
+    <message>
+        <source>%1: the ending &quot;%2&quot; is not one that can be written here.</source>
+        <translation>%1: запись в файл с окончанием «%2» здесь невозможна.</translation>
+    </message>
+    <message>
+        <source>%1 is one of the open recordings, and stays as it is. Choose another name.</source>
+        <translation>%1 — одна из открытых записей; она не изменена. Выберите другое имя.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. What has gone out there is incomplete.</source>
+        <translation>Не удалось записать %1: %2. Уже переданное туда неполно.</translation>
+    </message>
+    <message>
+        <source>Interrupted; what has gone out to %1 is incomplete.</source>
+        <translation>Прервано; переданное в %1 неполно.</translation>
+    </message>
+    <message>
+        <source>Interrupted; nothing was written.</source>
+        <translation>Прервано; ничего не записано.</translation>
+    </message>
+    <message>
+        <source>The time column is uneven, by up to %1 s (%2 samples); the signals were resampled to a uniform grid by local cubic interpolation.</source>
+        <translation>Столбец времени неравномерен, отклонение до %1 с (отсчётов: %2); сигналы пересчитаны на равномерную сетку локальной кубической интерполяцией.</translation>
+    </message>
+    <message>
+        <source>%1 samples are missing at %2 s; windows over them are flagged.</source>
+        <translation>Пропущено отсчётов: %1, момент %2 с; окна с ними помечены.</translation>
+    </message>
+    <message>
+        <source>%1 samples are NaN or infinite; windows over them are flagged.</source>
+        <translation>Отсчётов NaN или бесконечных: %1; окна с ними помечены.</translation>
+    </message>
+    <message>
+        <source>The file ends early: its header promises %1 frames, %2 are there. Those are used.</source>
+        <translation>Файл обрывается: в заголовке указано отсчётов %1, есть %2. Обработаны имеющиеся.</translation>
+    </message>
+    <message>
+        <source>The file is still being written, was never closed or has been cut off: nothing in it says how many frames there are to be. The %1 that are there are used.</source>
+        <translation>Файл ещё записывается, не был закрыт или обрезан: сколько в нём должно быть отсчётов, неизвестно. Обработаны имеющиеся: %1.</translation>
+    </message>
+    <message>
+        <source>The channels differ in length: %1 has %2 samples, %3 has %4. Both are counted from their first sample, and the end of the longer one is left out.</source>
+        <translation>Каналы разной длины: в канале %1 отсчётов %2, в канале %3 отсчётов %4. Оба отсчитываются от первого отсчёта, конец более длинного отброшен.</translation>
+    </message>
+    <message>
+        <source>The band-pass takes %1 s at each end for its transient; those windows are flagged.</source>
+        <translation>Переходный процесс полосового фильтра занимает %1 с на каждом конце; эти окна помечены.</translation>
+    </message>
+    <message>
+        <source>This algorithm needs %1 samples on both sides of a window; windows without them are flagged.</source>
+        <translation>Этому алгоритму нужно %1 отсчётов по обе стороны окна; окна без них помечены.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 windows did not converge; they are flagged.</source>
+        <translation>Окон без сходимости: %1 из %2; они помечены.</translation>
+    </message>
+    <message>
+        <source>In %1 of %2 windows the algorithm is off by more than one standard deviation, by leakage; they are flagged. A window of whole half-periods (Snap) makes it smallest; conjugate gradient and maximum likelihood have none.</source>
+        <translation>Окон, в которых из-за утечки ошибка алгоритма больше одного СКО: %1 из %2; они помечены. Меньше всего утечка в окне из целых полупериодов («Подогнать»); у сопряжённых градиентов и максимального правдоподобия её нет.</translation>
+    </message>
+    <message>
+        <source>In %1 of %2 windows the wave moves inside the window, or turns too far from one window to the next; they are flagged. Choose a shorter window or a smaller hop.</source>
+        <translation>Окон, в которых волна заметно меняется за время окна или слишком далеко поворачивается от окна к окну: %1 из %2; они помечены. Возьмите более короткое окно или меньший шаг.</translation>
+    </message>
+    <message>
+        <source>%1 header or comment lines were passed over.</source>
+        <translation>Пропущено строк заголовка и комментариев: %1.</translation>
+    </message>
+    <message>
+        <source>%1: this %2 file holds %3, which is not read here. Export the recording as WAV or CSV.</source>
+        <translation>%1: файл %2 содержит %3, здесь это не читается. Сохраните запись в WAV или CSV.</translation>
+    </message>
+    <message>
+        <source>%1 is not a passport that can be read: %2.</source>
+        <translation>%1 — не паспорт, который можно прочитать: %2.</translation>
+    </message>
+    <message>
+        <source>%1: a passport of schema %2; this program knows schemas up to %3. Use the program that wrote it, or a newer one.</source>
+        <translation>%1: паспорт схемы %2; эта программа знает схемы до %3. Возьмите программу, которая его записала, или более новую.</translation>
+    </message>
+    <message>
+        <source>%1: there is no variable &quot;%2&quot; to read; the file has %3. Choose others with --variables.</source>
+        <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие (--variables).</translation>
+    </message>
+    <message>
+        <source>Channel %1: %2 samples lie beyond its range and are missing. Record with a larger range.</source>
+        <translation>Канал %1: отсчётов за пределами шкалы: %2, они пропущены. Запишите с большим пределом измерения.</translation>
+    </message>
+    <message>
+        <source>Channel %1 is in %2 in the file; it was converted to %3, the unit of channel C.</source>
+        <translation>Канал %1 записан в файле в %2; пересчитан в %3, единицу канала C.</translation>
+    </message>
+    <message>
         <source>The times are in &apos;%1&apos;, an unknown unit, and are read as seconds. Choose their unit with --time-unit, or their rate with --time-column none and --rate.</source>
         <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу (--time-unit) или частоту дискретизации (--time-column none и --rate).</translation>
     </message>
@@ -698,2421 +713,2836 @@
         <translation>В файле указана частота дискретизации %1 Гц, а по столбцу времени она равна %2 Гц; принята вторая. Проверьте единицу времени (--time-unit).</translation>
     </message>
     <message>
-            <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit with --channels, or give the gain ratio with --kappa.</source>
-            <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей (--channels) или задайте отношение усилений (--kappa).</translation>
-        </message>
-        <message>
-            <source>Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged.</source>
-            <translation>Канал %1 ограничен: на пределе шкалы (%3) отсчётов: %2. Окна с ними помечены.</translation>
-        </message>
-        <message>
-            <source>Samples lost: %1 at %2 s. Windows over the place are flagged.</source>
-            <translation>Потеряно отсчётов: %1, на %2 с. Окна над этим местом помечены.</translation>
-        </message>
-        <message>
-            <source>Samples doubled: %1 at %2 s. Windows over the place are flagged.</source>
-            <translation>Повторено отсчётов: %1, на %2 с. Окна над этим местом помечены.</translation>
-        </message>
-        <message>
-            <source>A step of %1 rad in the phase of both channels at %2 s. Samples doubled: %3, or lost: %4; the phase shows them only modulo the period. Windows over the place are flagged.</source>
-            <translation>Скачок фазы на %1 рад в обоих каналах, на %2 с. Повторено отсчётов: %3, либо потеряно: %4; фаза показывает их число только с точностью до периода. Окна над этим местом помечены.</translation>
-        </message>
-        <message>
-            <source>Further places where samples were lost or doubled: %1.</source>
-            <translation>Отсчёты потеряны или повторены ещё в стольких местах: %1.</translation>
-        </message>
-        <message>
-            <source>Channel %1 stays within %2 levels of the converter: its signal is below one bit.</source>
-            <translation>Канал %1 не выходит за %2 уровня преобразователя: сигнал меньше одного разряда.</translation>
-        </message>
-        <message>
-            <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out (--offset auto).</source>
-            <translation>В канале %1 постоянное смещение %2, %3 % амплитуды. Его убирает калибровка (--offset auto).</translation>
-        </message>
-        <message>
-            <source>A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out (--filter).</source>
-            <translation>Сетевая наводка на %1 Гц, %2 % несущей. Её убирает полосовой фильтр (--filter).</translation>
-        </message>
-        <message>
-            <source>The first %1 s do not decay as what follows. The range can leave them out (--from).</source>
-            <translation>Первые %1 с затухают не так, как дальнейшее. Их можно исключить диапазоном (--from).</translation>
-        </message>
-        <message>
-            <source>Lost samples made gaps, as asked for: %1; places: %2. Windows over them have no values.</source>
-            <translation>По запросу на месте потерянных отсчётов сделаны пропуски (отсчётов: %1, мест: %2); окна над ними без значений.</translation>
-        </message>
-        <message>
-            <source>Lost samples counted in the time behind them, so that the phase runs on: %1; places: %2.</source>
-            <translation>Потерянные отсчёты (%1, мест: %2) учтены во времени после них, так что фаза идёт дальше.</translation>
-        </message>
-        <message>
-            <source>Places where an unknown number of samples was lost or doubled: %1. The phase after each is a parameter of its own; time moves by the smallest possible number.</source>
-            <translation>Мест, где потеряно или повторено неизвестное число отсчётов: %1. Фаза после каждого — отдельный параметр; время сдвинуто на наименьшее возможное число.</translation>
-        </message>
-        <message>
-            <source>The first %1 s are left out of the fit: a strike, or what a band-pass makes of the beginning, is no free decay.</source>
-            <translation>Первые %1 с в подгонку не взяты: удар или то, что полосовой фильтр делает с началом записи, — не свободный выбег.</translation>
-        </message>
-        <message>
-            <source>The carrier given is %1 Hz, and the signal is at %2 Hz: that is used.</source>
-            <translation>Задана несущая %1 Гц, а сигнал находится на %2 Гц: использована эта частота.</translation>
-        </message>
-        <message>
-            <source>%1: %2 lines are to be skipped, and the file has only %3.</source>
-            <translation>%1: нужно пропустить строк: %2, а в файле их всего %3.</translation>
-        </message>
-        <message>
-            <source>%1: read as text with %2, no line from %3 on has two or more numbers; that line reads &quot;%4&quot;. Choose another delimiter, decimal sign or first line.</source>
-            <translation>%1: если читать как текст с параметрами %2, то начиная со строки %3 нет ни одной строки, где два числа или больше; там стоит «%4». Выберите другой разделитель, десятичный знак или первую строку.</translation>
-        </message>
-        <message>
-            <source>%1: there is no column %2 to be the time; the file has %3.</source>
-            <translation>%1: нет столбца %2, который был бы временем; столбцов в файле: %3.</translation>
-        </message>
-        <message>
-            <source>%1: the resonator needs %3 windows without faults, and there are %2. Use a longer recording or shorter windows.</source>
-            <translation>%1: для резонатора нужно не меньше %3 окон без дефектов, а их %2. Возьмите запись длиннее или окна короче.</translation>
-        </message>
-        <message>
-            <source>%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the shortest at this carrier. Keep one pair of modes with --filter.</source>
-            <translation>%1: биения линий %2 Гц и %3 Гц слишком быстры для окон в %4 отсчётов, самых коротких при этой несущей. Оставьте одну пару мод полосовым фильтром (--filter).</translation>
-        </message>
-        <message>
-            <source>%1: the window of %2 samples is too long for the beat between the lines at %3 Hz and %4 Hz. Use at most %5 samples, or leave the window out.</source>
-            <translation>%1: окно в %2 отсчётов слишком длинное для биений между линиями %3 Гц и %4 Гц. Возьмите не больше %5 отсчётов или не задавайте окно.</translation>
-        </message>
-        <message>
-            <source>The resonator cannot be fitted to %1: %2.</source>
-            <translation>Не удалось подогнать резонатор к %1: %2.</translation>
-        </message>
-        <message>
-            <source>Recording %1: the frequency drifts by %2 Hz per second (standard deviation %3); the drift is fitted, and Q is free of it.</source>
-            <translation>Запись %1: частота уходит на %2 Гц в секунду (стандартное отклонение %3); уход включён в подгонку, и добротность от него не зависит.</translation>
-        </message>
-        <message>
-            <source>The frequency depends on the amplitude: %1 Hz per squared recording unit (standard deviation %2); this is fitted.</source>
-            <translation>Частота зависит от амплитуды: %1 Гц на квадрат единицы записи (стандартное отклонение %2); это включено в подгонку.</translation>
-        </message>
-        <message>
-            <source>Recording %1: Q from the envelope, %2, and from the coherent fit, %3, differ by more than three standard deviations: the motion is not that of a resonator with constant parameters.</source>
-            <translation>Запись %1: добротность по огибающей, %2, и по когерентной подгонке, %3, расходятся больше чем на три стандартных отклонения: это не движение резонатора с постоянными параметрами.</translation>
-        </message>
-        <message>
-            <source>The residual is above the noise of the windows (chi square per degree of freedom %1); the standard deviations are enlarged to match.</source>
-            <translation>Остаток больше шума окон (хи-квадрат на степень свободы %1); стандартные отклонения соответственно увеличены.</translation>
-        </message>
-        <message>
-            <source>The fit of the resonator stopped before it converged: its values are refused.</source>
-            <translation>Подгонка резонатора остановилась, не сойдясь: её значения не приводятся.</translation>
-        </message>
-        <message>
-            <source>The damping was seen in one direction only: the recording&apos;s own decay time is given, not the resonator&apos;s.</source>
-            <translation>Затухание наблюдалось только в одном направлении: приводится время затухания самой записи, а не резонатора.</translation>
-        </message>
-        <message>
-            <source>The channels are no calibrated pair of pick-offs (%1): the free model gives the modes, and the resonator has no axes.</source>
-            <translation>Каналы — не откалиброванная пара датчиков (%1): свободная модель даёт моды, осей у резонатора нет.</translation>
-        </message>
-        <message>
-            <source>The residual is below the noise of the windows (chi square per degree of freedom %1): the standard deviations are too large.</source>
-            <translation>Невязка меньше шума окон (хи-квадрат на степень свободы %1): СКО завышены.</translation>
-        </message>
-        <message>
-            <source>The residual is not white (chi square per degree of freedom %1); the standard deviations follow its spectrum.</source>
-            <translation>Невязка не белая (хи-квадрат на степень свободы %1); СКО взяты по её спектру.</translation>
-        </message>
-        <message>
-            <source>The noise about the carrier is as narrow as the residual can show. Noise narrower than %1 Hz looks like the wave itself: the standard deviations may be too small. Record longer, or repeat the recording.</source>
-            <translation>Шум около несущей настолько узок, насколько это видно по невязке. Шум уже %1 Гц неотличим от самой волны: СКО могут быть занижены. Нужна более длинная запись или повторная.</translation>
-        </message>
-        <message>
-            <source>The residual is that of a damping that follows the amplitude (about %1 1/s per squared recording unit), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit later parts of the recordings, where the wave is smaller (--from).</source>
-            <translation>Невязка такая, как при затухании, зависящем от амплитуды (около %1 1/с на квадрат единицы записи); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите более поздние части записей, где волна меньше (--from).</translation>
-        </message>
-        <message>
-            <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out (--from).</source>
-            <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды (--from).</translation>
-        </message>
-        <message>
-            <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Take it out with a narrower band-pass (--filter).</source>
-            <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси, вращение и числа самой волны могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром (--filter).</translation>
-        </message>
-        <message>
-            <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or tell its tolerance (--tolerance).</source>
-            <translation>Невязка такая, как при ошибке каналов, принятой за ноль: %1, около %2. Откалибруйте её или задайте её допуск (--tolerance).</translation>
-        </message>
-        <message>
-            <source>The residual is that of pick-offs whose gain follows the amplitude: by about %1 % in channel C and %2 % in D at the largest amplitude, which the model does not hold. Split, damping, axes and rotation may be off by more than their deviations. Linearise the channels, or record smaller amplitudes.</source>
-            <translation>Невязка такая, как у датчиков, усиление которых зависит от амплитуды: примерно на %1 % в канале C и на %2 % в D при наибольшей амплитуде; в модели этого нет. Разночастотность, затухание, оси и вращение могут быть ошибочны больше своих СКО. Линеаризуйте каналы или запишите меньшие амплитуды.</translation>
-        </message>
-        <message>
-            <source>%1: the phase of both channels steps by %2 rad at %3 s; samples are lost or doubled there. The fit leaves the phase open at that place.</source>
-            <translation>%1: фаза обоих каналов делает скачок на %2 рад в %3 с; там потеряны или повторены отсчёты. Подгонка оставляет фазу в этом месте свободной.</translation>
-        </message>
-        <message>
-            <source>%1 has no effect: %2.</source>
-            <translation>%1 ни на что не влияет: %2.</translation>
-        </message>
-    </context>
-    <context>
-        <name>PlotPanel</name>
-        <message>
-            <source>not estimated by this algorithm</source>
-            <translation>этим алгоритмом не оценивается</translation>
-        </message>
-        <message>
-            <source>no window has a value</source>
-            <translation>ни в одном окне нет значения</translation>
-        </message>
-    </context>
-    <context>
-        <name>Reason</name>
-        <message>
-            <source>The wave hardly moves, so that one direction of the resonator is seen and no other. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
-            <translation>Волна почти неподвижна, поэтому видно одно направление резонатора и никакое другое. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
-        </message>
-        <message>
-            <source>At one angle a rotation and a damping anisotropy turn the wave alike. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
-            <translation>При одном угле вращение и анизотропия затухания поворачивают волну одинаково. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
-        </message>
-        <message>
-            <source>The free model takes the channels as any two views of the modes: it has no angles.</source>
-            <translation>Свободная модель считает каналы любыми двумя видами мод: углов в ней нет.</translation>
-        </message>
-        <message>
-            <source>The two modes cannot be told apart.</source>
-            <translation>Две моды не различить.</translation>
-        </message>
-        <message>
-            <source>A circular wave has no angle.</source>
-            <translation>У круговой волны нет угла.</translation>
-        </message>
-        <message>
-            <source>The waves stand at too few angles for the drift as a function of the angle: it needs three starts 22.5 degrees apart or more, or a wave that turns.</source>
-            <translation>Волны стоят под слишком малым числом углов для дрейфа как функции угла: нужны три пуска через 22,5 градуса или больше либо волна, которая поворачивается.</translation>
-        </message>
-        <message>
-            <source>The fit stopped before it converged.</source>
-            <translation>Подгонка остановилась, не сойдясь.</translation>
-        </message>
-        <message>
-            <source>This recording has too few windows for it.</source>
-            <translation>В этой записи для этого слишком мало окон.</translation>
-        </message>
-        <message>
-            <source>The difference between the modes is within its noise: it is at most %1 %2, and has no axis.</source>
-            <translation>Разность мод в пределах её шума: она не больше %1 %2 и оси не имеет.</translation>
-        </message>
-        <message>
-            <source>The decay is within its noise: tau is at least %1 s. Record longer.</source>
-            <translation>Затухание в пределах его шума: τ не меньше %1 с. Нужна более длинная запись.</translation>
-        </message>
-        <message>
-            <source>In a turning wave a gain ratio of the channels and a damping anisotropy look the same. Calibrate the channels and state their tolerance, or add recordings that start at other angles.</source>
-            <translation>У поворачивающейся волны отношение усилений каналов и разнодобротность неразличимы. Откалибруйте каналы и задайте их допуск или добавьте записи, начатые под другими углами.</translation>
-        </message>
-        <message>
-            <source>The recordings hardly narrow the stated tolerance: the value is as given.</source>
-            <translation>Записи почти не уточняют заданный допуск: остаётся заданное значение.</translation>
-        </message>
-        <message>
-            <source>Taken as zero, because no tolerance is given for it; the sensitivities say what it would change.</source>
-            <translation>Принято за нуль, так как допуск не задан; что изменилось бы, показывают чувствительности.</translation>
-        </message>
-        <message>
-            <source>The phasors need no dependence on the amplitude: it is at most %1 Hz per squared recording unit.</source>
-            <translation>Зависимость от амплитуды по записям не нужна: она не больше %1 Гц на квадрат единицы записи.</translation>
-        </message>
-        <message>
-            <source>A drift of the frequency looks like the motion itself in this recording.</source>
-            <translation>В этой записи уход частоты неотличим от самого движения.</translation>
-        </message>
-        <message>
-            <source>The decay is hardly above its noise: tau lies between %1 s and %2 s.</source>
-            <translation>Затухание едва выше его шума: τ лежит между %1 с и %2 с.</translation>
-        </message>
-        <message>
-            <source>The wave grows, at a rate of %1 1/s (standard deviation %2).</source>
-            <translation>Волна растёт со скоростью %1 1/с (СКО %2).</translation>
-        </message>
-        <message>
-            <source>It depends on parameters of the resonator that these recordings do not show.</source>
-            <translation>Зависит от параметров резонатора, которых эти записи не показывают.</translation>
-        </message>
-        <message>
-            <source>The frequency changes while the amplitude falls: whether it follows the amplitude or settles in time, these recordings do not tell. Add one that starts at another amplitude.</source>
-            <translation>Частота меняется, пока падает амплитуда: зависит она от амплитуды или устанавливается со временем, эти записи не показывают. Добавьте запись с другой начальной амплитудой.</translation>
-        </message>
-        <message>
-            <source>It belongs to one direction, and no recording of the other side starts within 3 degrees of it.</source>
-            <translation>Относится к одному направлению, а с другой стороны нет записи, начатой не дальше 3 градусов от него.</translation>
-        </message>
-        <message>
-            <source>The modes of both sides are not named by the same: one by frequency, the other by decay.</source>
-            <translation>Моды двух сторон названы по-разному: одни по частоте, другие по затуханию.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Resonator</name>
-        <message>
-            <source>Mean frequency f</source>
-            <translation>Средняя частота f</translation>
-        </message>
-        <message>
-            <source>Of both modes, mean of the runs</source>
-            <translation>Двух мод, среднее по пускам</translation>
-        </message>
-        <message>
-            <source>Frequency split Δf</source>
-            <translation>Разночастотность Δf</translation>
-        </message>
-        <message>
-            <source>f_p − f_q of the two modes, never negative</source>
-            <translation>f_p − f_q двух мод, неотрицательная</translation>
-        </message>
-        <message>
-            <source>Stiffness axis θ_w</source>
-            <translation>Ось жёсткости θ_w</translation>
-        </message>
-        <message>
-            <source>Axis of the mode with the higher frequency</source>
-            <translation>Ось моды с более высокой частотой</translation>
-        </message>
-        <message>
-            <source>Decay time τ</source>
-            <translation>Время затухания τ</translation>
-        </message>
-        <message>
-            <source>In which the amplitude falls to 1/e</source>
-            <translation>За которое амплитуда уменьшается в e раз</translation>
-        </message>
-        <message>
-            <source>Quality factor Q</source>
-            <translation>Добротность Q</translation>
-        </message>
-        <message>
-            <source>Q = π f τ, from the coherent fit</source>
-            <translation>Q = π f τ, по когерентной подгонке</translation>
-        </message>
-        <message>
-            <source>Damping anisotropy g</source>
-            <translation>Разнодобротность g</translation>
-        </message>
-        <message>
-            <source>Difference of 1/τ of both axes of damping, never negative</source>
-            <translation>Разность 1/τ двух осей затухания, неотрицательная</translation>
-        </message>
-        <message>
-            <source>Damping axis θ_τ</source>
-            <translation>Ось затухания θ_τ</translation>
-        </message>
-        <message>
-            <source>Axis of larger damping</source>
-            <translation>Ось большего затухания</translation>
-        </message>
-        <message>
-            <source>Rotation −kΩ</source>
-            <translation>Вращение −kΩ</translation>
-        </message>
-        <message>
-            <source>Drift of θ_A that is the same at every angle</source>
-            <translation>Дрейф θ_A, одинаковый при любом угле</translation>
-        </message>
-        <message>
-            <source>Gain ratio κ</source>
-            <translation>Отношение усилений κ</translation>
-        </message>
-        <message>
-            <source>D = κ S_D</source>
-            <translation>D = κ S_D</translation>
-        </message>
-        <message>
-            <source>Change of f per squared unit of amplitude</source>
-            <translation>Изменение f на единицу квадрата амплитуды</translation>
-        </message>
-        <message>
-            <source>Hz</source>
-            <translation>Гц</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>с</translation>
-        </message>
-        <message>
-            <source>1/s</source>
-            <translation>1/с</translation>
-        </message>
-        <message>
-            <source>Hz per squared unit</source>
-            <translation>Гц на кв. единицу</translation>
-        </message>
-        <message>
-            <source>deg</source>
-            <translation>град</translation>
-        </message>
-        <message>
-            <source>ns</source>
-            <translation>нс</translation>
-        </message>
-        <message>
-            <source>As above: %1</source>
-            <translation>То же, что для %1</translation>
-        </message>
-        <message>
-            <source>Mode %1: %2</source>
-            <translation>Мода %1: %2</translation>
-        </message>
-        <message>
-            <source>unchanged</source>
-            <translation>не изменился</translation>
-        </message>
-        <message>
-            <source>changed</source>
-            <translation>изменился</translation>
-        </message>
-        <message>
-            <source>not comparable</source>
-            <translation>несравним</translation>
-        </message>
-        <message>
-            <source>rad</source>
-            <translation>рад</translation>
-        </message>
-        <message>
-            <source>°/h</source>
-            <translation>°/ч</translation>
-        </message>
-        <message>
-            <source>rad/s</source>
-            <translation>рад/с</translation>
-        </message>
-        <message>
-            <source>Modes</source>
-            <translation>Моды</translation>
-        </message>
-        <message>
-            <source>rec. units</source>
-            <translation>ед. записи</translation>
-        </message>
-        <message>
-            <source>Frequency offset</source>
-            <translation>Отклонение частоты</translation>
-        </message>
-        <message>
-            <source>From the mean frequency of the runs</source>
-            <translation>От средней частоты пусков</translation>
-        </message>
-        <message>
-            <source>Start angle θ_A</source>
-            <translation>Начальный угол θ_A</translation>
-        </message>
-        <message>
-            <source>Angle of the working wave at the start</source>
-            <translation>Угол рабочей волны в начале</translation>
-        </message>
-        <message>
-            <source>Amplitude of the working wave at the start</source>
-            <translation>Амплитуда рабочей волны в начале</translation>
-        </message>
-        <message>
-            <source>Amplitude of the quadrature wave at the start</source>
-            <translation>Амплитуда квадратурной волны в начале</translation>
-        </message>
-        <message>
-            <source>What of the frequency split makes the quadrature of this run grow</source>
-            <translation>Та часть разночастотности, от которой растёт квадратура этого пуска</translation>
-        </message>
-        <message>
-            <source>Q from the envelope</source>
-            <translation>Q по огибающей</translation>
-        </message>
-        <message>
-            <source>Quality factor from the power of the waves alone</source>
-            <translation>Добротность только по мощности волн</translation>
-        </message>
-        <message>
-            <source>Q coherent</source>
-            <translation>Q когерентная</translation>
-        </message>
-        <message>
-            <source>Quality factor from the coherent fit of all runs</source>
-            <translation>Добротность по когерентной подгонке всех пусков</translation>
-        </message>
-        <message>
-            <source>Frequency drift</source>
-            <translation>Уход частоты</translation>
-        </message>
-        <message>
-            <source>Of this run, over time</source>
-            <translation>В этом пуске, со временем</translation>
-        </message>
-        <message>
-            <source>Noise σ</source>
-            <translation>Шум σ</translation>
-        </message>
-        <message>
-            <source>Standard deviation per sample and channel</source>
-            <translation>СКО на отсчёт и канал</translation>
-        </message>
-        <message>
-            <source>Windows used</source>
-            <translation>Взято окон</translation>
-        </message>
-        <message>
-            <source>Without gaps and faults, of all; samples in each</source>
-            <translation>Без пропусков и дефектов, из всех; отсчётов в окне</translation>
-        </message>
-        <message>
-            <source>%1 of %2, n = %3</source>
-            <translation>%1 из %2, n = %3</translation>
-        </message>
-        <message>
-            <source>Mean drift</source>
-            <translation>Средний дрейф</translation>
-        </message>
-        <message>
-            <source>Verdict</source>
-            <translation>Вывод</translation>
-        </message>
-        <message>
-            <source>Passport</source>
-            <translation>Паспорт</translation>
-        </message>
-        <message>
-            <source>Now</source>
-            <translation>Теперь</translation>
-        </message>
-        <message>
-            <source>in the passport: %1</source>
-            <translation>в паспорте: %1</translation>
-        </message>
-        <message>
-            <source>fitted</source>
-            <translation>подгонка</translation>
-        </message>
-        <message>
-            <source>passport</source>
-            <translation>паспорт</translation>
-        </message>
-        <message>
-            <source>Harmonics</source>
-            <translation>Гармоники</translation>
-        </message>
-        <message>
-            <source>resonator</source>
-            <translation>резонатор</translation>
-        </message>
-        <message>
-            <source>Non-orthogonality ε</source>
-            <translation>Неортогональность ε</translation>
-        </message>
-        <message>
-            <source>Angle between the pick-offs less 90 degrees</source>
-            <translation>Угол между датчиками без 90 градусов</translation>
-        </message>
-        <message>
-            <source>Delay δ</source>
-            <translation>Запаздывание δ</translation>
-        </message>
-        <message>
-            <source>By how much channel D comes late</source>
-            <translation>На сколько запаздывает канал D</translation>
-        </message>
-        <message>
-            <source>Amplitude dependence β</source>
-            <translation>Зависимость от амплитуды β</translation>
-        </message>
-        <message>
-            <source>Difference, u</source>
-            <translation>Разность, u</translation>
-        </message>
-        <message>
-            <source>Difference</source>
-            <translation>Разность</translation>
-        </message>
-        <message>
-            <source>Relative</source>
-            <translation>Относительно</translation>
-        </message>
-        <message>
-            <source>Run %1: %2 of its direction</source>
-            <translation>Пуск %1: %2 его направления</translation>
-        </message>
-        <message>
-            <source>Frequency of the wave</source>
-            <translation>Частота волны</translation>
-        </message>
-        <message>
-            <source>Mean rate of its phase, by power of both channels</source>
-            <translation>Средняя скорость её фазы по мощности обоих каналов</translation>
-        </message>
-        <message>
-            <source>Decay time of the wave</source>
-            <translation>Время затухания волны</translation>
-        </message>
-        <message>
-            <source>Of √(a_A² + a_B²)</source>
-            <translation>По √(a_A² + a_B²)</translation>
-        </message>
-        <message>
-            <source>Turn rate dθ_A/dt</source>
-            <translation>Скорость поворота dθ_A/dt</translation>
-        </message>
-        <message>
-            <source>Mean rate of the angle of the working wave</source>
-            <translation>Средняя скорость угла рабочей волны</translation>
-        </message>
-        <message>
-            <source>Quadrature growth d(a_B/a_A)/dt</source>
-            <translation>Рост квадратуры d(a_B/a_A)/dt</translation>
-        </message>
-        <message>
-            <source>Mean rate of the ratio of both waves</source>
-            <translation>Средняя скорость отношения двух волн</translation>
-        </message>
-        <message>
-            <source>0.1° of skew</source>
-            <translation>0,1° неортогон.</translation>
-        </message>
-        <message>
-            <source>10 ns of delay</source>
-            <translation>10 нс запаздывания</translation>
-        </message>
-        <message>
-            <source>10⁻⁴ rad of phase drift</source>
-            <translation>10⁻⁴ рад ухода фазы</translation>
-        </message>
-        <message>
-            <source>10⁻⁴ of gain drift</source>
-            <translation>10⁻⁴ ухода усиления</translation>
-        </message>
-        <message>
-            <source>0.001 of κ</source>
-            <translation>0,001 κ</translation>
-        </message>
-        <message>
-            <source>10 µHz by amplitude</source>
-            <translation>10 мкГц от амплитуды</translation>
-        </message>
-        <message>
-            <source>1 % of damping by amplitude</source>
-            <translation>1 % затухания от амплитуды</translation>
-        </message>
-        <message>
-            <source>0.1 % of gain by amplitude</source>
-            <translation>0,1 % усиления от амплитуды</translation>
-        </message>
-        <message>
-            <source>f of this direction</source>
-            <translation>f этого направления</translation>
-        </message>
-        <message>
-            <source>Of a wave that stays in the direction in which this one starts</source>
-            <translation>Волны, которая остаётся в том направлении, в котором эта начинается</translation>
-        </message>
-        <message>
-            <source>τ of this direction</source>
-            <translation>τ этого направления</translation>
-        </message>
-    </context>
-    <context>
-        <name>SetPanel</name>
-        <message>
-            <source>Set %1</source>
-            <translation>Набор %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>SiPrefix</name>
-        <message>
-            <source>f</source>
-            <translation>ф</translation>
-        </message>
-        <message>
-            <source>p</source>
-            <translation>п</translation>
-        </message>
-        <message>
-            <source>n</source>
-            <translation>н</translation>
-        </message>
-        <message>
-            <source>µ</source>
-            <translation>мк</translation>
-        </message>
-        <message>
-            <source>m</source>
-            <translation>м</translation>
-        </message>
-        <message>
-            <source>k</source>
-            <translation>к</translation>
-        </message>
-        <message>
-            <source>M</source>
-            <translation>М</translation>
-        </message>
-        <message>
-            <source>G</source>
-            <translation>Г</translation>
-        </message>
-        <message>
-            <source>T</source>
-            <translation>Т</translation>
-        </message>
-    </context>
-    <context>
-        <name>SlowVariable</name>
-        <message>
-            <source>amplitude of the working wave</source>
-            <translation>амплитуда рабочей стоячей волны</translation>
-        </message>
-        <message>
-            <source>amplitude of the quadrature wave</source>
-            <translation>амплитуда квадратурной стоячей волны</translation>
-        </message>
-        <message>
-            <source>angle of the standing wave</source>
-            <translation>угол стоячей волны</translation>
-        </message>
-        <message>
-            <source>mean frequency</source>
-            <translation>средняя частота</translation>
-        </message>
-        <message>
-            <source>phase difference of the pick-off signals</source>
-            <translation>разнофазность измерительных сигналов</translation>
-        </message>
-        <message>
-            <source>phase of the standing waves</source>
-            <translation>фаза стоячих волн</translation>
-        </message>
-        <message>
-            <source>noise per sample and channel, of the residual</source>
-            <translation>шум на отсчёт и канал, по остатку</translation>
-        </message>
-        <message>
-            <source>root of the error functional F</source>
-            <translation>корень из функционала ошибки F</translation>
-        </message>
-        <message>
-            <source>orthogonality of the standing waves, relative</source>
-            <translation>ортогональность стоячих волн, относительная</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::CalibrationFields</name>
-        <message>
-            <source>Gain ratio κ</source>
-            <translation>Масштаб κ</translation>
-        </message>
-        <message>
-            <source>Channel D is recorded as D/κ, the scaling below (30): κ = 1 for balanced channels.</source>
-            <translation>Канал D записан как D/κ, масштабирование после (30): κ = 1 для уравненных каналов.</translation>
-        </message>
-        <message>
-            <source>Constant in each channel, recording units; it is subtracted. The averages of (13), (15) presume none.</source>
-            <translation>Постоянная составляющая каждого канала в единицах записи; вычитается. Усреднения (13), (15) её не предполагают.</translation>
-        </message>
-        <message>
-            <source>Offset C, D</source>
-            <translation>Сдвиг C, D</translation>
-        </message>
-        <message>
-            <source>Offset of C</source>
-            <translation>Сдвиг C</translation>
-        </message>
-        <message>
-            <source>Offset of D</source>
-            <translation>Сдвиг D</translation>
-        </message>
-        <message>
-            <source>Delay of D</source>
-            <translation>Задержка D</translation>
-        </message>
-        <message>
-            <source>µs</source>
-            <translation>мкс</translation>
-        </message>
-        <message>
-            <source>By how much channel D is sampled later than C. It would otherwise count as Δφ_CD of (9).</source>
-            <translation>На сколько канал D опрашивается позже C. Иначе вошла бы в Δφ_CD из (9).</translation>
-        </message>
-        <message>
-            <source>Angle zero</source>
-            <translation>Нуль угла</translation>
-        </message>
-        <message>
-            <source>°</source>
-            <translation>°</translation>
-        </message>
-        <message>
-            <source>Angle of the first electrode, subtracted from θ_A of (2): the article counts the angle from there.</source>
-            <translation>Угол первого электрода, вычитается из θ_A в (2): в статье угол отсчитывается от него.</translation>
-        </message>
-        <message>
-            <source>Take the offsets from the signals</source>
-            <translation>Сдвиги по самим сигналам</translation>
-        </message>
-        <message>
-            <source>Each channel&apos;s mean over whole periods of the carrier</source>
-            <translation>Среднее каждого канала по целому числу периодов несущей</translation>
-        </message>
-        <message>
-            <source>Make gaps of lost samples</source>
-            <translation>Пропуски вместо потерянных отсчётов</translation>
-        </message>
-        <message>
-            <source>Where the recording check finds lost samples, as many missing ones are put in, so that time runs on behind them. Windows over them have no values.</source>
-            <translation>Там, где проверка записи находит потерянные отсчёты, вставляется столько же отсутствующих, и время за ними идёт верно. Окна над ними остаются без значений.</translation>
-        </message>
-        <message>
-            <source>κ ±</source>
-            <translation>κ ±</translation>
-        </message>
-        <message>
-            <source>How well the gain ratio is known: relative standard deviation. Empty: 0.01, or exact where κ is not 1.</source>
-            <translation>Насколько точно известно отношение усилений: относительное СКО. Пусто: 0,01, а если κ не равно 1 — точно.</translation>
-        </message>
-        <message>
-            <source>Tolerance of the gain ratio</source>
-            <translation>Допуск отношения усилений</translation>
-        </message>
-        <message>
-            <source>Skew ε ±</source>
-            <translation>Неортогон. ε ±</translation>
-        </message>
-        <message>
-            <source>Non-orthogonality of the pick-offs: D holds sin ε of C. 0: none.</source>
-            <translation>Неортогональность датчиков: в D входит sin ε от C. 0: её нет.</translation>
-        </message>
-        <message>
-            <source>Tolerance of the non-orthogonality</source>
-            <translation>Допуск неортогональности</translation>
-        </message>
-        <message>
-            <source>Delay ±</source>
-            <translation>Задержка ±</translation>
-        </message>
-        <message>
-            <source>ns</source>
-            <translation>нс</translation>
-        </message>
-        <message>
-            <source>Of D against C, beyond the delay above. 0: exact.</source>
-            <translation>D относительно C сверх задержки, заданной выше. 0: точно.</translation>
-        </message>
-        <message>
-            <source>Tolerance of the delay</source>
-            <translation>Допуск задержки</translation>
-        </message>
-        <message>
-            <source>Crosstalk ±</source>
-            <translation>Помеха C→D ±</translation>
-        </message>
-        <message>
-            <source>Of C into D with its phase turned by 90 degrees, relative. 0: none.</source>
-            <translation>Проникание C в D со сдвигом фазы на 90 градусов, относительное. 0: его нет.</translation>
-        </message>
-        <message>
-            <source>Tolerance of the crosstalk</source>
-            <translation>Допуск проникания</translation>
-        </message>
-        <message>
-            <source>Phase drift ±</source>
-            <translation>Уход фазы ±</translation>
-        </message>
-        <message>
-            <source>rad</source>
-            <translation>рад</translation>
-        </message>
-        <message>
-            <source>Of D against C over a recording, in proportion to time. 0: none.</source>
-            <translation>D относительно C за запись, пропорционально времени. 0: его нет.</translation>
-        </message>
-        <message>
-            <source>Tolerance of the phase drift</source>
-            <translation>Допуск ухода фазы</translation>
-        </message>
-        <message>
-            <source>Gain drift ±</source>
-            <translation>Уход усил. ±</translation>
-        </message>
-        <message>
-            <source>Of D against C over a recording, relative, in proportion to time. 0: none.</source>
-            <translation>D относительно C за запись, относительный, пропорционально времени. 0: его нет.</translation>
-        </message>
-        <message>
-            <source>Tolerance of the gain drift</source>
-            <translation>Допуск ухода усиления</translation>
-        </message>
-        <message>
-            <source>How well the channels are known, for u of the resonator:</source>
-            <translation>Насколько точно известны каналы (для u резонатора):</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::CarrierFields</name>
-        <message>
-            <source>Carrier f₀</source>
-            <translation>Несущая f₀</translation>
-        </message>
-        <message>
-            <source>Hz</source>
-            <translation>Гц</translation>
-        </message>
-        <message>
-            <source>Carrier of the whole recording, around which each window looks for its ω by (7), (25). Empty: the peak common to both channels&apos; spectra.</source>
-            <translation>Несущая частота всей записи, вокруг которой каждое окно ищет свою ω по (7), (25). Пусто: общий максимум спектров обоих каналов.</translation>
-        </message>
-        <message>
-            <source>Look for the carrier between these frequencies. Empty: everywhere. Both are needed.</source>
-            <translation>Искать несущую между этими частотами. Пусто: везде. Нужны обе границы.</translation>
-        </message>
-        <message>
-            <source>Search</source>
-            <translation>Поиск</translation>
-        </message>
-        <message>
-            <source>Search from</source>
-            <translation>Поиск от</translation>
-        </message>
-        <message>
-            <source>Search to</source>
-            <translation>Поиск до</translation>
-        </message>
-        <message>
-            <source>Zero-phase band-pass before everything, for raw recordings with other modes, hum or offset: (1) presumes signals of the second angular harmonic alone. Empty: none. Both are needed.</source>
-            <translation>Полосовой фильтр без сдвига фазы перед всей обработкой, для необработанных записей с другими модами, наводкой сети или смещением: (1) предполагает только вторую угловую гармонику. Пусто: без фильтра. Нужны обе границы.</translation>
-        </message>
-        <message>
-            <source>Filter</source>
-            <translation>Фильтр</translation>
-        </message>
-        <message>
-            <source>Filter from</source>
-            <translation>Фильтр от</translation>
-        </message>
-        <message>
-            <source>Filter to</source>
-            <translation>Фильтр до</translation>
-        </message>
-        <message>
-            <source>from</source>
-            <translation>от</translation>
-        </message>
-        <message>
-            <source>to</source>
-            <translation>до</translation>
-        </message>
-        <message>
-            <source>auto</source>
-            <translation>авто</translation>
-        </message>
-        <message>
-            <source>Both frequencies are needed.</source>
-            <translation>Нужны обе частоты.</translation>
-        </message>
-        <message>
-            <source>The second frequency must be above the first.</source>
-            <translation>Вторая частота должна быть выше первой.</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::CheckList</name>
-        <message>
-            <source>Recording check</source>
-            <translation>Проверка записи</translation>
-        </message>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 с</translation>
-        </message>
-        <message>
-            <source>Recording check: reading…</source>
-            <translation>Проверка записи: чтение…</translation>
-        </message>
-        <message>
-            <source>Recording check: nothing found</source>
-            <translation>Проверка записи: замечаний нет</translation>
-        </message>
-        <message numerus="yes">
-            <source>Recording check: %n finding(s)</source>
-            <translation>
-                <numerusform>Проверка записи: %n замечание</numerusform>
-                <numerusform>Проверка записи: %n замечания</numerusform>
-                <numerusform>Проверка записи: %n замечаний</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::CompareDialog</name>
-        <message>
-            <source>Compare windows</source>
-            <translation>Сравнение окон</translation>
-        </message>
-        <message>
-            <source>Window lengths, samples</source>
-            <translation>Длины окон, отсчётов</translation>
-        </message>
-        <message>
-            <source>Whole numbers from 5, separated by commas. The article compares 6 and 60 and varies 6, 12, ... 60.</source>
-            <translation>Целые числа от 5 через запятую. В статье сравниваются 6 и 60, а перебираются 6, 12, ... 60.</translation>
-        </message>
-        <message>
-            <source>Compare</source>
-            <translation>Сравнить</translation>
-        </message>
-        <message>
-            <source>Export figure…</source>
-            <translation>Экспорт рисунка…</translation>
-        </message>
-        <message>
-            <source>The figure of the article: the slow variables over time, one column per window length, with the algorithm and the other settings of the analysis panel.</source>
-            <translation>Рисунок из статьи: медленные переменные во времени, столбец на каждую длину окна, с алгоритмом и остальными настройками панели обработки.</translation>
-        </message>
-        <message>
-            <source>Slow variables for each window length</source>
-            <translation>Медленные переменные для каждой длины окна</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::CursorPanel</name>
-        <message>
-            <source>The values of every shown run at the mouse appear here.</source>
-            <translation>Здесь появятся значения всех показанных расчётов под указателем мыши.</translation>
-        </message>
-        <message>
-            <source>t = %1 s</source>
-            <translation>t = %1 с</translation>
-        </message>
-        <message>
-            <source>sd</source>
-            <translation>СКО</translation>
-        </message>
-        <message>
-            <source>Values at the cursor</source>
-            <translation>Значения под курсором</translation>
-        </message>
-        <message>
-            <source>Reason</source>
-            <translation>Причина</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::Document</name>
-        <message numerus="yes">
-            <source>%n more finding(s) in the recording check.</source>
-            <translation>
-                <numerusform>В проверке записи ещё %n замечание.</numerusform>
-                <numerusform>В проверке записи ещё %n замечания.</numerusform>
-                <numerusform>В проверке записи ещё %n замечаний.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::EventsPanel</name>
-        <message>
-            <source>Axis crossings, gaps and windows without convergence of the chosen run appear here.</source>
-            <translation>Здесь появятся проходы осей, пропуски и окна без сходимости выбранного расчёта.</translation>
-        </message>
-        <message>
-            <source>%1: no axis crossings, no gaps.</source>
-            <translation>%1: проходов осей и пропусков нет.</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1: %n event(s)</source>
-            <translation>
-                <numerusform>%1: %n событие</numerusform>
-                <numerusform>%1: %n события</numerusform>
-                <numerusform>%1: %n событий</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Events</source>
-            <translation>События</translation>
-        </message>
-        <message>
-            <source>t, s</source>
-            <translation>t, с</translation>
-        </message>
-        <message>
-            <source>What</source>
-            <translation>Что</translation>
-        </message>
-        <message>
-            <source>%1: events are looked for when all windows are there.</source>
-            <translation>%1: события ищутся, когда готовы все окна.</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::HelpView</name>
-        <message>
-            <source>Vybeg help</source>
-            <translation>Справка Vybeg</translation>
-        </message>
-        <message>
-            <source>Help page</source>
-            <translation>Страница справки</translation>
-        </message>
-        <message>
-            <source>Back</source>
-            <translation>Назад</translation>
-        </message>
-        <message>
-            <source>Forward</source>
-            <translation>Вперёд</translation>
-        </message>
-        <message>
-            <source>Contents</source>
-            <translation>Содержание</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::ImportDialog</name>
-        <message>
-            <source>Import</source>
-            <translation>Импорт</translation>
-        </message>
-        <message>
-            <source>How to read %1</source>
-            <translation>Как читать %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::ImportFields</name>
-        <message>
-            <source>16 bit integer</source>
-            <translation>целые 16 бит</translation>
-        </message>
-        <message>
-            <source>32 bit integer</source>
-            <translation>целые 32 бита</translation>
-        </message>
-        <message>
-            <source>32 bit float</source>
-            <translation>вещественные 32 бита</translation>
-        </message>
-        <message>
-            <source>64 bit float</source>
-            <translation>вещественные 64 бита</translation>
-        </message>
-        <message>
-            <source>Byte order</source>
-            <translation>Порядок байтов</translation>
-        </message>
-        <message>
-            <source>Channel C</source>
-            <translation>Канал C</translation>
-        </message>
-        <message>
-            <source>Channel D</source>
-            <translation>Канал D</translation>
-        </message>
-        <message>
-            <source>Channels</source>
-            <translation>Каналы</translation>
-        </message>
-        <message>
-            <source>Counted from 1; a time column does not count</source>
-            <translation>Счёт от 1; столбец времени не в счёт</translation>
-        </message>
-        <message>
-            <source>Hz</source>
-            <translation>Гц</translation>
-        </message>
-        <message>
-            <source>Sample rate</source>
-            <translation>Частота дискретизации</translation>
-        </message>
-        <message>
-            <source>Sample type</source>
-            <translation>Тип отсчётов</translation>
-        </message>
-        <message>
-            <source>Scale</source>
-            <translation>Масштаб</translation>
-        </message>
-        <message>
-            <source>Used where the file has no rate of its own</source>
-            <translation>Действует, если в файле частота не указана</translation>
-        </message>
-        <message>
-            <source>Variables</source>
-            <translation>Переменные</translation>
-        </message>
-        <message>
-            <source>big endian</source>
-            <translation>старший байт первым</translation>
-        </message>
-        <message>
-            <source>little endian</source>
-            <translation>младший байт первым</translation>
-        </message>
-        <message>
-            <source>bytes</source>
-            <translation>байт</translation>
-        </message>
-        <message>
-            <source>from the file</source>
-            <translation>из файла</translation>
-        </message>
-        <message>
-            <source>the first that fit</source>
-            <translation>первые подходящие</translation>
-        </message>
-        <message>
-            <source>Above the first row of numbers</source>
-            <translation>Над первой строкой чисел</translation>
-        </message>
-        <message>
-            <source>By its content, or as what it is said to be</source>
-            <translation>По содержимому или так, как указано</translation>
-        </message>
-        <message>
-            <source>Bytes before the first sample</source>
-            <translation>Байты перед первым отсчётом</translation>
-        </message>
-        <message>
-            <source>Decimal sign</source>
-            <translation>Десятичный знак</translation>
-        </message>
-        <message>
-            <source>Gives the sample rate and is no channel; all other columns are</source>
-            <translation>Задаёт частоту дискретизации и не является каналом; остальные столбцы — каналы</translation>
-        </message>
-        <message>
-            <source>Header</source>
-            <translation>Заголовок</translation>
-        </message>
-        <message>
-            <source>How each sample is stored</source>
-            <translation>Как хранится каждый отсчёт</translation>
-        </message>
-        <message>
-            <source>Interleaved: a sample of each, then the next of each</source>
-            <translation>Чередуются: по отсчёту каждого канала, затем по следующему</translation>
-        </message>
-        <message>
-            <source>Lines to skip</source>
-            <translation>Пропустить строк</translation>
-        </message>
-        <message>
-            <source>Little endian: the lowest byte comes first</source>
-            <translation>Младший байт первым: в файле он стоит раньше старшего</translation>
-        </message>
-        <message>
-            <source>Names of the variables that hold C and D and, third, the rate, with commas between them</source>
-            <translation>Имена переменных, в которых C и D и, третьей, частота дискретизации, через запятую</translation>
-        </message>
-        <message>
-            <source>Of the numbers in the file</source>
-            <translation>Чисел в файле</translation>
-        </message>
-        <message>
-            <source>Of the samples, once they are scaled</source>
-            <translation>Отсчётов после умножения на масштаб</translation>
-        </message>
-        <message>
-            <source>Of the time column</source>
-            <translation>Столбца времени</translation>
-        </message>
-        <message>
-            <source>Read as</source>
-            <translation>Читать как</translation>
-        </message>
-        <message>
-            <source>Recording units per count or per unit of the file</source>
-            <translation>Единиц записи на единицу кода или единицу файла</translation>
-        </message>
-        <message>
-            <source>Separator</source>
-            <translation>Разделитель</translation>
-        </message>
-        <message>
-            <source>Time column</source>
-            <translation>Столбец времени</translation>
-        </message>
-        <message>
-            <source>Unit</source>
-            <translation>Единица</translation>
-        </message>
-        <message>
-            <source>Unit of time</source>
-            <translation>Единица времени</translation>
-        </message>
-        <message>
-            <source>What stands between the columns</source>
-            <translation>Что стоит между столбцами</translation>
-        </message>
-        <message>
-            <source>automatic</source>
-            <translation>авто</translation>
-        </message>
-        <message>
-            <source>automatic: %1</source>
-            <translation>авто: %1</translation>
-        </message>
-        <message>
-            <source>comma</source>
-            <translation>запятая</translation>
-        </message>
-        <message>
-            <source>from the time column</source>
-            <translation>из столбца времени</translation>
-        </message>
-        <message>
-            <source>ms</source>
-            <translation>мс</translation>
-        </message>
-        <message>
-            <source>needed</source>
-            <translation>нужно указать</translation>
-        </message>
-        <message>
-            <source>none</source>
-            <translation>нет</translation>
-        </message>
-        <message>
-            <source>ns</source>
-            <translation>нс</translation>
-        </message>
-        <message>
-            <source>point</source>
-            <translation>точка</translation>
-        </message>
-        <message>
-            <source>raw samples</source>
-            <translation>отсчёты без заголовка</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>с</translation>
-        </message>
-        <message>
-            <source>semicolon</source>
-            <translation>точка с запятой</translation>
-        </message>
-        <message>
-            <source>spaces</source>
-            <translation>пробелы</translation>
-        </message>
-        <message>
-            <source>tab</source>
-            <translation>табуляция</translation>
-        </message>
-        <message>
-            <source>text</source>
-            <translation>текст</translation>
-        </message>
-        <message>
-            <source>vertical bar</source>
-            <translation>вертикальная черта</translation>
-        </message>
-        <message>
-            <source>what it is by content</source>
-            <translation>по содержимому</translation>
-        </message>
-        <message>
-            <source>µs</source>
-            <translation>мкс</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::ImportPreview</name>
-        <message>
-            <source>First rows</source>
-            <translation>Первые строки</translation>
-        </message>
-        <message>
-            <source>First samples</source>
-            <translation>Первые отсчёты</translation>
-        </message>
-        <message>
-            <source>ms</source>
-            <translation>мс</translation>
-        </message>
-        <message>
-            <source>samples</source>
-            <translation>отсчёты</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::MainWindow</name>
-        <message>
-            <source>Recordings</source>
-            <translation>Записи</translation>
-        </message>
-        <message>
-            <source>Analysis</source>
-            <translation>Обработка</translation>
-        </message>
-        <message>
-            <source>Values and events</source>
-            <translation>Значения и события</translation>
-        </message>
-        <message>
-            <source>Runs</source>
-            <translation>Расчёты</translation>
-        </message>
-        <message>
-            <source>Export plots</source>
-            <translation>Экспорт графиков</translation>
-        </message>
-        <message>
-            <source>PNG image (*.png)</source>
-            <translation>Изображение PNG (*.png)</translation>
-        </message>
-        <message>
-            <source>SVG drawing (*.svg)</source>
-            <translation>Чертёж SVG (*.svg)</translation>
-        </message>
-        <message>
-            <source>PDF document (*.pdf)</source>
-            <translation>Документ PDF (*.pdf)</translation>
-        </message>
-        <message>
-            <source>Export track</source>
-            <translation>Экспорт ряда</translation>
-        </message>
-        <message>
-            <source>Track (*.csv)</source>
-            <translation>Ряд (*.csv)</translation>
-        </message>
-        <message>
-            <source>&amp;File</source>
-            <translation>&amp;Файл</translation>
-        </message>
-        <message>
-            <source>Open &amp;recent</source>
-            <translation>&amp;Недавние</translation>
-        </message>
-        <message>
-            <source>&amp;Edit</source>
-            <translation>&amp;Правка</translation>
-        </message>
-        <message>
-            <source>&amp;View</source>
-            <translation>&amp;Вид</translation>
-        </message>
-        <message>
-            <source>&amp;Plots</source>
-            <translation>&amp;Графики</translation>
-        </message>
-        <message>
-            <source>Hz</source>
-            <translation>Гц</translation>
-        </message>
-        <message>
-            <source>rad/s</source>
-            <translation>рад/с</translation>
-        </message>
-        <message>
-            <source>Deviation from f₀, Hz</source>
-            <translation>Отклонение от f₀, Гц</translation>
-        </message>
-        <message>
-            <source>Deviation from f₀, ppm</source>
-            <translation>Отклонение от f₀, млн⁻¹</translation>
-        </message>
-        <message>
-            <source>Fre&amp;quency in</source>
-            <translation>&amp;Частота в</translation>
-        </message>
-        <message>
-            <source>Radians</source>
-            <translation>Радианы</translation>
-        </message>
-        <message>
-            <source>Degrees</source>
-            <translation>Градусы</translation>
-        </message>
-        <message>
-            <source>&amp;Angles in</source>
-            <translation>&amp;Углы в</translation>
-        </message>
-        <message>
-            <source>Recording units</source>
-            <translation>Единицы записи</translation>
-        </message>
-        <message>
-            <source>Decibels</source>
-            <translation>Децибелы</translation>
-        </message>
-        <message>
-            <source>A&amp;mplitudes in</source>
-            <translation>&amp;Амплитуды в</translation>
-        </message>
-        <message>
-            <source>Pa&amp;nels</source>
-            <translation>&amp;Панели</translation>
-        </message>
-        <message>
-            <source>As the system</source>
-            <translation>Как в системе</translation>
-        </message>
-        <message>
-            <source>Light</source>
-            <translation>Светлая</translation>
-        </message>
-        <message>
-            <source>Dark</source>
-            <translation>Тёмная</translation>
-        </message>
-        <message>
-            <source>&amp;Theme</source>
-            <translation>&amp;Тема</translation>
-        </message>
-        <message>
-            <source>Lan&amp;guage</source>
-            <translation>&amp;Язык</translation>
-        </message>
-        <message>
-            <source>&amp;Analysis</source>
-            <translation>О&amp;бработка</translation>
-        </message>
-        <message>
-            <source>&amp;Help</source>
-            <translation>&amp;Справка</translation>
-        </message>
-        <message>
-            <source>At the cursor</source>
-            <translation>Под курсором</translation>
-        </message>
-        <message>
-            <source>Events</source>
-            <translation>События</translation>
-        </message>
-        <message>
-            <source>Tools</source>
-            <translation>Инструменты</translation>
-        </message>
-        <message>
-            <source>Overview of the recording</source>
-            <translation>Обзор записи</translation>
-        </message>
-        <message>
-            <source>Open recordings</source>
-            <translation>Открыть записи</translation>
-        </message>
-        <message>
-            <source>All files (*)</source>
-            <translation>Все файлы (*)</translation>
-        </message>
-        <message>
-            <source>Written: %1</source>
-            <translation>Записано: %1</translation>
-        </message>
-        <message>
-            <source>Export figure</source>
-            <translation>Экспорт рисунка</translation>
-        </message>
-        <message>
-            <source>About Vybeg</source>
-            <translation>О программе Vybeg</translation>
-        </message>
-        <message>
-            <source>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Standing waves in the free decay of hemispherical resonator gyros.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Free software: GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-            <translation>&lt;h3&gt;Vybeg %1&lt;/h3&gt;&lt;p&gt;Стоячие волны в свободном выбеге твердотельных волновых гироскопов.&lt;/p&gt;&lt;p&gt;Qt %2, QCustomPlot %3&lt;/p&gt;&lt;p&gt;Свободная программа: GNU General Public License версии 3 или новее.&lt;/p&gt;</translation>
-        </message>
-        <message>
-            <source>Copy diagnostics</source>
-            <translation>Копировать сведения</translation>
-        </message>
-        <message>
-            <source>Float</source>
-            <translation>Открепить</translation>
-        </message>
-        <message>
-            <source>Close this panel</source>
-            <translation>Закрыть панель</translation>
-        </message>
-        <message>
-            <source>Recordings (%1)</source>
-            <translation>Записи (%1)</translation>
-        </message>
-        <message>
-            <source>Audio (%1)</source>
-            <translation>Звук (%1)</translation>
-        </message>
-        <message>
-            <source>Tables of numbers (%1)</source>
-            <translation>Таблицы чисел (%1)</translation>
-        </message>
-        <message>
-            <source>Arrays (%1)</source>
-            <translation>Массивы (%1)</translation>
-        </message>
-        <message>
-            <source>Import a recording</source>
-            <translation>Импорт записи</translation>
-        </message>
-        <message>
-            <source>Save passport</source>
-            <translation>Сохранение паспорта</translation>
-        </message>
-        <message>
-            <source>Passport (*.json)</source>
-            <translation>Паспорт (*.json)</translation>
-        </message>
-        <message>
-            <source>Resonator</source>
-            <translation>Резонатор</translation>
-        </message>
-        <message>
-            <source>Compare with passport</source>
-            <translation>Сравнение с паспортом</translation>
-        </message>
-        <message>
-            <source>Export plot</source>
-            <translation>Экспорт графика</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::MessageBar</name>
-        <message>
-            <source>Close this message</source>
-            <translation>Закрыть это сообщение</translation>
-        </message>
-        <message>
-            <source>Import…</source>
-            <translation>Импорт…</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::NumberField</name>
-        <message>
-            <source>A number is needed.</source>
-            <translation>Нужно число.</translation>
-        </message>
-        <message>
-            <source>“%1” is no number.</source>
-            <translation>«%1» — не число.</translation>
-        </message>
-        <message>
-            <source>A whole number is needed.</source>
-            <translation>Нужно целое число.</translation>
-        </message>
-        <message>
-            <source>At least %1 is needed.</source>
-            <translation>Нужно не меньше %1.</translation>
-        </message>
-        <message>
-            <source>At most %1 is possible.</source>
-            <translation>Нужно не больше %1.</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::QuantityTable</name>
-        <message>
-            <source>sd</source>
-            <translation>СКО</translation>
-        </message>
-        <message>
-            <source>value</source>
-            <translation>значение</translation>
-        </message>
-        <message>
-            <source>Copy table</source>
-            <translation>Копировать таблицу</translation>
-        </message>
-        <message>
-            <source>u</source>
-            <translation>u</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::RangeFields</name>
-        <message>
-            <source>From, to</source>
-            <translation>От, до</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>с</translation>
-        </message>
-        <message>
-            <source>Part of the recording to analyse, from its start.</source>
-            <translation>Обрабатываемый участок, от начала записи.</translation>
-        </message>
-        <message>
-            <source>Range from</source>
-            <translation>Участок от</translation>
-        </message>
-        <message>
-            <source>Range to</source>
-            <translation>Участок до</translation>
-        </message>
-        <message>
-            <source>Whole</source>
-            <translation>Вся запись</translation>
-        </message>
-        <message>
-            <source>Analyse the whole recording</source>
-            <translation>Обработать всю запись</translation>
-        </message>
-        <message>
-            <source>As visible</source>
-            <translation>Видимый</translation>
-        </message>
-        <message>
-            <source>Analyse the time range that the plots show</source>
-            <translation>Обработать интервал, который виден на графиках</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::RecentFiles</name>
-        <message>
-            <source>Clear this list</source>
-            <translation>Очистить список</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::RecordingPanel</name>
-        <message>
-            <source>%1 of %2</source>
-            <translation>%1 из %2</translation>
-        </message>
-        <message>
-            <source>%1 (opening)</source>
-            <translation>%1 (открывается)</translation>
-        </message>
-        <message>
-            <source>%1 Hz, from the file</source>
-            <translation>%1 Гц, из файла</translation>
-        </message>
-        <message>
-            <source>%1 Hz, from the time column</source>
-            <translation>%1 Гц, по столбцу времени</translation>
-        </message>
-        <message>
-            <source>%1 Hz, typed</source>
-            <translation>%1 Гц, задана</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1 s, %n sample(s)</source>
-            <translation>
-                <numerusform>%1 с, %n отсчёт</numerusform>
-                <numerusform>%1 с, %n отсчёта</numerusform>
-                <numerusform>%1 с, %n отсчётов</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>%1 Hz</source>
-            <translation>%1 Гц</translation>
-        </message>
-        <message>
-            <source>Open recordings</source>
-            <translation>Открытые записи</translation>
-        </message>
-        <message>
-            <source>Close recording</source>
-            <translation>Закрыть запись</translation>
-        </message>
-        <message>
-            <source>Import again…</source>
-            <translation>Импортировать заново…</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>Файл</translation>
-        </message>
-        <message>
-            <source>Format</source>
-            <translation>Формат</translation>
-        </message>
-        <message>
-            <source>Rate</source>
-            <translation>Дискретизация</translation>
-        </message>
-        <message>
-            <source>Length</source>
-            <translation>Длительность</translation>
-        </message>
-        <message>
-            <source>Channels</source>
-            <translation>Каналы</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>Начало</translation>
-        </message>
-        <message>
-            <source>f₀</source>
-            <translation>f₀</translation>
-        </message>
-        <message>
-            <source>SHA-256</source>
-            <translation>SHA-256</translation>
-        </message>
-        <message>
-            <source>Add to the set of the resonator</source>
-            <translation>Добавить в набор резонатора</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::ResonatorPanel</name>
-        <message>
-            <source>Nothing identified yet.</source>
-            <translation>Пока ничего не идентифицировано.</translation>
-        </message>
-        <message>
-            <source>Open recordings of a free decay to identify the resonator.</source>
-            <translation>Откройте записи выбега, чтобы идентифицировать резонатор.</translation>
-        </message>
-        <message>
-            <source>Structured model</source>
-            <translation>Структурная модель</translation>
-        </message>
-        <message>
-            <source>Free model</source>
-            <translation>Свободная модель</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1, %n recording(s); χ² per degree of freedom %2</source>
-            <translation>
-                <numerusform>%1, %n запись; χ² на степень свободы %2</numerusform>
-                <numerusform>%1, %n записи; χ² на степень свободы %2</numerusform>
-                <numerusform>%1, %n записей; χ² на степень свободы %2</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Out of date.</source>
-            <translation>Устарело.</translation>
-        </message>
-        <message>
-            <source>The set or its settings have changed since: identify again.</source>
-            <translation>Набор или его параметры с тех пор изменились: идентифицируйте снова.</translation>
-        </message>
-        <message>
-            <source>%1 is open: identify the set to compare.</source>
-            <translation>Открыт %1: идентифицируйте набор, чтобы сравнить.</translation>
-        </message>
-        <message>
-            <source>Resonator</source>
-            <translation>Резонатор</translation>
-        </message>
-        <message>
-            <source>Modes</source>
-            <translation>Моды</translation>
-        </message>
-        <message>
-            <source>Runs of the set</source>
-            <translation>Пуски набора</translation>
-        </message>
-        <message>
-            <source>Drift function</source>
-            <translation>Функция дрейфа</translation>
-        </message>
-        <message>
-            <source>Channel balance, condition (30)</source>
-            <translation>Баланс каналов, условие (30)</translation>
-        </message>
-        <message>
-            <source>Comparison with the passport</source>
-            <translation>Сравнение с паспортом</translation>
-        </message>
-        <message>
-            <source>Harmonics of the drift function</source>
-            <translation>Гармоники функции дрейфа</translation>
-        </message>
-        <message>
-            <source>Zero within its band while the channels are balanced as the fit has them</source>
-            <translation>Нуль в пределах полосы, пока каналы сбалансированы так, как в подгонке</translation>
-        </message>
-        <message>
-            <source>Tracks of the runs and of the passport</source>
-            <translation>Графики пусков и паспорта</translation>
-        </message>
-        <message>
-            <source>Lines: these recordings; dashed: the passport</source>
-            <translation>Линии — эти записи, штриховые — паспорт</translation>
-        </message>
-        <message>
-            <source>What to overlay</source>
-            <translation>Что наложить</translation>
-        </message>
-        <message>
-            <source>Amplitude of the working wave</source>
-            <translation>Амплитуда рабочей волны</translation>
-        </message>
-        <message>
-            <source>Amplitude of the quadrature wave</source>
-            <translation>Амплитуда квадратурной волны</translation>
-        </message>
-        <message>
-            <source>Wave angle</source>
-            <translation>Угол волны</translation>
-        </message>
-        <message>
-            <source>Close the passport</source>
-            <translation>Закрыть паспорт</translation>
-        </message>
-        <message>
-            <source>Not comparable: %1</source>
-            <translation>Несравнимо: %1</translation>
-        </message>
-        <message>
-            <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator. Without what the quadrature adds</source>
-            <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору. Без того, что добавляет квадратура</translation>
-        </message>
-        <message>
-            <source>Modes, by decay</source>
-            <translation>Моды, по затуханию</translation>
-        </message>
-        <message>
-            <source>Modes, by frequency</source>
-            <translation>Моды, по частоте</translation>
-        </message>
-        <message>
-            <source>Compared with %1. Changed: by %2 uncertainties u of the difference or more; by chance in one comparison of 370.</source>
-            <translation>Сравнение с %1. Изменился: от %2 неопределённостей u разности; случайно — в одном сравнении из 370.</translation>
-        </message>
-        <message>
-            <source>What the waves did</source>
-            <translation>Поведение волн</translation>
-        </message>
-        <message>
-            <source>Sensitivity to the channels</source>
-            <translation>Чувствительность к ошибкам каналов</translation>
-        </message>
-        <message>
-            <source>± is the statistical standard deviation; u, where it differs, holds the tolerances of the channels (Calibration) too. Errors of the channels without a tolerance count as none: the next table shows what they would change.</source>
-            <translation>± — статистическое СКО; u, если отличается, включает и допуски каналов (Калибровка). Ошибки каналов без допуска считаются отсутствующими: что они изменили бы, показывает следующая таблица.</translation>
-        </message>
-        <message>
-            <source>Frequencies change from</source>
-            <translation>Частоты изменились от</translation>
-        </message>
-        <message>
-            <source>Frequencies follow the temperature: smaller changes, in parts per million, are none of the gyro</source>
-            <translation>Частоты следуют за температурой: меньшие изменения, в миллионных долях, — не изменения гироскопа</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::RunList</name>
-        <message>
-            <source>%1 (%2 flagged)</source>
-            <translation>%1 (помечено %2)</translation>
-        </message>
-        <message>
-            <source>Runs</source>
-            <translation>Расчёты</translation>
-        </message>
-        <message>
-            <source>Run</source>
-            <translation>Расчёт</translation>
-        </message>
-        <message>
-            <source>Recording</source>
-            <translation>Запись</translation>
-        </message>
-        <message>
-            <source>Algorithm</source>
-            <translation>Алгоритм</translation>
-        </message>
-        <message>
-            <source>n</source>
-            <translation>n</translation>
-        </message>
-        <message>
-            <source>Windows</source>
-            <translation>Окон</translation>
-        </message>
-        <message>
-            <source>Mean f, Hz</source>
-            <translation>Средняя f, Гц</translation>
-        </message>
-        <message>
-            <source>Noise</source>
-            <translation>Шум</translation>
-        </message>
-        <message>
-            <source>Time, ms</source>
-            <translation>Время, мс</translation>
-        </message>
-        <message>
-            <source>Notes</source>
-            <translation>Замечания</translation>
-        </message>
-        <message>
-            <source>Snap</source>
-            <translation>Подогнать</translation>
-        </message>
-        <message>
-            <source>Analyse again with a window of whole half-periods, which leaks least</source>
-            <translation>Рассчитать снова с окном из целых полупериодов: утечка в нём наименьшая</translation>
-        </message>
-        <message>
-            <source>Leakage of the window limits the mean frequency, by %1 Hz.</source>
-            <translation>Среднюю частоту ограничивает утечка окна: %1 Гц.</translation>
-        </message>
-        <message numerus="yes">
-            <source>The frequency of %n window(s) lies at the bound of the search; the mean's deviation allows for them.</source>
-            <translation>
-                <numerusform>Частота %n окна лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-                <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-                <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Weighted mean of the frequency f_cp over all valid windows ± its standard deviation: scatter between windows, leakage of algorithms 1 to 4, bounds of the search</source>
-            <translation>Взвешенное среднее частоты f_cp по всем годным окнам ± его СКО: разброс между окнами, утечка алгоритмов 1–4, границы поиска</translation>
-        </message>
-        <message>
-            <source>Noise per sample and channel: residual of the windows, its degrees of freedom counted</source>
-            <translation>Шум на отсчёт и канал: остаток в окнах с учётом числа степеней свободы</translation>
-        </message>
-        <message>
-            <source>Time in the estimators alone</source>
-            <translation>Время самих алгоритмов</translation>
-        </message>
-        <message>
-            <source>Window, samples</source>
-            <translation>Окно, отсчётов</translation>
-        </message>
-        <message>
-            <source>Rename</source>
-            <translation>Переименовать</translation>
-        </message>
-        <message>
-            <source>Run again with its settings</source>
-            <translation>Рассчитать снова с его настройками</translation>
-        </message>
-        <message>
-            <source>Remove</source>
-            <translation>Удалить</translation>
-        </message>
-        <message>
-            <source>%1 of %2</source>
-            <translation>%1 из %2</translation>
-        </message>
-        <message>
-            <source>Follows the settings while Live is on; Run keeps a run as it is</source>
-            <translation>Следует за настройками, пока включено «На лету»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::SetPanel</name>
-        <message>
-            <source>Set of runs</source>
-            <translation>Набор пусков</translation>
-        </message>
-        <message>
-            <source>Recordings of one resonator that are identified together; type here to name them</source>
-            <translation>Записи одного резонатора, которые идентифицируются вместе; чтобы назвать набор, введите имя</translation>
-        </message>
-        <message>
-            <source>New set</source>
-            <translation>Новый набор</translation>
-        </message>
-        <message>
-            <source>Remove the set</source>
-            <translation>Убрать набор</translation>
-        </message>
-        <message>
-            <source>Remove the set; its recordings stay open</source>
-            <translation>Убрать набор; его записи остаются открытыми</translation>
-        </message>
-        <message>
-            <source>Recordings of the set</source>
-            <translation>Записи набора</translation>
-        </message>
-        <message>
-            <source>Drag recordings of one resonator here, best started at four angles</source>
-            <translation>Перетащите сюда записи одного резонатора, лучше всего с четырьмя начальными углами</translation>
-        </message>
-        <message>
-            <source>Remove from the set</source>
-            <translation>Убрать из набора</translation>
-        </message>
-        <message>
-            <source>Recordings</source>
-            <translation>Записи</translation>
-        </message>
-        <message>
-            <source>Which of the open recordings belong to the set</source>
-            <translation>Какие из открытых записей входят в набор</translation>
-        </message>
-        <message>
-            <source>Model</source>
-            <translation>Модель</translation>
-        </message>
-        <message>
-            <source>Model of the resonator</source>
-            <translation>Модель резонатора</translation>
-        </message>
-        <message>
-            <source>Automatic</source>
-            <translation>Автоматически</translation>
-        </message>
-        <message>
-            <source>Structured: calibrated pick-offs</source>
-            <translation>Структурная: датчики калиброваны</translation>
-        </message>
-        <message>
-            <source>Free: modes alone</source>
-            <translation>Свободная: только моды</translation>
-        </message>
-        <message>
-            <source>Structured, unless the free model fits significantly better</source>
-            <translation>Структурная, если свободная не подходит значимо лучше</translation>
-        </message>
-        <message>
-            <source>The channels are the cosine and sine of the standing wave: split, axes, damping</source>
-            <translation>Каналы — косинус и синус стоячей волны: разночастотность, оси, затухание</translation>
-        </message>
-        <message>
-            <source>The channels are any two views of the modes, as with a bell: their frequencies and decay times</source>
-            <translation>Каналы — два любых вида на моды, как у колокола: их частоты и времена затухания</translation>
-        </message>
-        <message>
-            <source>Identify</source>
-            <translation>Идентифицировать</translation>
-        </message>
-        <message>
-            <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording (F7)</source>
-            <translation>Подогнать один резонатор ко всем записям набора, а если он пуст — к текущей записи (F7)</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::SettingsFields</name>
-        <message>
-            <source>Not in effect: %1</source>
-            <translation>Не действует: %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::SettingsPanel</name>
-        <message>
-            <source>Window</source>
-            <translation>Окно</translation>
-        </message>
-        <message>
-            <source>Range</source>
-            <translation>Участок</translation>
-        </message>
-        <message>
-            <source>Carrier and filter</source>
-            <translation>Несущая и фильтр</translation>
-        </message>
-        <message>
-            <source>Start values</source>
-            <translation>Начальное приближение</translation>
-        </message>
-        <message>
-            <source>Calibration</source>
-            <translation>Калибровка</translation>
-        </message>
-        <message>
-            <source>Algorithm</source>
-            <translation>Алгоритм</translation>
-        </message>
-        <message>
-            <source>Run</source>
-            <translation>Рассчитать</translation>
-        </message>
-        <message>
-            <source>Analyse the current recording with these settings and keep the run (F5)</source>
-            <translation>Обработать текущую запись с этими настройками и оставить расчёт в списке (F5)</translation>
-        </message>
-        <message>
-            <source>Live</source>
-            <translation>На лету</translation>
-        </message>
-        <message>
-            <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same run. What is to stay for comparison is kept by Run (Ctrl+L)</source>
-            <translation>Каждое изменение настройки сразу видно: сначала на видимой части графиков, затем на остальной, всегда в одном и том же расчёте. То, что нужно для сравнения, оставляет кнопка «Рассчитать» (Ctrl+L)</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::SignalView</name>
-        <message>
-            <source>Overview of the recording</source>
-            <translation>Обзор записи</translation>
-        </message>
-        <message>
-            <source>reading…</source>
-            <translation>чтение…</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>с</translation>
-        </message>
-        <message>
-            <source>Analysed range: drag the ends of the bar</source>
-            <translation>Обрабатываемый участок: тяните за концы полосы</translation>
-        </message>
-        <message>
-            <source>Visible range: drag the edges, or the inside to shift it</source>
-            <translation>Видимый интервал: тяните за края, а за середину — для сдвига</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::StaleMark</name>
-        <message>
-            <source>algorithm</source>
-            <translation>алгоритм</translation>
-        </message>
-        <message>
-            <source>window</source>
-            <translation>окно</translation>
-        </message>
-        <message>
-            <source>range</source>
-            <translation>участок</translation>
-        </message>
-        <message>
-            <source>carrier</source>
-            <translation>несущая</translation>
-        </message>
-        <message>
-            <source>filter</source>
-            <translation>фильтр</translation>
-        </message>
-        <message>
-            <source>start values</source>
-            <translation>начальное приближение</translation>
-        </message>
-        <message>
-            <source>calibration</source>
-            <translation>калибровка</translation>
-        </message>
-        <message>
-            <source>The plots are older than the Analysis panel. Changed since: %1.</source>
-            <translation>Графики старше панели «Обработка». С тех пор изменено: %1.</translation>
-        </message>
-        <message>
-            <source>Run</source>
-            <translation>Рассчитать</translation>
-        </message>
-        <message>
-            <source>Analyse the current recording with the settings of the panel (F5)</source>
-            <translation>Рассчитать текущую запись с параметрами панели (F5)</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::StartFields</name>
-        <message>
-            <source>Start from</source>
-            <translation>Начинать с</translation>
-        </message>
-        <message>
-            <source>First guess of the conjugate gradient for each window: the closed forms (15), (18) of algorithm 1, the result of the window before, or your own values.</source>
-            <translation>Начальное приближение сопряжённого градиента в каждом окне: формулы (15), (18) алгоритма 1, результат предыдущего окна или свои значения.</translation>
-        </message>
-        <message>
-            <source>Start value of the functional F&apos;s parameter, in the notation of (6).</source>
-            <translation>Начальное значение параметра функционала F в обозначениях (6).</translation>
-        </message>
-        <message>
-            <source>a_A</source>
-            <translation>a_A</translation>
-        </message>
-        <message>
-            <source>a_B</source>
-            <translation>a_B</translation>
-        </message>
-        <message>
-            <source>2θ_A</source>
-            <translation>2θ_A</translation>
-        </message>
-        <message>
-            <source>rad</source>
-            <translation>рад</translation>
-        </message>
-        <message>
-            <source>α</source>
-            <translation>α</translation>
-        </message>
-        <message>
-            <source>Phase at the centre of the first window; it is carried on to the others with the frequency.</source>
-            <translation>Фаза в центре первого окна; на остальные переносится с частотой.</translation>
-        </message>
-        <message>
-            <source>f</source>
-            <translation>f</translation>
-        </message>
-        <message>
-            <source>Hz</source>
-            <translation>Гц</translation>
-        </message>
-        <message>
-            <source>algorithm 1, each window</source>
-            <translation>алгоритма 1, каждое окно</translation>
-        </message>
-        <message>
-            <source>previous window</source>
-            <translation>предыдущего окна</translation>
-        </message>
-        <message>
-            <source>typed values</source>
-            <translation>своих значений</translation>
-        </message>
-        <message>
-            <source>for every window</source>
-            <translation>для каждого окна</translation>
-        </message>
-        <message>
-            <source>On: every window starts from the typed values. Off: only the first one, the others from the result of the window before.</source>
-            <translation>Включено: каждое окно начинается со своих значений. Выключено: только первое, остальные — с результата предыдущего окна.</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::StatusLine</name>
-        <message numerus="yes">
-            <source>%n window(s) in %1 s</source>
-            <translation>
-                <numerusform>%n окно за %1 с</numerusform>
-                <numerusform>%n окна за %1 с</numerusform>
-                <numerusform>%n окон за %1 с</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>Resonator of %n recording(s) in %1 s</source>
-            <translation>
-                <numerusform>Резонатор по %n записи за %1 с</numerusform>
-                <numerusform>Резонатор по %n записям за %1 с</numerusform>
-                <numerusform>Резонатор по %n записям за %1 с</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>%1 s left</source>
-            <translation>осталось %1 с</translation>
-        </message>
-        <message>
-            <source>Analysing…</source>
-            <translation>Идёт расчёт…</translation>
-        </message>
-        <message>
-            <source>Progress of the analysis</source>
-            <translation>Ход расчёта</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Прервать</translation>
-        </message>
-        <message>
-            <source>Cancelled</source>
-            <translation>Прервано</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::TrackView</name>
-        <message>
-            <source>Slow variables over time</source>
-            <translation>Медленные переменные во времени</translation>
-        </message>
-        <message>
-            <source>No analysis yet.
+        <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit with --channels, or give the gain ratio with --kappa.</source>
+        <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей (--channels) или задайте отношение усилений (--kappa).</translation>
+    </message>
+    <message>
+        <source>Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged.</source>
+        <translation>Канал %1 ограничен: на пределе шкалы (%3) отсчётов: %2. Окна с ними помечены.</translation>
+    </message>
+    <message>
+        <source>Samples lost: %1 at %2 s. Windows over the place are flagged.</source>
+        <translation>Потеряно отсчётов: %1, на %2 с. Окна над этим местом помечены.</translation>
+    </message>
+    <message>
+        <source>Samples doubled: %1 at %2 s. Windows over the place are flagged.</source>
+        <translation>Повторено отсчётов: %1, на %2 с. Окна над этим местом помечены.</translation>
+    </message>
+    <message>
+        <source>A step of %1 rad in the phase of both channels at %2 s. Samples doubled: %3, or lost: %4; the phase shows them only modulo the period. Windows over the place are flagged.</source>
+        <translation>Скачок фазы на %1 рад в обоих каналах, на %2 с. Повторено отсчётов: %3, либо потеряно: %4; фаза показывает их число только с точностью до периода. Окна над этим местом помечены.</translation>
+    </message>
+    <message>
+        <source>Further places where samples were lost or doubled: %1.</source>
+        <translation>Отсчёты потеряны или повторены ещё в стольких местах: %1.</translation>
+    </message>
+    <message>
+        <source>Channel %1 stays within %2 levels of the converter: its signal is below one bit.</source>
+        <translation>Канал %1 не выходит за %2 уровня преобразователя: сигнал меньше одного разряда.</translation>
+    </message>
+    <message>
+        <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out (--offset auto).</source>
+        <translation>В канале %1 постоянное смещение %2, %3 % амплитуды. Его убирает калибровка (--offset auto).</translation>
+    </message>
+    <message>
+        <source>A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out (--filter).</source>
+        <translation>Сетевая наводка на %1 Гц, %2 % несущей. Её убирает полосовой фильтр (--filter).</translation>
+    </message>
+    <message>
+        <source>The first %1 s do not decay as what follows. The range can leave them out (--from).</source>
+        <translation>Первые %1 с затухают не так, как дальнейшее. Их можно исключить диапазоном (--from).</translation>
+    </message>
+    <message>
+        <source>Lost samples made gaps, as asked for: %1; places: %2. Windows over them have no values.</source>
+        <translation>По запросу на месте потерянных отсчётов сделаны пропуски (отсчётов: %1, мест: %2); окна над ними без значений.</translation>
+    </message>
+    <message>
+        <source>Lost samples counted in the time behind them, so that the phase runs on: %1; places: %2.</source>
+        <translation>Потерянные отсчёты (%1, мест: %2) учтены во времени после них, так что фаза идёт дальше.</translation>
+    </message>
+    <message>
+        <source>Places where an unknown number of samples was lost or doubled: %1. The phase after each is a parameter of its own; time moves by the smallest possible number.</source>
+        <translation>Мест, где потеряно или повторено неизвестное число отсчётов: %1. Фаза после каждого — отдельный параметр; время сдвинуто на наименьшее возможное число.</translation>
+    </message>
+    <message>
+        <source>The first %1 s are left out of the fit: a strike, or what a band-pass makes of the beginning, is no free decay.</source>
+        <translation>Первые %1 с в подгонку не взяты: удар или то, что полосовой фильтр делает с началом записи, — не свободный выбег.</translation>
+    </message>
+    <message>
+        <source>The carrier given is %1 Hz, and the signal is at %2 Hz: that is used.</source>
+        <translation>Задана несущая %1 Гц, а сигнал находится на %2 Гц: использована эта частота.</translation>
+    </message>
+    <message>
+        <source>%1: %2 lines are to be skipped, and the file has only %3.</source>
+        <translation>%1: нужно пропустить строк: %2, а в файле их всего %3.</translation>
+    </message>
+    <message>
+        <source>%1: read as text with %2, no line from %3 on has two or more numbers; that line reads &quot;%4&quot;. Choose another delimiter, decimal sign or first line.</source>
+        <translation>%1: если читать как текст с параметрами %2, то начиная со строки %3 нет ни одной строки, где два числа или больше; там стоит «%4». Выберите другой разделитель, десятичный знак или первую строку.</translation>
+    </message>
+    <message>
+        <source>%1: there is no column %2 to be the time; the file has %3.</source>
+        <translation>%1: нет столбца %2, который был бы временем; столбцов в файле: %3.</translation>
+    </message>
+    <message>
+        <source>%1: the resonator needs %3 windows without faults, and there are %2. Use a longer recording or shorter windows.</source>
+        <translation>%1: для резонатора нужно не меньше %3 окон без дефектов, а их %2. Возьмите запись длиннее или окна короче.</translation>
+    </message>
+    <message>
+        <source>%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the shortest at this carrier. Keep one pair of modes with --filter.</source>
+        <translation>%1: биения линий %2 Гц и %3 Гц слишком быстры для окон в %4 отсчётов, самых коротких при этой несущей. Оставьте одну пару мод полосовым фильтром (--filter).</translation>
+    </message>
+    <message>
+        <source>%1: the window of %2 samples is too long for the beat between the lines at %3 Hz and %4 Hz. Use at most %5 samples, or leave the window out.</source>
+        <translation>%1: окно в %2 отсчётов слишком длинное для биений между линиями %3 Гц и %4 Гц. Возьмите не больше %5 отсчётов или не задавайте окно.</translation>
+    </message>
+    <message>
+        <source>The resonator cannot be fitted to %1: %2.</source>
+        <translation>Не удалось подогнать резонатор к %1: %2.</translation>
+    </message>
+    <message>
+        <source>Recording %1: the frequency drifts by %2 Hz per second (standard deviation %3); the drift is fitted, and Q is free of it.</source>
+        <translation>Запись %1: частота уходит на %2 Гц в секунду (стандартное отклонение %3); уход включён в подгонку, и добротность от него не зависит.</translation>
+    </message>
+    <message>
+        <source>The frequency depends on the amplitude: %1 Hz per squared recording unit (standard deviation %2); this is fitted.</source>
+        <translation>Частота зависит от амплитуды: %1 Гц на квадрат единицы записи (стандартное отклонение %2); это включено в подгонку.</translation>
+    </message>
+    <message>
+        <source>Recording %1: Q from the envelope, %2, and from the coherent fit, %3, differ by more than three standard deviations: the motion is not that of a resonator with constant parameters.</source>
+        <translation>Запись %1: добротность по огибающей, %2, и по когерентной подгонке, %3, расходятся больше чем на три стандартных отклонения: это не движение резонатора с постоянными параметрами.</translation>
+    </message>
+    <message>
+        <source>The residual is above the noise of the windows (chi square per degree of freedom %1); the standard deviations are enlarged to match.</source>
+        <translation>Остаток больше шума окон (хи-квадрат на степень свободы %1); стандартные отклонения соответственно увеличены.</translation>
+    </message>
+    <message>
+        <source>The fit of the resonator stopped before it converged: its values are refused.</source>
+        <translation>Подгонка резонатора остановилась, не сойдясь: её значения не приводятся.</translation>
+    </message>
+    <message>
+        <source>The damping was seen in one direction only: the recording&apos;s own decay time is given, not the resonator&apos;s.</source>
+        <translation>Затухание наблюдалось только в одном направлении: приводится время затухания самой записи, а не резонатора.</translation>
+    </message>
+    <message>
+        <source>The channels are no calibrated pair of pick-offs (%1): the free model gives the modes, and the resonator has no axes.</source>
+        <translation>Каналы — не откалиброванная пара датчиков (%1): свободная модель даёт моды, осей у резонатора нет.</translation>
+    </message>
+    <message>
+        <source>The residual is below the noise of the windows (chi square per degree of freedom %1): the standard deviations are too large.</source>
+        <translation>Невязка меньше шума окон (хи-квадрат на степень свободы %1): СКО завышены.</translation>
+    </message>
+    <message>
+        <source>The residual is not white (chi square per degree of freedom %1); the standard deviations follow its spectrum.</source>
+        <translation>Невязка не белая (хи-квадрат на степень свободы %1); СКО взяты по её спектру.</translation>
+    </message>
+    <message>
+        <source>The noise about the carrier is as narrow as the residual can show. Noise narrower than %1 Hz looks like the wave itself: the standard deviations may be too small. Record longer, or repeat the recording.</source>
+        <translation>Шум около несущей настолько узок, насколько это видно по невязке. Шум уже %1 Гц неотличим от самой волны: СКО могут быть занижены. Нужна более длинная запись или повторная.</translation>
+    </message>
+    <message>
+        <source>The residual is that of a damping that follows the amplitude (about %1 1/s per squared recording unit), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit later parts of the recordings, where the wave is smaller (--from).</source>
+        <translation>Невязка такая, как при затухании, зависящем от амплитуды (около %1 1/с на квадрат единицы записи); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите более поздние части записей, где волна меньше (--from).</translation>
+    </message>
+    <message>
+        <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out (--from).</source>
+        <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды (--from).</translation>
+    </message>
+    <message>
+        <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Take it out with a narrower band-pass (--filter).</source>
+        <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси, вращение и числа самой волны могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром (--filter).</translation>
+    </message>
+    <message>
+        <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or tell its tolerance (--tolerance).</source>
+        <translation>Невязка такая, как при ошибке каналов, принятой за ноль: %1, около %2. Откалибруйте её или задайте её допуск (--tolerance).</translation>
+    </message>
+    <message>
+        <source>The residual is that of pick-offs whose gain follows the amplitude: by about %1 % in channel C and %2 % in D at the largest amplitude, which the model does not hold. Split, damping, axes and rotation may be off by more than their deviations. Linearise the channels, or record smaller amplitudes.</source>
+        <translation>Невязка такая, как у датчиков, усиление которых зависит от амплитуды: примерно на %1 % в канале C и на %2 % в D при наибольшей амплитуде; в модели этого нет. Разночастотность, затухание, оси и вращение могут быть ошибочны больше своих СКО. Линеаризуйте каналы или запишите меньшие амплитуды.</translation>
+    </message>
+    <message>
+        <source>%1: the phase of both channels steps by %2 rad at %3 s; samples are lost or doubled there. The fit leaves the phase open at that place.</source>
+        <translation>%1: фаза обоих каналов делает скачок на %2 рад в %3 с; там потеряны или повторены отсчёты. Подгонка оставляет фазу в этом месте свободной.</translation>
+    </message>
+    <message>
+        <source>%1 has no effect: %2.</source>
+        <translation>%1 ни на что не влияет: %2.</translation>
+    </message>
+    <message>
+        <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit, or give the gain ratio.</source>
+        <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей или задайте отношение усилений.</translation>
+    </message>
+    <message>
+        <source>The times are in &apos;%1&apos;, an unknown unit, and are read as seconds. Choose their unit, or open the file without a time column and give the sample rate.</source>
+        <translation>Единица времени «%1» неизвестна, время прочитано как секунды. Укажите единицу или откройте файл без столбца времени и задайте частоту дискретизации.</translation>
+    </message>
+    <message>
+        <source>The file states a sample rate of %1 Hz, and its times give %2 Hz, which counts. Check the unit of the times.</source>
+        <translation>В файле указана частота дискретизации %1 Гц, а по столбцу времени она равна %2 Гц; принята вторая. Проверьте единицу времени.</translation>
+    </message>
+    <message>
+        <source>Channel %1 has an offset of %2, %3 % of the amplitude. The calibration takes it out.</source>
+        <translation>В канале %1 постоянное смещение %2, %3 % амплитуды. Его убирает калибровка.</translation>
+    </message>
+    <message>
+        <source>A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out.</source>
+        <translation>Сетевая наводка на %1 Гц, %2 % несущей. Её убирает полосовой фильтр.</translation>
+    </message>
+    <message>
+        <source>The first %1 s do not decay like the rest. The range can leave them out.</source>
+        <translation>Первые %1 с затухают не так, как дальнейшее. Их можно исключить диапазоном.</translation>
+    </message>
+    <message>
+        <source>The residual is that of a damping that follows the amplitude (about %1 1/s per squared recording unit), which the model does not hold: damping, its anisotropy, rotation and drifts may be off by more than their deviations. Fit later parts of the recordings, where the wave is smaller.</source>
+        <translation>Невязка такая, как при затухании, зависящем от амплитуды (около %1 1/с на квадрат единицы записи); в модели этого нет: затухание, его анизотропия, вращение и уходы могут быть ошибочны больше своих СКО. Возьмите более поздние части записей, где волна меньше.</translation>
+    </message>
+    <message>
+        <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out of the range.</source>
+        <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды из диапазона.</translation>
+    </message>
+    <message>
+        <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Take it out with a narrower band-pass.</source>
+        <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси, вращение и числа самой волны могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром.</translation>
+    </message>
+    <message>
+        <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or state its tolerance.</source>
+        <translation>Невязка такая, как при ошибке каналов, принятой за ноль: %1, около %2. Откалибруйте её или задайте её допуск.</translation>
+    </message>
+    <message>
+        <source>%1: there is no channel %2; the file has %3. Choose other channels.</source>
+        <translation>%1: канала %2 нет, в файле их %3. Выберите другие каналы.</translation>
+    </message>
+    <message>
+        <source>%1: the file does not tell its sample rate. Give it, in Hz.</source>
+        <translation>%1: в файле не указана частота дискретизации. Задайте её в герцах.</translation>
+    </message>
+    <message>
+        <source>%1: there is no variable &quot;%2&quot; to read; the file has %3. Choose others.</source>
+        <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие.</translation>
+    </message>
+    <message>
+        <source>%1: no carrier stands out of the spectrum. Give its frequency, or the band to look in.</source>
+        <translation>%1: несущая не выделяется в спектре. Задайте её частоту или полосу поиска.</translation>
+    </message>
+    <message>
+        <source>%1: every window holds clipped samples (channel %2). Record with a lower gain, begin the range where the wave is weaker, or shorten the window.</source>
+        <translation>%1: в каждом окне есть ограниченные отсчёты (канал %2). Уменьшите усиление при записи, начните участок там, где волна слабее, или возьмите окно короче.</translation>
+    </message>
+    <message>
+        <source>%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the shortest at this carrier. Keep one pair of modes with the band-pass.</source>
+        <translation>%1: биения линий %2 Гц и %3 Гц слишком быстры для окон в %4 отсчётов, самых коротких при этой несущей. Оставьте одну пару мод полосовым фильтром.</translation>
+    </message>
+    <message>
+        <source>%1: the band from %2 Hz to %3 Hz is too narrow for the search for the carrier; at this length it needs at least %4 Hz. Give the frequency of the carrier, or a wider band.</source>
+        <translation>%1: полоса от %2 до %3 Гц слишком узка для поиска несущей; при такой длине нужно не меньше %4 Гц. Задайте частоту несущей или более широкую полосу.</translation>
+    </message>
+    <message>
+        <source>The system starts no more threads. Raise the limit of processes.</source>
+        <translation>Система больше не запускает потоков. Увеличьте ограничение на число процессов.</translation>
+    </message>
+    <message>
+        <source>%1: neither an audio file nor a table of numbers. Save the recording as WAV or CSV, or give the layout of raw samples under Import.</source>
+        <translation>%1: это не звуковой файл и не таблица чисел. Сохраните запись в WAV или CSV либо задайте расположение отсчётов через «Импорт».</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPanel</name>
+    <message>
+        <source>not estimated by this algorithm</source>
+        <translation>этим алгоритмом не оценивается</translation>
+    </message>
+    <message>
+        <source>no window has a value</source>
+        <translation>ни в одном окне нет значения</translation>
+    </message>
+</context>
+<context>
+    <name>Reason</name>
+    <message>
+        <source>The wave hardly moves, so that one direction of the resonator is seen and no other. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
+        <translation>Волна почти неподвижна, поэтому видно одно направление резонатора и никакое другое. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
+    </message>
+    <message>
+        <source>At one angle a rotation and a damping anisotropy turn the wave alike. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
+        <translation>При одном угле вращение и анизотропия затухания поворачивают волну одинаково. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
+    </message>
+    <message>
+        <source>The free model takes the channels as any two views of the modes: it has no angles.</source>
+        <translation>Свободная модель считает каналы любыми двумя видами мод: углов в ней нет.</translation>
+    </message>
+    <message>
+        <source>The two modes cannot be told apart.</source>
+        <translation>Две моды не различить.</translation>
+    </message>
+    <message>
+        <source>A circular wave has no angle.</source>
+        <translation>У круговой волны нет угла.</translation>
+    </message>
+    <message>
+        <source>The waves stand at too few angles for the drift as a function of the angle: it needs three starts 22.5 degrees apart or more, or a wave that turns.</source>
+        <translation>Волны стоят под слишком малым числом углов для дрейфа как функции угла: нужны три пуска через 22,5 градуса или больше либо волна, которая поворачивается.</translation>
+    </message>
+    <message>
+        <source>The fit stopped before it converged.</source>
+        <translation>Подгонка остановилась, не сойдясь.</translation>
+    </message>
+    <message>
+        <source>This recording has too few windows for it.</source>
+        <translation>В этой записи для этого слишком мало окон.</translation>
+    </message>
+    <message>
+        <source>The difference between the modes is within its noise: it is at most %1 %2, and has no axis.</source>
+        <translation>Разность мод в пределах её шума: она не больше %1 %2 и оси не имеет.</translation>
+    </message>
+    <message>
+        <source>The decay is within its noise: tau is at least %1 s. Record longer.</source>
+        <translation>Затухание в пределах его шума: τ не меньше %1 с. Нужна более длинная запись.</translation>
+    </message>
+    <message>
+        <source>In a turning wave a gain ratio of the channels and a damping anisotropy look the same. Calibrate the channels and state their tolerance, or add recordings that start at other angles.</source>
+        <translation>У поворачивающейся волны отношение усилений каналов и разнодобротность неразличимы. Откалибруйте каналы и задайте их допуск или добавьте записи, начатые под другими углами.</translation>
+    </message>
+    <message>
+        <source>The recordings hardly narrow the stated tolerance: the value is as given.</source>
+        <translation>Записи почти не уточняют заданный допуск: остаётся заданное значение.</translation>
+    </message>
+    <message>
+        <source>Taken as zero, because no tolerance is given for it; the sensitivities say what it would change.</source>
+        <translation>Принято за нуль, так как допуск не задан; что изменилось бы, показывают чувствительности.</translation>
+    </message>
+    <message>
+        <source>The phasors need no dependence on the amplitude: it is at most %1 Hz per squared recording unit.</source>
+        <translation>Зависимость от амплитуды по записям не нужна: она не больше %1 Гц на квадрат единицы записи.</translation>
+    </message>
+    <message>
+        <source>A drift of the frequency looks like the motion itself in this recording.</source>
+        <translation>В этой записи уход частоты неотличим от самого движения.</translation>
+    </message>
+    <message>
+        <source>The decay is hardly above its noise: tau lies between %1 s and %2 s.</source>
+        <translation>Затухание едва выше его шума: τ лежит между %1 с и %2 с.</translation>
+    </message>
+    <message>
+        <source>The wave grows, at a rate of %1 1/s (standard deviation %2).</source>
+        <translation>Волна растёт со скоростью %1 1/с (СКО %2).</translation>
+    </message>
+    <message>
+        <source>It depends on parameters of the resonator that these recordings do not show.</source>
+        <translation>Зависит от параметров резонатора, которых эти записи не показывают.</translation>
+    </message>
+    <message>
+        <source>The frequency changes while the amplitude falls: whether it follows the amplitude or settles in time, these recordings do not tell. Add one that starts at another amplitude.</source>
+        <translation>Частота меняется, пока падает амплитуда: зависит она от амплитуды или устанавливается со временем, эти записи не показывают. Добавьте запись с другой начальной амплитудой.</translation>
+    </message>
+    <message>
+        <source>It belongs to one direction, and no recording of the other side starts within 3 degrees of it.</source>
+        <translation>Относится к одному направлению, а с другой стороны нет записи, начатой не дальше 3 градусов от него.</translation>
+    </message>
+    <message>
+        <source>The modes of both sides are not named by the same: one by frequency, the other by decay.</source>
+        <translation>Моды двух сторон названы по-разному: одни по частоте, другие по затуханию.</translation>
+    </message>
+</context>
+<context>
+    <name>Resonator</name>
+    <message>
+        <source>Mean frequency f</source>
+        <translation>Средняя частота f</translation>
+    </message>
+    <message>
+        <source>Of both modes, mean of the runs</source>
+        <translation>Двух мод, среднее по пускам</translation>
+    </message>
+    <message>
+        <source>Frequency split Δf</source>
+        <translation>Разночастотность Δf</translation>
+    </message>
+    <message>
+        <source>f_p − f_q of the two modes, never negative</source>
+        <translation>f_p − f_q двух мод, неотрицательная</translation>
+    </message>
+    <message>
+        <source>Stiffness axis θ_w</source>
+        <translation>Ось жёсткости θ_w</translation>
+    </message>
+    <message>
+        <source>Axis of the mode with the higher frequency</source>
+        <translation>Ось моды с более высокой частотой</translation>
+    </message>
+    <message>
+        <source>Decay time τ</source>
+        <translation>Время затухания τ</translation>
+    </message>
+    <message>
+        <source>In which the amplitude falls to 1/e</source>
+        <translation>За которое амплитуда уменьшается в e раз</translation>
+    </message>
+    <message>
+        <source>Quality factor Q</source>
+        <translation>Добротность Q</translation>
+    </message>
+    <message>
+        <source>Q = π f τ, from the coherent fit</source>
+        <translation>Q = π f τ, по когерентной подгонке</translation>
+    </message>
+    <message>
+        <source>Damping anisotropy g</source>
+        <translation>Разнодобротность g</translation>
+    </message>
+    <message>
+        <source>Difference of 1/τ of both axes of damping, never negative</source>
+        <translation>Разность 1/τ двух осей затухания, неотрицательная</translation>
+    </message>
+    <message>
+        <source>Damping axis θ_τ</source>
+        <translation>Ось затухания θ_τ</translation>
+    </message>
+    <message>
+        <source>Axis of larger damping</source>
+        <translation>Ось большего затухания</translation>
+    </message>
+    <message>
+        <source>Rotation −kΩ</source>
+        <translation>Вращение −kΩ</translation>
+    </message>
+    <message>
+        <source>Drift of θ_A that is the same at every angle</source>
+        <translation>Дрейф θ_A, одинаковый при любом угле</translation>
+    </message>
+    <message>
+        <source>Gain ratio κ</source>
+        <translation>Отношение усилений κ</translation>
+    </message>
+    <message>
+        <source>D = κ S_D</source>
+        <translation>D = κ S_D</translation>
+    </message>
+    <message>
+        <source>Change of f per squared unit of amplitude</source>
+        <translation>Изменение f на единицу квадрата амплитуды</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation>1/с</translation>
+    </message>
+    <message>
+        <source>Hz per squared unit</source>
+        <translation>Гц на кв. единицу</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>град</translation>
+    </message>
+    <message>
+        <source>ns</source>
+        <translation>нс</translation>
+    </message>
+    <message>
+        <source>As above: %1</source>
+        <translation>То же, что для %1</translation>
+    </message>
+    <message>
+        <source>Mode %1: %2</source>
+        <translation>Мода %1: %2</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>не изменился</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>изменился</translation>
+    </message>
+    <message>
+        <source>not comparable</source>
+        <translation>несравним</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>рад</translation>
+    </message>
+    <message>
+        <source>°/h</source>
+        <translation>°/ч</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>рад/с</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Моды</translation>
+    </message>
+    <message>
+        <source>rec. units</source>
+        <translation>ед. записи</translation>
+    </message>
+    <message>
+        <source>Frequency offset</source>
+        <translation>Отклонение частоты</translation>
+    </message>
+    <message>
+        <source>From the mean frequency of the runs</source>
+        <translation>От средней частоты пусков</translation>
+    </message>
+    <message>
+        <source>Start angle θ_A</source>
+        <translation>Начальный угол θ_A</translation>
+    </message>
+    <message>
+        <source>Angle of the working wave at the start</source>
+        <translation>Угол рабочей волны в начале</translation>
+    </message>
+    <message>
+        <source>Amplitude of the working wave at the start</source>
+        <translation>Амплитуда рабочей волны в начале</translation>
+    </message>
+    <message>
+        <source>Amplitude of the quadrature wave at the start</source>
+        <translation>Амплитуда квадратурной волны в начале</translation>
+    </message>
+    <message>
+        <source>What of the frequency split makes the quadrature of this run grow</source>
+        <translation>Та часть разночастотности, от которой растёт квадратура этого пуска</translation>
+    </message>
+    <message>
+        <source>Q from the envelope</source>
+        <translation>Q по огибающей</translation>
+    </message>
+    <message>
+        <source>Quality factor from the power of the waves alone</source>
+        <translation>Добротность только по мощности волн</translation>
+    </message>
+    <message>
+        <source>Q coherent</source>
+        <translation>Q когерентная</translation>
+    </message>
+    <message>
+        <source>Quality factor from the coherent fit of all runs</source>
+        <translation>Добротность по когерентной подгонке всех пусков</translation>
+    </message>
+    <message>
+        <source>Frequency drift</source>
+        <translation>Уход частоты</translation>
+    </message>
+    <message>
+        <source>Of this run, over time</source>
+        <translation>В этом пуске, со временем</translation>
+    </message>
+    <message>
+        <source>Noise σ</source>
+        <translation>Шум σ</translation>
+    </message>
+    <message>
+        <source>Standard deviation per sample and channel</source>
+        <translation>СКО на отсчёт и канал</translation>
+    </message>
+    <message>
+        <source>Windows used</source>
+        <translation>Взято окон</translation>
+    </message>
+    <message>
+        <source>Without gaps and faults, of all; samples in each</source>
+        <translation>Без пропусков и дефектов, из всех; отсчётов в окне</translation>
+    </message>
+    <message>
+        <source>%1 of %2, n = %3</source>
+        <translation>%1 из %2, n = %3</translation>
+    </message>
+    <message>
+        <source>Mean drift</source>
+        <translation>Средний дрейф</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Вывод</translation>
+    </message>
+    <message>
+        <source>Passport</source>
+        <translation>Паспорт</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Теперь</translation>
+    </message>
+    <message>
+        <source>in the passport: %1</source>
+        <translation>в паспорте: %1</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>подгонка</translation>
+    </message>
+    <message>
+        <source>passport</source>
+        <translation>паспорт</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Гармоники</translation>
+    </message>
+    <message>
+        <source>resonator</source>
+        <translation>резонатор</translation>
+    </message>
+    <message>
+        <source>Non-orthogonality ε</source>
+        <translation>Неортогональность ε</translation>
+    </message>
+    <message>
+        <source>Angle between the pick-offs less 90 degrees</source>
+        <translation>Угол между датчиками без 90 градусов</translation>
+    </message>
+    <message>
+        <source>Delay δ</source>
+        <translation>Запаздывание δ</translation>
+    </message>
+    <message>
+        <source>By how much channel D comes late</source>
+        <translation>На сколько запаздывает канал D</translation>
+    </message>
+    <message>
+        <source>Amplitude dependence β</source>
+        <translation>Зависимость от амплитуды β</translation>
+    </message>
+    <message>
+        <source>Difference, u</source>
+        <translation>Разность, u</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Разность</translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation>Относительно</translation>
+    </message>
+    <message>
+        <source>Run %1: %2 of its direction</source>
+        <translation>Пуск %1: %2 его направления</translation>
+    </message>
+    <message>
+        <source>Frequency of the wave</source>
+        <translation>Частота волны</translation>
+    </message>
+    <message>
+        <source>Mean rate of its phase, by power of both channels</source>
+        <translation>Средняя скорость её фазы по мощности обоих каналов</translation>
+    </message>
+    <message>
+        <source>Decay time of the wave</source>
+        <translation>Время затухания волны</translation>
+    </message>
+    <message>
+        <source>Of √(a_A² + a_B²)</source>
+        <translation>По √(a_A² + a_B²)</translation>
+    </message>
+    <message>
+        <source>Turn rate dθ_A/dt</source>
+        <translation>Скорость поворота dθ_A/dt</translation>
+    </message>
+    <message>
+        <source>Mean rate of the angle of the working wave</source>
+        <translation>Средняя скорость угла рабочей волны</translation>
+    </message>
+    <message>
+        <source>Quadrature growth d(a_B/a_A)/dt</source>
+        <translation>Рост квадратуры d(a_B/a_A)/dt</translation>
+    </message>
+    <message>
+        <source>Mean rate of the ratio of both waves</source>
+        <translation>Средняя скорость отношения двух волн</translation>
+    </message>
+    <message>
+        <source>0.1° of skew</source>
+        <translation>0,1° неортогон.</translation>
+    </message>
+    <message>
+        <source>10 ns of delay</source>
+        <translation>10 нс запаздывания</translation>
+    </message>
+    <message>
+        <source>10⁻⁴ rad of phase drift</source>
+        <translation>10⁻⁴ рад ухода фазы</translation>
+    </message>
+    <message>
+        <source>10⁻⁴ of gain drift</source>
+        <translation>10⁻⁴ ухода усиления</translation>
+    </message>
+    <message>
+        <source>0.001 of κ</source>
+        <translation>0,001 κ</translation>
+    </message>
+    <message>
+        <source>10 µHz by amplitude</source>
+        <translation>10 мкГц от амплитуды</translation>
+    </message>
+    <message>
+        <source>1 % of damping by amplitude</source>
+        <translation>1 % затухания от амплитуды</translation>
+    </message>
+    <message>
+        <source>0.1 % of gain by amplitude</source>
+        <translation>0,1 % усиления от амплитуды</translation>
+    </message>
+    <message>
+        <source>f of this direction</source>
+        <translation>f этого направления</translation>
+    </message>
+    <message>
+        <source>Of a wave that stays in the direction in which this one starts</source>
+        <translation>Волны, которая остаётся в том направлении, в котором эта начинается</translation>
+    </message>
+    <message>
+        <source>τ of this direction</source>
+        <translation>τ этого направления</translation>
+    </message>
+</context>
+<context>
+    <name>SetPanel</name>
+    <message>
+        <source>Set %1</source>
+        <translation>Набор %1</translation>
+    </message>
+</context>
+<context>
+    <name>SiPrefix</name>
+    <message>
+        <source>f</source>
+        <translation>ф</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>п</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>н</translation>
+    </message>
+    <message>
+        <source>µ</source>
+        <translation>мк</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>м</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>к</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>М</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>Г</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>Т</translation>
+    </message>
+</context>
+<context>
+    <name>SlowVariable</name>
+    <message>
+        <source>amplitude of the working wave</source>
+        <translation>амплитуда рабочей стоячей волны</translation>
+    </message>
+    <message>
+        <source>amplitude of the quadrature wave</source>
+        <translation>амплитуда квадратурной стоячей волны</translation>
+    </message>
+    <message>
+        <source>angle of the standing wave</source>
+        <translation>угол стоячей волны</translation>
+    </message>
+    <message>
+        <source>mean frequency</source>
+        <translation>средняя частота</translation>
+    </message>
+    <message>
+        <source>phase difference of the pick-off signals</source>
+        <translation>разнофазность измерительных сигналов</translation>
+    </message>
+    <message>
+        <source>phase of the standing waves</source>
+        <translation>фаза стоячих волн</translation>
+    </message>
+    <message>
+        <source>noise per sample and channel, of the residual</source>
+        <translation>шум на отсчёт и канал, по остатку</translation>
+    </message>
+    <message>
+        <source>root of the error functional F</source>
+        <translation>корень из функционала ошибки F</translation>
+    </message>
+    <message>
+        <source>orthogonality of the standing waves, relative</source>
+        <translation>ортогональность стоячих волн, относительная</translation>
+    </message>
+</context>
+<context>
+    <name>Words</name>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>превышена дисковая квота</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>слишком длинное имя файла</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>слишком большой файл</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>ошибка ввода-вывода</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>это каталог</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>на устройстве нет места</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>нет такого файла или каталога</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>это не каталог</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>действие не разрешено</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>нет прав доступа</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>файловая система только для чтения</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>открыто слишком много файлов</translation>
+    </message>
+    <message>
+        <source>unknown error</source>
+        <translation>неизвестная ошибка</translation>
+    </message>
+    <message>
+        <source>%1 (%2 was written)</source>
+        <translation>%1 (записан %2)</translation>
+    </message>
+    <message>
+        <source>the disk does not give back what was written</source>
+        <translation>диск возвращает не то, что было записано</translation>
+    </message>
+    <message>
+        <source>its JSON is not a passport&apos;s</source>
+        <translation>это JSON, но не паспорт</translation>
+    </message>
+    <message>
+        <source>it is no JSON at byte %1</source>
+        <translation>это не JSON, байт %1</translation>
+    </message>
+    <message>
+        <source>it has more than 64 MiB</source>
+        <translation>в нём больше 64 МиБ</translation>
+    </message>
+    <message>
+        <source>its first bytes are not those of an array</source>
+        <translation>первые байты — не заголовок массива</translation>
+    </message>
+    <message>
+        <source>the format version %1</source>
+        <translation>версию формата %1</translation>
+    </message>
+    <message>
+        <source>its header is longer than it can be</source>
+        <translation>заголовок длиннее возможного</translation>
+    </message>
+    <message>
+        <source>its header cannot be understood</source>
+        <translation>заголовок не разобрать</translation>
+    </message>
+    <message>
+        <source>records of several fields</source>
+        <translation>записи из нескольких полей</translation>
+    </message>
+    <message>
+        <source>values of the type %1</source>
+        <translation>значения типа %1</translation>
+    </message>
+    <message>
+        <source>an array of %1 dimensions</source>
+        <translation>массив размерности %1</translation>
+    </message>
+    <message>
+        <source>its header promises more samples than any file can hold</source>
+        <translation>по заголовку отсчётов больше, чем вместит любой файл</translation>
+    </message>
+    <message>
+        <source>%1 channels</source>
+        <translation>каналов: %1</translation>
+    </message>
+    <message>
+        <source>it must lie between 2 and %1</source>
+        <translation>допустимо от 2 до %1</translation>
+    </message>
+    <message>
+        <source>it must be 0 or more bytes</source>
+        <translation>допустимо 0 байт или больше</translation>
+    </message>
+    <message>
+        <source>it must be a number other than 0</source>
+        <translation>это должно быть число, не равное 0</translation>
+    </message>
+    <message>
+        <source>the raw data of a channel cannot be as its index says</source>
+        <translation>данные канала не могут быть такими, как сказано в его индексе</translation>
+    </message>
+    <message>
+        <source>a channel whose type of number changes</source>
+        <translation>канал, у которого меняется тип чисел</translation>
+    </message>
+    <message>
+        <source>a scale that it does not describe (channel %1)</source>
+        <translation>шкалу без описания (канал %1)</translation>
+    </message>
+    <message>
+        <source>samples in more than %1 separate pieces</source>
+        <translation>отсчёты более чем в %1 отдельных частях</translation>
+    </message>
+    <message>
+        <source>only the index of the .tdms file beside it</source>
+        <translation>только индекс к файлу .tdms рядом</translation>
+    </message>
+    <message>
+        <source>C and D at different sample rates</source>
+        <translation>C и D с разными частотами дискретизации</translation>
+    </message>
+    <message>
+        <source>channels of different lengths are interleaved</source>
+        <translation>перемежаются каналы разной длины</translation>
+    </message>
+    <message>
+        <source>its channels do not agree on the width of a row</source>
+        <translation>каналы расходятся в ширине строки</translation>
+    </message>
+    <message>
+        <source>a segment ends within a chunk of its raw data</source>
+        <translation>сегмент обрывается внутри блока данных</translation>
+    </message>
+    <message>
+        <source>it promises more samples than any file can hold</source>
+        <translation>обещано больше отсчётов, чем вместит любой файл</translation>
+    </message>
+    <message>
+        <source>the channel %1 has an impossible number of scales</source>
+        <translation>у канала %1 невозможное число шкал</translation>
+    </message>
+    <message>
+        <source>the channel %1 has scales that are each other&apos;s input</source>
+        <translation>у канала %1 шкалы ссылаются друг на друга</translation>
+    </message>
+    <message>
+        <source>the channel %1 has a scale whose input does not exist</source>
+        <translation>у канала %1 шкала, вход которой не существует</translation>
+    </message>
+    <message>
+        <source>the channel %1 has a linear scale without slope or intercept</source>
+        <translation>у канала %1 линейная шкала без наклона или сдвига</translation>
+    </message>
+    <message>
+        <source>the channel %1 has a polynomial scale without all of its coefficients</source>
+        <translation>у канала %1 полиномиальная шкала без части коэффициентов</translation>
+    </message>
+    <message>
+        <source>a scale of the kind &quot;%1&quot; (channel %2)</source>
+        <translation>шкалу вида «%1» (канал %2)</translation>
+    </message>
+    <message>
+        <source>the channel %1 has a table scale without all of its values</source>
+        <translation>у канала %1 табличная шкала без части значений</translation>
+    </message>
+    <message>
+        <source>the channel %1 has a table scale that neither rises nor falls</source>
+        <translation>у канала %1 табличная шкала не монотонна</translation>
+    </message>
+    <message>
+        <source>there is no segment where one should begin</source>
+        <translation>нет сегмента там, где он должен начинаться</translation>
+    </message>
+    <message>
+        <source>a segment ends before its raw data</source>
+        <translation>сегмент обрывается до своих данных</translation>
+    </message>
+    <message>
+        <source>raw data of DAQmx that not all channels describe</source>
+        <translation>данные DAQmx, описанные не для всех каналов</translation>
+    </message>
+    <message>
+        <source>its metadata end too early</source>
+        <translation>метаданные обрываются</translation>
+    </message>
+    <message>
+        <source>the name of an object cannot be understood</source>
+        <translation>имя объекта не разобрать</translation>
+    </message>
+    <message>
+        <source>more than %1 objects</source>
+        <translation>больше %1 объектов</translation>
+    </message>
+    <message>
+        <source>a channel&apos;s raw data are as before, and there are none before</source>
+        <translation>данные канала «как прежде», но прежних нет</translation>
+    </message>
+    <message>
+        <source>a property of the type %1</source>
+        <translation>свойство типа %1</translation>
+    </message>
+    <message>
+        <source>more than %1 properties of scales</source>
+        <translation>больше %1 свойств шкал</translation>
+    </message>
+    <message>
+        <source>it cannot be decoded</source>
+        <translation>его не удаётся декодировать</translation>
+    </message>
+    <message>
+        <source>audio</source>
+        <translation>звуковой</translation>
+    </message>
+    <message>
+        <source>no sample can be reached at frame %1</source>
+        <translation>к отсчёту %1 не перейти</translation>
+    </message>
+    <message>
+        <source>the samples end at frame %1</source>
+        <translation>отсчёты кончаются на %1-м</translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read</source>
+        <translation>файл стал короче во время чтения</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>это не обычный файл</translation>
+    </message>
+    <message>
+        <source>its packed data are wrong or end early</source>
+        <translation>сжатые данные неверны или обрываются</translation>
+    </message>
+    <message>
+        <source>its checksum is wrong</source>
+        <translation>контрольная сумма неверна</translation>
+    </message>
+    <message>
+        <source>SHA-256 is not available in OpenSSL</source>
+        <translation>в OpenSSL нет SHA-256</translation>
+    </message>
+    <message>
+        <source>its directory lies outside of it</source>
+        <translation>оглавление лежит вне файла</translation>
+    </message>
+    <message>
+        <source>its directory cannot be found</source>
+        <translation>оглавление не найдено</translation>
+    </message>
+    <message>
+        <source>the directory at its end is missing; the file was cut off</source>
+        <translation>в конце нет оглавления; файл обрезан</translation>
+    </message>
+    <message>
+        <source>its directory ends within an entry</source>
+        <translation>оглавление обрывается внутри записи</translation>
+    </message>
+    <message>
+        <source>an entry of its directory is incomplete</source>
+        <translation>запись оглавления неполна</translation>
+    </message>
+    <message>
+        <source>more than %1 members</source>
+        <translation>больше %1 файлов</translation>
+    </message>
+    <message>
+        <source>encrypted members</source>
+        <translation>зашифрованные файлы</translation>
+    </message>
+    <message>
+        <source>members packed by method %1</source>
+        <translation>файлы, сжатые способом %1</translation>
+    </message>
+    <message>
+        <source>%1 lies outside of it</source>
+        <translation>%1 лежит вне файла</translation>
+    </message>
+    <message>
+        <source>%1 is not where its directory says</source>
+        <translation>%1 не там, где сказано в оглавлении</translation>
+    </message>
+    <message>
+        <source>%1 cannot be as long as its directory says</source>
+        <translation>%1 не может иметь длину, указанную в оглавлении</translation>
+    </message>
+    <message>
+        <source>it must lie between 1e-6 and 1e12 Hz</source>
+        <translation>допустимо от 10⁻⁶ до 10¹² Гц</translation>
+    </message>
+    <message>
+        <source>C and D must be two channels</source>
+        <translation>C и D должны быть разными каналами</translation>
+    </message>
+    <message>
+        <source>a file is read as text or as raw</source>
+        <translation>файл читается либо как текст, либо как двоичные отсчёты</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>there is no wave</source>
+        <translation>волны нет</translation>
+    </message>
+    <message>
+        <source>chi^2 + %1</source>
+        <translation>хи² + %1</translation>
+    </message>
+    <message>
+        <source>chi^2 of the free model - %1</source>
+        <translation>хи² свободной модели − %1</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::CalibrationFields</name>
+    <message>
+        <source>Gain ratio κ</source>
+        <translation>Масштаб κ</translation>
+    </message>
+    <message>
+        <source>Channel D is recorded as D/κ, the scaling below (30): κ = 1 for balanced channels.</source>
+        <translation>Канал D записан как D/κ, масштабирование после (30): κ = 1 для уравненных каналов.</translation>
+    </message>
+    <message>
+        <source>Constant in each channel, recording units; it is subtracted. The averages of (13), (15) presume none.</source>
+        <translation>Постоянная составляющая каждого канала в единицах записи; вычитается. Усреднения (13), (15) её не предполагают.</translation>
+    </message>
+    <message>
+        <source>Offset C, D</source>
+        <translation>Сдвиг C, D</translation>
+    </message>
+    <message>
+        <source>Offset of C</source>
+        <translation>Сдвиг C</translation>
+    </message>
+    <message>
+        <source>Offset of D</source>
+        <translation>Сдвиг D</translation>
+    </message>
+    <message>
+        <source>Delay of D</source>
+        <translation>Задержка D</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>мкс</translation>
+    </message>
+    <message>
+        <source>By how much channel D is sampled later than C. It would otherwise count as Δφ_CD of (9).</source>
+        <translation>На сколько канал D опрашивается позже C. Иначе вошла бы в Δφ_CD из (9).</translation>
+    </message>
+    <message>
+        <source>Angle zero</source>
+        <translation>Нуль угла</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle of the first electrode, subtracted from θ_A of (2): the article counts the angle from there.</source>
+        <translation>Угол первого электрода, вычитается из θ_A в (2): в статье угол отсчитывается от него.</translation>
+    </message>
+    <message>
+        <source>Take the offsets from the signals</source>
+        <translation>Сдвиги по самим сигналам</translation>
+    </message>
+    <message>
+        <source>Each channel&apos;s mean over whole periods of the carrier</source>
+        <translation>Среднее каждого канала по целому числу периодов несущей</translation>
+    </message>
+    <message>
+        <source>Make gaps of lost samples</source>
+        <translation>Пропуски вместо потерянных отсчётов</translation>
+    </message>
+    <message>
+        <source>Where the recording check finds lost samples, as many missing ones are put in, so that time runs on behind them. Windows over them have no values.</source>
+        <translation>Там, где проверка записи находит потерянные отсчёты, вставляется столько же отсутствующих, и время за ними идёт верно. Окна над ними остаются без значений.</translation>
+    </message>
+    <message>
+        <source>κ ±</source>
+        <translation>κ ±</translation>
+    </message>
+    <message>
+        <source>How well the gain ratio is known: relative standard deviation. Empty: 0.01, or exact where κ is not 1.</source>
+        <translation>Насколько точно известно отношение усилений: относительное СКО. Пусто: 0,01, а если κ не равно 1 — точно.</translation>
+    </message>
+    <message>
+        <source>Tolerance of the gain ratio</source>
+        <translation>Допуск отношения усилений</translation>
+    </message>
+    <message>
+        <source>Skew ε ±</source>
+        <translation>Неортогон. ε ±</translation>
+    </message>
+    <message>
+        <source>Non-orthogonality of the pick-offs: D holds sin ε of C. 0: none.</source>
+        <translation>Неортогональность датчиков: в D входит sin ε от C. 0: её нет.</translation>
+    </message>
+    <message>
+        <source>Tolerance of the non-orthogonality</source>
+        <translation>Допуск неортогональности</translation>
+    </message>
+    <message>
+        <source>Delay ±</source>
+        <translation>Задержка ±</translation>
+    </message>
+    <message>
+        <source>ns</source>
+        <translation>нс</translation>
+    </message>
+    <message>
+        <source>Of D against C, beyond the delay above. 0: exact.</source>
+        <translation>D относительно C сверх задержки, заданной выше. 0: точно.</translation>
+    </message>
+    <message>
+        <source>Tolerance of the delay</source>
+        <translation>Допуск задержки</translation>
+    </message>
+    <message>
+        <source>Crosstalk ±</source>
+        <translation>Помеха C→D ±</translation>
+    </message>
+    <message>
+        <source>Of C into D with its phase turned by 90 degrees, relative. 0: none.</source>
+        <translation>Проникание C в D со сдвигом фазы на 90 градусов, относительное. 0: его нет.</translation>
+    </message>
+    <message>
+        <source>Tolerance of the crosstalk</source>
+        <translation>Допуск проникания</translation>
+    </message>
+    <message>
+        <source>Phase drift ±</source>
+        <translation>Уход фазы ±</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>рад</translation>
+    </message>
+    <message>
+        <source>Of D against C over a recording, in proportion to time. 0: none.</source>
+        <translation>D относительно C за запись, пропорционально времени. 0: его нет.</translation>
+    </message>
+    <message>
+        <source>Tolerance of the phase drift</source>
+        <translation>Допуск ухода фазы</translation>
+    </message>
+    <message>
+        <source>Gain drift ±</source>
+        <translation>Уход усил. ±</translation>
+    </message>
+    <message>
+        <source>Of D against C over a recording, relative, in proportion to time. 0: none.</source>
+        <translation>D относительно C за запись, относительный, пропорционально времени. 0: его нет.</translation>
+    </message>
+    <message>
+        <source>Tolerance of the gain drift</source>
+        <translation>Допуск ухода усиления</translation>
+    </message>
+    <message>
+        <source>How well the channels are known, for u of the resonator:</source>
+        <translation>Насколько точно известны каналы (для u резонатора):</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::CarrierFields</name>
+    <message>
+        <source>Carrier f₀</source>
+        <translation>Несущая f₀</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>Carrier of the whole recording, around which each window looks for its ω by (7), (25). Empty: the peak common to both channels&apos; spectra.</source>
+        <translation>Несущая частота всей записи, вокруг которой каждое окно ищет свою ω по (7), (25). Пусто: общий максимум спектров обоих каналов.</translation>
+    </message>
+    <message>
+        <source>Look for the carrier between these frequencies. Empty: everywhere. Both are needed.</source>
+        <translation>Искать несущую между этими частотами. Пусто: везде. Нужны обе границы.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Поиск</translation>
+    </message>
+    <message>
+        <source>Search from</source>
+        <translation>Поиск от</translation>
+    </message>
+    <message>
+        <source>Search to</source>
+        <translation>Поиск до</translation>
+    </message>
+    <message>
+        <source>Zero-phase band-pass before everything, for raw recordings with other modes, hum or offset: (1) presumes signals of the second angular harmonic alone. Empty: none. Both are needed.</source>
+        <translation>Полосовой фильтр без сдвига фазы перед всей обработкой, для необработанных записей с другими модами, наводкой сети или смещением: (1) предполагает только вторую угловую гармонику. Пусто: без фильтра. Нужны обе границы.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Фильтр</translation>
+    </message>
+    <message>
+        <source>Filter from</source>
+        <translation>Фильтр от</translation>
+    </message>
+    <message>
+        <source>Filter to</source>
+        <translation>Фильтр до</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>от</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>авто</translation>
+    </message>
+    <message>
+        <source>Both frequencies are needed.</source>
+        <translation>Нужны обе частоты.</translation>
+    </message>
+    <message>
+        <source>The second frequency must be above the first.</source>
+        <translation>Вторая частота должна быть выше первой.</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::CheckList</name>
+    <message>
+        <source>Recording check</source>
+        <translation>Проверка записи</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 с</translation>
+    </message>
+    <message>
+        <source>Recording check: reading…</source>
+        <translation>Проверка записи: чтение…</translation>
+    </message>
+    <message>
+        <source>Recording check: nothing found</source>
+        <translation>Проверка записи: замечаний нет</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recording check: %n finding(s)</source>
+        <translation>
+            <numerusform>Проверка записи: %n замечание</numerusform>
+            <numerusform>Проверка записи: %n замечания</numerusform>
+            <numerusform>Проверка записи: %n замечаний</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::CompareDialog</name>
+    <message>
+        <source>Compare windows</source>
+        <translation>Сравнение окон</translation>
+    </message>
+    <message>
+        <source>Window lengths, samples</source>
+        <translation>Длины окон, отсчётов</translation>
+    </message>
+    <message>
+        <source>Whole numbers from 5, separated by commas. The article compares 6 and 60 and varies 6, 12, ... 60.</source>
+        <translation>Целые числа от 5 через запятую. В статье сравниваются 6 и 60, а перебираются 6, 12, ... 60.</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Сравнить</translation>
+    </message>
+    <message>
+        <source>Export figure…</source>
+        <translation>Экспорт рисунка…</translation>
+    </message>
+    <message>
+        <source>The figure of the article: the slow variables over time, one column per window length, with the algorithm and the other settings of the analysis panel.</source>
+        <translation>Рисунок из статьи: медленные переменные во времени, столбец на каждую длину окна, с алгоритмом и остальными настройками панели обработки.</translation>
+    </message>
+    <message>
+        <source>Slow variables for each window length</source>
+        <translation>Медленные переменные для каждой длины окна</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::CursorPanel</name>
+    <message>
+        <source>The values of every shown run at the mouse appear here.</source>
+        <translation>Здесь появятся значения всех показанных расчётов под указателем мыши.</translation>
+    </message>
+    <message>
+        <source>t = %1 s</source>
+        <translation>t = %1 с</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>СКО</translation>
+    </message>
+    <message>
+        <source>Values at the cursor</source>
+        <translation>Значения под курсором</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Причина</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::Document</name>
+    <message numerus="yes">
+        <source>%n more finding(s) in the recording check.</source>
+        <translation>
+            <numerusform>В проверке записи ещё %n замечание.</numerusform>
+            <numerusform>В проверке записи ещё %n замечания.</numerusform>
+            <numerusform>В проверке записи ещё %n замечаний.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::EventsPanel</name>
+    <message>
+        <source>Axis crossings, gaps and windows without convergence of the chosen run appear here.</source>
+        <translation>Здесь появятся проходы осей, пропуски и окна без сходимости выбранного расчёта.</translation>
+    </message>
+    <message>
+        <source>%1: no axis crossings, no gaps.</source>
+        <translation>%1: проходов осей и пропусков нет.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n event(s)</source>
+        <translation>
+            <numerusform>%1: %n событие</numerusform>
+            <numerusform>%1: %n события</numerusform>
+            <numerusform>%1: %n событий</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>События</translation>
+    </message>
+    <message>
+        <source>t, s</source>
+        <translation>t, с</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Что</translation>
+    </message>
+    <message>
+        <source>%1: events are looked for when all windows are there.</source>
+        <translation>%1: события ищутся, когда готовы все окна.</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::FileCommands</name>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::FileQuestions</name>
+    <message>
+        <source>Open recordings</source>
+        <translation>Открытые записи</translation>
+    </message>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>Записи (%1)</translation>
+    </message>
+    <message>
+        <source>Audio (%1)</source>
+        <translation>Звук (%1)</translation>
+    </message>
+    <message>
+        <source>Tables of numbers (%1)</source>
+        <translation>Таблицы чисел (%1)</translation>
+    </message>
+    <message>
+        <source>Arrays (%1)</source>
+        <translation>Массивы (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>Import a recording</source>
+        <translation>Импорт записи</translation>
+    </message>
+    <message>
+        <source>Compare with passport</source>
+        <translation>Сравнение с паспортом</translation>
+    </message>
+    <message>
+        <source>Passport (*.json)</source>
+        <translation>Паспорт (*.json)</translation>
+    </message>
+    <message>
+        <source>Export plots</source>
+        <translation>Экспорт графиков</translation>
+    </message>
+    <message>
+        <source>Export track</source>
+        <translation>Экспорт ряда</translation>
+    </message>
+    <message>
+        <source>Track (*.csv)</source>
+        <translation>Ряд (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save passport</source>
+        <translation>Сохранение паспорта</translation>
+    </message>
+    <message>
+        <source>Export plot</source>
+        <translation>Экспорт графика</translation>
+    </message>
+    <message>
+        <source>Export figure</source>
+        <translation>Экспорт рисунка</translation>
+    </message>
+    <message>
+        <source>PNG image (*.png)</source>
+        <translation>Изображение PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>Чертёж SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>Документ PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::HelpView</name>
+    <message>
+        <source>Vybeg help</source>
+        <translation>Справка Vybeg</translation>
+    </message>
+    <message>
+        <source>Help page</source>
+        <translation>Страница справки</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Назад</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Вперёд</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Содержание</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::ImportDialog</name>
+    <message>
+        <source>Import</source>
+        <translation>Импорт</translation>
+    </message>
+    <message>
+        <source>How to read %1</source>
+        <translation>Как читать %1</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::ImportFields</name>
+    <message>
+        <source>16 bit integer</source>
+        <translation>целые 16 бит</translation>
+    </message>
+    <message>
+        <source>32 bit integer</source>
+        <translation>целые 32 бита</translation>
+    </message>
+    <message>
+        <source>32 bit float</source>
+        <translation>вещественные 32 бита</translation>
+    </message>
+    <message>
+        <source>64 bit float</source>
+        <translation>вещественные 64 бита</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Порядок байтов</translation>
+    </message>
+    <message>
+        <source>Channel C</source>
+        <translation>Канал C</translation>
+    </message>
+    <message>
+        <source>Channel D</source>
+        <translation>Канал D</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Каналы</translation>
+    </message>
+    <message>
+        <source>Counted from 1; a time column does not count</source>
+        <translation>Счёт от 1; столбец времени не в счёт</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Частота дискретизации</translation>
+    </message>
+    <message>
+        <source>Sample type</source>
+        <translation>Тип отсчётов</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Масштаб</translation>
+    </message>
+    <message>
+        <source>Used where the file has no rate of its own</source>
+        <translation>Действует, если в файле частота не указана</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Переменные</translation>
+    </message>
+    <message>
+        <source>big endian</source>
+        <translation>старший байт первым</translation>
+    </message>
+    <message>
+        <source>little endian</source>
+        <translation>младший байт первым</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>байт</translation>
+    </message>
+    <message>
+        <source>from the file</source>
+        <translation>из файла</translation>
+    </message>
+    <message>
+        <source>the first that fit</source>
+        <translation>первые подходящие</translation>
+    </message>
+    <message>
+        <source>Above the first row of numbers</source>
+        <translation>Над первой строкой чисел</translation>
+    </message>
+    <message>
+        <source>By its content, or as what it is said to be</source>
+        <translation>По содержимому или так, как указано</translation>
+    </message>
+    <message>
+        <source>Bytes before the first sample</source>
+        <translation>Байты перед первым отсчётом</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Десятичный знак</translation>
+    </message>
+    <message>
+        <source>Gives the sample rate and is no channel; all other columns are</source>
+        <translation>Задаёт частоту дискретизации и не является каналом; остальные столбцы — каналы</translation>
+    </message>
+    <message>
+        <source>Header</source>
+        <translation>Заголовок</translation>
+    </message>
+    <message>
+        <source>How each sample is stored</source>
+        <translation>Как хранится каждый отсчёт</translation>
+    </message>
+    <message>
+        <source>Interleaved: a sample of each, then the next of each</source>
+        <translation>Чередуются: по отсчёту каждого канала, затем по следующему</translation>
+    </message>
+    <message>
+        <source>Lines to skip</source>
+        <translation>Пропустить строк</translation>
+    </message>
+    <message>
+        <source>Little endian: the lowest byte comes first</source>
+        <translation>Младший байт первым: в файле он стоит раньше старшего</translation>
+    </message>
+    <message>
+        <source>Names of the variables that hold C and D and, third, the rate, with commas between them</source>
+        <translation>Имена переменных, в которых C и D и, третьей, частота дискретизации, через запятую</translation>
+    </message>
+    <message>
+        <source>Of the numbers in the file</source>
+        <translation>Чисел в файле</translation>
+    </message>
+    <message>
+        <source>Of the samples, once they are scaled</source>
+        <translation>Отсчётов после умножения на масштаб</translation>
+    </message>
+    <message>
+        <source>Of the time column</source>
+        <translation>Столбца времени</translation>
+    </message>
+    <message>
+        <source>Read as</source>
+        <translation>Читать как</translation>
+    </message>
+    <message>
+        <source>Recording units per count or per unit of the file</source>
+        <translation>Единиц записи на единицу кода или единицу файла</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Разделитель</translation>
+    </message>
+    <message>
+        <source>Time column</source>
+        <translation>Столбец времени</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Единица</translation>
+    </message>
+    <message>
+        <source>Unit of time</source>
+        <translation>Единица времени</translation>
+    </message>
+    <message>
+        <source>What stands between the columns</source>
+        <translation>Что стоит между столбцами</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>авто</translation>
+    </message>
+    <message>
+        <source>automatic: %1</source>
+        <translation>авто: %1</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>запятая</translation>
+    </message>
+    <message>
+        <source>from the time column</source>
+        <translation>из столбца времени</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>нужно указать</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>ns</source>
+        <translation>нс</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>точка</translation>
+    </message>
+    <message>
+        <source>raw samples</source>
+        <translation>отсчёты без заголовка</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>точка с запятой</translation>
+    </message>
+    <message>
+        <source>spaces</source>
+        <translation>пробелы</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>табуляция</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>текст</translation>
+    </message>
+    <message>
+        <source>vertical bar</source>
+        <translation>вертикальная черта</translation>
+    </message>
+    <message>
+        <source>what it is by content</source>
+        <translation>по содержимому</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>мкс</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::ImportPreview</name>
+    <message>
+        <source>First rows</source>
+        <translation>Первые строки</translation>
+    </message>
+    <message>
+        <source>First samples</source>
+        <translation>Первые отсчёты</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>отсчёты</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::MainWindow</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Записи</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Обработка</translation>
+    </message>
+    <message>
+        <source>Values and events</source>
+        <translation>Значения и события</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Расчёты</translation>
+    </message>
+    <message>
+        <source>At the cursor</source>
+        <translation>Под курсором</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>События</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Инструменты</translation>
+    </message>
+    <message>
+        <source>Float</source>
+        <translation>Открепить</translation>
+    </message>
+    <message>
+        <source>Close this panel</source>
+        <translation>Закрыть панель</translation>
+    </message>
+    <message>
+        <source>Resonator</source>
+        <translation>Резонатор</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Закрыть это сообщение</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Импорт…</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::NumberField</name>
+    <message>
+        <source>A number is needed.</source>
+        <translation>Нужно число.</translation>
+    </message>
+    <message>
+        <source>“%1” is no number.</source>
+        <translation>«%1» — не число.</translation>
+    </message>
+    <message>
+        <source>A whole number is needed.</source>
+        <translation>Нужно целое число.</translation>
+    </message>
+    <message>
+        <source>At least %1 is needed.</source>
+        <translation>Нужно не меньше %1.</translation>
+    </message>
+    <message>
+        <source>At most %1 is possible.</source>
+        <translation>Нужно не больше %1.</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::QuantityTable</name>
+    <message>
+        <source>sd</source>
+        <translation>СКО</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>значение</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Копировать таблицу</translation>
+    </message>
+    <message>
+        <source>u</source>
+        <translation>u</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::RangeFields</name>
+    <message>
+        <source>From, to</source>
+        <translation>От, до</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>Part of the recording to analyse, from its start.</source>
+        <translation>Обрабатываемый участок, от начала записи.</translation>
+    </message>
+    <message>
+        <source>Range from</source>
+        <translation>Участок от</translation>
+    </message>
+    <message>
+        <source>Range to</source>
+        <translation>Участок до</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Вся запись</translation>
+    </message>
+    <message>
+        <source>Analyse the whole recording</source>
+        <translation>Обработать всю запись</translation>
+    </message>
+    <message>
+        <source>As visible</source>
+        <translation>Видимый</translation>
+    </message>
+    <message>
+        <source>Analyse the time range that the plots show</source>
+        <translation>Обработать интервал, который виден на графиках</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::RecentFiles</name>
+    <message>
+        <source>Clear this list</source>
+        <translation>Очистить список</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::RecordingPanel</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 из %2</translation>
+    </message>
+    <message>
+        <source>%1 (opening)</source>
+        <translation>%1 (открывается)</translation>
+    </message>
+    <message>
+        <source>%1 Hz, from the file</source>
+        <translation>%1 Гц, из файла</translation>
+    </message>
+    <message>
+        <source>%1 Hz, from the time column</source>
+        <translation>%1 Гц, по столбцу времени</translation>
+    </message>
+    <message>
+        <source>%1 Hz, typed</source>
+        <translation>%1 Гц, задана</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 s, %n sample(s)</source>
+        <translation>
+            <numerusform>%1 с, %n отсчёт</numerusform>
+            <numerusform>%1 с, %n отсчёта</numerusform>
+            <numerusform>%1 с, %n отсчётов</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Гц</translation>
+    </message>
+    <message>
+        <source>Open recordings</source>
+        <translation>Открытые записи</translation>
+    </message>
+    <message>
+        <source>Close recording</source>
+        <translation>Закрыть запись</translation>
+    </message>
+    <message>
+        <source>Import again…</source>
+        <translation>Импортировать заново…</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Формат</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Дискретизация</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Длительность</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Каналы</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Начало</translation>
+    </message>
+    <message>
+        <source>f₀</source>
+        <translation>f₀</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Add to the set of the resonator</source>
+        <translation>Добавить в набор резонатора</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::ResonatorPanel</name>
+    <message>
+        <source>Nothing identified yet.</source>
+        <translation>Пока ничего не идентифицировано.</translation>
+    </message>
+    <message>
+        <source>Open recordings of a free decay to identify the resonator.</source>
+        <translation>Откройте записи выбега, чтобы идентифицировать резонатор.</translation>
+    </message>
+    <message>
+        <source>Structured model</source>
+        <translation>Структурная модель</translation>
+    </message>
+    <message>
+        <source>Free model</source>
+        <translation>Свободная модель</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n recording(s); χ² per degree of freedom %2</source>
+        <translation>
+            <numerusform>%1, %n запись; χ² на степень свободы %2</numerusform>
+            <numerusform>%1, %n записи; χ² на степень свободы %2</numerusform>
+            <numerusform>%1, %n записей; χ² на степень свободы %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Out of date.</source>
+        <translation>Устарело.</translation>
+    </message>
+    <message>
+        <source>The set or its settings have changed since: identify again.</source>
+        <translation>Набор или его параметры с тех пор изменились: идентифицируйте снова.</translation>
+    </message>
+    <message>
+        <source>%1 is open: identify the set to compare.</source>
+        <translation>Открыт %1: идентифицируйте набор, чтобы сравнить.</translation>
+    </message>
+    <message>
+        <source>Resonator</source>
+        <translation>Резонатор</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Моды</translation>
+    </message>
+    <message>
+        <source>Runs of the set</source>
+        <translation>Пуски набора</translation>
+    </message>
+    <message>
+        <source>Drift function</source>
+        <translation>Функция дрейфа</translation>
+    </message>
+    <message>
+        <source>Channel balance, condition (30)</source>
+        <translation>Баланс каналов, условие (30)</translation>
+    </message>
+    <message>
+        <source>Comparison with the passport</source>
+        <translation>Сравнение с паспортом</translation>
+    </message>
+    <message>
+        <source>Harmonics of the drift function</source>
+        <translation>Гармоники функции дрейфа</translation>
+    </message>
+    <message>
+        <source>Zero within its band while the channels are balanced as the fit has them</source>
+        <translation>Нуль в пределах полосы, пока каналы сбалансированы так, как в подгонке</translation>
+    </message>
+    <message>
+        <source>Tracks of the runs and of the passport</source>
+        <translation>Графики пусков и паспорта</translation>
+    </message>
+    <message>
+        <source>Lines: these recordings; dashed: the passport</source>
+        <translation>Линии — эти записи, штриховые — паспорт</translation>
+    </message>
+    <message>
+        <source>What to overlay</source>
+        <translation>Что наложить</translation>
+    </message>
+    <message>
+        <source>Amplitude of the working wave</source>
+        <translation>Амплитуда рабочей волны</translation>
+    </message>
+    <message>
+        <source>Amplitude of the quadrature wave</source>
+        <translation>Амплитуда квадратурной волны</translation>
+    </message>
+    <message>
+        <source>Wave angle</source>
+        <translation>Угол волны</translation>
+    </message>
+    <message>
+        <source>Close the passport</source>
+        <translation>Закрыть паспорт</translation>
+    </message>
+    <message>
+        <source>Not comparable: %1</source>
+        <translation>Несравнимо: %1</translation>
+    </message>
+    <message>
+        <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator. Without what the quadrature adds</source>
+        <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору. Без того, что добавляет квадратура</translation>
+    </message>
+    <message>
+        <source>Modes, by decay</source>
+        <translation>Моды, по затуханию</translation>
+    </message>
+    <message>
+        <source>Modes, by frequency</source>
+        <translation>Моды, по частоте</translation>
+    </message>
+    <message>
+        <source>Compared with %1. Changed: by %2 uncertainties u of the difference or more; by chance in one comparison of 370.</source>
+        <translation>Сравнение с %1. Изменился: от %2 неопределённостей u разности; случайно — в одном сравнении из 370.</translation>
+    </message>
+    <message>
+        <source>What the waves did</source>
+        <translation>Поведение волн</translation>
+    </message>
+    <message>
+        <source>Sensitivity to the channels</source>
+        <translation>Чувствительность к ошибкам каналов</translation>
+    </message>
+    <message>
+        <source>± is the statistical standard deviation; u, where it differs, holds the tolerances of the channels (Calibration) too. Errors of the channels without a tolerance count as none: the next table shows what they would change.</source>
+        <translation>± — статистическое СКО; u, если отличается, включает и допуски каналов (Калибровка). Ошибки каналов без допуска считаются отсутствующими: что они изменили бы, показывает следующая таблица.</translation>
+    </message>
+    <message>
+        <source>Frequencies change from</source>
+        <translation>Частоты изменились от</translation>
+    </message>
+    <message>
+        <source>Frequencies follow the temperature: smaller changes, in parts per million, are none of the gyro</source>
+        <translation>Частоты следуют за температурой: меньшие изменения, в миллионных долях, — не изменения гироскопа</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::RunList</name>
+    <message>
+        <source>%1 (%2 flagged)</source>
+        <translation>%1 (помечено %2)</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Расчёты</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Расчёт</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Запись</translation>
+    </message>
+    <message>
+        <source>Algorithm</source>
+        <translation>Алгоритм</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Окон</translation>
+    </message>
+    <message>
+        <source>Mean f, Hz</source>
+        <translation>Средняя f, Гц</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Шум</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>Время, мс</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Замечания</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Подогнать</translation>
+    </message>
+    <message>
+        <source>Analyse again with a window of whole half-periods, which leaks least</source>
+        <translation>Рассчитать снова с окном из целых полупериодов: утечка в нём наименьшая</translation>
+    </message>
+    <message>
+        <source>Leakage of the window limits the mean frequency, by %1 Hz.</source>
+        <translation>Среднюю частоту ограничивает утечка окна: %1 Гц.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The frequency of %n window(s) lies at the bound of the search; the mean&apos;s deviation allows for them.</source>
+        <translation>
+            <numerusform>Частота %n окна лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Weighted mean of the frequency f_cp over all valid windows ± its standard deviation: scatter between windows, leakage of algorithms 1 to 4, bounds of the search</source>
+        <translation>Взвешенное среднее частоты f_cp по всем годным окнам ± его СКО: разброс между окнами, утечка алгоритмов 1–4, границы поиска</translation>
+    </message>
+    <message>
+        <source>Noise per sample and channel: residual of the windows, its degrees of freedom counted</source>
+        <translation>Шум на отсчёт и канал: остаток в окнах с учётом числа степеней свободы</translation>
+    </message>
+    <message>
+        <source>Time in the estimators alone</source>
+        <translation>Время самих алгоритмов</translation>
+    </message>
+    <message>
+        <source>Window, samples</source>
+        <translation>Окно, отсчётов</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Переименовать</translation>
+    </message>
+    <message>
+        <source>Run again with its settings</source>
+        <translation>Рассчитать снова с его настройками</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Удалить</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 из %2</translation>
+    </message>
+    <message>
+        <source>Follows the settings while Live is on; Run keeps a run as it is</source>
+        <translation>Следует за настройками, пока включено «На лету»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::SetPanel</name>
+    <message>
+        <source>Set of runs</source>
+        <translation>Набор пусков</translation>
+    </message>
+    <message>
+        <source>Recordings of one resonator that are identified together; type here to name them</source>
+        <translation>Записи одного резонатора, которые идентифицируются вместе; чтобы назвать набор, введите имя</translation>
+    </message>
+    <message>
+        <source>New set</source>
+        <translation>Новый набор</translation>
+    </message>
+    <message>
+        <source>Remove the set</source>
+        <translation>Убрать набор</translation>
+    </message>
+    <message>
+        <source>Remove the set; its recordings stay open</source>
+        <translation>Убрать набор; его записи остаются открытыми</translation>
+    </message>
+    <message>
+        <source>Recordings of the set</source>
+        <translation>Записи набора</translation>
+    </message>
+    <message>
+        <source>Drag recordings of one resonator here, best started at four angles</source>
+        <translation>Перетащите сюда записи одного резонатора, лучше всего с четырьмя начальными углами</translation>
+    </message>
+    <message>
+        <source>Remove from the set</source>
+        <translation>Убрать из набора</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Записи</translation>
+    </message>
+    <message>
+        <source>Which of the open recordings belong to the set</source>
+        <translation>Какие из открытых записей входят в набор</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Модель</translation>
+    </message>
+    <message>
+        <source>Model of the resonator</source>
+        <translation>Модель резонатора</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Автоматически</translation>
+    </message>
+    <message>
+        <source>Structured: calibrated pick-offs</source>
+        <translation>Структурная: датчики калиброваны</translation>
+    </message>
+    <message>
+        <source>Free: modes alone</source>
+        <translation>Свободная: только моды</translation>
+    </message>
+    <message>
+        <source>Structured, unless the free model fits significantly better</source>
+        <translation>Структурная, если свободная не подходит значимо лучше</translation>
+    </message>
+    <message>
+        <source>The channels are the cosine and sine of the standing wave: split, axes, damping</source>
+        <translation>Каналы — косинус и синус стоячей волны: разночастотность, оси, затухание</translation>
+    </message>
+    <message>
+        <source>The channels are any two views of the modes, as with a bell: their frequencies and decay times</source>
+        <translation>Каналы — два любых вида на моды, как у колокола: их частоты и времена затухания</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Идентифицировать</translation>
+    </message>
+    <message>
+        <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording (F7)</source>
+        <translation>Подогнать один резонатор ко всем записям набора, а если он пуст — к текущей записи (F7)</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::SettingsFields</name>
+    <message>
+        <source>Not in effect: %1</source>
+        <translation>Не действует: %1</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::SettingsPanel</name>
+    <message>
+        <source>Window</source>
+        <translation>Окно</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Участок</translation>
+    </message>
+    <message>
+        <source>Carrier and filter</source>
+        <translation>Несущая и фильтр</translation>
+    </message>
+    <message>
+        <source>Start values</source>
+        <translation>Начальное приближение</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Калибровка</translation>
+    </message>
+    <message>
+        <source>Algorithm</source>
+        <translation>Алгоритм</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Рассчитать</translation>
+    </message>
+    <message>
+        <source>Analyse the current recording with these settings and keep the run (F5)</source>
+        <translation>Обработать текущую запись с этими настройками и оставить расчёт в списке (F5)</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>На лету</translation>
+    </message>
+    <message>
+        <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same run. What is to stay for comparison is kept by Run (Ctrl+L)</source>
+        <translation>Каждое изменение настройки сразу видно: сначала на видимой части графиков, затем на остальной, всегда в одном и том же расчёте. То, что нужно для сравнения, оставляет кнопка «Рассчитать» (Ctrl+L)</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::SignalView</name>
+    <message>
+        <source>Overview of the recording</source>
+        <translation>Обзор записи</translation>
+    </message>
+    <message>
+        <source>reading…</source>
+        <translation>чтение…</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>Analysed range: drag the ends of the bar</source>
+        <translation>Обрабатываемый участок: тяните за концы полосы</translation>
+    </message>
+    <message>
+        <source>Visible range: drag the edges, or the inside to shift it</source>
+        <translation>Видимый интервал: тяните за края, а за середину — для сдвига</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::StaleMark</name>
+    <message>
+        <source>algorithm</source>
+        <translation>алгоритм</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>окно</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>участок</translation>
+    </message>
+    <message>
+        <source>carrier</source>
+        <translation>несущая</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>фильтр</translation>
+    </message>
+    <message>
+        <source>start values</source>
+        <translation>начальное приближение</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>калибровка</translation>
+    </message>
+    <message>
+        <source>The plots are older than the Analysis panel. Changed since: %1.</source>
+        <translation>Графики старше панели «Обработка». С тех пор изменено: %1.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Рассчитать</translation>
+    </message>
+    <message>
+        <source>Analyse the current recording with the settings of the panel (F5)</source>
+        <translation>Рассчитать текущую запись с параметрами панели (F5)</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::StartFields</name>
+    <message>
+        <source>Start from</source>
+        <translation>Начинать с</translation>
+    </message>
+    <message>
+        <source>First guess of the conjugate gradient for each window: the closed forms (15), (18) of algorithm 1, the result of the window before, or your own values.</source>
+        <translation>Начальное приближение сопряжённого градиента в каждом окне: формулы (15), (18) алгоритма 1, результат предыдущего окна или свои значения.</translation>
+    </message>
+    <message>
+        <source>Start value of the functional F&apos;s parameter, in the notation of (6).</source>
+        <translation>Начальное значение параметра функционала F в обозначениях (6).</translation>
+    </message>
+    <message>
+        <source>a_A</source>
+        <translation>a_A</translation>
+    </message>
+    <message>
+        <source>a_B</source>
+        <translation>a_B</translation>
+    </message>
+    <message>
+        <source>2θ_A</source>
+        <translation>2θ_A</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>рад</translation>
+    </message>
+    <message>
+        <source>α</source>
+        <translation>α</translation>
+    </message>
+    <message>
+        <source>Phase at the centre of the first window; it is carried on to the others with the frequency.</source>
+        <translation>Фаза в центре первого окна; на остальные переносится с частотой.</translation>
+    </message>
+    <message>
+        <source>f</source>
+        <translation>f</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>algorithm 1, each window</source>
+        <translation>алгоритма 1, каждое окно</translation>
+    </message>
+    <message>
+        <source>previous window</source>
+        <translation>предыдущего окна</translation>
+    </message>
+    <message>
+        <source>typed values</source>
+        <translation>своих значений</translation>
+    </message>
+    <message>
+        <source>for every window</source>
+        <translation>для каждого окна</translation>
+    </message>
+    <message>
+        <source>On: every window starts from the typed values. Off: only the first one, the others from the result of the window before.</source>
+        <translation>Включено: каждое окно начинается со своих значений. Выключено: только первое, остальные — с результата предыдущего окна.</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::StatusLine</name>
+    <message numerus="yes">
+        <source>%n window(s) in %1 s</source>
+        <translation>
+            <numerusform>%n окно за %1 с</numerusform>
+            <numerusform>%n окна за %1 с</numerusform>
+            <numerusform>%n окон за %1 с</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Resonator of %n recording(s) in %1 s</source>
+        <translation>
+            <numerusform>Резонатор по %n записи за %1 с</numerusform>
+            <numerusform>Резонатор по %n записям за %1 с</numerusform>
+            <numerusform>Резонатор по %n записям за %1 с</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>осталось %1 с</translation>
+    </message>
+    <message>
+        <source>Analysing…</source>
+        <translation>Идёт расчёт…</translation>
+    </message>
+    <message>
+        <source>Progress of the analysis</source>
+        <translation>Ход расчёта</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Прервать</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Прервано</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::TrackView</name>
+    <message>
+        <source>Slow variables over time</source>
+        <translation>Медленные переменные во времени</translation>
+    </message>
+    <message>
+        <source>No analysis yet.
 Open a recording and press Run.</source>
-            <translation>Расчётов пока нет.
+        <translation>Расчётов пока нет.
 Откройте запись и нажмите «Рассчитать».</translation>
-        </message>
-        <message>
-            <source>Plot of %1, %2</source>
-            <translation>График %1, %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::WelcomePage</name>
-        <message>
-            <source>&lt;p style=&apos;font-size:large&apos;&gt;Drop a recording of a free decay here&lt;/p&gt;&lt;p&gt;Two channels, C and D: WAV, FLAC, CSV and other tables of numbers&lt;/p&gt;</source>
-            <translation>&lt;p style=&apos;font-size:large&apos;&gt;Перетащите сюда запись свободного выбега&lt;/p&gt;&lt;p&gt;Два канала, C и D: WAV, FLAC, CSV и другие таблицы чисел&lt;/p&gt;</translation>
-        </message>
-        <message>
-            <source>Open recording…</source>
-            <translation>Открыть запись…</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::WindowFields</name>
-        <message>
-            <source>Length</source>
-            <translation>Длина</translation>
-        </message>
-        <message>
-            <source>samples</source>
-            <translation>отсчётов</translation>
-        </message>
-        <message>
-            <source>periods</source>
-            <translation>периодов</translation>
-        </message>
-        <message>
-            <source>The same window in periods of the carrier; may be a fraction. The article varies T from 1 to 10 periods.</source>
-            <translation>То же окно в периодах несущей, можно дробное. В статье T меняется от 1 до 10 периодов.</translation>
-        </message>
-        <message>
-            <source>Length in periods</source>
-            <translation>Длина в периодах</translation>
-        </message>
-        <message>
-            <source>ms</source>
-            <translation>мс</translation>
-        </message>
-        <message>
-            <source>The same window in milliseconds.</source>
-            <translation>То же окно в миллисекундах.</translation>
-        </message>
-        <message>
-            <source>Length in milliseconds</source>
-            <translation>Длина в миллисекундах</translation>
-        </message>
-        <message>
-            <source>Residual</source>
-            <translation>Остаток</translation>
-        </message>
-        <message>
-            <source>What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 are exact for every window.</source>
-            <translation>Насколько окно нарушает ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, условие после (7). Алгоритмы 1–4 точны лишь там, где остаток равен нулю; 5 и 6 точны при любом окне.</translation>
-        </message>
-        <message>
-            <source>Hop</source>
-            <translation>Шаг</translation>
-        </message>
-        <message>
-            <source>Samples between the starts of windows. Empty: windows one after the other (discrete identification); less than the window: sliding.</source>
-            <translation>Отсчётов между началами окон. Пусто: окна одно за другим (дискретная идентификация); меньше окна: скользящее окно.</translation>
-        </message>
-        <message>
-            <source>Overlap</source>
-            <translation>Перекрытие</translation>
-        </message>
-        <message>
-            <source>%</source>
-            <translation>%</translation>
-        </message>
-        <message>
-            <source>The same as a share of the window that the next one repeats.</source>
-            <translation>То же как доля окна, которую повторяет следующее.</translation>
-        </message>
-        <message>
-            <source>Snap</source>
-            <translation>Подогнать</translation>
-        </message>
-        <message>
-            <source>Moves the window to whole half-periods of the carrier: the n nearest to the wish that leaves the smallest residual.</source>
-            <translation>Подгоняет окно к целому числу полупериодов несущей: ближайшее n с наименьшим остатком.</translation>
-        </message>
-        <message>
-            <source>as the window</source>
-            <translation>равен окну</translation>
-        </message>
-        <message>
-            <source>Window of n consecutive samples, the averaging interval T of (7). The slow variables are constant inside it. At least 5 samples and three quarters of a period.</source>
-            <translation>Окно из n последовательных отсчётов, интервал усреднения T из (7). Внутри него медленные переменные постоянны. Не менее 5 отсчётов и трёх четвертей периода.</translation>
-        </message>
-    </context>
-    <context>
-        <name>vybeg::ui::XYPlotView</name>
-        <message>
-            <source>Copy plot</source>
-            <translation>Копировать график</translation>
-        </message>
-        <message>
-            <source>Export plot…</source>
-            <translation>Экспорт графика…</translation>
-        </message>
-    </context>
+    </message>
+    <message>
+        <source>Plot of %1, %2</source>
+        <translation>График %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::TracksPage</name>
+    <message>
+        <source>Overview of the recording</source>
+        <translation>Обзор записи</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::WelcomePage</name>
+    <message>
+        <source>&lt;p style=&apos;font-size:large&apos;&gt;Drop a recording of a free decay here&lt;/p&gt;&lt;p&gt;Two channels, C and D: WAV, FLAC, CSV and other tables of numbers&lt;/p&gt;</source>
+        <translation>&lt;p style=&apos;font-size:large&apos;&gt;Перетащите сюда запись свободного выбега&lt;/p&gt;&lt;p&gt;Два канала, C и D: WAV, FLAC, CSV и другие таблицы чисел&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Открыть запись…</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::WindowFields</name>
+    <message>
+        <source>Length</source>
+        <translation>Длина</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>отсчётов</translation>
+    </message>
+    <message>
+        <source>periods</source>
+        <translation>периодов</translation>
+    </message>
+    <message>
+        <source>The same window in periods of the carrier; may be a fraction. The article varies T from 1 to 10 periods.</source>
+        <translation>То же окно в периодах несущей, можно дробное. В статье T меняется от 1 до 10 периодов.</translation>
+    </message>
+    <message>
+        <source>Length in periods</source>
+        <translation>Длина в периодах</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>The same window in milliseconds.</source>
+        <translation>То же окно в миллисекундах.</translation>
+    </message>
+    <message>
+        <source>Length in milliseconds</source>
+        <translation>Длина в миллисекундах</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Остаток</translation>
+    </message>
+    <message>
+        <source>What the window leaves of ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, the condition below (7). Algorithms 1 to 4 are exact only where it is zero; 5 and 6 are exact for every window.</source>
+        <translation>Насколько окно нарушает ⟨cos 2ωt⟩ = ⟨sin 2ωt⟩ = 0, условие после (7). Алгоритмы 1–4 точны лишь там, где остаток равен нулю; 5 и 6 точны при любом окне.</translation>
+    </message>
+    <message>
+        <source>Hop</source>
+        <translation>Шаг</translation>
+    </message>
+    <message>
+        <source>Samples between the starts of windows. Empty: windows one after the other (discrete identification); less than the window: sliding.</source>
+        <translation>Отсчётов между началами окон. Пусто: окна одно за другим (дискретная идентификация); меньше окна: скользящее окно.</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Перекрытие</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>The same as a share of the window that the next one repeats.</source>
+        <translation>То же как доля окна, которую повторяет следующее.</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Подогнать</translation>
+    </message>
+    <message>
+        <source>Moves the window to whole half-periods of the carrier: the n nearest to the wish that leaves the smallest residual.</source>
+        <translation>Подгоняет окно к целому числу полупериодов несущей: ближайшее n с наименьшим остатком.</translation>
+    </message>
+    <message>
+        <source>as the window</source>
+        <translation>равен окну</translation>
+    </message>
+    <message>
+        <source>Window of n consecutive samples, the averaging interval T of (7). The slow variables are constant inside it. At least 5 samples and three quarters of a period.</source>
+        <translation>Окно из n последовательных отсчётов, интервал усреднения T из (7). Внутри него медленные переменные постоянны. Не менее 5 отсчётов и трёх четвертей периода.</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::WindowMenus</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Правка</translation>
+    </message>
+    <message>
+        <source>&amp;Analysis</source>
+        <translation>О&amp;бработка</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Справка</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Файл</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Недавние</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Вид</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>&amp;Панели</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Тема</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Как в системе</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Светлая</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Тёмная</translation>
+    </message>
+    <message>
+        <source>&amp;Plots</source>
+        <translation>&amp;Графики</translation>
+    </message>
+    <message>
+        <source>Fre&amp;quency in</source>
+        <translation>&amp;Частота в</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Гц</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>рад/с</translation>
+    </message>
+    <message>
+        <source>Deviation from f₀, Hz</source>
+        <translation>Отклонение от f₀, Гц</translation>
+    </message>
+    <message>
+        <source>Deviation from f₀, ppm</source>
+        <translation>Отклонение от f₀, млн⁻¹</translation>
+    </message>
+    <message>
+        <source>&amp;Angles in</source>
+        <translation>&amp;Углы в</translation>
+    </message>
+    <message>
+        <source>Radians</source>
+        <translation>Радианы</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>Градусы</translation>
+    </message>
+    <message>
+        <source>A&amp;mplitudes in</source>
+        <translation>&amp;Амплитуды в</translation>
+    </message>
+    <message>
+        <source>Recording units</source>
+        <translation>Единицы записи</translation>
+    </message>
+    <message>
+        <source>Decibels</source>
+        <translation>Децибелы</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Язык</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::XYPlotView</name>
+    <message>
+        <source>Copy plot</source>
+        <translation>Копировать график</translation>
+    </message>
+    <message>
+        <source>Export plot…</source>
+        <translation>Экспорт графика…</translation>
+    </message>
+</context>
 </TS>

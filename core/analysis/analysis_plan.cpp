@@ -14,7 +14,7 @@ Result<WindowPlan> plan_of(const WindowSettings& settings, const Prepared& prepa
     if (length < least) {
         return Error{ErrorCode::window_too_short,
                      recording_name(recording),
-                     {integer_text(length), integer_text(least)}};
+                     {count_arg(length), count_arg(least)}};
     }
     if (settings.snap) {
         length = snap_window(length, prepared.f0_hz, rate);
@@ -24,7 +24,7 @@ Result<WindowPlan> plan_of(const WindowSettings& settings, const Prepared& prepa
     if (plan.count == 0) {
         return Error{ErrorCode::window_too_long,
                      recording_name(recording),
-                     {integer_text(length), integer_text(prepared.end - prepared.first)}};
+                     {count_arg(length), count_arg(prepared.end - prepared.first)}};
     }
     return plan;
 }

@@ -13,12 +13,12 @@ void add_diagnostics(const EstimationSummary& estimation, AnalysisSummary& analy
     if (estimation.not_converged > 0) {
         analysis.diagnostics.push_back(
             {DiagnosticKind::not_converged,
-             {integer_text(estimation.not_converged), integer_text(analysis.plan.count)}});
+             {count_arg(estimation.not_converged), count_arg(analysis.plan.count)}});
     }
     if (estimation.leaking > 0) {
         analysis.diagnostics.push_back(
             {DiagnosticKind::leakage,
-             {integer_text(estimation.leaking), integer_text(analysis.plan.count)}});
+             {count_arg(estimation.leaking), count_arg(analysis.plan.count)}});
     }
     std::size_t moving = 0;
     for (const FlaggedRows& rows : analysis.flagged) {
@@ -27,11 +27,11 @@ void add_diagnostics(const EstimationSummary& estimation, AnalysisSummary& analy
     if (moving > 0) {
         analysis.diagnostics.push_back(
             {DiagnosticKind::wave_moves,
-             {integer_text(static_cast<std::int64_t>(moving)), integer_text(analysis.plan.count)}});
+             {count_arg(static_cast<std::int64_t>(moving)), count_arg(analysis.plan.count)}});
     }
     if (estimation.context > 0) {
         analysis.diagnostics.push_back(
-            {DiagnosticKind::context_missing, {integer_text(estimation.context)}});
+            {DiagnosticKind::context_missing, {count_arg(estimation.context)}});
     }
 }
 

@@ -263,7 +263,7 @@ Result<CarrierLines> carrier_lines(const Prepared& prepared, const SignalSetting
     std::vector<Line> lines = lines_of(*spectrum);
     const std::optional<Line> carrier = carrier_of(lines, f0, lobe);
     if (!carrier && settings.f0_hz && !spectrum->stretches.empty()) {
-        return Error{ErrorCode::carrier_not_near, "", {short_text(f0), short_text(far, 3)}};
+        return Error{ErrorCode::carrier_not_near, "", {number_arg(f0), number_arg(far, 3)}};
     }
     if (carrier) {
         const double near = std::min(80.0, carrier->f_hz / 8);

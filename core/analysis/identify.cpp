@@ -176,7 +176,7 @@ Error named(Error error, std::span<const PhasorRun> runs, std::span<const Record
         };
         const auto fewest = std::ranges::min_element(runs, {}, finite);
         error.where = recording_name(recordings[static_cast<std::size_t>(fewest - runs.begin())]);
-        error.args[0] = integer_text(finite(*fewest));
+        error.args[0] = count_arg(finite(*fewest));
     }
     return error;
 }
@@ -190,7 +190,7 @@ void name_runs(std::span<const Recording> recordings, std::vector<Diagnostic>& w
             continue;
         }
         for (std::size_t k = 0; k < recordings.size(); ++k) {
-            if (warning.args[0] == integer_text(static_cast<std::int64_t>(k) + 1)) {
+            if (warning.args[0] == count_arg(static_cast<std::int64_t>(k) + 1)) {
                 warning.args[0] = recording_name(recordings[k]);
                 break;
             }

@@ -155,7 +155,7 @@ void leave_out_strike(const WindowPlan& plan, double rate_hz, std::int64_t filte
     if (any) {
         const double seconds =
             static_cast<double>(static_cast<std::int64_t>(first) * plan.length) / rate_hz;
-        diagnostics.push_back({DiagnosticKind::strike_left_out, {short_text(seconds, 3)}});
+        diagnostics.push_back({DiagnosticKind::strike_left_out, {number_arg(seconds, 3)}});
     }
 }
 
@@ -314,11 +314,11 @@ void tell_of_lost_samples(const std::vector<PhaseStep>& steps,
         }
     }
     if (ambiguous > 0) {
-        diagnostics.push_back({DiagnosticKind::phase_unknown, {integer_text(ambiguous)}});
+        diagnostics.push_back({DiagnosticKind::phase_unknown, {count_arg(ambiguous)}});
     }
     if (places > 0) {
         diagnostics.push_back(
-            {DiagnosticKind::lost_counted, {integer_text(samples), integer_text(places)}});
+            {DiagnosticKind::lost_counted, {count_arg(samples), count_arg(places)}});
     }
 }
 
@@ -330,8 +330,8 @@ Error nothing_left(const SampleFaults& faults) {
     std::vector<std::string> channels;
     for (const Diagnostic& finding : faults.findings) {
         if (finding.kind == DiagnosticKind::clipped &&
-            std::ranges::find(channels, finding.args[0]) == channels.end()) {
-            channels.push_back(finding.args[0]);
+            std::ranges::find(channels, english(finding.args[0])) == channels.end()) {
+            channels.push_back(english(finding.args[0]));
         }
     }
     std::string names = channels.front();

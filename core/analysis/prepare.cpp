@@ -65,10 +65,9 @@ Result<Band> search_band(const SignalSettings& settings, std::size_t count, doub
     const double least = rate_hz / static_cast<double>(count);
     if (band.high_hz > band.low_hz && band.high_hz - band.low_hz < least &&
         band.low_hz < rate_hz / 2) {
-        return Error{
-            ErrorCode::band_too_narrow,
-            "",
-            {round_trip_text(band.low_hz), round_trip_text(band.high_hz), short_text(least, 3)}};
+        return Error{ErrorCode::band_too_narrow,
+                     "",
+                     {exact_arg(band.low_hz), exact_arg(band.high_hz), number_arg(least, 3)}};
     }
     return band;
 }
@@ -76,7 +75,7 @@ Result<Band> search_band(const SignalSettings& settings, std::size_t count, doub
 Result<double> given_carrier(double f0_hz, double rate_hz) {
     if (f0_hz >= rate_hz / 2) {
         return Error{
-            ErrorCode::carrier_above_half_rate, "", {short_text(f0_hz), short_text(rate_hz / 2)}};
+            ErrorCode::carrier_above_half_rate, "", {number_arg(f0_hz), number_arg(rate_hz / 2)}};
     }
     return f0_hz;
 }
@@ -147,7 +146,7 @@ Status find_range(const SampleSource& source, double rate_hz, const SignalSettin
     if (prepared.first >= prepared.end) {
         return Error{ErrorCode::range_empty,
                      "",
-                     {short_text(from), short_text(to), short_text(frames / rate_hz)}};
+                     {number_arg(from), number_arg(to), number_arg(frames / rate_hz)}};
     }
     return {};
 }
@@ -206,7 +205,7 @@ Result<std::shared_ptr<const SampleSource>> with_gaps_for_lost(const Recording& 
     }
     if (places > 0) {
         diagnostics.push_back(
-            {DiagnosticKind::gaps_inserted, {integer_text(lost), integer_text(places)}});
+            {DiagnosticKind::gaps_inserted, {count_arg(lost), count_arg(places)}});
     }
     return with_gaps(recording.source, faults->steps);
 }
@@ -292,7 +291,7 @@ Result<Prepared> prepare(const Recording& recording, const SignalSettings& setti
         prepared.filter = settings.filter;
         prepared.filter_reach = band_pass_reach(low, high, rate);
         const double lost = static_cast<double>(prepared.filter_reach) / rate;
-        prepared.diagnostics.push_back({DiagnosticKind::filter_transients, {short_text(lost, 3)}});
+        prepared.diagnostics.push_back({DiagnosticKind::filter_transients, {number_arg(lost, 3)}});
         const Result<double> noise = noise_in_band(**conditioned, prepared.first, prepared.end,
                                                    *settings.filter, rate, job.silent());
         if (!noise) {

@@ -33,9 +33,8 @@ Result<Length> wished_length(const PhasorWindowSettings& wished, const Prepared&
     }
     const std::int64_t least = least_phasor_window(prepared.f0_hz, rate_hz);
     if (length.samples < least) {
-        return Error{ErrorCode::fit_window_too_short,
-                     "",
-                     {integer_text(length.samples), integer_text(least)}};
+        return Error{
+            ErrorCode::fit_window_too_short, "", {count_arg(length.samples), count_arg(least)}};
     }
     return length;
 }
@@ -58,12 +57,12 @@ Result<std::int64_t> slow_enough(const Length& wish, const CarrierLines& lines, 
     const std::string low = short_text(lines.lowest_hz);
     const std::string high = short_text(lines.highest_hz);
     if (fitting < least) {
-        return Error{ErrorCode::fit_beat_too_fast, "", {low, high, integer_text(least)}};
+        return Error{ErrorCode::fit_beat_too_fast, "", {low, high, count_arg(least)}};
     }
     if (wish.chosen) {
         return Error{ErrorCode::fit_window_turns,
                      "",
-                     {integer_text(wish.samples), low, high, integer_text(fitting)}};
+                     {count_arg(wish.samples), low, high, count_arg(fitting)}};
     }
     return fitting;
 }
@@ -118,7 +117,7 @@ Result<WindowChoice> choose_windows(const Recording& recording, const SignalSett
     const double lobe_hz = rate / static_cast<double>(wish->samples);
     if (settings.f0_hz && std::abs(lines->strongest_hz - given) > lobe_hz) {
         prepared->diagnostics.push_back({DiagnosticKind::carrier_elsewhere,
-                                         {short_text(given), short_text(lines->strongest_hz)}});
+                                         {number_arg(given), number_arg(lines->strongest_hz)}});
     }
     const auto start = start_findings(*recording.source, rate, prepared->f0_hz);
     if (!start) {
@@ -130,7 +129,7 @@ Result<WindowChoice> choose_windows(const Recording& recording, const SignalSett
     if (choice.plan.count == 0) {
         return Error{ErrorCode::window_too_long,
                      "",
-                     {integer_text(*length), integer_text(prepared->end - prepared->first)}};
+                     {count_arg(*length), count_arg(prepared->end - prepared->first)}};
     }
     choice.prepared = std::move(*prepared);
     choice.lines = std::move(*lines);

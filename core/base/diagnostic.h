@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/message_arg.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -62,7 +64,7 @@ enum class DiagnosticKind {
 // first_frame is -1 where the diagnostic has no place in the recording; count is in frames.
 struct Diagnostic {
     DiagnosticKind kind{};
-    std::vector<std::string> args;
+    std::vector<MessageArg> args;
     std::int64_t first_frame = -1;
     std::int64_t count = 0;
 

@@ -1,234 +1,324 @@
-// The sentences of diagnostics.
+// What each diagnostic is called and says.
 #include "core/base/messages.h"
 
-// Marks a text for lupdate, as in core/base/messages.cpp.
-#define VYBEG_MESSAGE(context, text) text
-
 namespace vybeg {
+namespace {
 
-const char* message_template(DiagnosticKind kind) {
+constexpr int goes_on = 0;  // no exit status
+
+}  // namespace
+
+MessageRow message_row(DiagnosticKind kind) {
     switch (kind) {
         case DiagnosticKind::time_uneven:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The time column is uneven, by up to %1 s (%2 samples); the signals were "
-                "resampled to a uniform grid by local cubic interpolation.");
+            return {
+                "time-uneven", goes_on,
+                VYBEG_MESSAGE("Message",
+                              "The time column is uneven, by up to %1 s (%2 samples); the signals "
+                              "were resampled to a uniform grid by local cubic interpolation.")};
         case DiagnosticKind::time_gap:
-            return VYBEG_MESSAGE("Message",
-                                 "%1 samples are missing at %2 s; windows over them are flagged.");
+            return {
+                "time-gap", goes_on,
+                VYBEG_MESSAGE("Message",
+                              "%1 samples are missing at %2 s; windows over them are flagged.")};
         case DiagnosticKind::missing_samples:
-            return VYBEG_MESSAGE("Message",
-                                 "%1 samples are NaN or infinite; windows over them are flagged.");
+            return {
+                "missing-samples", goes_on,
+                VYBEG_MESSAGE("Message",
+                              "%1 samples are NaN or infinite; windows over them are flagged.")};
         case DiagnosticKind::file_ends_early:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The file ends early: its header promises %1 frames, %2 are there. Those "
-                "are used.");
+            return {"file-ends-early", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The file ends early: its header promises %1 frames, %2 are "
+                                  "there. Those are used.")};
         case DiagnosticKind::file_not_closed:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The file is still being written, was never closed or has been cut off: nothing "
-                "in it says how many frames there are to be. The %1 that are there are used.");
+            return {"file-not-closed", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The file is still being written, was never closed or has been "
+                                  "cut off: nothing in it says how many frames there are to be. "
+                                  "The %1 that are there are used.")};
         case DiagnosticKind::channels_unequal:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The channels differ in length: %1 has %2 samples, %3 has %4. Both are counted "
-                "from their first sample, and the end of the longer one is left out.");
+            return {
+                "channels-unequal", goes_on,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "The channels differ in length: %1 has %2 samples, %3 has %4. Both are counted "
+                    "from their first sample, and the end of the longer one is left out.")};
         case DiagnosticKind::filter_transients:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The band-pass takes %1 s at each end for its transient; those windows "
-                "are flagged.");
+            return {"filter-transients", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The band-pass takes %1 s at each end for its transient; those "
+                                  "windows are flagged.")};
         case DiagnosticKind::context_missing:
-            return VYBEG_MESSAGE(
-                "Message",
-                "This algorithm needs %1 samples on both sides of a window; windows "
-                "without them are flagged.");
+            return {"context-missing", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "This algorithm needs %1 samples on both sides of a window; "
+                                  "windows without them are flagged.")};
         case DiagnosticKind::not_converged:
-            return VYBEG_MESSAGE("Message", "%1 of %2 windows did not converge; they are flagged.");
+            return {
+                "not-converged", goes_on,
+                VYBEG_MESSAGE("Message", "%1 of %2 windows did not converge; they are flagged.")};
         case DiagnosticKind::over_range:
-            return VYBEG_MESSAGE("Message",
-                                 "Channel %1: %2 samples lie beyond its range and are missing. "
-                                 "Record with a larger range.");
+            return {"over-range", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Channel %1: %2 samples lie beyond its range and are missing. "
+                                  "Record with a larger range.")};
         case DiagnosticKind::unit_converted:
-            return VYBEG_MESSAGE("Message",
-                                 "Channel %1 is in %2 in the file; it was converted to %3, the "
-                                 "unit of channel C.");
+            return {"unit-converted", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Channel %1 is in %2 in the file; it was converted to %3, the "
+                                  "unit of channel C.")};
         case DiagnosticKind::units_differ:
-            return VYBEG_MESSAGE("Message",
-                                 "Channel %1 is in %2 and channel %3 in %4, units without a known "
-                                 "ratio: amplitudes and angles are wrong. Choose channels of one "
-                                 "unit with --channels, or give the gain ratio with --kappa.");
+            return {"units-differ", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Channel %1 is in %2 and channel %3 in %4, units without a known "
+                                  "ratio: amplitudes and angles are wrong. Choose channels of one "
+                                  "unit with --channels, or give the gain ratio with --kappa."),
+                    VYBEG_MESSAGE("Message",
+                                  "Channel %1 is in %2 and channel %3 in %4, units without a known "
+                                  "ratio: amplitudes and angles are wrong. Choose channels of one "
+                                  "unit, or give the gain ratio.")};
         case DiagnosticKind::time_unit_unknown:
-            return VYBEG_MESSAGE("Message",
-                                 "The times are in '%1', an unknown unit, and are read as seconds. "
-                                 "Choose their unit with --time-unit, or their rate with "
-                                 "--time-column none and --rate.");
+            return {
+                "time-unit-unknown", goes_on,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "The times are in '%1', an unknown unit, and are read as seconds. Choose their "
+                    "unit with --time-unit, or their rate with --time-column none and --rate."),
+                VYBEG_MESSAGE(
+                    "Message",
+                    "The times are in '%1', an unknown unit, and are read as seconds. Choose their "
+                    "unit, or open the file without a time column and give the sample rate.")};
         case DiagnosticKind::rates_disagree:
-            return VYBEG_MESSAGE("Message",
-                                 "The file states a sample rate of %1 Hz, and its times give %2 "
-                                 "Hz, which counts. Check the unit of the times (--time-unit).");
+            return {"rates-disagree", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The file states a sample rate of %1 Hz, and its times give %2 "
+                                  "Hz, which counts. Check the unit of the times (--time-unit)."),
+                    VYBEG_MESSAGE("Message",
+                                  "The file states a sample rate of %1 Hz, and its times give %2 "
+                                  "Hz, which counts. Check the unit of the times.")};
         case DiagnosticKind::leakage:
-            return VYBEG_MESSAGE(
-                "Message",
-                "In %1 of %2 windows the algorithm is off by more than one standard deviation, by "
-                "leakage; they are flagged. A window of whole half-periods (Snap) makes it "
-                "smallest; conjugate gradient and maximum likelihood have none.");
+            return {
+                "leakage", goes_on,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "In %1 of %2 windows the algorithm is off by more than one standard deviation, "
+                    "by leakage; they are flagged. A window of whole half-periods (Snap) makes it "
+                    "smallest; conjugate gradient and maximum likelihood have none.")};
         case DiagnosticKind::wave_moves:
-            return VYBEG_MESSAGE(
-                "Message",
-                "In %1 of %2 windows the wave moves inside the window, or turns too far from one "
-                "window to the next; they are flagged. Choose a shorter window or a smaller hop.");
+            return {"wave-moves", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "In %1 of %2 windows the wave moves inside the window, or turns "
+                                  "too far from one window to the next; they are flagged. Choose a "
+                                  "shorter window or a smaller hop.")};
         case DiagnosticKind::text_lines_ignored:
-            return VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.");
+            return {"text-lines-ignored", goes_on,
+                    VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.")};
         case DiagnosticKind::clipped:
-            return VYBEG_MESSAGE("Message",
-                                 "Channel %1 is clipped: %2 samples at its rail, %3. Windows over "
-                                 "them are flagged.");
+            return {"clipped", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Channel %1 is clipped: %2 samples at its rail, %3. Windows over "
+                                  "them are flagged.")};
         case DiagnosticKind::samples_lost:
-            return VYBEG_MESSAGE("Message",
-                                 "Samples lost: %1 at %2 s. Windows over the place are flagged.");
+            return {"samples-lost", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Samples lost: %1 at %2 s. Windows over the place are flagged.")};
         case DiagnosticKind::samples_doubled:
-            return VYBEG_MESSAGE(
-                "Message", "Samples doubled: %1 at %2 s. Windows over the place are flagged.");
+            return {
+                "samples-doubled", goes_on,
+                VYBEG_MESSAGE("Message",
+                              "Samples doubled: %1 at %2 s. Windows over the place are flagged.")};
         case DiagnosticKind::phase_step:
-            return VYBEG_MESSAGE(
-                "Message",
-                "A step of %1 rad in the phase of both channels at %2 s. Samples doubled: %3, or "
-                "lost: %4; the phase shows them only modulo the period. Windows over the place "
-                "are flagged.");
+            return {"phase-step", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "A step of %1 rad in the phase of both channels at %2 s. Samples "
+                                  "doubled: %3, or lost: %4; the phase shows them only modulo the "
+                                  "period. Windows over the place are flagged.")};
         case DiagnosticKind::more_samples_lost:
-            return VYBEG_MESSAGE("Message",
-                                 "Further places where samples were lost or doubled: %1.");
+            return {
+                "more-samples-lost", goes_on,
+                VYBEG_MESSAGE("Message", "Further places where samples were lost or doubled: %1.")};
         case DiagnosticKind::below_one_bit:
-            return VYBEG_MESSAGE(
-                "Message",
-                "Channel %1 stays within %2 levels of the converter: its signal is below "
-                "one bit.");
+            return {"below-one-bit", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Channel %1 stays within %2 levels of the converter: its signal "
+                                  "is below one bit.")};
         case DiagnosticKind::offset:
-            return VYBEG_MESSAGE("Message",
-                                 "Channel %1 has an offset of %2, %3 % of the amplitude. The "
-                                 "calibration takes it out (--offset auto).");
+            return {"offset", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Channel %1 has an offset of %2, %3 % of the amplitude. The "
+                                  "calibration takes it out (--offset auto)."),
+                    VYBEG_MESSAGE("Message",
+                                  "Channel %1 has an offset of %2, %3 % of the amplitude. The "
+                                  "calibration takes it out.")};
         case DiagnosticKind::mains:
-            return VYBEG_MESSAGE(
-                "Message",
-                "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass takes it out "
-                "(--filter).");
+            return {"mains", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass "
+                                  "takes it out (--filter)."),
+                    VYBEG_MESSAGE("Message",
+                                  "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass "
+                                  "takes it out.")};
         case DiagnosticKind::start_transient:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The first %1 s do not decay as what follows. The range can leave them out "
-                "(--from).");
+            return {
+                "start-transient", goes_on,
+                VYBEG_MESSAGE("Message",
+                              "The first %1 s do not decay as what follows. The range can leave "
+                              "them out (--from)."),
+                VYBEG_MESSAGE(
+                    "Message",
+                    "The first %1 s do not decay like the rest. The range can leave them out.")};
         case DiagnosticKind::gaps_inserted:
-            return VYBEG_MESSAGE("Message",
-                                 "Lost samples made gaps, as asked for: %1; places: %2. Windows "
-                                 "over them have no values.");
+            return {"gaps-inserted", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Lost samples made gaps, as asked for: %1; places: %2. Windows "
+                                  "over them have no values.")};
         case DiagnosticKind::lost_counted:
-            return VYBEG_MESSAGE(
-                "Message",
-                "Lost samples counted in the time behind them, so that the phase runs on: %1; "
-                "places: %2.");
+            return {"lost-counted", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Lost samples counted in the time behind them, so that the phase "
+                                  "runs on: %1; places: %2.")};
         case DiagnosticKind::phase_unknown:
-            return VYBEG_MESSAGE(
-                "Message",
-                "Places where an unknown number of samples was lost or doubled: %1. The phase "
-                "after each is a parameter of its own; time moves by the smallest possible "
-                "number.");
+            return {"phase-unknown", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Places where an unknown number of samples was lost or doubled: "
+                                  "%1. The phase after each is a parameter of its own; time moves "
+                                  "by the smallest possible number.")};
         case DiagnosticKind::carrier_elsewhere:
-            return VYBEG_MESSAGE("Message",
-                                 "The carrier given is %1 Hz, and the signal is at %2 Hz: that is "
-                                 "used.");
+            return {"carrier-elsewhere", goes_on,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The carrier given is %1 Hz, and the signal is at %2 Hz: that is used.")};
         case DiagnosticKind::strike_left_out:
-            return VYBEG_MESSAGE("Message",
-                                 "The first %1 s are left out of the fit: a strike, or what a "
-                                 "band-pass makes of the beginning, is no free decay.");
+            return {"strike-left-out", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The first %1 s are left out of the fit: a strike, or what a "
+                                  "band-pass makes of the beginning, is no free decay.")};
         case DiagnosticKind::frequency_drifts:
-            return VYBEG_MESSAGE("Message",
-                                 "Recording %1: the frequency drifts by %2 Hz per second (standard "
-                                 "deviation %3); the drift is fitted, and Q is free of it.");
+            return {
+                "frequency-drifts", goes_on,
+                VYBEG_MESSAGE("Message",
+                              "Recording %1: the frequency drifts by %2 Hz per second (standard "
+                              "deviation %3); the drift is fitted, and Q is free of it.")};
         case DiagnosticKind::frequency_follows_amplitude:
-            return VYBEG_MESSAGE("Message",
-                                 "The frequency depends on the amplitude: %1 Hz per squared "
-                                 "recording unit (standard deviation %2); this is fitted.");
+            return {"frequency-follows-amplitude", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The frequency depends on the amplitude: %1 Hz per squared "
+                                  "recording unit (standard deviation %2); this is fitted.")};
         case DiagnosticKind::q_disagrees:
-            return VYBEG_MESSAGE("Message",
-                                 "Recording %1: Q from the envelope, %2, and from the coherent "
-                                 "fit, %3, differ by more than three standard deviations: the "
-                                 "motion is not that of a resonator with constant parameters.");
+            return {"q-disagrees", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Recording %1: Q from the envelope, %2, and from the coherent "
+                                  "fit, %3, differ by more than three standard deviations: the "
+                                  "motion is not that of a resonator with constant parameters.")};
         case DiagnosticKind::decay_of_one_direction:
-            return VYBEG_MESSAGE("Message",
-                                 "The damping was seen in one direction only: the recording's own "
-                                 "decay time is given, not the resonator's.");
+            return {"decay-of-one-direction", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The damping was seen in one direction only: the recording's own "
+                                  "decay time is given, not the resonator's.")};
         case DiagnosticKind::structured_refused:
-            return VYBEG_MESSAGE("Message",
-                                 "The channels are no calibrated pair of pick-offs (%1): the free "
-                                 "model gives the modes, and the resonator has no axes.");
+            return {"structured-refused", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The channels are no calibrated pair of pick-offs (%1): the free "
+                                  "model gives the modes, and the resonator has no axes.")};
         case DiagnosticKind::residual_above_noise:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The residual is above the noise of the windows (chi square per degree of freedom "
-                "%1); the standard deviations are enlarged to match.");
+            return {"residual-above-noise", goes_on,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The residual is above the noise of the windows (chi square per degree of "
+                        "freedom %1); the standard deviations are enlarged to match.")};
         case DiagnosticKind::residual_below_noise:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The residual is below the noise of the windows (chi square per degree of freedom "
-                "%1): the standard deviations are too large.");
+            return {"residual-below-noise", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The residual is below the noise of the windows (chi square per "
+                                  "degree of freedom %1): the standard deviations are too large.")};
         case DiagnosticKind::residual_coloured:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The residual is not white (chi square per degree of freedom %1); the standard "
-                "deviations follow its spectrum.");
+            return {"residual-coloured", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The residual is not white (chi square per degree of freedom "
+                                  "%1); the standard deviations follow its spectrum.")};
         case DiagnosticKind::noise_too_narrow:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The noise about the carrier is as narrow as the residual can show. Noise narrower "
-                "than %1 Hz looks like the wave itself: the standard deviations may be too small. "
-                "Record longer, or repeat the recording.");
+            return {"noise-too-narrow", goes_on,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The noise about the carrier is as narrow as the residual can show. Noise "
+                        "narrower than %1 Hz looks like the wave itself: the standard deviations "
+                        "may be too small. Record longer, or repeat the recording.")};
         case DiagnosticKind::misfit_damping:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The residual is that of a damping that follows the amplitude (about %1 1/s per "
-                "squared recording unit), which the model does not hold: damping, its "
-                "anisotropy, rotation and drifts may be off by more than their deviations. Fit "
-                "later parts of the recordings, where the wave is smaller (--from).");
+            return {
+                "misfit-damping", goes_on,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "The residual is that of a damping that follows the amplitude (about %1 1/s "
+                    "per squared recording unit), which the model does not hold: damping, its "
+                    "anisotropy, rotation and drifts may be off by more than their deviations. Fit "
+                    "later parts of the recordings, where the wave is smaller (--from)."),
+                VYBEG_MESSAGE(
+                    "Message",
+                    "The residual is that of a damping that follows the amplitude (about %1 1/s "
+                    "per squared recording unit), which the model does not hold: damping, its "
+                    "anisotropy, rotation and drifts may be off by more than their deviations. Fit "
+                    "later parts of the recordings, where the wave is smaller.")};
         case DiagnosticKind::misfit_settling:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The residual is that of a frequency that settles by about %1 Hz in %2 s, which "
-                "the model does not hold: the resonator's numbers may be off by more than their "
-                "deviations. Leave the first seconds out (--from).");
+            return {"misfit-settling", goes_on,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The residual is that of a frequency that settles by about %1 Hz in %2 s, "
+                        "which the model does not hold: the resonator's numbers may be off by more "
+                        "than their deviations. Leave the first seconds out (--from)."),
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The residual is that of a frequency that settles by about %1 Hz in %2 s, "
+                        "which the model does not hold: the resonator's numbers may be off by more "
+                        "than their deviations. Leave the first seconds out of the range.")};
         case DiagnosticKind::misfit_neighbour:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a "
-                "disturbance that folds there, which the model does not hold. Split, axes, "
-                "rotation and the wave's own numbers may be off by more than their "
-                "deviations. Take it out with a narrower band-pass (--filter).");
+            return {"misfit-neighbour", goes_on,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, "
+                        "or a disturbance that folds there, which the model does not hold. Split, "
+                        "axes, rotation and the wave's own numbers may be off by more than their "
+                        "deviations. Take it out with a narrower band-pass (--filter)."),
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, "
+                        "or a disturbance that folds there, which the model does not hold. Split, "
+                        "axes, rotation and the wave's own numbers may be off by more than their "
+                        "deviations. Take it out with a narrower band-pass.")};
         case DiagnosticKind::misfit_channel:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The residual is that of an error of the channels that is taken as zero: %1, "
-                "about %2. Calibrate it, or tell its tolerance (--tolerance).");
+            return {"misfit-channel", goes_on,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The residual is that of an error of the channels that is taken as zero: "
+                        "%1, about %2. Calibrate it, or tell its tolerance (--tolerance)."),
+                    VYBEG_MESSAGE("Message",
+                                  "The residual is that of an error of the channels that is taken "
+                                  "as zero: %1, about %2. Calibrate it, or state its tolerance.")};
         case DiagnosticKind::misfit_pickoff:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The residual is that of pick-offs whose gain follows the amplitude: by about "
-                "%1 % in channel C and %2 % in D at the largest amplitude, which the model does "
-                "not hold. Split, damping, axes and rotation may be off by more than their "
-                "deviations. Linearise the channels, or record smaller amplitudes.");
+            return {
+                "misfit-pickoff", goes_on,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "The residual is that of pick-offs whose gain follows the amplitude: by about "
+                    "%1 % in channel C and %2 % in D at the largest amplitude, which the model "
+                    "does not hold. Split, damping, axes and rotation may be off by more than "
+                    "their deviations. Linearise the channels, or record smaller amplitudes.")};
         case DiagnosticKind::fitted_phase_step:
-            return VYBEG_MESSAGE(
-                "Message",
-                "%1: the phase of both channels steps by %2 rad at %3 s; samples are lost or "
-                "doubled there. The fit leaves the phase open at that place.");
+            return {"fitted-phase-step", goes_on,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: the phase of both channels steps by %2 rad at %3 s; samples are lost "
+                        "or doubled there. The fit leaves the phase open at that place.")};
         case DiagnosticKind::fit_not_converged:
-            return VYBEG_MESSAGE(
-                "Message",
-                "The fit of the resonator stopped before it converged: its values are refused.");
+            return {"fit-not-converged", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The fit of the resonator stopped before it converged: its "
+                                  "values are refused.")};
         case DiagnosticKind::option_without_effect:
-            return VYBEG_MESSAGE("Message", "%1 has no effect: %2.");
+            return {"option-without-effect", goes_on,
+                    VYBEG_MESSAGE("Message", "%1 has no effect: %2.")};
     }
-    return "";
+    return {"", 0, ""};
 }
 
 }  // namespace vybeg

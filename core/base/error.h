@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/message_arg.h"
+
 #include <string>
 #include <vector>
 
@@ -69,7 +71,7 @@ enum class ErrorCode {
 struct Error {
     ErrorCode code{};
     std::string where;
-    std::vector<std::string> args;
+    std::vector<MessageArg> args;
 
     friend bool operator==(const Error&, const Error&) = default;
 };

@@ -7,15 +7,22 @@
 
 namespace vybeg {
 
-// English sentence template of a code, with %1 for `where` (errors) and %2, %3, ... for the
-// arguments; for diagnostics %1, %2, ... are the arguments. The desktop program translates the
-// template (context "Message") before it fills it; the command line fills it as it is.
-const char* message_template(ErrorCode code);
-const char* message_template(DiagnosticKind kind);
+// One code: its name in JSON, the exit status of the command line, its English sentence, and the
+// window's sentence where that of the command line names options. %1 stands for `where` and %2, %3,
+// ... for the arguments of an error; %1, %2, ... for the arguments of a diagnostic. The desktop
+// program translates a sentence (context "Message") before it fills it.
+struct MessageRow {
+    const char* name;
+    int exit_status;  // of an error
+    const char* sentence;
+    const char* in_window = nullptr;
+};
 
-// Fills %1 .. %9 of a template with the arguments, which may come from a file, as plain_text(). A
-// number without an argument stays as it is.
-std::string fill_template(const std::string& text, const std::vector<std::string>& args);
+MessageRow message_row(ErrorCode code);
+MessageRow message_row(DiagnosticKind kind);
+
+// All that a sentence is filled with, in the order of its numbers.
+std::vector<MessageArg> message_args(const Error& error);
 
 // The whole English sentence: what, where, why, what to do.
 std::string english(const Error& error);

@@ -1,5 +1,6 @@
 #include "core/output/output_file.h"
 
+#include "core/base/system_reason.h"
 #include "core/output/temporary_file.h"
 
 #include <algorithm>
@@ -24,10 +25,6 @@ constexpr std::int64_t written_behind = std::int64_t{1} << 23;
 // A pipe that poll() calls writable takes this much without blocking (PIPE_BUF).
 constexpr std::size_t pipe_chunk = 4096;
 constexpr int poll_ms = 50;
-
-std::string system_reason(int error) {
-    return std::generic_category().message(error);
-}
 
 Error failure_of(const std::string& name, int error) {
     return {ErrorCode::output_failed, name, {system_reason(error)}};
@@ -242,9 +239,10 @@ Status OutputFile::commit_together(std::span<OutputFile* const> files) {
             for (std::size_t before = k; before > 0; --before) {
                 files[before - 1]->leave_place();
             }
-            return standing.empty() ? placed
-                                    : files[k]->failure(placed.error().args[0] + " (" + standing +
-                                                        " was written)");
+            return standing.empty()
+                       ? placed
+                       : files[k]->failure(words(VYBEG_MESSAGE("Words", "%1 (%2 was written)"),
+                                                 {placed.error().args[0], standing}));
         }
         if (files[k]->placed_ == Placed::for_good) {
             standing += (standing.empty() ? "" : ", ") + files[k]->name_;
@@ -276,12 +274,15 @@ Status OutputFile::compare(std::string_view bytes) const {
         }
         const std::string_view read(piece.data(), static_cast<std::size_t>(got));
         if (read != bytes.substr(at, read.size())) {
-            return failure("the disk does not give back what was written");
+            return failure(
+                words(VYBEG_MESSAGE("Words", "the disk does not give back what was written")));
         }
         at += read.size();
         if (read.empty()) {
-            return at == bytes.size() ? Status{}
-                                      : failure("the disk does not give back what was written");
+            return at == bytes.size()
+                       ? Status{}
+                       : failure(words(VYBEG_MESSAGE(
+                             "Words", "the disk does not give back what was written")));
         }
     }
 }
@@ -295,7 +296,7 @@ std::filesystem::path OutputFile::spool_folder() const {
     return folder.empty() ? "." : folder;
 }
 
-Error OutputFile::failure(std::string reason) const {
+Error OutputFile::failure(MessageArg reason) const {
     return {partly_out() ? ErrorCode::output_incomplete : ErrorCode::output_failed,
             name_,
             {std::move(reason)}};

@@ -56,7 +56,7 @@ public:
     std::filesystem::path spool_folder() const;
 
     // output_failed for this file with a reason in words; output_incomplete where bytes went out.
-    Error failure(std::string reason) const;
+    Error failure(MessageArg reason) const;
     // `error`, except that an interruption after which a part stands becomes interrupted_partly.
     Error as_it_stands(const Error& error) const;
 

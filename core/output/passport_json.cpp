@@ -41,7 +41,10 @@ Json written(const Estimate& estimate) {
     Json json = quantity_json(estimate);
     if (!estimate.given()) {
         json["code"] = reason_name(estimate.reason.code);
-        json["args"] = estimate.reason.args;
+        json["args"] = Json::array();
+        for (const MessageArg& arg : estimate.reason.args) {
+            json["args"].push_back(english(arg));
+        }
     }
     return json;
 }
@@ -77,6 +80,12 @@ ReasonCode reason_code(const std::string& name) {
     }
 }
 
+Reason stored_reason(const std::string& name, const std::vector<std::string>& args) {
+    Reason reason{reason_code(name), {}};
+    std::ranges::transform(args, std::back_inserter(reason.args), stored_arg);
+    return reason;
+}
+
 // Reasons of schema 1 that are no more, or have other arguments now, by their nearest.
 Reason old_reason(const std::string& name, const std::vector<std::string>& args) {
     constexpr std::array<std::pair<const char*, ReasonCode>, 7> nearest{{
@@ -96,9 +105,9 @@ Reason old_reason(const std::string& name, const std::vector<std::string>& args)
     if (name == "no-decay" && args.size() == 2) {  // 1/tau and its deviation
         const double rate = parse_number(args[0]).value_or(0);
         const double sd = parse_number(args[1]).value_or(0);
-        return {ReasonCode::no_decay, {short_text(1 / (std::max(rate, 0.0) + 2 * sd), 3)}};
+        return {ReasonCode::no_decay, {number_arg(1 / (std::max(rate, 0.0) + 2 * sd), 3)}};
     }
-    return {reason_code(name), args};
+    return stored_reason(name, args);
 }
 
 Estimate read_estimate(const Json& json, int schema) {
@@ -120,9 +129,8 @@ Estimate read_estimate(const Json& json, int schema) {
     // What was not finite when it was written has neither code nor arguments.
     if (json.contains("code")) {
         const auto name = json.at("code").get<std::string>();
-        auto args = json.at("args").get<std::vector<std::string>>();
-        estimate.reason =
-            schema == 1 ? old_reason(name, args) : Reason{reason_code(name), std::move(args)};
+        const auto args = json.at("args").get<std::vector<std::string>>();
+        estimate.reason = schema == 1 ? old_reason(name, args) : stored_reason(name, args);
     } else {
         estimate.reason.code = ReasonCode::too_few_windows;
     }
@@ -292,7 +300,9 @@ Result<Passport> read_passport(std::string_view text, const std::string& where) 
     try {
         const Json json = Json::parse(text);
         if (!json.is_object() || json.value("vybeg", Json()) != "passport") {
-            return Error{ErrorCode::passport_damaged, where, {"its JSON is not a passport's"}};
+            return Error{ErrorCode::passport_damaged,
+                         where,
+                         {words(VYBEG_MESSAGE("Words", "its JSON is not a passport's"))}};
         }
         const int schema = json.at("schema").get<int>();
         if (schema < 1) {
@@ -301,13 +311,14 @@ Result<Passport> read_passport(std::string_view text, const std::string& where) 
         if (schema > Passport::schema) {
             return Error{ErrorCode::passport_schema,
                          where,
-                         {integer_text(schema), integer_text(Passport::schema)}};
+                         {count_arg(schema), count_arg(Passport::schema)}};
         }
         return read_all(json, schema);
     } catch (const Json::parse_error& error) {
         return Error{ErrorCode::passport_damaged,
                      where,
-                     {"it is no JSON at byte " + std::to_string(error.byte)}};
+                     {words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
+                            {count_arg(static_cast<std::int64_t>(error.byte))})}};
     } catch (const std::exception& error) {
         // The JSON library begins with its own name of the error, in brackets.
         const std::string reason = error.what();
@@ -325,7 +336,9 @@ Result<Passport> read_passport_file(const std::filesystem::path& path) {
         return file.error();
     }
     if ((*file)->size() > most_bytes) {
-        return Error{ErrorCode::passport_damaged, path.string(), {"it has more than 64 MiB"}};
+        return Error{ErrorCode::passport_damaged,
+                     path.string(),
+                     {words(VYBEG_MESSAGE("Words", "it has more than 64 MiB"))}};
     }
     std::vector<char> bytes(static_cast<std::size_t>((*file)->size()));
     const auto got = (*file)->read(0, bytes);

@@ -1,5 +1,6 @@
 #include "core/output/spool.h"
 
+#include "core/base/system_reason.h"
 #include "core/output/temporary_file.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ Spool::~Spool() {
 }
 
 Error Spool::failed(int error) const {
-    return output_.failure(std::generic_category().message(error));
+    return output_.failure(system_reason(error));
 }
 
 Status Spool::create() {

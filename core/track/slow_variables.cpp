@@ -1,7 +1,6 @@
 #include "core/track/slow_variables.h"
 
-// Marks a text for translation by the desktop program.
-#define VYBEG_MESSAGE(context, text) text
+#include "core/base/translatable.h"
 
 namespace vybeg {
 

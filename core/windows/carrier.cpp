@@ -83,7 +83,7 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
     if (!(low_hz < high_hz) || low_hz >= rate_hz / 2 || high < low) {
         return Error{ErrorCode::band_invalid,
                      "",
-                     {short_text(low_hz), short_text(high_hz), short_text(rate_hz / 2)}};
+                     {number_arg(low_hz), number_arg(high_hz), number_arg(rate_hz / 2)}};
     }
 
     if (const auto found = zoom_carrier(c, d, rate_hz, low_hz, high_hz, job)) {

@@ -161,7 +161,8 @@ public:
     }
 
 private:
-    MainWindow window_;
+    Document document_;
+    MainWindow window_{document_};
     TrackView* tracks_ = nullptr;
     QCustomPlot* plot_ = nullptr;
     int drawn_ = 0;

@@ -15,7 +15,6 @@ const ClassCeilings ceilings{
     {"ui/document/document.h: Document", 1021},
     {"ui/plots/signal_view.h: SignalView", 539},
     {"ui/plots/track_view.h: TrackView", 585},
-    {"ui/window/main_window.h: MainWindow", 890},
 };
 
 // A source tree with the folders base, recording/bytes, recording/text and windows in core/, words

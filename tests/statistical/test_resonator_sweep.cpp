@@ -116,7 +116,7 @@ void TestResonatorSweep::fourRunsTellTheTruthWithinTheirDeviations() {
         } else {
             QVERIFY(found.split_hz.reason.code == ReasonCode::within_noise);
             // The limit of two deviations beyond the length: the truth lies below it.
-            QVERIFY(decay.split_hz < 1.5 * std::stod(found.split_hz.reason.args[0]));
+            QVERIFY(decay.split_hz < 1.5 * std::stod(english(found.split_hz.reason.args[0])));
         }
         if (found.theta_w_rad.given()) {
             axis.add(found.theta_w_rad, decay.theta_w, pi / 2);

@@ -64,7 +64,7 @@ void typeInto(NumberField& field, const char* text) {
 std::unique_ptr<MainWindow> shownWindow() {
     QSettings().clear();
     QSettings().setValue(QStringLiteral("live"), false);
-    auto window = std::make_unique<MainWindow>();
+    auto window = std::make_unique<TestWindow>();
     window->setLanguage(QStringLiteral("en"));
     window->resize(1400, 900);
     window->show();

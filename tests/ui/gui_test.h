@@ -48,6 +48,16 @@ void typeInto(NumberField& field, const char* text);
 
 // The main window in English, 1400 x 900, on the screen, with no settings of an earlier one but
 // that it is not live: a run is what a test asks for.
+struct OwnDocument {
+    Document own_document;
+};
+
+// A window with a document of its own, which outlives it.
+class TestWindow : private OwnDocument, public MainWindow {
+public:
+    TestWindow() : MainWindow(own_document) {}
+};
+
 std::unique_ptr<MainWindow> shownWindow();
 
 }  // namespace vybeg::ui

@@ -2,6 +2,7 @@
 #include "tests/ui/gui_test.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/track_view.h"
+#include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -108,11 +109,11 @@ private slots:
         const QString around =
             QFileInfo(recording).path() + "/./" + QFileInfo(recording).fileName();
         for (const QString& path : {recording, around, link}) {
-            window_->exportTrackTo(path);
+            window_->files().exportTrackTo(path);
             QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
-            window_->exportPlotsTo(path);
+            window_->files().exportPlotsTo(path);
             QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
-            window_->savePassportTo(path);
+            window_->files().savePassportTo(path);
             QTest::qWait(100);
             QVERIFY(bytes() == before);
         }
@@ -122,7 +123,7 @@ private slots:
     void an_exported_figure_has_its_size_whatever_else_is_in_the_window() {
         openOne();
         const auto size = [this] {
-            window_->exportPlotsTo(home_.path("size.png"));
+            window_->files().exportPlotsTo(home_.path("size.png"));
             window_->action(Command::copy_plot)->trigger();
             const QSize written = QImage(home_.path("size.png")).size();
             return std::pair(written, QApplication::clipboard()->image().size());

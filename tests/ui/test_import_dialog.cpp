@@ -269,7 +269,7 @@ private slots:
     }
 
     void the_window_opens_what_was_chosen() {
-        MainWindow window;
+        TestWindow window;
         window.setLanguage("en");
         window.show();
         window.document().open({table("norate.csv")});
@@ -299,7 +299,7 @@ private slots:
     }
 
     void the_menu_has_an_import() {
-        MainWindow window;
+        TestWindow window;
         window.setLanguage("en");
         QCOMPARE(window.action(Command::import_file)->text(), QString("&Import…"));
         QVERIFY(window.action(Command::import_file)->isEnabled());

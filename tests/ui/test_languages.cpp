@@ -4,6 +4,7 @@
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/run_list.h"
 #include "ui/window/compare_dialog.h"
+#include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
 #include <QAbstractButton>
@@ -145,7 +146,7 @@ class TestLanguages : public QObject {
 
 private slots:
     void no_word_of_the_other_language_is_left_after_switching() {
-        MainWindow window;
+        TestWindow window;
         window.setLanguage("en");
         window.show();
         window.document().open({home_.recording("demo.wav"), home_.file("demo.csv", "")});
@@ -159,9 +160,9 @@ private slots:
                 return set && window.document().outcome(*set);
             },
             20000));
-        window.savePassportTo(home_.path("demo.json"));
+        window.files().savePassportTo(home_.path("demo.json"));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("demo.json")); }));
-        window.comparePassport(home_.path("demo.json"));
+        window.document().openPassport(home_.path("demo.json"));
         QVERIFY(QTest::qWaitFor([&] { return window.document().passport() != nullptr; }));
         window.action(Command::compare)->trigger();
         // Both with every choice on the screen: text here, raw samples in the other.
@@ -213,7 +214,7 @@ private slots:
     void a_letter_opens_one_entry_of_a_menu() {
         QFETCH(QString, language);
         QFETCH(QString, first);
-        MainWindow window;
+        TestWindow window;
         window.setLanguage(language);
         QVERIFY(
             QTest::qWaitFor([&] { return window.menuBar()->actions().first()->text() == first; }));
@@ -251,12 +252,9 @@ private slots:
         QVERIFY(QFile::copy(VYBEG_SOURCE_DIR "/translations/vybeg_ru.ts", copy));
         QProcess lupdate;
         lupdate.setWorkingDirectory(VYBEG_SOURCE_DIR);
-        lupdate.start(
-            VYBEG_LUPDATE,
-            {"-silent", "-I", ".", "-locations", "none", "-no-obsolete", "-tr-function-alias",
-             "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE", "ui", "app", "core/base/messages.cpp",
-             "core/base/diagnostic_messages.cpp", "core/resonator/model/reason.cpp",
-             "core/resonator/results/passport.cpp", "core/track/slow_variables.cpp", "-ts", copy});
+        lupdate.start(VYBEG_LUPDATE, {"-silent", "-I", ".", "-locations", "none", "-no-obsolete",
+                                      "-tr-function-alias", "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE",
+                                      "ui", "app", "core", "-ts", copy});
         QVERIFY(lupdate.waitForFinished(60000));
         QCOMPARE(lupdate.exitCode(), 0);
 

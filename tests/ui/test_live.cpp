@@ -377,11 +377,11 @@ private slots:
         QCOMPARE(box->isChecked(), !now);
         box->click();
         window->close();
-        window = std::make_unique<MainWindow>();
+        window = std::make_unique<TestWindow>();
         QCOMPARE(window->document().live(), now);
         QCOMPARE(window->action(Command::live)->isChecked(), now);
         QSettings().clear();
-        window = std::make_unique<MainWindow>();
+        window = std::make_unique<TestWindow>();
         QVERIFY2(window->document().live(), "by default");
     }
 };

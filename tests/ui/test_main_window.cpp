@@ -8,6 +8,7 @@
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/window/compare_dialog.h"
+#include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recent_files.h"
@@ -271,14 +272,14 @@ private slots:
     void plots_are_exported_by_the_ending_of_the_name() {
         openOne();
         for (const char* name : {"plots.png", "plots.svg", "plots.pdf"}) {
-            window_->exportPlotsTo(home_.path(name));
+            window_->files().exportPlotsTo(home_.path(name));
         }
         QVERIFY(!QImage(home_.path("plots.png")).isNull());
         QFile pdf(home_.path("plots.pdf"));
         QVERIFY(pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-");
         QFile svg(home_.path("plots.svg"));
         QVERIFY(svg.open(QIODevice::ReadOnly) && svg.read(200).contains("<svg"));
-        window_->exportPlotsTo(home_.path("no/such/folder/plots.png"));
+        window_->files().exportPlotsTo(home_.path("no/such/folder/plots.png"));
         QVERIFY(the<MessageBar>().texts().first().contains("cannot be written"));
     }
 
@@ -335,7 +336,7 @@ private slots:
 
     void the_track_is_exported_with_its_header_in_the_background() {
         openOne();
-        window_->exportTrackTo(home_.path("track.csv"));
+        window_->files().exportTrackTo(home_.path("track.csv"));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("track.csv")); }));
         QFile csv(home_.path("track.csv"));
         QVERIFY(csv.open(QIODevice::ReadOnly));
@@ -357,7 +358,7 @@ private slots:
         emit dialog.compareWanted(dialog.lengths());
         QVERIFY(QTest::qWaitFor([&] { return dialog.columns().size() == 3; }, 20000));
         QCOMPARE(dialog.columns().front().title, QStringLiteral("n = 8"));
-        window_->exportFigureTo(home_.path("figure.svg"));
+        window_->files().exportFigureTo(home_.path("figure.svg"));
         QVERIFY(QFileInfo(home_.path("figure.svg")).size() > 1000);
         dialog.setLengths("8, x");
         QVERIFY(dialog.lengths().empty());
@@ -384,7 +385,7 @@ private slots:
         window_->setLanguage("ru");
         window_->setThemeMode(ThemeMode::dark);
         window_->close();
-        window_ = std::make_unique<MainWindow>();
+        window_ = std::make_unique<TestWindow>();
         QVERIFY(window_->diagnosticsText().contains("Language ru, theme dark"));
         QVERIFY(window_->diagnosticsText().contains("Recordings: 0, runs: 0"));
         window_->setThemeMode(ThemeMode::light);

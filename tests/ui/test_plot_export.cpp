@@ -142,7 +142,7 @@ private slots:
             exportPlots(twoRuns(), {800, 600}, dir_.filePath(QStringLiteral("plots.bmp")));
         QVERIFY(!status);
         QVERIFY(status.error().code == ErrorCode::output_format_unknown);
-        QCOMPARE(status.error().args, std::vector<std::string>{"bmp"});
+        QCOMPARE(status.error().args, std::vector<MessageArg>{"bmp"});
     }
 
     void a_failure_leaves_the_old_file() {
@@ -150,7 +150,7 @@ private slots:
                                           dir_.filePath(QStringLiteral("no/such/place/plots.pdf")));
         QVERIFY(!status);
         QVERIFY(status.error().code == ErrorCode::output_failed);
-        QVERIFY(!status.error().args.at(0).empty());
+        QVERIFY(!english(status.error().args.at(0)).empty());
         const QString folder = dir_.filePath(QStringLiteral("taken.svg"));
         QVERIFY(QDir().mkpath(folder + QStringLiteral("/inside")));
         QVERIFY(!exportPlots(twoRuns(), {800, 600}, folder));

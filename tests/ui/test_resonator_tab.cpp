@@ -11,6 +11,7 @@
 #include "ui/settings/signal_fields.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/quantity_table.h"
+#include "ui/window/file_commands.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -335,9 +336,9 @@ private slots:
     void a_passport_finds_what_has_changed() {
         openSet();
         identify();
-        window_->savePassportTo(home_.path("gyro.json"));
+        window_->files().savePassportTo(home_.path("gyro.json"));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("gyro.json")); }));
-        window_->comparePassport(home_.path("gyro.json"));
+        window_->document().openPassport(home_.path("gyro.json"));
         QVERIFY(QTest::qWaitFor([&] { return document().passport() != nullptr; }));
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("= unchanged"));
         QCOMPARE(cell("differences", "Frequency split", 2), QStringLiteral("0.0"));
@@ -361,7 +362,7 @@ private slots:
     }
 
     void a_damaged_passport_is_told_of() {
-        window_->comparePassport(home_.file("bad.json", "{"));
+        window_->document().openPassport(home_.file("bad.json", "{"));
         QVERIFY(QTest::qWaitFor([&] { return !the<MessageBar>().texts().isEmpty(); }));
         QVERIFY(the<MessageBar>().texts().first().contains("bad.json"));
         QVERIFY(!document().passport());

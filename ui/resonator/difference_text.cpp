@@ -90,7 +90,8 @@ QString whyText(const Difference& difference) {
         case Incomparable::then_unknown:
             return resonatorText(QT_TRANSLATE_NOOP("Resonator", "in the passport: %1"))
                 .arg(reasonText(difference.then.reason));
-        default: return QCoreApplication::translate("Reason", message_template(difference.why));
+        default:
+            return QCoreApplication::translate("Reason", incomparable_sentence(difference.why));
     }
 }
 

@@ -3,52 +3,62 @@
 #include "ui/panels/cursor_panel.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/recording_drag.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/run_list.h"
-#include "ui/panels/stale_mark.h"
-#include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/resonator/resonator_panel.h"
 #include "ui/settings/settings_panel.h"
-#include "ui/window/compare_dialog.h"
+#include "ui/window/about.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/help_view.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/status_line.h"
+#include "ui/window/tracks_page.h"
 #include "ui/window/welcome_page.h"
-#include "ui/words/error_text.h"
+#include "ui/window/window_commands.h"
+#include "ui/window/window_menus.h"
 
+#include <QAbstractButton>
+#include <QAction>
 #include <QDockWidget>
-#include <QSettings>
+#include <QDropEvent>
+#include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QToolBar>
 #include <QVBoxLayout>
-
-#include <algorithm>
 
 namespace vybeg::ui {
 
-namespace {
-
-// Edits of the analysed range closer together than this are one drag, and one step of undo.
-constexpr qint64 one_gesture_ms = 700;
-
-}  // namespace
-
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(Document& document, QWidget* parent)
+    : QMainWindow(parent), document_(document) {
     setObjectName(QStringLiteral("main_window"));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-    buildViews();
+    buildPages();
     buildDocks();
+    files_ = new FileCommands(document_, *tracks_, *runs_, this);
     status_ = new StatusLine(document_, this);
     statusBar()->addWidget(status_, 1);
-    buildActions();
-    buildMenus();
+    commands_ = new Commands(
+        windowCommands({document_, *tracks_, *cursor_, *runs_, *settings_, *status_, *files_,
+                        [this](const DisplayUnits& units) { setUnits(units); },
+                        [this] { identify(); }, [this] { addSet(); }, [this] { showHelp(); },
+                        [this] { showAbout(this, action(Command::copy_diagnostics)); },
+                        [this] { return diagnosticsText(); }, [this] { close(); }}),
+        this);
+    menus_ =
+        new WindowMenus(*commands_, *tracks_, docks_, static_cast<int>(storedThemeMode()), this);
+    action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
+    action(Command::quit)->setMenuRole(QAction::QuitRole);
+    action(Command::about)->setMenuRole(QAction::AboutRole);
     buildToolBar();
     connectDocument();
-    connectViews();
+    connectPanels();
     restoreState();
     retranslate();
     showCurrentRecording();
@@ -56,32 +66,13 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     tracks_->setFocus();
 }
 
-MainWindow::~MainWindow() {
-    // The document's undo stack still tells of its emptying while it goes, when there is nothing
-    // left to show.
-    document_.undoStack().disconnect(this);
-    document_.disconnect(this);
-    // A field that lost the focus with the window would tell a document that is gone.
-    if (QWidget* focused = focusWidget()) {
-        focused->clearFocus();
-    }
-}
-
-void MainWindow::buildViews() {
+void MainWindow::buildPages() {
     pages_ = new QStackedWidget(this);
     welcome_ = new WelcomePage(pages_);
-    auto* plots = new QWidget(pages_);
-    signal_ = new SignalView(plots);
-    stale_ = new StaleMark(document_, plots);
-    tracks_ = new TrackView(plots);
-    auto* layout = new QVBoxLayout(plots);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    layout->addWidget(signal_);
-    layout->addWidget(stale_);
-    layout->addWidget(tracks_, 1);
+    tracks_page_ = new TracksPage(document_, pages_);
+    tracks_ = &tracks_page_->tracks();
     pages_->addWidget(welcome_);
-    pages_->addWidget(plots);
+    pages_->addWidget(tracks_page_);
 
     messages_ = new MessageBar(this);
     auto* center = new QWidget(this);
@@ -106,7 +97,7 @@ void MainWindow::buildDocks() {
         widget->setObjectName(QLatin1String(name));
         widget->setWidget(panel);
         addDockWidget(area, widget);
-        docks_[widget] = title;
+        docks_.emplace_back(widget, title);
         return widget;
     };
     auto* recordings =
@@ -127,150 +118,103 @@ void MainWindow::buildDocks() {
     resizeDocks({runs}, {130}, Qt::Vertical);
 }
 
+void MainWindow::buildToolBar() {
+    tools_ = addToolBar(QString());
+    tools_->setObjectName(QStringLiteral("tools"));
+    tools_->setMovable(false);
+    tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    tools_->setIconSize({20, 20});
+    for (const Command command :
+         {Command::open, Command::run, Command::compare, Command::export_plots}) {
+        tools_->addAction(action(command));
+    }
+    tools_->addSeparator();
+    for (const Command command : {Command::zoom_fit, Command::zoom_back}) {
+        tools_->addAction(action(command));
+    }
+    auto* gap = new QWidget(tools_);
+    gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    tools_->addWidget(gap);
+    for (QAction* language : menus_->languages()) {
+        tools_->addAction(language);
+    }
+}
+
 void MainWindow::connectDocument() {
     connect(&document_, &Document::recordingsChanged, this, &MainWindow::showCurrentRecording);
     connect(&document_, &Document::recordingChanged, this, &MainWindow::showCurrentRecording);
-    connect(&document_, &Document::envelopeGrown, this, &MainWindow::showEnvelope);
     connect(&document_, &Document::currentRecordingChanged, this,
             &MainWindow::showCurrentRecording);
-    connect(&document_, &Document::settingsChanged, this, &MainWindow::showAnalysedRange);
     connect(&document_, &Document::runsChanged, this, &MainWindow::showRuns);
-    connect(&document_, &Document::busyChanged, this, &MainWindow::showBusy);
-    connect(&document_, &Document::opened, recent_, &RecentFiles::add);
+    connect(&document_, &Document::busyChanged, commands_, &Commands::refresh);
+    connect(&document_, &Document::opened, menus_->recentFiles(), &RecentFiles::add);
     connect(&document_, &Document::liveChanged, this, [this] {
         action(Command::live)->setChecked(document_.live());
-        QSettings().setValue(QStringLiteral("live"), document_.live());
+        storeLive(document_.live());
         showRuns();
     });
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
-    connect(&document_, &Document::comparisonReady, this, &MainWindow::showComparison);
     connect(&document_, &Document::reported, messages_, &MessageBar::add);
-    connect(&document_, &Document::setsChanged, this, &MainWindow::refreshActions);
+    connect(&document_, &Document::setsChanged, commands_, &Commands::refresh);
     connect(&document_, &Document::passportChanged, this, [this] {
         if (document_.passport()) {
             readings_->setCurrentWidget(resonator_);
             resonator_->showComparison();
         }
     });
+    connect(&document_.undoStack(), &QUndoStack::indexChanged, commands_, &Commands::refresh);
 }
 
-void MainWindow::connectViews() {
-    connect(welcome_, &WelcomePage::openWanted, this, &MainWindow::askForFiles);
-    connect(messages_, &MessageBar::reopenWanted, this, &MainWindow::openImport);
+void MainWindow::connectPanels() {
+    connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
+    connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
+    connect(menus_, &WindowMenus::recentChosen, this,
+            [this](const QString& path) { document_.open({path}); });
+    connect(menus_, &WindowMenus::unitsChosen, this, &MainWindow::setUnits);
+    connect(menus_, &WindowMenus::themeChosen, this,
+            [this](int theme) { setThemeMode(static_cast<ThemeMode>(theme)); });
+    connect(menus_, &WindowMenus::languageChosen, this, &MainWindow::setLanguage);
     connect(recordings_, &RecordingPanel::placeChosen, this, &MainWindow::goToEvent);
-    connect(recordings_, &RecordingPanel::reopenWanted, this, &MainWindow::openImport);
-    connect(stale_, &StaleMark::runWanted, settings_, &SettingsPanel::run);
-    connect(settings_, &SettingsPanel::visibleRangeWanted, this, [this] {
-        const AxisRange range = tracks_->timeRange();
-        editAnalysedRange(range.lower, range.upper);
-    });
-    connect(signal_, &SignalView::visibleRangeEdited, this, [this](double from_s, double to_s) {
-        tracks_->setTimeRange({from_s, to_s});
-        // The plots show no more than their runs cover, and say nothing where that is what they
-        // have shown before.
-        signal_->setVisibleRange(tracks_->timeRange());
-    });
-    connect(signal_, &SignalView::analysedRangeEdited, this, &MainWindow::editAnalysedRange);
-    connect(tracks_, &TrackView::timeRangeChanged, this, [this](double from_s, double to_s) {
-        signal_->setVisibleRange({from_s, to_s});
-        // Empty plots show nothing of the recording that is about to come.
-        document_.setVisibleRange(document_.runs().empty() ? TimeRange() : TimeRange{from_s, to_s});
-    });
-    connect(tracks_, &TrackView::timeAxisPlaced, signal_, &SignalView::setMargins);
+    connect(recordings_, &RecordingPanel::reopenWanted, files_, &FileCommands::openImport);
+    connect(tracks_page_, &TracksPage::runWanted, settings_, &SettingsPanel::run);
+    connect(settings_, &SettingsPanel::visibleRangeWanted, tracks_page_,
+            &TracksPage::analyseVisibleRange);
     connect(tracks_, &TrackView::trackerMoved, this,
             [this](double time_s) { cursor_->setTime(time_s); });
-    connect(tracks_, &TrackView::zoomHistoryChanged, this, &MainWindow::refreshActions);
+    connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
     connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
     connect(events_, &EventsPanel::eventChosen, this, &MainWindow::goToEvent);
-    connect(resonator_, &ResonatorPanel::exportWanted, this, &MainWindow::exportResonatorPlot);
+    connect(resonator_, &ResonatorPanel::exportWanted, files_, &FileCommands::exportResonatorPlot);
 }
 
 void MainWindow::showCurrentRecording() {
     const RecordingEntry* entry = document_.currentRecording();
-    const bool any = !document_.recordings().empty();
-    pages_->setCurrentIndex(any ? 1 : 0);
-    QString title = QStringLiteral("Vybeg");
-    if (entry && entry->recording) {
-        const Recording& recording = *entry->recording;
-        title = entry->name + QStringLiteral(" — ") + title;
-        signal_->setReading(recording.seconds());
-        showEnvelope();
-        signal_->setFaults(entry->faults);
-        if (!document_.runs().empty()) {
-            signal_->setVisibleRange(tracks_->timeRange());
-        }
-        showAnalysedRange();
-    } else if (entry && entry->envelope) {
-        title = entry->name + QStringLiteral(" — ") + title;
-        signal_->setReading(static_cast<double>(entry->envelope->frames()) /
-                            entry->envelope_rate_hz);
-        showEnvelope();
-    } else {
-        signal_->clear();
-    }
-    setWindowTitle(title);
-    refreshActions();
-}
-
-void MainWindow::showEnvelope() {
-    const RecordingEntry* entry = document_.currentRecording();
-    if (entry && entry->envelope) {
-        signal_->setEnvelope(entry->envelope, entry->envelope_rate_hz);
-    }
-}
-
-void MainWindow::showAnalysedRange() {
-    const RecordingEntry* entry = document_.currentRecording();
-    if (entry && entry->recording) {
-        const Settings& settings = document_.settings();
-        signal_->setAnalysedRange(
-            {settings.from_s.value_or(0), settings.to_s.value_or(entry->recording->seconds())});
-    }
+    pages_->setCurrentIndex(document_.recordings().empty() ? 0 : 1);
+    const bool shown = entry && (entry->recording || entry->envelope);
+    setWindowTitle((shown ? entry->name + QStringLiteral(" — ") : QString()) +
+                   QStringLiteral("Vybeg"));
+    commands_->refresh();
 }
 
 void MainWindow::showRuns() {
-    tracks_->setRuns(document_.plottedRuns());
-    if (!document_.runs().empty()) {
-        signal_->setVisibleRange(tracks_->timeRange());
-    }
     showRun(runs_->currentRun());
-    refreshActions();
+    commands_->refresh();
 }
 
 void MainWindow::showRun(int id) {
     events_->setRun(id);
-    std::vector<double> crossings;
-    const RunEntry* entry = document_.run(id);
-    if (entry && entry->run.visible) {
-        for (const Event& event : entry->events) {
-            if (event.kind == EventKind::axis_crossing) {
-                crossings.push_back(event.time_s);
-            }
-        }
-    }
-    tracks_->setMarks(std::move(crossings));
+    tracks_page_->markRun(id);
 }
 
-void MainWindow::showBusy() {
-    if (compare_) {
-        compare_->setBusy(document_.busy());
-    }
-    refreshActions();
+void MainWindow::goToEvent(double time_s, double seconds) {
+    tracks_page_->goToEvent(time_s, seconds);
+    cursor_->setTime(time_s);
 }
 
-void MainWindow::editAnalysedRange(double from_s, double to_s) {
-    const RecordingEntry* entry = document_.currentRecording();
-    if (!entry || !entry->recording) {
-        return;
-    }
-    if (!last_range_edit_.isValid() || last_range_edit_.elapsed() > one_gesture_ms) {
-        ++range_gesture_;
-    }
-    last_range_edit_.start();
-    Settings settings = document_.settings();
-    settings.from_s = from_s > 0 ? std::optional(from_s) : std::nullopt;
-    settings.to_s = to_s < entry->recording->seconds() ? std::optional(to_s) : std::nullopt;
-    document_.setSettings(settings, range_gesture_);
+void MainWindow::setUnits(const DisplayUnits& units) {
+    tracks_->setUnits(units);
+    cursor_->setUnits(units);
+    resonator_->setUnits(units);
 }
 
 void MainWindow::identify() {
@@ -278,13 +222,54 @@ void MainWindow::identify() {
     document_.identify();
 }
 
-void MainWindow::goToEvent(double time_s, double seconds) {
-    // The present zoom, centred on the event, and wide enough to see it from both sides.
-    const double span = std::max(tracks_->timeRange().span(), 3 * seconds);
-    const double middle = time_s + seconds / 2;
-    tracks_->setTimeRange({middle - span / 2, middle + span / 2});
-    tracks_->setTracker(time_s);
-    cursor_->setTime(time_s);
+void MainWindow::addSet() {
+    document_.addSet();
+    readings_->setCurrentWidget(resonator_);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!localFiles(*event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    document_.open(localFiles(*event->mimeData()));
+    event->acceptProposedAction();
+}
+
+void MainWindow::showHelp() {
+    if (!help_) {
+        help_ = new HelpView(language_.code(), this);
+    }
+    help_->show();
+    help_->raise();
+    help_->activateWindow();
+}
+
+QString MainWindow::diagnosticsText() const {
+    return diagnosticsOf(document_, language_.code(), theme_.dark, devicePixelRatioF());
+}
+
+void MainWindow::retranslate() {
+    commands_->retranslate();
+    menus_->retranslate();
+    for (const auto& [dock, title] : docks_) {
+        dock->setWindowTitle(tr(title));
+        // Qt names these once, in the language of the start.
+        const auto name = [dock = dock](const char* button, const QString& text) {
+            if (auto* widget = dock->findChild<QAbstractButton*>(QLatin1String(button))) {
+                widget->setToolTip(text);
+                widget->setAccessibleName(text);
+            }
+        };
+        name("qt_dockwidget_floatbutton", tr("Float"));
+        name("qt_dockwidget_closebutton", tr("Close this panel"));
+    }
+    readings_->setTabText(0, tr("At the cursor"));
+    readings_->setTabText(1, tr("Resonator"));
+    readings_->setTabText(2, tr("Events"));
+    tools_->setWindowTitle(tr("Tools"));
 }
 
 }  // namespace vybeg::ui

@@ -16,53 +16,65 @@ namespace vybeg::ui {
 
 namespace {
 
-// A number as the interface writes it, with its decimal sign, a minus and a power of ten; a unit,
-// alone or behind a number, in its language; anything else as it is.
+// A number as core/ writes it ("-2.03e+04"), with the interface's decimal sign, a minus and a power
+// of ten; "nan" and "inf" as they are.
 QString localised(const QString& text) {
     static const QRegularExpression number(
         QStringLiteral("^(-?)(\\d+(?:\\.\\d+)?)(?:e([-+]?\\d+))?$"));
-    if (text == QLatin1String("Hz") || text == QLatin1String("1/s")) {
-        return unitText(text.toLatin1().constData());
-    }
-    const QRegularExpressionMatch match = number.match(text.section(QLatin1Char(' '), 0, 0));
+    const QRegularExpressionMatch match = number.match(text);
     if (!match.hasMatch()) {
         return text;
     }
-    const QString unit = text.section(QLatin1Char(' '), 1);
     const QString power = match.captured(3).isEmpty()
                               ? QString()
                               : QStringLiteral("·") + powerOfTen(match.captured(3).toInt());
     return (match.captured(1).isEmpty() ? QString() : QStringLiteral("−")) +
-           match.captured(2).replace(QLatin1Char('.'), QLocale().decimalPoint()) + power +
-           (unit.isEmpty() ? QString() : QLatin1Char(' ') + unitText(unit.toLatin1().constData()));
+           match.captured(2).replace(QLatin1Char('.'), QLocale().decimalPoint()) + power;
 }
 
-QString filled(const char* context, const char* text, const std::vector<std::string>& args) {
-    const QString translated = QCoreApplication::translate(context, text);
+QString filled(const char* context, const std::string& text, const std::vector<MessageArg>& args);
+
+QString argText(const MessageArg& arg) {
+    switch (arg.kind) {
+        case MessageArg::Kind::text: return QString::fromStdString(english(arg));
+        case MessageArg::Kind::number: {
+            const QString number = localised(QString::fromStdString(arg.text));
+            const QString unit = unitText(arg.unit.c_str());
+            return number + QLatin1String(number.isEmpty() || unit.isEmpty() ? "" : " ") + unit;
+        }
+        case MessageArg::Kind::words: return filled("Words", arg.text, arg.args);
+    }
+    return {};
+}
+
+QString filled(const char* context, const std::string& text, const std::vector<MessageArg>& args) {
+    const QString translated = QCoreApplication::translate(context, text.c_str());
     std::vector<std::string> shown;
-    for (const std::string& arg : args) {
-        shown.push_back(localised(QString::fromStdString(arg)).toStdString());
+    for (const MessageArg& arg : args) {
+        shown.push_back(argText(arg).toStdString());
     }
     return QString::fromStdString(fill_template(translated.toStdString(), shown));
+}
+
+const char* windowSentence(const MessageRow& row) {
+    return row.in_window != nullptr ? row.in_window : row.sentence;
 }
 
 }  // namespace
 
 QString errorText(const Error& error) {
-    std::vector<std::string> args{error.where};
-    args.insert(args.end(), error.args.begin(), error.args.end());
-    return filled("Message", message_template(error.code), args);
+    return filled("Message", windowSentence(message_row(error.code)), message_args(error));
 }
 
 QString diagnosticText(const Diagnostic& diagnostic) {
-    return filled("Message", message_template(diagnostic.kind), diagnostic.args);
+    return filled("Message", windowSentence(message_row(diagnostic.kind)), diagnostic.args);
 }
 
 QString reasonText(const Reason& reason) {
     // Core writes for terminals, too.
     return reason.code == ReasonCode::none
                ? QString()
-               : filled("Reason", message_template(reason.code), reason.args)
+               : filled("Reason", reason_row(reason.code).sentence, reason.args)
                      .replace(QLatin1String("theta_A"), QStringLiteral("θ_A"));
 }
 

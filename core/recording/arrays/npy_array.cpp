@@ -215,11 +215,11 @@ std::string NpyArray::text() const {
 
 Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
                                  const std::string& name) {
-    const auto damaged = [&](const std::string& reason) {
-        return file.error(ErrorCode::format_damaged, {name, reason});
+    const auto damaged = [&](const char* text) {
+        return file.error(ErrorCode::format_damaged, {name, words(text)});
     };
-    const auto unsupported = [&](const std::string& reason) {
-        return file.error(ErrorCode::format_unsupported, {name, reason});
+    const auto unsupported = [&](const char* text, std::vector<MessageArg> args = {}) {
+        return file.error(ErrorCode::format_unsupported, {name, words(text, std::move(args))});
     };
     std::array<char, 12> start{};
     const auto start_size = std::min<std::int64_t>(bytes.size(), start.size());
@@ -229,17 +229,17 @@ Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
         return status.error();
     }
     if (start_size < 10 || !is_npy({start.data(), start.size()})) {
-        return damaged("its first bytes are not those of an array");
+        return damaged(VYBEG_MESSAGE("Words", "its first bytes are not those of an array"));
     }
     const int version = start[6];
     if (version < 1 || version > 3) {
-        return unsupported("the format version " + std::to_string(version));
+        return unsupported(VYBEG_MESSAGE("Words", "the format version %1"), {count_arg(version)});
     }
     const std::int64_t text_at = version == 1 ? 10 : 12;
     const std::int64_t text_size = version == 1 ? load<std::uint16_t>(start.data() + 8, false)
                                                 : load<std::uint32_t>(start.data() + 8, false);
     if (text_size > longest_header || text_at + text_size > bytes.size()) {
-        return damaged("its header is longer than it can be");
+        return damaged(VYBEG_MESSAGE("Words", "its header is longer than it can be"));
     }
     std::string text(static_cast<std::size_t>(text_size), '\0');
     if (const Status status = bytes.read(text_at, text); !status) {
@@ -247,25 +247,28 @@ Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
     }
     const auto header = parse_header(text);
     if (!header) {
-        return damaged("its header cannot be understood");
+        return damaged(VYBEG_MESSAGE("Words", "its header cannot be understood"));
     }
     if (header->descr->empty()) {
-        return unsupported("records of several fields");
+        return unsupported(VYBEG_MESSAGE("Words", "records of several fields"));
     }
     const auto type = parse_type(*header->descr);
     if (!type) {
-        return unsupported("values of the type " + printable(*header->descr));
+        return unsupported(VYBEG_MESSAGE("Words", "values of the type %1"),
+                           {printable(*header->descr)});
     }
     if (header->shape->size() > 2) {
-        return unsupported("an array of " + std::to_string(header->shape->size()) + " dimensions");
+        return unsupported(VYBEG_MESSAGE("Words", "an array of %1 dimensions"),
+                           {count_arg(std::ssize(*header->shape))});
     }
     if (!size_fits(*header->shape)) {
-        return damaged("its header promises more samples than any file can hold");
+        return damaged(
+            VYBEG_MESSAGE("Words", "its header promises more samples than any file can hold"));
     }
     NpyArray array{type->first, type->second, *header->fortran_order, *header->shape,
                    text_at + text_size};
     if (array.channels() > most_channels) {
-        return unsupported(std::to_string(array.channels()) + " channels");
+        return unsupported(VYBEG_MESSAGE("Words", "%1 channels"), {count_arg(array.channels())});
     }
     return array;
 }

@@ -38,18 +38,21 @@ Status check_layout(const RawLayout& layout) {
     if (layout.channels < 1 || layout.channels > most_channels) {
         return Error{ErrorCode::setting_invalid,
                      "",
-                     {"--raw-channels", std::to_string(layout.channels),
-                      "it must lie between 2 and " + std::to_string(most_channels)}};
+                     {"--raw-channels", count_arg(layout.channels),
+                      words(VYBEG_MESSAGE("Words", "it must lie between 2 and %1"),
+                            {count_arg(most_channels)})}};
     }
     if (layout.skip_bytes < 0) {
         return Error{ErrorCode::setting_invalid,
                      "",
-                     {"--skip", integer_text(layout.skip_bytes), "it must be 0 or more bytes"}};
+                     {"--skip", count_arg(layout.skip_bytes),
+                      words(VYBEG_MESSAGE("Words", "it must be 0 or more bytes"))}};
     }
     if (!std::isfinite(layout.scale) || layout.scale == 0) {
         return Error{ErrorCode::setting_invalid,
                      "",
-                     {"--scale", short_text(layout.scale), "it must be a number other than 0"}};
+                     {"--scale", number_arg(layout.scale),
+                      words(VYBEG_MESSAGE("Words", "it must be a number other than 0"))}};
     }
     return {};
 }

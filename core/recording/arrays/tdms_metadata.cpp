@@ -18,7 +18,8 @@ constexpr std::uint32_t digital_lines = 0x126A;
 constexpr std::uint32_t digital_lines_as_published = 0x1369;
 
 TdmsRefusal impossible() {
-    return {true, "the raw data of a channel cannot be as its index says"};
+    return {true,
+            words(VYBEG_MESSAGE("Words", "the raw data of a channel cannot be as its index says"))};
 }
 
 // Scalers have a numbering of their own; nothing for times and what is not known.
@@ -142,7 +143,8 @@ std::optional<TdmsRefusal> take_raw_index(TdmsMetadata& metadata, std::uint32_t 
         return impossible();
     }
     if (!size) {
-        return TdmsRefusal{false, "values of the type " + std::to_string(index.type)};
+        return TdmsRefusal{
+            false, words(VYBEG_MESSAGE("Words", "values of the type %1"), {count_arg(index.type)})};
     }
     index.count = static_cast<std::int64_t>(count);
     index.bytes = static_cast<std::int64_t>(bytes);

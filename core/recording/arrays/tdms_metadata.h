@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message_arg.h"
 #include "core/recording/arrays/tdms_values.h"
 #include "core/recording/bytes/byte_order.h"
 
@@ -76,7 +77,7 @@ private:
 // Why a raw index cannot be used.
 struct TdmsRefusal {
     bool damaged = false;  // else of a kind that is not read
-    std::string reason;
+    MessageArg reason;
 };
 
 // Takes an object's raw index, whose first number was `length`. Nothing where all is well.

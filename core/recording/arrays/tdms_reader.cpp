@@ -91,7 +91,8 @@ public:
                         known = index;
                         order.push_back(index.object);
                     } else if (!alike(*known, index)) {
-                        return unsupported("a channel whose type of number changes");
+                        return unsupported(
+                            VYBEG_MESSAGE("Words", "a channel whose type of number changes"));
                     }
                 }
                 return {};
@@ -119,8 +120,9 @@ public:
         ChosenChannel chosen{found.object, NumberType::f64, std::move(*scaling)};
         const auto& scalers = found.index.scalers;
         const auto undescribed = [&] {
-            return unsupported("a scale that it does not describe (channel " + object.channel +
-                               ")");
+            return unsupported(
+                VYBEG_MESSAGE("Words", "a scale that it does not describe (channel %1)"),
+                {object.channel});
         };
         if (!found.index.is_daqmx) {
             chosen.type = *tdms_number(found.index.type);
@@ -151,13 +153,14 @@ public:
             [&](const TdmsSegment& segment, const std::vector<TdmsRawIndex>& chunk) -> Status {
                 for (TdmsRuns* runs : {&runs_c, &runs_d}) {
                     if (const auto wrong = runs->take(segment, chunk)) {
-                        return file_->error(ErrorCode::format_damaged, {"TDMS", *wrong});
+                        return file_->error(ErrorCode::format_damaged, {"TDMS", words(*wrong)});
                     }
                 }
                 return runs_c.runs().size() + runs_d.runs().size() <= most_runs
                            ? Status{}
-                           : unsupported("samples in more than " + std::to_string(most_runs) +
-                                         " separate pieces");
+                           : unsupported(
+                                 VYBEG_MESSAGE("Words", "samples in more than %1 separate pieces"),
+                                 {count_arg(static_cast<std::int64_t>(most_runs))});
             });
         if (!status) {
             return status.error();
@@ -186,8 +189,8 @@ public:
         return found == object.properties.end() ? "" : found->second.text;
     }
 
-    Error unsupported(const std::string& what) const {
-        return file_->error(ErrorCode::format_unsupported, {"TDMS", what});
+    Error unsupported(const char* text, std::vector<MessageArg> args = {}) const {
+        return file_->error(ErrorCode::format_unsupported, {"TDMS", words(text, std::move(args))});
     }
 
 private:
@@ -245,7 +248,8 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
         return got.error();
     }
     if (tag == index_tag) {
-        return reader.unsupported("only the index of the .tdms file beside it");
+        return reader.unsupported(
+            VYBEG_MESSAGE("Words", "only the index of the .tdms file beside it"));
     }
     const auto contents = reader.contents();
     if (!contents) {
@@ -259,7 +263,7 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     const auto rate_c = TdmsReader::rate(*contents, c);
     const auto rate_d = TdmsReader::rate(*contents, contents->object(options.channel_d));
     if (rate_c && rate_d && *rate_c != *rate_d) {
-        return reader.unsupported("C and D at different sample rates");
+        return reader.unsupported(VYBEG_MESSAGE("Words", "C and D at different sample rates"));
     }
     FoundSamples found;
     if (const auto own = rate_c ? rate_c : rate_d) {

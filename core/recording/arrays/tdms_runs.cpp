@@ -106,19 +106,19 @@ bool has_texts(const std::vector<TdmsRawIndex>& indices) {
 
 }  // namespace
 
-std::optional<std::string> TdmsRuns::take(const TdmsSegment& segment,
+std::optional<const char*> TdmsRuns::take(const TdmsSegment& segment,
                                           const std::vector<TdmsRawIndex>& indices) {
     const bool is_daqmx = !indices.empty() && indices.front().is_daqmx;
     if (segment.interleaved && !is_daqmx &&
         std::any_of(indices.begin(), indices.end(), [&](const TdmsRawIndex& index) {
             return index.count != indices.front().count || !tdms_bytes(index.type);
         })) {
-        return "channels of different lengths are interleaved";
+        return VYBEG_MESSAGE("Words", "channels of different lengths are interleaved");
     }
     const auto made = is_daqmx ? daqmx_chunk_for(object_, scaler_, indices)
                                : std::optional(chunk_for(object_, indices, segment.interleaved));
     if (!made) {
-        return "its channels do not agree on the width of a row";
+        return VYBEG_MESSAGE("Words", "its channels do not agree on the width of a row");
     }
     const Chunk& chunk = *made;
     if (chunk.size == 0) {
@@ -127,7 +127,7 @@ std::optional<std::string> TdmsRuns::take(const TdmsSegment& segment,
     const std::int64_t whole = segment.size / chunk.size;
     const std::int64_t rest = segment.size % chunk.size;
     if (rest != 0 && !segment.last) {
-        return "a segment ends within a chunk of its raw data";
+        return VYBEG_MESSAGE("Words", "a segment ends within a chunk of its raw data");
     }
     if (chunk.count == 0) {
         return std::nullopt;
@@ -152,7 +152,7 @@ std::optional<std::string> TdmsRuns::take(const TdmsSegment& segment,
     }
     const auto share = shared_out(chunk, object_, last, indices);
     if (!share) {
-        return "it promises more samples than any file can hold";
+        return VYBEG_MESSAGE("Words", "it promises more samples than any file can hold");
     }
     promised_ += share->count;
     if (whole < bytes / chunk.size) {  // cut before its last chunk

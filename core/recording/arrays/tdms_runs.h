@@ -22,7 +22,7 @@ public:
     // Takes one segment's chunks. A last chunk that its segment itself has shorter is shared out in
     // proportion among channels that stand one after the other; where the file is cut, what is
     // there is there. Returns what is wrong with the chunks, or nothing.
-    std::optional<std::string> take(const TdmsSegment& segment,
+    std::optional<const char*> take(const TdmsSegment& segment,
                                     const std::vector<TdmsRawIndex>& chunk);
 
     const std::vector<SampleRun>& runs() const { return runs_; }

@@ -50,7 +50,8 @@ public:
     Result<TdmsScaling> read() const {
         const double scales = count();
         if (!(scales <= most_scales)) {
-            return damaged("has an impossible number of scales");
+            return damaged(
+                VYBEG_MESSAGE("Words", "the channel %1 has an impossible number of scales"));
         }
         TdmsScaling scaling;
         // From the last scale back to the raw numbers: a step that is met first is applied last.
@@ -62,7 +63,8 @@ public:
                 break;
             }
             if (seen > scales) {
-                return damaged("has scales that are each other's input");
+                return damaged(VYBEG_MESSAGE(
+                    "Words", "the channel %1 has scales that are each other's input"));
             }
             if (const Status status = take(type, index, scaling); !status) {
                 return status.error();
@@ -73,7 +75,8 @@ public:
                 break;
             }
             if (!(input >= 0 && input < scales)) {
-                return damaged("has a scale whose input does not exist");
+                return damaged(VYBEG_MESSAGE(
+                    "Words", "the channel %1 has a scale whose input does not exist"));
             }
             index = static_cast<int>(input);
         }
@@ -88,7 +91,8 @@ private:
             const auto slope = number(scale_name(index, "Linear_Slope"));
             const auto intercept = number(scale_name(index, "Linear_Y_Intercept"));
             if (!slope || !intercept) {
-                return damaged("has a linear scale without slope or intercept");
+                return damaged(VYBEG_MESSAGE(
+                    "Words", "the channel %1 has a linear scale without slope or intercept"));
             }
             scaling.steps.emplace_back(TdmsPolynomial{{*intercept, *slope}});
         } else if (type == "Polynomial") {
@@ -97,15 +101,18 @@ private:
                 number(scale_name(index, "Polynomial_Coefficients_Size")).value_or(usual);
             const auto coefficients = list(scale_name(index, "Polynomial_Coefficients"), size);
             if (!coefficients) {
-                return damaged("has a polynomial scale without all of its coefficients");
+                return damaged(VYBEG_MESSAGE(
+                    "Words",
+                    "the channel %1 has a polynomial scale without all of its coefficients"));
             }
             scaling.steps.emplace_back(TdmsPolynomial{*coefficients});
         } else if (type == "Table") {
             return take_table(index, scaling);
         } else {
-            return file_.error(ErrorCode::format_unsupported,
-                               {"TDMS", "a scale of the kind \"" + type + "\" (channel " +
-                                            channel_.channel + ")"});
+            return file_.error(
+                ErrorCode::format_unsupported,
+                {"TDMS", words(VYBEG_MESSAGE("Words", "a scale of the kind \"%1\" (channel %2)"),
+                               {type, channel_.channel})});
         }
         return {};
     }
@@ -121,7 +128,8 @@ private:
         };
         if (!x || !y || x->empty() ||
             number(scale_name(index, "Table_Pre_Scaled_Values_Size")).value_or(size) != size) {
-            return damaged("has a table scale without all of its values");
+            return damaged(VYBEG_MESSAGE(
+                "Words", "the channel %1 has a table scale without all of its values"));
         }
         if (x->size() > 1 && falls(*x)) {
             std::reverse(x->begin(), x->end());
@@ -129,7 +137,8 @@ private:
         }
         if (std::adjacent_find(x->begin(), x->end(), [](double a, double b) { return !(a < b); }) !=
             x->end()) {
-            return damaged("has a table scale that neither rises nor falls");
+            return damaged(VYBEG_MESSAGE(
+                "Words", "the channel %1 has a table scale that neither rises nor falls"));
         }
         scaling.steps.emplace_back(TdmsTable{std::move(*x), std::move(*y)});
         return {};
@@ -164,9 +173,9 @@ private:
         }
     }
 
-    Error damaged(const std::string& reason) const {
-        return file_.error(ErrorCode::format_damaged,
-                           {"TDMS", "the channel " + channel_.channel + " " + reason});
+    // %1 stands for the channel.
+    Error damaged(const char* text) const {
+        return file_.error(ErrorCode::format_damaged, {"TDMS", words(text, {channel_.channel})});
     }
 
     const FileBytes& file_;

@@ -58,12 +58,12 @@ LeadIn parse_lead_in(const char* bytes) {
 TdmsFile::TdmsFile(std::shared_ptr<const FileBytes> file, const JobControl& job)
     : file_(std::move(file)), job_(job) {}
 
-Error TdmsFile::damaged(const std::string& reason) const {
-    return file_->error(ErrorCode::format_damaged, {"TDMS", reason});
+Error TdmsFile::damaged(const char* text) const {
+    return file_->error(ErrorCode::format_damaged, {"TDMS", words(text)});
 }
 
-Error TdmsFile::unsupported(const std::string& what) const {
-    return file_->error(ErrorCode::format_unsupported, {"TDMS", what});
+Error TdmsFile::unsupported(const char* text, std::vector<MessageArg> args) const {
+    return file_->error(ErrorCode::format_unsupported, {"TDMS", words(text, std::move(args))});
 }
 
 Status TdmsFile::walk(const Visitor& visit) {
@@ -82,7 +82,7 @@ Status TdmsFile::walk(const Visitor& visit) {
             break;
         }
         if (!std::string_view(bytes.data(), bytes.size()).starts_with(tag)) {
-            return damaged("there is no segment where one should begin");
+            return damaged(VYBEG_MESSAGE("Words", "there is no segment where one should begin"));
         }
         const LeadIn lead_in = parse_lead_in(bytes.data());
         const auto room = static_cast<std::uint64_t>(file_size - at - lead_in_bytes);
@@ -92,7 +92,7 @@ Status TdmsFile::walk(const Visitor& visit) {
             break;
         }
         if (closed && lead_in.next < lead_in.raw) {
-            return damaged("a segment ends before its raw data");
+            return damaged(VYBEG_MESSAGE("Words", "a segment ends before its raw data"));
         }
         const std::int64_t metadata_at = at + lead_in_bytes;
         const auto metadata_size = static_cast<std::int64_t>(lead_in.raw);
@@ -108,7 +108,8 @@ Status TdmsFile::walk(const Visitor& visit) {
                                          [](const TdmsRawIndex& index) { return index.is_daqmx; });
         const bool all = daqmx == static_cast<std::ptrdiff_t>(chunk_.size());
         if (lead_in.has(has_raw_data) && !(all || (daqmx == 0 && !lead_in.has(has_daqmx_data)))) {
-            return unsupported("raw data of DAQmx that not all channels describe");
+            return unsupported(
+                VYBEG_MESSAGE("Words", "raw data of DAQmx that not all channels describe"));
         }
         TdmsSegment segment;
         segment.offset = metadata_at + metadata_size;
@@ -150,13 +151,14 @@ Status TdmsFile::take_metadata(std::int64_t offset, std::int64_t size, bool big_
             return status;
         }
     }
-    return metadata.ended() ? damaged("its metadata end too early") : Status{};
+    return metadata.ended() ? damaged(VYBEG_MESSAGE("Words", "its metadata end too early"))
+                            : Status{};
 }
 
 Status TdmsFile::take_object(TdmsMetadata& metadata) {
     const auto object = object_named(metadata.string());
     if (metadata.ended()) {
-        return damaged("its metadata end too early");
+        return damaged(VYBEG_MESSAGE("Words", "its metadata end too early"));
     }
     if (!object) {
         return object.error();
@@ -174,10 +176,11 @@ Result<std::size_t> TdmsFile::object_named(const std::string& path) {
     }
     const auto names = tdms_path(path);
     if (!names) {
-        return damaged("the name of an object cannot be understood");
+        return damaged(VYBEG_MESSAGE("Words", "the name of an object cannot be understood"));
     }
     if (objects_.size() == most_objects) {
-        return unsupported("more than " + std::to_string(most_objects) + " objects");
+        return unsupported(VYBEG_MESSAGE("Words", "more than %1 objects"),
+                           {count_arg(most_objects)});
     }
     const std::size_t place = objects_.size();
     places_.emplace(path, place);
@@ -202,12 +205,15 @@ Status TdmsFile::list_raw_index(TdmsMetadata& metadata, std::size_t object) {
         TdmsRawIndex index;
         index.object = object;
         if (const auto refused = take_raw_index(metadata, length, index)) {
-            return refused->damaged ? damaged(refused->reason) : unsupported(refused->reason);
+            return file_->error(
+                refused->damaged ? ErrorCode::format_damaged : ErrorCode::format_unsupported,
+                {"TDMS", refused->reason});
         }
         known = std::move(index);
     }
     if (!known) {
-        return damaged("a channel's raw data are as before, and there are none before");
+        return damaged(VYBEG_MESSAGE(
+            "Words", "a channel's raw data are as before, and there are none before"));
     }
     if (listed != chunk_.end()) {
         *listed = *known;
@@ -227,17 +233,19 @@ Status TdmsFile::take_properties(TdmsMetadata& metadata, TdmsObject& object) {
             break;
         }
         if (!value) {
-            return unsupported("a property of the type " + std::to_string(type));
+            return unsupported(VYBEG_MESSAGE("Words", "a property of the type %1"),
+                               {count_arg(type)});
         }
         if (is_kept(name)) {
             kept_ += object.properties.insert_or_assign(name, std::move(*value)).second ? 1 : 0;
             if (kept_ > most_kept) {
-                return unsupported("more than " + std::to_string(most_kept) +
-                                   " properties of scales");
+                return unsupported(VYBEG_MESSAGE("Words", "more than %1 properties of scales"),
+                                   {count_arg(most_kept)});
             }
         }
     }
-    return metadata.ended() ? damaged("its metadata end too early") : Status{};
+    return metadata.ended() ? damaged(VYBEG_MESSAGE("Words", "its metadata end too early"))
+                            : Status{};
 }
 
 }  // namespace vybeg

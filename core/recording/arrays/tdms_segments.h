@@ -59,8 +59,8 @@ private:
     Status list_raw_index(TdmsMetadata& metadata, std::size_t object);
     Status take_properties(TdmsMetadata& metadata, TdmsObject& object);
     Result<std::size_t> object_named(const std::string& path);
-    Error damaged(const std::string& reason) const;
-    Error unsupported(const std::string& what) const;
+    Error damaged(const char* text) const;
+    Error unsupported(const char* text, std::vector<MessageArg> args = {}) const;
 
     std::shared_ptr<const FileBytes> file_;
     const JobControl& job_;

@@ -45,6 +45,14 @@ std::string without_padding(std::string_view field) {
     return std::string(field.substr(0, end));
 }
 
+// libsndfile ends some of its sentences with a full stop or a line feed.
+MessageArg library_reason(SNDFILE* handle) {
+    const std::string reason = sf_strerror(handle);
+    const auto end = reason.find_last_not_of(" .\n\r");
+    return end == std::string::npos ? words(VYBEG_MESSAGE("Words", "it cannot be decoded"))
+                                    : MessageArg(reason.substr(0, end + 1));
+}
+
 }  // namespace
 
 AudioDecoder::AudioDecoder() : bytes_(std::make_unique<Bytes>()) {}
@@ -73,19 +81,17 @@ Result<std::unique_ptr<AudioDecoder>> AudioDecoder::open(std::shared_ptr<const F
     decoder->bytes_->patches = patches;
     decoder->handle_ = sf_open_virtual(&calls, SFM_READ, &decoder->info_, decoder->bytes_.get());
     if (!decoder->handle_) {
-        return decoder->damaged(sf_strerror(nullptr));
+        return decoder->damaged(library_reason(nullptr));
     }
     return decoder;
 }
 
-Error AudioDecoder::damaged(const std::string& reason) const {
+Error AudioDecoder::damaged(MessageArg reason) const {
     const std::string name = container();
-    // libsndfile ends some of its sentences with a full stop or a line feed.
-    const auto end = reason.find_last_not_of(" .\n\r");
     return bytes_->file->error(
         ErrorCode::format_damaged,
-        {name.empty() ? "audio" : name,
-         end == std::string::npos ? "it cannot be decoded" : reason.substr(0, end + 1)});
+        {name.empty() ? MessageArg(words(VYBEG_MESSAGE("Words", "audio"))) : name,
+         std::move(reason)});
 }
 
 std::string AudioDecoder::container() const {
@@ -124,18 +130,19 @@ std::string AudioDecoder::start() const {
 
 Status AudioDecoder::read(std::int64_t first, std::span<double> out) {
     if (position_ != first && sf_seek(handle_, first, SEEK_SET) != first) {
-        return damaged("no sample can be reached at frame " + std::to_string(first));
+        return damaged(words(VYBEG_MESSAGE("Words", "no sample can be reached at frame %1"),
+                             {count_arg(first)}));
     }
     const auto frames = static_cast<std::int64_t>(out.size()) / info_.channels;
     const std::int64_t got = sf_readf_double(handle_, out.data(), frames);
     // libFLAC 1.4 stops short of a block with a wrong checksum; before, it put zeros there, which
     // sf_error alone tells.
     if (sf_error(handle_) != SF_ERR_NO_ERROR) {
-        return damaged(sf_strerror(handle_));
+        return damaged(library_reason(handle_));
     }
     if (got != frames) {
-        return damaged("the samples end at frame " +
-                       std::to_string(first + std::max<std::int64_t>(got, 0)));
+        return damaged(words(VYBEG_MESSAGE("Words", "the samples end at frame %1"),
+                             {count_arg(first + std::max<std::int64_t>(got, 0))}));
     }
     position_ = first + frames;
     return {};

@@ -38,7 +38,7 @@ private:
     struct Bytes;  // what libsndfile reads from
 
     AudioDecoder();
-    Error damaged(const std::string& reason) const;
+    Error damaged(MessageArg reason) const;
 
     std::unique_ptr<Bytes> bytes_;
     SNDFILE* handle_ = nullptr;

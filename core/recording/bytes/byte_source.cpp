@@ -18,8 +18,9 @@ public:
             return got.error();
         }
         if (*got < static_cast<std::int64_t>(out.size())) {
-            return file_->error(ErrorCode::file_read_failed,
-                                {"the file became shorter while it was read"});
+            return file_->error(
+                ErrorCode::file_read_failed,
+                {words(VYBEG_MESSAGE("Words", "the file became shorter while it was read"))});
         }
         return {};
     }

@@ -1,5 +1,7 @@
 #include "core/recording/bytes/file_bytes.h"
 
+#include "core/base/system_reason.h"
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -19,8 +21,7 @@ Error failure(const std::filesystem::path& path, int number) {
         case EISDIR: return {ErrorCode::file_is_directory, path.string(), {}};
         default: break;
     }
-    const char* reason = strerrordesc_np(number);  // unlike strerror, the same in every locale
-    return {ErrorCode::file_read_failed, path.string(), {reason ? reason : "unknown error"}};
+    return {ErrorCode::file_read_failed, path.string(), {system_reason(number)}};
 }
 
 }  // namespace
@@ -43,7 +44,8 @@ Result<std::shared_ptr<const FileBytes>> FileBytes::open(const std::filesystem::
         return file->error(ErrorCode::file_is_directory);
     }
     if (!S_ISREG(status.st_mode)) {
-        return file->error(ErrorCode::file_read_failed, {"it is not a regular file"});
+        return file->error(ErrorCode::file_read_failed,
+                           {words(VYBEG_MESSAGE("Words", "it is not a regular file"))});
     }
     if (status.st_size == 0) {
         return file->error(ErrorCode::file_empty);
@@ -69,7 +71,7 @@ Status FileBytes::unchanged() const {
     return same ? Status{} : error(ErrorCode::file_changed);
 }
 
-Error FileBytes::error(ErrorCode code, std::vector<std::string> args) const {
+Error FileBytes::error(ErrorCode code, std::vector<MessageArg> args) const {
     return {code, path_.string(), std::move(args)};
 }
 

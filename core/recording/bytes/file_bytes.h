@@ -30,7 +30,7 @@ public:
     Status unchanged() const;
 
     // An error about this file.
-    Error error(ErrorCode code, std::vector<std::string> args = {}) const;
+    Error error(ErrorCode code, std::vector<MessageArg> args = {}) const;
 
     // Fills `out` with the bytes from `offset` on and returns how many there were: fewer than asked
     // for only at the end of the file. Errors: file_read_failed.

@@ -145,10 +145,10 @@ private:
             return got.error();
         }
         if (damaged || *got < static_cast<std::int64_t>(out.size())) {
-            return error("its packed data are wrong or end early");
+            return error(VYBEG_MESSAGE("Words", "its packed data are wrong or end early"));
         }
         if (now_->position() == part_.size && part_.crc32.value_or(now_->crc()) != now_->crc()) {
-            return error("its checksum is wrong");
+            return error(VYBEG_MESSAGE("Words", "its checksum is wrong"));
         }
         failed_ = false;
         return {};
@@ -168,8 +168,9 @@ private:
         }
     }
 
-    Error error(const std::string& reason) const {
-        return file_->error(ErrorCode::format_damaged, {part_.format, part_.name + ": " + reason});
+    Error error(const char* text) const {
+        return file_->error(ErrorCode::format_damaged,
+                            {part_.format, words("%1: %2", {part_.name, words(text)})});
     }
 
     std::shared_ptr<const FileBytes> file_;

@@ -14,6 +14,9 @@ Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path
                               const JobControl& job) {
     const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
                                                                           &EVP_MD_CTX_free);
+    if (!context) {  // which the other functions would dereference
+        return Error{ErrorCode::out_of_memory, path.string(), {}};
+    }
     bool ok = EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
     std::vector<char> chunk(std::size_t{1} << 20);
     for (std::int64_t offset = 0; ok && file != nullptr && offset < file->size();) {
@@ -34,8 +37,9 @@ Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned int length = 0;
     if (!ok || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1) {
-        return Error{
-            ErrorCode::file_read_failed, path.string(), {"SHA-256 is not available in OpenSSL"}};
+        return Error{ErrorCode::file_read_failed,
+                     path.string(),
+                     {words(VYBEG_MESSAGE("Words", "SHA-256 is not available in OpenSSL"))}};
     }
     std::string text;
     for (unsigned int i = 0; i < length; ++i) {

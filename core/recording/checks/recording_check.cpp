@@ -21,11 +21,11 @@ const std::array<std::string, 2> channel_names{"C", "D"};
 
 void report_rails(const ClippingCheck& clipping, const std::string& channel, SampleFaults& faults) {
     if (const int levels = clipping.levels(); levels == 2) {
-        faults.findings.push_back({DiagnosticKind::below_one_bit, {channel, integer_text(levels)}});
+        faults.findings.push_back({DiagnosticKind::below_one_bit, {channel, count_arg(levels)}});
     }
     for (const ClippingCheck::Rail& rail : clipping.rails()) {
         faults.findings.push_back({DiagnosticKind::clipped,
-                                   {channel, integer_text(rail.count), short_text(rail.level)},
+                                   {channel, count_arg(rail.count), number_arg(rail.level)},
                                    rail.places.front().first,
                                    rail.count});
         faults.clipped.insert(faults.clipped.end(), rail.places.begin(), rail.places.end());
@@ -50,16 +50,16 @@ std::string list_of(const std::vector<int>& candidates, int sign) {
 }
 
 Diagnostic finding_of(const PhaseStep& step, double rate_hz) {
-    const std::string at_s = short_text(static_cast<double>(step.frame) / rate_hz, 9);
+    const MessageArg at_s = number_arg(static_cast<double>(step.frame) / rate_hz, 9);
     if (step.is_ambiguous) {
         return {DiagnosticKind::phase_step,
-                {short_text(step.phase_rad, 3), at_s, list_of(step.candidates, -1),
+                {number_arg(step.phase_rad, 3), at_s, list_of(step.candidates, -1),
                  list_of(step.candidates, 1)},
                 step.frame,
                 std::abs(step.lost)};
     }
     return {step.lost > 0 ? DiagnosticKind::samples_lost : DiagnosticKind::samples_doubled,
-            {integer_text(std::abs(step.lost)), at_s},
+            {count_arg(std::abs(step.lost)), at_s},
             step.frame,
             std::abs(step.lost)};
 }
@@ -70,7 +70,7 @@ void report_steps(double rate_hz, SampleFaults& faults) {
         if (++listed > most_listed) {
             faults.findings.push_back(
                 {DiagnosticKind::more_samples_lost,
-                 {integer_text(static_cast<std::int64_t>(faults.steps.size() - most_listed))},
+                 {count_arg(static_cast<std::int64_t>(faults.steps.size() - most_listed))},
                  step.frame,
                  0});
             break;
@@ -220,7 +220,7 @@ SampleFaults FaultCheck::finish() {
     SampleFaults faults;
     if (missing_ > 0) {
         faults.findings.push_back({DiagnosticKind::missing_samples,
-                                   {integer_text(missing_)},
+                                   {count_arg(missing_)},
                                    first_missing_,
                                    frames_with_missing_});
     }
@@ -249,8 +249,8 @@ std::vector<Diagnostic> FaultCheck::offsets() const {
         const double offset = sums_[i].mean();
         if (std::abs(offset) > small_offset * amplitude) {
             findings.push_back({DiagnosticKind::offset,
-                                {channel_names[i], short_text(offset),
-                                 short_text(100 * std::abs(offset) / amplitude, 3)}});
+                                {channel_names[i], number_arg(offset),
+                                 number_arg(100 * std::abs(offset) / amplitude, 3)}});
         }
     }
     return findings;
@@ -268,11 +268,11 @@ Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, doubl
     std::vector<Diagnostic> findings;
     for (const MainsLine& line : mains_lines(c, d, rate_hz)) {
         findings.push_back(
-            {DiagnosticKind::mains, {short_text(line.f_hz), short_text(100 * line.ratio, 2)}});
+            {DiagnosticKind::mains, {number_arg(line.f_hz), number_arg(100 * line.ratio, 2)}});
     }
     if (const double seconds = f0_hz ? start_transient_s(c, d, *f0_hz, rate_hz) : 0; seconds > 0) {
         findings.push_back({DiagnosticKind::start_transient,
-                            {short_text(seconds, 2)},
+                            {number_arg(seconds, 2)},
                             0,
                             std::llround(seconds * rate_hz)});
     }

@@ -216,7 +216,7 @@ private:
     // The last variable's, where it is a single number.
     Status take_value() {
         FileVariable& entry = catalogue_.variables.back();
-        if (entry.frames != 1 || entry.channels != 1 || !entry.unsupported.empty()) {
+        if (entry.frames != 1 || entry.channels != 1 || !entry.unsupported.text.empty()) {
             return {};
         }
         double value = 0;

@@ -199,7 +199,7 @@ private:
     Status take_values() {
         for (std::size_t i = 0; i < arrays_.size(); ++i) {
             FileVariable& entry = catalogue_.variables[i];
-            if (entry.frames == 1 && entry.channels == 1 && entry.unsupported.empty()) {
+            if (entry.frames == 1 && entry.channels == 1 && entry.unsupported.text.empty()) {
                 double value = 0;
                 if (const Status status = decode(arrays_[i], 0, 0, {&value, 1}); !status) {
                     return status;

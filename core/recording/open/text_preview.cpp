@@ -70,8 +70,8 @@ Status read_rows(const TextTable& table, RecordingPreview& preview) {
             if (preview.time_s.size() > 1 && preview.time_s.back() < before) {
                 preview.problem =
                     file.error(ErrorCode::text_time_backwards,
-                               {integer_text(lines + rows.lines()), round_trip_text(rows.time()),
-                                round_trip_text(before / table.format.time_unit_s)});
+                               {count_arg(lines + rows.lines()), exact_arg(rows.time()),
+                                exact_arg(before / table.format.time_unit_s)});
                 return {};
             }
         }

@@ -48,21 +48,23 @@ Status check_options(const OpenOptions& options) {
     constexpr double least_hz = 1e-6;
     constexpr double most_hz = 1e12;
     if (options.rate_hz && !(*options.rate_hz >= least_hz && *options.rate_hz <= most_hz)) {
-        return Error{
-            ErrorCode::setting_invalid,
-            "",
-            {"--rate", short_text(*options.rate_hz), "it must lie between 1e-6 and 1e12 Hz"}};
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--rate", number_arg(*options.rate_hz),
+                      words(VYBEG_MESSAGE("Words", "it must lie between 1e-6 and 1e12 Hz"))}};
     }
     if (options.channel_c == options.channel_d) {
         const std::string channel = std::to_string(options.channel_c);
         return Error{ErrorCode::setting_invalid,
                      "",
-                     {"--channels", channel + "," + channel, "C and D must be two channels"}};
+                     {"--channels", channel + "," + channel,
+                      words(VYBEG_MESSAGE("Words", "C and D must be two channels"))}};
     }
     if (options.text && options.raw) {
         return Error{ErrorCode::setting_invalid,
                      "",
-                     {"--raw", choice_text(*options.text), "a file is read as text or as raw"}};
+                     {"--raw", choice_text(*options.text),
+                      words(VYBEG_MESSAGE("Words", "a file is read as text or as raw"))}};
     }
     return options.text ? check_choice(*options.text) : Status{};
 }

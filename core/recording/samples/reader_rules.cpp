@@ -17,7 +17,7 @@ void note_early_end(std::int64_t promised_frames, Recording& recording) {
     const std::int64_t present = recording.frames();
     if (present < promised_frames) {
         recording.diagnostics.push_back({DiagnosticKind::file_ends_early,
-                                         {integer_text(promised_frames), integer_text(present)},
+                                         {count_arg(promised_frames), count_arg(present)},
                                          present,
                                          promised_frames - present});
     }
@@ -25,10 +25,8 @@ void note_early_end(std::int64_t promised_frames, Recording& recording) {
 
 // Where nothing in the file says how many frames there were to be.
 void note_not_closed(Recording& recording) {
-    recording.diagnostics.push_back({DiagnosticKind::file_not_closed,
-                                     {integer_text(recording.frames())},
-                                     recording.frames(),
-                                     0});
+    recording.diagnostics.push_back(
+        {DiagnosticKind::file_not_closed, {count_arg(recording.frames())}, recording.frames(), 0});
 }
 
 }  // namespace
@@ -36,12 +34,12 @@ void note_not_closed(Recording& recording) {
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {
     if (found < channels_needed) {
         return file.error(ErrorCode::too_few_channels,
-                          {std::to_string(found), std::to_string(channels_needed)});
+                          {count_arg(found), count_arg(channels_needed)});
     }
     for (const int channel : {options.channel_c, options.channel_d}) {
         if (channel < 1 || channel > found) {
             return file.error(ErrorCode::channel_out_of_range,
-                              {std::to_string(channel), std::to_string(found)});
+                              {count_arg(channel), count_arg(found)});
         }
     }
     return {};
@@ -49,9 +47,8 @@ Status check_channels(const FileBytes& file, int found, const OpenOptions& optio
 
 Status check_frames(const FileBytes& file, std::int64_t frames) {
     if (frames < frames_needed) {
-        return file.error(
-            ErrorCode::too_few_frames,
-            {integer_text(std::max<std::int64_t>(frames, 0)), integer_text(frames_needed)});
+        return file.error(ErrorCode::too_few_frames,
+                          {count_arg(std::max<std::int64_t>(frames, 0)), count_arg(frames_needed)});
     }
     return {};
 }
@@ -70,8 +67,8 @@ void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& rec
     };
     recording.diagnostics.push_back(
         {DiagnosticKind::channels_unequal,
-         {name(recording.channel_c), integer_text(samples_c), name(recording.channel_d),
-          integer_text(samples_d)},
+         {name(recording.channel_c), count_arg(samples_c), name(recording.channel_d),
+          count_arg(samples_d)},
          std::min(samples_c, samples_d),
          std::max(samples_c, samples_d) - std::min(samples_c, samples_d)});
 }

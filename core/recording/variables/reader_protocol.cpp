@@ -22,6 +22,16 @@ void put(std::string& bytes, const std::string& text) {
     bytes += text;
 }
 
+void put(std::string& bytes, const MessageArg& arg) {
+    put(bytes, static_cast<std::uint8_t>(arg.kind));
+    put(bytes, arg.text);
+    put(bytes, arg.unit);
+    put(bytes, static_cast<std::uint64_t>(arg.args.size()));
+    for (const MessageArg& inner : arg.args) {
+        put(bytes, inner);
+    }
+}
+
 // NaN stands for "no number": the fields that use it are never NaN otherwise.
 void put(std::string& bytes, const std::optional<double>& number) {
     put(bytes, number.value_or(std::numeric_limits<double>::quiet_NaN()));
@@ -48,6 +58,22 @@ public:
     std::string text() {
         const auto size = number<std::uint64_t>();
         return std::string(take(size));
+    }
+
+    // Words within words go no deeper than `depth`.
+    MessageArg message_arg(int depth = 2) {
+        MessageArg arg;
+        const auto kind = number<std::uint8_t>();
+        ok_ = ok_ && kind <= static_cast<std::uint8_t>(MessageArg::Kind::words);
+        arg.kind = static_cast<MessageArg::Kind>(kind);
+        arg.text = text();
+        arg.unit = text();
+        const auto count = number<std::uint64_t>();
+        ok_ = ok_ && (count == 0 || depth > 0);
+        for (std::uint64_t k = 0; ok_ && k < count; ++k) {
+            arg.args.push_back(message_arg(depth - 1));
+        }
+        return arg;
     }
 
     std::optional<double> optional_number() {
@@ -78,7 +104,7 @@ bool fits(const SampleRequest& request, const Catalogue& catalogue) {
         return false;
     }
     const FileVariable& variable = catalogue.variables[static_cast<std::size_t>(request.variable)];
-    return variable.unsupported.empty() && request.channel >= 0 &&
+    return variable.unsupported.text.empty() && request.channel >= 0 &&
            request.channel < variable.channels && request.first >= 0 && request.count >= 0 &&
            request.first <= variable.frames && request.count <= variable.frames - request.first;
 }
@@ -117,7 +143,7 @@ std::optional<Catalogue> decode_catalogue(std::string_view bytes) {
         variable.frames = unpacking.number<std::int64_t>();
         variable.channels = unpacking.number<std::int64_t>();
         variable.type = unpacking.text();
-        variable.unsupported = unpacking.text();
+        variable.unsupported = unpacking.message_arg();
         variable.unit = unpacking.text();
         variable.value = unpacking.optional_number();
         variable.rate_hz = unpacking.optional_number();
@@ -132,7 +158,7 @@ std::optional<Catalogue> decode_catalogue(std::string_view bytes) {
 std::string encode(const Error& error) {
     std::string bytes;
     put(bytes, static_cast<std::int64_t>(error.code));
-    for (const std::string& arg : error.args) {
+    for (const MessageArg& arg : error.args) {
         put(bytes, arg);
     }
     return bytes;
@@ -143,7 +169,7 @@ std::optional<Error> decode_error(std::string_view bytes) {
     Error error;
     const auto code = unpacking.number<std::int64_t>();
     while (unpacking.ok() && !unpacking.at_end()) {
-        error.args.push_back(unpacking.text());
+        error.args.push_back(unpacking.message_arg());
     }
     for (const ErrorCode known : {ErrorCode::format_damaged, ErrorCode::format_unsupported}) {
         if (unpacking.ok() && code == static_cast<std::int64_t>(known) && error.args.size() == 2) {

@@ -21,7 +21,7 @@ struct FileVariable {
     std::int64_t frames = 0;    // along the longer axis
     std::int64_t channels = 0;  // along the shorter one; 1 for a vector
     std::string type;           // e.g. "64 bit float"
-    std::string unsupported;    // why its samples cannot be read, e.g. "complex numbers"; or empty
+    MessageArg unsupported;     // why its samples cannot be read, e.g. "complex numbers"; or empty
     std::string unit;
     std::optional<double> value;    // of a single number
     std::optional<double> rate_hz;  // from its attributes or those of the groups around it

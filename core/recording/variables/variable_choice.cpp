@@ -59,7 +59,7 @@ private:
         for (std::int64_t i = 0; i < count(); ++i) {
             const FileVariable& candidate = variable(i);
             if (candidate.name == wanted || candidate.name == "/" + wanted) {
-                if (!candidate.unsupported.empty()) {
+                if (!candidate.unsupported.text.empty()) {
                     return unsupported(candidate);
                 }
                 return i;
@@ -116,7 +116,7 @@ private:
     }
 
     bool is_candidate(const FileVariable& of) const {
-        return of.unsupported.empty() && of.frames > 1 && of.channels >= 1 &&
+        return of.unsupported.text.empty() && of.frames > 1 && of.channels >= 1 &&
                of.channels <= most_channels && !is_time_name(last_name(of.name)) &&
                last_name(of.name) != "index";  // pandas numbers its rows
     }
@@ -162,7 +162,7 @@ private:
 
     Error none_found(std::size_t vectors) const {
         for (const FileVariable& candidate : catalogue_.variables) {
-            if (!candidate.unsupported.empty()) {
+            if (!candidate.unsupported.text.empty()) {
                 return unsupported(candidate);
             }
         }
@@ -172,7 +172,8 @@ private:
 
     Error unsupported(const FileVariable& of) const {
         return file_.error(ErrorCode::format_unsupported,
-                           {catalogue_.format, of.unsupported + " (" + of.name + ")"});
+                           {catalogue_.format,
+                            words(VYBEG_MESSAGE("Words", "%1 (%2)"), {of.unsupported, of.name})});
     }
 
     Status choose_rate_of(const FileVariable& c, const FileVariable& d) {
@@ -234,8 +235,8 @@ private:
     }
 
     bool is_time(const FileVariable& of) const {
-        return is_time_name(last_name(of.name)) && of.unsupported.empty() && of.channels == 1 &&
-               of.frames == choice_.frames && unit_of_times(of);
+        return is_time_name(last_name(of.name)) && of.unsupported.text.empty() &&
+               of.channels == 1 && of.frames == choice_.frames && unit_of_times(of);
     }
 
     Status choose_named_rate() {

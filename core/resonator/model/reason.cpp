@@ -1,119 +1,113 @@
 #include "core/resonator/model/reason.h"
 
-#include "core/base/messages.h"
-
-// Marks a text for lupdate, as in core/base/messages.cpp.
-#define VYBEG_MESSAGE(context, text) text
-
 namespace vybeg {
 
-const char* message_template(ReasonCode code) {
+ReasonRow reason_row(ReasonCode code) {
     switch (code) {
-        case ReasonCode::none: return "";
+        case ReasonCode::none: return {"none", ""};
         case ReasonCode::one_direction:
-            return VYBEG_MESSAGE("Reason",
-                                 "The wave hardly moves, so that one direction of the resonator is "
-                                 "seen and no other. Add a recording that starts at theta_A = %1 "
-                                 "degrees and lasts %2 s or longer.");
+            return {
+                "one-direction",
+                VYBEG_MESSAGE("Reason",
+                              "The wave hardly moves, so that one direction of the resonator is "
+                              "seen and no other. Add a recording that starts at theta_A = %1 "
+                              "degrees and lasts %2 s or longer.")};
         case ReasonCode::within_noise:
-            return VYBEG_MESSAGE("Reason",
-                                 "The difference between the modes is within its noise: it is at "
-                                 "most %1 %2, and has no axis.");
+            return {"within-noise",
+                    VYBEG_MESSAGE("Reason",
+                                  "The difference between the modes is within its noise: it is at "
+                                  "most %1 %2, and has no axis.")};
         case ReasonCode::confounded_rotation:
-            return VYBEG_MESSAGE("Reason",
-                                 "At one angle a rotation and a damping anisotropy turn the wave "
-                                 "alike. Add a recording that starts at theta_A = %1 degrees and "
-                                 "lasts %2 s or longer.");
+            return {"confounded-rotation",
+                    VYBEG_MESSAGE("Reason",
+                                  "At one angle a rotation and a damping anisotropy turn the wave "
+                                  "alike. Add a recording that starts at theta_A = %1 degrees and "
+                                  "lasts %2 s or longer.")};
         case ReasonCode::free_model:
-            return VYBEG_MESSAGE("Reason",
-                                 "The free model takes the channels as any two views of the "
-                                 "modes: it has no angles.");
+            return {"free-model",
+                    VYBEG_MESSAGE("Reason",
+                                  "The free model takes the channels as any two views of the "
+                                  "modes: it has no angles.")};
         case ReasonCode::modes_not_apart:
-            return VYBEG_MESSAGE("Reason", "The two modes cannot be told apart.");
+            return {"modes-not-apart",
+                    VYBEG_MESSAGE("Reason", "The two modes cannot be told apart.")};
         case ReasonCode::no_decay:
-            return VYBEG_MESSAGE("Reason",
-                                 "The decay is within its noise: tau is at least %1 s. Record "
-                                 "longer.");
+            return {"no-decay",
+                    VYBEG_MESSAGE("Reason",
+                                  "The decay is within its noise: tau is at least %1 s. Record "
+                                  "longer.")};
         case ReasonCode::circular_wave:
-            return VYBEG_MESSAGE("Reason", "A circular wave has no angle.");
+            return {"circular-wave", VYBEG_MESSAGE("Reason", "A circular wave has no angle.")};
         case ReasonCode::few_angles:
-            return VYBEG_MESSAGE("Reason",
-                                 "The waves stand at too few angles for the drift as a function of "
-                                 "the angle: it needs three starts 22.5 degrees apart or more, or "
-                                 "a wave that turns.");
+            return {
+                "few-angles",
+                VYBEG_MESSAGE("Reason",
+                              "The waves stand at too few angles for the drift as a function of "
+                              "the angle: it needs three starts 22.5 degrees apart or more, or "
+                              "a wave that turns.")};
         case ReasonCode::kappa_like_damping:
-            return VYBEG_MESSAGE("Reason",
-                                 "In a turning wave a gain ratio of the channels and a damping "
-                                 "anisotropy look the same. Calibrate the channels and state their "
-                                 "tolerance, or add recordings that start at other angles.");
+            return {
+                "kappa-like-damping",
+                VYBEG_MESSAGE("Reason",
+                              "In a turning wave a gain ratio of the channels and a damping "
+                              "anisotropy look the same. Calibrate the channels and state their "
+                              "tolerance, or add recordings that start at other angles.")};
         case ReasonCode::as_given:
-            return VYBEG_MESSAGE("Reason",
-                                 "The recordings hardly narrow the stated tolerance: the value is "
-                                 "as given.");
+            return {"as-given",
+                    VYBEG_MESSAGE("Reason",
+                                  "The recordings hardly narrow the stated tolerance: the value is "
+                                  "as given.")};
         case ReasonCode::held:
-            return VYBEG_MESSAGE("Reason",
-                                 "Taken as zero, because no tolerance is given for it; the "
-                                 "sensitivities say what it would change.");
+            return {"held",
+                    VYBEG_MESSAGE("Reason",
+                                  "Taken as zero, because no tolerance is given for it; the "
+                                  "sensitivities say what it would change.")};
         case ReasonCode::not_nonlinear:
-            return VYBEG_MESSAGE("Reason",
-                                 "The phasors need no dependence on the amplitude: it is at most "
-                                 "%1 Hz per squared recording unit.");
+            return {"not-nonlinear",
+                    VYBEG_MESSAGE("Reason",
+                                  "The phasors need no dependence on the amplitude: it is at most "
+                                  "%1 Hz per squared recording unit.")};
         case ReasonCode::drift_not_seen:
-            return VYBEG_MESSAGE("Reason",
-                                 "A drift of the frequency looks like the motion itself in this "
-                                 "recording.");
+            return {"drift-not-seen",
+                    VYBEG_MESSAGE("Reason",
+                                  "A drift of the frequency looks like the motion itself in this "
+                                  "recording.")};
         case ReasonCode::decay_limits:
-            return VYBEG_MESSAGE("Reason",
-                                 "The decay is hardly above its noise: tau lies between %1 s and "
-                                 "%2 s.");
+            return {"decay-limits",
+                    VYBEG_MESSAGE("Reason",
+                                  "The decay is hardly above its noise: tau lies between %1 s and "
+                                  "%2 s.")};
         case ReasonCode::grows:
-            return VYBEG_MESSAGE("Reason",
-                                 "The wave grows, at a rate of %1 1/s (standard deviation %2).");
+            return {"grows",
+                    VYBEG_MESSAGE("Reason",
+                                  "The wave grows, at a rate of %1 1/s (standard deviation %2).")};
         case ReasonCode::amplitude_or_time:
-            return VYBEG_MESSAGE("Reason",
-                                 "The frequency changes while the amplitude falls: whether it "
-                                 "follows the amplitude or settles in time, these recordings do "
-                                 "not tell. Add one that starts at another amplitude.");
+            return {"amplitude-or-time",
+                    VYBEG_MESSAGE("Reason",
+                                  "The frequency changes while the amplitude falls: whether it "
+                                  "follows the amplitude or settles in time, these recordings do "
+                                  "not tell. Add one that starts at another amplitude.")};
         case ReasonCode::rests_on_unseen:
-            return VYBEG_MESSAGE("Reason",
-                                 "It depends on parameters of the resonator that these recordings "
-                                 "do not show.");
+            return {"rests-on-unseen",
+                    VYBEG_MESSAGE("Reason",
+                                  "It depends on parameters of the resonator that these recordings "
+                                  "do not show.")};
         case ReasonCode::too_few_windows:
-            return VYBEG_MESSAGE("Reason", "This recording has too few windows for it.");
+            return {"too-few-windows",
+                    VYBEG_MESSAGE("Reason", "This recording has too few windows for it.")};
         case ReasonCode::not_converged:
-            return VYBEG_MESSAGE("Reason", "The fit stopped before it converged.");
+            return {"not-converged",
+                    VYBEG_MESSAGE("Reason", "The fit stopped before it converged.")};
     }
-    return "";
+    return {"", ""};
 }
 
 std::string reason_name(ReasonCode code) {
-    switch (code) {
-        case ReasonCode::none: return "none";
-        case ReasonCode::one_direction: return "one-direction";
-        case ReasonCode::within_noise: return "within-noise";
-        case ReasonCode::confounded_rotation: return "confounded-rotation";
-        case ReasonCode::free_model: return "free-model";
-        case ReasonCode::modes_not_apart: return "modes-not-apart";
-        case ReasonCode::no_decay: return "no-decay";
-        case ReasonCode::circular_wave: return "circular-wave";
-        case ReasonCode::few_angles: return "few-angles";
-        case ReasonCode::kappa_like_damping: return "kappa-like-damping";
-        case ReasonCode::as_given: return "as-given";
-        case ReasonCode::held: return "held";
-        case ReasonCode::not_nonlinear: return "not-nonlinear";
-        case ReasonCode::drift_not_seen: return "drift-not-seen";
-        case ReasonCode::decay_limits: return "decay-limits";
-        case ReasonCode::grows: return "grows";
-        case ReasonCode::amplitude_or_time: return "amplitude-or-time";
-        case ReasonCode::rests_on_unseen: return "rests-on-unseen";
-        case ReasonCode::too_few_windows: return "too-few-windows";
-        case ReasonCode::not_converged: return "not-converged";
-    }
-    return "";
+    return reason_row(code).name;
 }
 
 std::string english(const Reason& reason) {
-    return fill_template(message_template(reason.code), reason.args);
+    return english(reason_row(reason.code).sentence, reason.args);
 }
 
 }  // namespace vybeg

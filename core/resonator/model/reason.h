@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/message_arg.h"
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -32,7 +34,7 @@ enum class ReasonCode {
 
 struct Reason {
     ReasonCode code = ReasonCode::none;
-    std::vector<std::string> args;
+    std::vector<MessageArg> args;
 
     friend bool operator==(const Reason&, const Reason&) = default;
 };
@@ -53,8 +55,13 @@ struct Estimate {
 // The name of a reason as it stands in JSON, e.g. "one-direction".
 std::string reason_name(ReasonCode code);
 
-// English sentence template, %1, %2, ... are the arguments; translated like those of messages.h.
-const char* message_template(ReasonCode code);
+// Its name in JSON and its English sentence, %1, %2, ... are the arguments; translated like those
+// of messages.h (context "Reason").
+struct ReasonRow {
+    const char* name;
+    const char* sentence;
+};
+ReasonRow reason_row(ReasonCode code);
 
 // The whole English sentence.
 std::string english(const Reason& reason);

@@ -86,22 +86,22 @@ private:
         if (!noise.noise().white()) {
             set.posterior.data = noise.covariance(set.posterior);
             set.split_needs = vector_needs_coloured;
-            fit_.warnings.push_back({DiagnosticKind::residual_coloured, {short_text(ratio, 3)}});
+            fit_.warnings.push_back({DiagnosticKind::residual_coloured, {number_arg(ratio, 3)}});
             if (noise.noise().narrowest) {
                 double longest_s = 0;
                 for (const ScaledRun& run : problem_.runs) {
                     longest_s = std::max(longest_s, run.duration_s);
                 }
                 fit_.warnings.push_back(
-                    {DiagnosticKind::noise_too_narrow, {short_text(0.2 / longest_s, 2)}});
+                    {DiagnosticKind::noise_too_narrow, {number_arg(0.2 / longest_s, 2)}});
             }
             return;
         }
         if (ratio > 1 + scatter) {
             set.posterior.data *= ratio;
-            fit_.warnings.push_back({DiagnosticKind::residual_above_noise, {short_text(ratio, 3)}});
+            fit_.warnings.push_back({DiagnosticKind::residual_above_noise, {number_arg(ratio, 3)}});
         } else if (ratio < 1 - 2 * scatter) {
-            fit_.warnings.push_back({DiagnosticKind::residual_below_noise, {short_text(ratio, 3)}});
+            fit_.warnings.push_back({DiagnosticKind::residual_below_noise, {number_arg(ratio, 3)}});
         }
     }
 
@@ -143,8 +143,8 @@ private:
         q = tau.given() ? Estimate{factor * tau.value, factor * tau.sd, {}} : tau;
         if (std::abs(envelope.per_s - envelope.model_per_s) > 3 * sd) {
             fit_.warnings.push_back({DiagnosticKind::q_disagrees,
-                                     {recording_number(run), short_text(factor / envelope.per_s, 4),
-                                      short_text(factor / envelope.model_per_s, 4)}});
+                                     {recording_number(run), number_arg(factor / envelope.per_s, 4),
+                                      number_arg(factor / envelope.model_per_s, 4)}});
         }
     }
 
@@ -154,13 +154,13 @@ private:
             if (drift.given() && std::abs(drift.value) > 4 * drift.uncertainty()) {
                 fit_.warnings.push_back(
                     {DiagnosticKind::frequency_drifts,
-                     {recording_number(k), short_text(drift.value, 3), short_text(drift.sd, 2)}});
+                     {recording_number(k), number_arg(drift.value, 3), number_arg(drift.sd, 2)}});
             }
         }
         const Estimate& power = fit_.resonator.frequency_per_power;
         if (power.given()) {
             fit_.warnings.push_back({DiagnosticKind::frequency_follows_amplitude,
-                                     {short_text(power.value, 3), short_text(power.sd, 2)}});
+                                     {number_arg(power.value, 3), number_arg(power.sd, 2)}});
         }
         if (!solved_.fit.converged && solved_.fit.last_gain > unfinished_gain) {
             fit_.warnings.push_back({DiagnosticKind::fit_not_converged, {}});

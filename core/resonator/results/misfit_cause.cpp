@@ -213,17 +213,17 @@ std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterio
     const double beyond = posterior.chi2() - degrees_of_freedom(problem);
     double best = std::max(most_of_it * beyond, least_fall);
     std::optional<Diagnostic> cause;
-    const auto consider = [&](double fall, DiagnosticKind kind, std::vector<std::string> args) {
+    const auto consider = [&](double fall, DiagnosticKind kind, std::vector<MessageArg> args) {
         if (fall > best) {
             best = fall;
             cause = Diagnostic{kind, std::move(args)};
         }
     };
     const std::array<ChannelError, 5> errors{
-        {{skew_at, "skew", 180 / pi, " deg"},
-         {phase_at, "delay", -1e9 / (2 * pi * f_ref_hz[0]), " ns"},
+        {{skew_at, "skew", 180 / pi, "deg"},
+         {phase_at, "delay", -1e9 / (2 * pi * f_ref_hz[0]), "ns"},
          {crosstalk_at, "crosstalk", 1, ""},
-         {phase_drift_at, "phase-drift", 1, " rad"},
+         {phase_drift_at, "phase-drift", 1, "rad"},
          {gain_drift_at, "gain-drift", 1, ""}}};
     for (const ChannelError& error : errors) {
         // The free model takes the channels as any two views.
@@ -231,20 +231,20 @@ std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterio
             const Score found =
                 score(problem, posterior, channel_effect(posterior, error.parameter));
             consider(found.fall, DiagnosticKind::misfit_channel,
-                     {error.name, short_text(found.size[0] * error.unit, 2) + error.unit_name});
+                     {error.name, number_arg(found.size[0] * error.unit, 2, error.unit_name)});
         }
     }
     const Score damping = score(problem, posterior, damping_effect(problem, posterior));
     consider(damping.fall, DiagnosticKind::misfit_damping,
-             {short_text(damping.size[0] / (scale * scale), 2)});
+             {number_arg(damping.size[0] / (scale * scale), 2)});
     // The gain follows |c|^2: at the largest amplitude the scaled one is 1.
     const Score pickoff = score(problem, posterior, pickoff_effect(problem, posterior));
     consider(pickoff.fall, DiagnosticKind::misfit_pickoff,
-             {short_text(100 * pickoff.size[0], 2), short_text(100 * pickoff.size[1], 2)});
+             {number_arg(100 * pickoff.size[0], 2), number_arg(100 * pickoff.size[1], 2)});
     const SettlingScore settling = settling_score(problem, posterior);
     if (settling.fall > 0) {
         consider(settling.fall, DiagnosticKind::misfit_settling,
-                 {short_text(settling.most_hz, 2), short_text(settling.time_s, 2)});
+                 {number_arg(settling.most_hz, 2), number_arg(settling.time_s, 2)});
     }
     if (cause) {
         return cause;
@@ -252,7 +252,7 @@ std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterio
     const Line line = strongest_line(problem, posterior, fine, f_ref_hz, scale);
     best = std::max(most_by_line * beyond, least_fall);
     consider(line.fall, DiagnosticKind::misfit_neighbour,
-             {short_text(line.f_hz, 6), short_text(line.per_cent, 2)});
+             {number_arg(line.f_hz, 6), number_arg(line.per_cent, 2)});
     return cause;
 }
 

@@ -7,9 +7,6 @@
 #include <limits>
 #include <numbers>
 
-// Marks a text for lupdate, as in core/base/messages.cpp.
-#define VYBEG_MESSAGE(context, text) text
-
 namespace vybeg {
 namespace {
 
@@ -193,7 +190,7 @@ const char* verdict_name(Verdict verdict) {
     return "";
 }
 
-const char* message_template(Incomparable why) {
+const char* incomparable_sentence(Incomparable why) {
     switch (why) {
         case Incomparable::other_direction:
             return VYBEG_MESSAGE("Reason",
@@ -215,7 +212,7 @@ std::string incomparable_text(const Difference& difference) {
         case Incomparable::now_unknown: return "now: " + english(difference.now.reason);
         case Incomparable::then_unknown:
             return "in the passport: " + english(difference.then.reason);
-        default: return message_template(difference.why);
+        default: return incomparable_sentence(difference.why);
     }
 }
 

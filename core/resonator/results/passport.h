@@ -80,7 +80,7 @@ struct CompareOptions {
 };
 
 // English sentence of the last two, translated like those of messages.h; empty for the others.
-const char* message_template(Incomparable why);
+const char* incomparable_sentence(Incomparable why);
 
 // The whole English sentence of a difference that is not comparable.
 std::string incomparable_text(const Difference& difference);

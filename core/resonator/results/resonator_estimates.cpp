@@ -128,7 +128,7 @@ private:
             std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(pair_covariance(first))
                           .eigenvalues()[1]);
         const Reason within{ReasonCode::within_noise,
-                            {short_text(length + limit_sd * most, 3), unit}};
+                            {number_arg(length + limit_sd * most, 3), unit_arg(unit)}};
         size_out = length < set_.split_needs * most ? Estimate{.reason = within} : number(size);
         axis_out = length < std::max(axis_needs, set_.split_needs) * most
                        ? Estimate{.reason = within}
@@ -206,7 +206,7 @@ private:
             const Estimate& limit = set_.cubic_limit;
             const double most = std::abs(limit.value) + limit_sd * limit.sd;
             out.frequency_per_power.reason = {ReasonCode::not_nonlinear,
-                                              {short_text(most * power_unit, 3)}};
+                                              {number_arg(most * power_unit, 3)}};
         }
         if (!out.tau_s.given() && out.tau_s.reason.code == ReasonCode::one_direction) {
             fit_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});

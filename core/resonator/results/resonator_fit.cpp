@@ -359,7 +359,9 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     }
     const double scale = largest_amplitude(good);
     if (good.empty() || scale <= 0) {
-        return Error{ErrorCode::fit_failed, "the recordings", {"there is no wave"}};
+        return Error{ErrorCode::fit_failed,
+                     "the recordings",
+                     {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
     }
     std::unique_ptr<SetFit> set = solved_set(good, scale, options, job);
     OpenedPhases opened = with_open_phases(good, *set, scale, options, job);
@@ -370,8 +372,8 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     for (PhaseBreak& step : opened.breaks) {
         step.step_rad = set->step_at(step.run, step.time_s).value_or(step.step_rad);
         fit.warnings.push_back({DiagnosticKind::fitted_phase_step,
-                                {integer_text(static_cast<std::int64_t>(step.run) + 1),
-                                 short_text(step.step_rad, 3), short_text(step.time_s, 4)}});
+                                {count_arg(static_cast<std::int64_t>(step.run) + 1),
+                                 number_arg(step.step_rad, 3), number_arg(step.time_s, 4)}});
     }
     fit.phase_breaks = std::move(opened.breaks);
     if (job.cancelled()) {

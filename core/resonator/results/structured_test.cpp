@@ -34,10 +34,10 @@ struct Term {
 };
 
 constexpr std::array<Term, 5> terms{{{kappa_at, "kappa", 1, ""},
-                                     {skew_at, "epsilon", 180 / std::numbers::pi, " deg"},
-                                     {damping_cos_at, "g cos 4theta_tau", 1, " 1/s"},
-                                     {damping_sin_at, "g sin 4theta_tau", 1, " 1/s"},
-                                     {rotation_at, "r", 1, " rad/s"}}};
+                                     {skew_at, "epsilon", 180 / std::numbers::pi, "deg"},
+                                     {damping_cos_at, "g cos 4theta_tau", 1, "1/s"},
+                                     {damping_sin_at, "g sin 4theta_tau", 1, "1/s"},
+                                     {rotation_at, "r", 1, "rad/s"}}};
 
 // By how much the colour of the free fit's residual widens the variances of its rates, at most.
 double widening(const FitProblem& free_problem, const MapFit& free) {
@@ -108,10 +108,11 @@ StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const Map
         }
         const bool residual = verdict.free_over_structured >= most_rise;
         double most = verdict.penalty;
-        verdict.reason = "chi^2 + " + short_text(verdict.penalty, 3);
+        verdict.reason =
+            words(VYBEG_MESSAGE("Words", "chi^2 + %1"), {number_arg(verdict.penalty, 3)});
         if (residual) {
-            verdict.reason =
-                "chi^2 of the free model - " + short_text(verdict.free_over_structured, 3);
+            verdict.reason = words(VYBEG_MESSAGE("Words", "chi^2 of the free model - %1"),
+                                   {number_arg(verdict.free_over_structured, 3)});
         }
         for (const Term& term : terms) {
             const double value = fit.p[term.parameter];
@@ -119,8 +120,8 @@ StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const Map
             verdict.penalty += off * off;
             if (off * off > most && !residual) {
                 most = off * off;
-                verdict.reason = std::string(term.symbol) + " = " +
-                                 short_text(value * term.unit, 3) + term.unit_name;
+                verdict.reason = words(
+                    "%1 = %2", {term.symbol, number_arg(value * term.unit, 3, term.unit_name)});
             }
         }
         verdict.structured =

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/base/job_control.h"
+#include "core/base/message_arg.h"
 #include "core/resonator/fit/map_fit.h"
 #include "core/resonator/model/channel_tolerance.h"
-
-#include <string>
 
 namespace vybeg {
 
@@ -16,7 +15,7 @@ struct StructuredVerdict {
     bool structured = true;
     double penalty = 0;  // squared deviations of those from small values, and the rise of chi^2
     double free_over_structured = 0;  // fall of chi^2 to the free fit, in units of its noise
-    std::string reason;               // the term that weighs most where it is refused
+    MessageArg reason;                // the term that weighs most where it is refused
 };
 
 // `main`: the structured fit of `problem`; `free`: the fit of `free_problem`, the same runs. Larger

@@ -13,14 +13,14 @@ Estimate decay_time(double per_s, double sd, double u) {
     }
     const double fastest = per_s + limit * width;
     if (fastest <= 0) {
-        return {.reason = {ReasonCode::grows, {short_text(-per_s, 3), short_text(width, 2)}}};
+        return {.reason = {ReasonCode::grows, {number_arg(-per_s, 3), number_arg(width, 2)}}};
     }
     const double slowest = per_s - limit * width;
     if (slowest > 0) {
         return {.reason = {ReasonCode::decay_limits,
-                           {short_text(1 / fastest, 3), short_text(1 / slowest, 3)}}};
+                           {number_arg(1 / fastest, 3), number_arg(1 / slowest, 3)}}};
     }
-    return {.reason = {ReasonCode::no_decay, {short_text(1 / fastest, 3)}}};
+    return {.reason = {ReasonCode::no_decay, {number_arg(1 / fastest, 3)}}};
 }
 
 }  // namespace vybeg

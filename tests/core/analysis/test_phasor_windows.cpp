@@ -166,7 +166,7 @@ private slots:
         const auto none = phasor_windows(*choice, 33333, 2, {});
         QVERIFY(!none);
         QVERIFY(none.error().code == ErrorCode::every_window_clipped);
-        QCOMPARE(none.error().args, std::vector<std::string>{"D"});
+        QCOMPARE(none.error().args, std::vector<MessageArg>{"D"});
     }
 
     void the_phase_runs_on_behind_a_lost_sample() {

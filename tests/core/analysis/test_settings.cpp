@@ -110,7 +110,7 @@ void TestSettings::whatCannotBeIsRefusedByName() {
     const Status status = validate(settings);
     QVERIFY(!status);
     QVERIFY(status.error().code == ErrorCode::setting_invalid);
-    QCOMPARE(QString::fromStdString(status.error().args.at(0)), option);
+    QCOMPARE(QString::fromStdString(english(status.error().args.at(0))), option);
     QCOMPARE(exit_status(status.error().code), 2);
 }
 

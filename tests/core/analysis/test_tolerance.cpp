@@ -96,7 +96,7 @@ private slots:
         QVERIFY(!read);
         QVERIFY(read.error().code == ErrorCode::setting_invalid);
         QCOMPARE(read.error().args.at(0), std::string("--tolerance"));
-        const QString said = QString::fromStdString(read.error().args.at(2));
+        const QString said = QString::fromStdString(english(read.error().args.at(2)));
         QVERIFY2(said.contains(part), qPrintable(said));
     }
 };

@@ -210,7 +210,7 @@ private slots:
         const auto long_windows = windows_of(recording, settings, 500);
         QVERIFY(!long_windows);
         QVERIFY(long_windows.error().code == ErrorCode::fit_window_turns);
-        QVERIFY(windows_of(recording, settings, std::stoll(long_windows.error().args[3])));
+        QVERIFY(windows_of(recording, settings, std::stoll(english(long_windows.error().args[3]))));
         settings.f0_hz = 6800;
         const auto nothing_there = windows_of(recording, settings);
         QVERIFY(!nothing_there);

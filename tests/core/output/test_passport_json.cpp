@@ -66,7 +66,7 @@ std::string reason_of(const std::string& text) {
     if (read.error().where != "p.json") {
         return "where: " + read.error().where;
     }
-    return read.error().args.empty() ? "none" : read.error().args[0];
+    return read.error().args.empty() ? "none" : english(read.error().args[0]);
 }
 
 }  // namespace

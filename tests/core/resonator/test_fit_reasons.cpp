@@ -31,7 +31,7 @@ void TestFitReasons::everyReasonHasASentenceAndAName() {
         const auto code = static_cast<ReasonCode>(k);
         QVERIFY(names.insert(reason_name(code)).second);
         QVERIFY(!reason_name(code).empty());
-        QCOMPARE(std::string(message_template(code)).empty(), code == ReasonCode::none);
+        QCOMPARE(std::string(reason_row(code).sentence).empty(), code == ReasonCode::none);
     }
     QCOMPARE(reason_name(static_cast<ReasonCode>(names.size())), std::string());
     QVERIFY(english({ReasonCode::one_direction, {"32.5", "28"}}).find("32.5 degrees") !=
@@ -54,7 +54,7 @@ void TestFitReasons::oneStillWaveGivesSplitTimesSineAlone() {
             const Reason& reason = fit.resonator.damping_anisotropy_per_s.reason;
             QVERIFY(reason.code == ReasonCode::one_direction);
             // The angle it asks for lies between those that show the same.
-            const double other = std::stod(reason.args[0]);
+            const double other = std::stod(english(reason.args[0]));
             QVERIFY(std::abs(std::remainder(other - angle - 22.5, 90)) < 0.1);
             QCOMPARE(reason.args[1], std::string("28"));
             QVERIFY(fit.resonator.angle_rate_rad_s.reason.code == ReasonCode::confounded_rotation);
@@ -154,10 +154,11 @@ void TestFitReasons::noSplitIsALimitWithoutAxis() {
         QVERIFY(none->reason.code == ReasonCode::within_noise);
     }
     // The limit holds the truth, and is no more than five deviations.
-    const double split_limit = std::stod(fit.resonator.split_hz.reason.args[0]);
+    const double split_limit = std::stod(english(fit.resonator.split_hz.reason.args[0]));
     QVERIFY2(split_limit > 0 && split_limit < 5 * 6e-8, qPrintable(QString::number(split_limit)));
     QCOMPARE(fit.resonator.split_hz.reason.args[1], std::string("Hz"));
-    const double damping_limit = std::stod(fit.resonator.damping_anisotropy_per_s.reason.args[0]);
+    const double damping_limit =
+        std::stod(english(fit.resonator.damping_anisotropy_per_s.reason.args[0]));
     QVERIFY2(damping_limit > 0 && damping_limit < 5e-6, qPrintable(QString::number(damping_limit)));
     QVERIFY(!fit.identifiable.split && !fit.identifiable.theta_w);
     QVERIFY(fit.modes.empty());

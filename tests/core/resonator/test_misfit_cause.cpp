@@ -128,8 +128,8 @@ private slots:
             cause = named(fit);
             QVERIFY(cause != nullptr);
             QVERIFY(cause->kind == DiagnosticKind::misfit_damping);
-            const double found = std::stod(cause->args[0]);
-            QVERIFY2(found > 2.5e-4 && found < 7.5e-4, cause->args[0].c_str());
+            const double found = std::stod(english(cause->args[0]));
+            QVERIFY2(found > 2.5e-4 && found < 7.5e-4, english(cause->args[0]).c_str());
         }
     }
 
@@ -151,10 +151,11 @@ private slots:
                     const Diagnostic* cause = named(fit);
                     QVERIFY(cause != nullptr);
                     QVERIFY(cause->kind == DiagnosticKind::misfit_neighbour);
-                    const double found = std::stod(cause->args[0]);
-                    QVERIFY2(std::abs(found - 5300 - off_hz) < 0.1, cause->args[0].c_str());
-                    const double per_cent = std::stod(cause->args[1]);
-                    QVERIFY2(per_cent > 0.5 && per_cent < 2, cause->args[1].c_str());
+                    const double found = std::stod(english(cause->args[0]));
+                    QVERIFY2(std::abs(found - 5300 - off_hz) < 0.1,
+                             english(cause->args[0]).c_str());
+                    const double per_cent = std::stod(english(cause->args[1]));
+                    QVERIFY2(per_cent > 0.5 && per_cent < 2, english(cause->args[1]).c_str());
                 }
             }
         }
@@ -177,7 +178,7 @@ private slots:
                 QVERIFY2(cause != nullptr, qPrintable(QString::number(fit.chi2_per_dof)));
                 QCOMPARE(kind_name(cause->kind), kind_name(DiagnosticKind::misfit_pickoff));
                 for (const auto& [size, truth] :
-                     {std::pair(cause->args[0], -0.2), {cause->args[1], -0.1}}) {
+                     {std::pair(english(cause->args[0]), -0.2), {english(cause->args[1]), -0.1}}) {
                     QVERIFY2(std::abs(std::stod(size) - truth) < 0.1, size.c_str());
                 }
             }

@@ -66,8 +66,8 @@ void TestDamagedTdms::a_segment_that_was_never_closed_gives_what_is_there() {
     QVERIFY(early.kind ==
             (closed ? DiagnosticKind::file_ends_early : DiagnosticKind::file_not_closed));
     const std::string there = std::to_string(frames);
-    QCOMPARE(early.args, (closed ? std::vector<std::string>{std::to_string(promised), there}
-                                 : std::vector<std::string>{there}));
+    QCOMPARE(early.args, (closed ? std::vector<MessageArg>{std::to_string(promised), there}
+                                 : std::vector<MessageArg>{there}));
     QCOMPARE(read_all(recording).c, part(samples.c, 0, static_cast<std::size_t>(frames)));
     QCOMPARE(read_all(recording).d, part(samples.d, 0, static_cast<std::size_t>(frames)));
 }

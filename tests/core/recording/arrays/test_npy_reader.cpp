@@ -252,7 +252,7 @@ void TestNpyReader::a_file_cut_short_opens_with_what_is_there() {
     QCOMPARE(recording.frames(), present);
     const Diagnostic* early = find(recording, DiagnosticKind::file_ends_early);
     QVERIFY(early);
-    QCOMPARE(early->args, (std::vector<std::string>{"40000", std::to_string(present)}));
+    QCOMPARE(early->args, (std::vector<MessageArg>{"40000", std::to_string(present)}));
     QCOMPARE(early->first_frame, present);
     Samples expected = written(true);
     expected.c.resize(static_cast<std::size_t>(present));

@@ -373,7 +373,7 @@ void TestTdmsLayouts::unequal_lengths_are_said_with_names_and_numbers() {
                   t.raw<std::int16_t>(raw_c) + t.raw<std::int16_t>(part(raw_d, 0, 6)))));
     const Diagnostic* unequal = find(recording, DiagnosticKind::channels_unequal);
     QVERIFY(unequal);
-    QCOMPARE(unequal->args, (std::vector<std::string>{"C", "8", "D", "6"}));
+    QCOMPARE(unequal->args, (std::vector<MessageArg>{"C", "8", "D", "6"}));
 }
 
 void TestTdmsLayouts::names_units_and_starts_are_plain_text() {

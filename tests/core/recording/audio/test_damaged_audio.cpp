@@ -46,7 +46,7 @@ void TestDamagedAudio::a_file_cut_short_opens_with_what_is_there() {
     const Recording recording = opened(cut);
     const Diagnostic* early = find(recording, DiagnosticKind::file_ends_early);
     QVERIFY(early);
-    QCOMPARE(early->args, (std::vector<std::string>{"30000", std::to_string(recording.frames())}));
+    QCOMPARE(early->args, (std::vector<MessageArg>{"30000", std::to_string(recording.frames())}));
     QCOMPARE(early->first_frame, recording.frames());
     QCOMPARE(early->count, 30000 - recording.frames());
     // Two thirds are there, to the container's header or the block of FLAC's encoder.
@@ -123,7 +123,7 @@ void TestDamagedAudio::a_recorder_that_died_leaves_its_samples() {
     QCOMPARE(recording.frames(), 999);
     QCOMPARE(recording.diagnostics.size(), 1u);
     QVERIFY(recording.diagnostics[0].kind == DiagnosticKind::file_not_closed);
-    QCOMPARE(recording.diagnostics[0].args, std::vector<std::string>{"999"});
+    QCOMPARE(recording.diagnostics[0].args, std::vector<MessageArg>{"999"});
     const Samples read = read_all(recording);
     QVERIFY(same_bits(read.c, std::span(whole.c).first(999)));
     QVERIFY(same_bits(read.d, std::span(whole.d).first(999)));

@@ -64,8 +64,8 @@ QString text(const std::vector<Diagnostic>& findings) {
     QStringList words;
     for (const Diagnostic& found : findings) {
         QStringList args;
-        for (const std::string& arg : found.args) {
-            args << QString::fromStdString(arg);
+        for (const MessageArg& arg : found.args) {
+            args << QString::fromStdString(english(arg));
         }
         words << QString::fromStdString(kind_name(found.kind)) + "(" + args.join(",") + ")";
     }
@@ -112,8 +112,8 @@ private slots:
         QCOMPARE(found[0].kind, DiagnosticKind::offset);
         QCOMPARE(found[0].args[0], "D");
         // Sum over 200,000 samples: 0.003 / sqrt(200000) = 7e-6, and 1e-6 of an unfinished period.
-        QVERIFY(std::abs(std::stod(found[0].args[1]) + 0.02) < 5e-5);
-        QVERIFY(std::abs(std::stod(found[0].args[2]) - 2.0) < 0.05);
+        QVERIFY(std::abs(std::stod(english(found[0].args[1])) + 0.02) < 5e-5);
+        QVERIFY(std::abs(std::stod(english(found[0].args[2])) - 2.0) < 0.05);
     }
 
     void lines_of_the_mains_are_found_and_no_others() {
@@ -125,11 +125,11 @@ private slots:
                 });
                 const auto found = findings(std::move(signal), 5300);
                 QVERIFY2(found.size() == 1 && found[0].kind == DiagnosticKind::mains &&
-                             std::stod(found[0].args[0]) == f,
+                             std::stod(english(found[0].args[0])) == f,
                          qPrintable(QString("%1 Hz: %2").arg(f + off).arg(text(found))));
                 // sqrt(2) 0.005 beside an amplitude of 1; a Hann window loses 15 % between bins.
-                const double percent = std::stod(found[0].args[1]);
-                QVERIFY2(percent > 0.55 && percent < 0.85, found[0].args[1].c_str());
+                const double percent = std::stod(english(found[0].args[1]));
+                QVERIFY2(percent > 0.55 && percent < 0.85, english(found[0].args[1]).c_str());
             }
         }
         Signal hum = decay({.tau = 400});
@@ -147,8 +147,9 @@ private slots:
             QVERIFY2(found.size() == 1 && found[0].kind == DiagnosticKind::start_transient,
                      qPrintable(text(found)));
             // Its power, at first half of the wave's, is 2 % of it after 1.6 decay times.
-            const double end = std::stod(found[0].args[0]);
-            QVERIFY2(end > 1.2 * seconds && end < 2.2 * seconds + 0.1, found[0].args[0].c_str());
+            const double end = std::stod(english(found[0].args[0]));
+            QVERIFY2(end > 1.2 * seconds && end < 2.2 * seconds + 0.1,
+                     english(found[0].args[0]).c_str());
             QCOMPARE(found[0].first_frame, 0);
             QVERIFY(std::abs(static_cast<double>(found[0].count) - end * rate) < 0.02 * rate);
         }
@@ -198,9 +199,11 @@ private slots:
         QCOMPARE(found.size(), std::size_t{1});
         QCOMPARE(found[0].kind, DiagnosticKind::phase_step);
         // 40 samples are seven periods less 4 samples and 0.025 rad, three deviations here.
-        QVERIFY2(std::abs(std::stod(found[0].args[0]) - 2.262) < 0.05, found[0].args[0].c_str());
-        QVERIFY2(found[0].args[2].starts_with("4,"), qPrintable(text(found)));
-        QVERIFY2(found[0].args[3].find("40,") != std::string::npos, qPrintable(text(found)));
+        QVERIFY2(std::abs(std::stod(english(found[0].args[0])) - 2.262) < 0.05,
+                 english(found[0].args[0]).c_str());
+        QVERIFY2(english(found[0].args[2]).starts_with("4,"), qPrintable(text(found)));
+        QVERIFY2(english(found[0].args[3]).find("40,") != std::string::npos,
+                 qPrintable(text(found)));
         QVERIFY(std::abs(found[0].first_frame - 60000) <= 1);
     }
 

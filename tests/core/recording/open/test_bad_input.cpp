@@ -44,11 +44,11 @@ private slots:
 
 private:
     static void verifyError(const std::filesystem::path& path, const OpenOptions& options,
-                            ErrorCode code, const std::vector<std::string>& args);
+                            ErrorCode code, const std::vector<MessageArg>& args);
 };
 
 void TestBadInput::verifyError(const std::filesystem::path& path, const OpenOptions& options,
-                               ErrorCode code, const std::vector<std::string>& args) {
+                               ErrorCode code, const std::vector<MessageArg>& args) {
     const auto recording = open(path, options);
     QVERIFY(!recording);
     QCOMPARE(static_cast<int>(recording.error().code), static_cast<int>(code));
@@ -117,9 +117,9 @@ void TestBadInput::each_bad_file_has_its_error_and_one_line_that_names_it() {
     QFETCH(QByteArray, bytes);
     QFETCH(int, code);
     QFETCH(QStringList, args);
-    std::vector<std::string> expected;
+    std::vector<MessageArg> expected;
     for (const QString& arg : args) {
-        expected.push_back(arg.toStdString());
+        expected.emplace_back(arg.toStdString());
     }
     const Folder folder;
     verifyError(folder.write("run.csv", bytes.toStdString()), {}, static_cast<ErrorCode>(code),
@@ -172,9 +172,9 @@ void TestBadInput::bad_audio_has_its_error() {
     const Folder folder;
     OpenOptions options;
     options.channel_d = channel_d;
-    std::vector<std::string> expected;
+    std::vector<MessageArg> expected;
     for (const QString& arg : args) {
-        expected.push_back(arg.toStdString());
+        expected.emplace_back(arg.toStdString());
     }
     for (const int format : {SF_FORMAT_WAV, SF_FORMAT_W64, SF_FORMAT_AIFF, SF_FORMAT_CAF}) {
         write_audio(folder.file("run"), wave(static_cast<std::size_t>(frames)),

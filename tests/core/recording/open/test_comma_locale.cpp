@@ -60,10 +60,10 @@ void TestCommaLocale::messages_and_diagnostics_are_written_as_everywhere() {
     const Folder folder;
     const auto backwards = open(folder.write("run", "t,C,D\n0.5,1,2\n0.25,1,2\n0.75,1,2\n"));
     QVERIFY(!backwards);
-    QCOMPARE(backwards.error().args, (std::vector<std::string>{"3", "0.25", "0.5"}));
+    QCOMPARE(backwards.error().args, (std::vector<MessageArg>{"3", "0.25", "0.5"}));
     const Recording gap = opened(folder.write(
         "run", "t,C,D\n0.5,1,2\n0.75,1,2\n1.0,1,2\n1.25,1,2\n1.5,1,2\n2.0,1,2\n2.25,1,2\n"));
-    QCOMPARE(gap.diagnostics.at(0).args, (std::vector<std::string>{"1", "1.25"}));
+    QCOMPARE(gap.diagnostics.at(0).args, (std::vector<MessageArg>{"1", "1.25"}));
     // The reason comes from the operating system, whose messages are translated.
     QVERIFY(english(open(folder.file("none")).error()).ends_with("Check the name and the folder."));
 }

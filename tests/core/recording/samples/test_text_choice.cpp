@@ -41,7 +41,7 @@ private slots:
         const auto wrong = open(path, said({.delimiter = ' '}, 10));
         QVERIFY(!wrong);
         QCOMPARE(wrong.error().code, ErrorCode::text_no_table);
-        QCOMPARE(wrong.error().args, (std::vector<std::string>{"--delimiter space", "1", "1,2;3"}));
+        QCOMPARE(wrong.error().args, (std::vector<MessageArg>{"--delimiter space", "1", "1,2;3"}));
         // Either sign may be the separator; the guess prefers the comma to blanks.
         const auto either = folder_.write("either.txt", "1,5 2\n3,5 4\n5,5 6\n7,5 8\n9,5 1\n");
         same(opened(either, said({.delimiter = ' '}, 10)),
@@ -93,7 +93,7 @@ private slots:
         const auto wrong = open(path, said({.lines_to_skip = 1}, 10));
         QVERIFY(!wrong);
         QCOMPARE(wrong.error().code, ErrorCode::text_not_a_number);
-        QCOMPARE(wrong.error().args, (std::vector<std::string>{"2", "1", "C"}));
+        QCOMPARE(wrong.error().args, (std::vector<MessageArg>{"2", "1", "C"}));
     }
 
     void a_header_longer_than_what_the_guess_looks_at_is_skipped() {
@@ -110,7 +110,7 @@ private slots:
         QCOMPARE(recording.channels[0], (Channel{"S_C", "V"}));
         const auto wrong = open(path, said({.lines_to_skip = lines + 6}, 10));
         QCOMPARE(wrong.error().code, ErrorCode::text_lines_missing);
-        QCOMPARE(wrong.error().args, (std::vector<std::string>{"20006", "20006"}));
+        QCOMPARE(wrong.error().args, (std::vector<MessageArg>{"20006", "20006"}));
     }
 
     void a_time_column_that_is_said_is_the_time_and_no_channel() {
@@ -134,7 +134,7 @@ private slots:
                          4000) < 1e-6);
         const auto wrong = open(path, said({.time_column = 4}));
         QCOMPARE(wrong.error().code, ErrorCode::column_out_of_range);
-        QCOMPARE(wrong.error().args, (std::vector<std::string>{"4", "3"}));
+        QCOMPARE(wrong.error().args, (std::vector<MessageArg>{"4", "3"}));
     }
 
     void no_time_column_makes_a_channel_of_what_rises() {
@@ -243,7 +243,7 @@ private slots:
         const auto wrong = open(path, options);
         QVERIFY(!wrong);
         QCOMPARE(wrong.error().code, ErrorCode::setting_invalid);
-        QCOMPARE(QString::fromStdString(wrong.error().args[0]), setting);
+        QCOMPARE(QString::fromStdString(english(wrong.error().args[0])), setting);
     }
 };
 

@@ -159,7 +159,7 @@ void TestTextDialects::missing_samples_are_nan_and_are_counted() {
              0.0);
     const Diagnostic* missing = find(recording, DiagnosticKind::missing_samples);
     QVERIFY(missing);
-    QCOMPARE(missing->args, std::vector<std::string>{"2"});
+    QCOMPARE(missing->args, std::vector<MessageArg>{"2"});
     QCOMPARE(missing->first_frame, 2);
     QCOMPARE(missing->count, 2);
 }
@@ -237,7 +237,7 @@ void TestTextDialects::blank_lines_and_comments_inside_the_data_are_passed_over(
     QCOMPARE(read_all(recording).c, (std::vector<double>{1, 3, 5, 7, 9}));
     const Diagnostic* ignored = find(recording, DiagnosticKind::text_lines_ignored);
     QVERIFY(ignored);
-    QCOMPARE(ignored->args, std::vector<std::string>{"2"});
+    QCOMPARE(ignored->args, std::vector<MessageArg>{"2"});
 }
 
 void TestTextDialects::any_two_columns_can_be_c_and_d_and_the_time_does_not_count() {

@@ -139,8 +139,8 @@ private slots:
             QCOMPARE(read_all(recording).d[3], 2.5 * 3);
             const Diagnostic* differ = find(recording, DiagnosticKind::units_differ);
             QVERIFY2(differ, units);
-            QCOMPARE(differ->args, (std::vector<std::string>{"C", unit[0].toStdString(), "D",
-                                                             unit[1].toStdString()}));
+            QCOMPARE(differ->args, (std::vector<MessageArg>{"C", unit[0].toStdString(), "D",
+                                                            unit[1].toStdString()}));
         }
     }
 
@@ -157,7 +157,7 @@ private slots:
         QCOMPARE(read_all(other).c[3], 2.5 * 3);
         QVERIFY(std::abs(read_all(other).d[3] - 1.5e3 * 3) < 1e-9);
         QCOMPARE(find(other, DiagnosticKind::unit_converted)->args,
-                 (std::vector<std::string>{"C", "V", "mV"}));
+                 (std::vector<MessageArg>{"C", "V", "mV"}));
     }
 
     void channels_whose_own_times_differ_are_refused_together() {

@@ -148,7 +148,7 @@ void TestUffReader::a_binary_file_cut_short_opens_with_what_is_there() {
     QCOMPARE(recording.frames(), 600 - 67);
     const Diagnostic* early = find(recording, DiagnosticKind::file_ends_early);
     QVERIFY(early);
-    QCOMPARE(early->args, (std::vector<std::string>{"600", "533"}));
+    QCOMPARE(early->args, (std::vector<MessageArg>{"600", "533"}));
     QCOMPARE(read_all(recording).d[532], samples.d[532]);
 }
 
@@ -288,7 +288,7 @@ void TestUffReader::a_file_cut_short_opens_with_what_is_there() {
     QCOMPARE(recording.frames(), 600 - 66);
     const Diagnostic* early = find(recording, DiagnosticKind::file_ends_early);
     QVERIFY(early);
-    QCOMPARE(early->args, (std::vector<std::string>{"600", "534"}));
+    QCOMPARE(early->args, (std::vector<MessageArg>{"600", "534"}));
     QVERIFY(std::abs(read_all(recording).d[533] - samples.d[533]) <= 0.5e-5);
 }
 

@@ -98,8 +98,8 @@ void TestTimeGrid::jitter_is_resampled_within_the_error_of_the_cubic() {
     QCOMPARE(grid.diagnostics.size(), 1u);
     const Diagnostic& uneven = grid.diagnostics[0];
     QCOMPARE(uneven.kind, DiagnosticKind::time_uneven);
-    QVERIFY(std::abs(*parse_number(uneven.args.at(1)) - largest) < 0.01);
-    QVERIFY(std::abs(*parse_number(uneven.args.at(0)) - largest / rate) < 0.01 / rate);
+    QVERIFY(std::abs(*parse_number(english(uneven.args.at(1))) - largest) < 0.01);
+    QVERIFY(std::abs(*parse_number(english(uneven.args.at(0))) - largest / rate) < 0.01 / rate);
 }
 
 void TestTimeGrid::deviations_are_reported_from_a_thousandth_of_a_sample_on_data() {
@@ -143,7 +143,8 @@ void TestTimeGrid::lost_samples_become_gaps_where_they_were() {
     QCOMPARE(recording.diagnostics[0].first_frame, 100);
     QCOMPARE(recording.diagnostics[0].count, 1);
     QCOMPARE(recording.diagnostics[1].args.at(0), std::string("3"));
-    QVERIFY(std::abs(*parse_number(recording.diagnostics[1].args.at(1)) - 300 / rate) < 1e-7);
+    QVERIFY(std::abs(*parse_number(english(recording.diagnostics[1].args.at(1))) - 300 / rate) <
+            1e-7);
     QCOMPARE(recording.diagnostics[1].first_frame, 300);
 }
 

@@ -68,7 +68,7 @@ void TestHdf5Units::d_comes_in_the_unit_of_c() {
     QVERIFY(std::abs(recording.rate_hz - 33333) < 1e-9);
     const Diagnostic* converted = find(recording, DiagnosticKind::unit_converted);
     QVERIFY(converted);
-    QCOMPARE(converted->args, (std::vector<std::string>{"/D", "mV", "V"}));
+    QCOMPARE(converted->args, (std::vector<MessageArg>{"/D", "mV", "V"}));
     const Samples samples = read_all(recording);
     for (std::size_t i = 0; i < demo_.d.size(); ++i) {
         QVERIFY(std::abs(samples.d[i] - demo_.d[i]) <= 1e-15);
@@ -100,7 +100,7 @@ void TestHdf5Units::what_contradicts_itself_or_is_scaled_is_refused() {
     const auto refused = open(folder_.file(QTest::currentDataTag()));
     QVERIFY(!refused);
     QVERIFY(refused.error().code == ErrorCode::format_unsupported);
-    QCOMPARE(QString::fromStdString(refused.error().args[1]), reason);
+    QCOMPARE(QString::fromStdString(english(refused.error().args[1])), reason);
 }
 
 QTEST_GUILESS_MAIN(TestHdf5Units)

@@ -185,7 +185,7 @@ void TestMatReader::named_variables_are_the_ones_that_are_read() {
     const auto missing = open(folder_.file("struct.mat"), options);
     QVERIFY(!missing);
     QCOMPARE(missing.error().code, ErrorCode::variable_missing);
-    QCOMPARE(missing.error().args, (std::vector<std::string>{"run.E", "run.C, run.D, run.fs"}));
+    QCOMPARE(missing.error().args, (std::vector<MessageArg>{"run.E", "run.C, run.D, run.fs"}));
 }
 
 void TestMatReader::any_part_of_a_file_is_the_same_part_of_its_samples_data() {
@@ -223,10 +223,10 @@ void TestMatReader::a_file_without_a_recording_is_refused_by_name() {
     };
     QCOMPARE(code_of("complex.mat"), "format-unsupported");
     QCOMPARE(open(folder_.file("complex.mat")).error().args,
-             (std::vector<std::string>{"MAT 5", "complex numbers (z)"}));
+             (std::vector<MessageArg>{"MAT 5", "complex numbers (z)"}));
     QCOMPARE(code_of("cube.mat"), "format-unsupported");
     QCOMPARE(open(folder_.file("cube.mat")).error().args,
-             (std::vector<std::string>{"MAT 5", "an array of 3 dimensions (x)"}));
+             (std::vector<MessageArg>{"MAT 5", "an array of 3 dimensions (x)"}));
     QCOMPARE(code_of("alone.mat"), "too-few-channels");
     QCOMPARE(code_of("no_rate.mat"), "rate-unknown");
 }

@@ -226,7 +226,7 @@ void TestNpzReader::a_name_that_is_not_there_is_an_error() {
     QVERIFY(!recording);
     QCOMPARE(recording.error().code, ErrorCode::variable_missing);
     QCOMPARE(recording.error().args,
-             (std::vector<std::string>{"none", "Temp, a, long, b, hz, x, fs"}));
+             (std::vector<MessageArg>{"none", "Temp, a, long, b, hz, x, fs"}));
 }
 
 void TestNpzReader::of_several_the_longest_are_taken() {

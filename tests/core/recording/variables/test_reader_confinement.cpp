@@ -170,7 +170,7 @@ void TestReaderConfinement::a_helper_that_does_more_than_read_is_stopped() {
     }
     QVERIFY(!status);
     QCOMPARE(status.error().args,
-             (std::vector<std::string>{
+             (std::vector<MessageArg>{
                  "MAT 5", "its library was stopped when it tried to do more than read"}));
 }
 
@@ -182,7 +182,7 @@ void TestReaderConfinement::a_helper_may_use_two_seconds_of_processor_time() {
     const Status status = (*process)->read({0, 0, 0, 10}, samples);
     QVERIFY(!status);
     QCOMPARE(status.error().args,
-             (std::vector<std::string>{
+             (std::vector<MessageArg>{
                  "MAT 5", "its library did not come to an end within 2 s of processor time"}));
 }
 

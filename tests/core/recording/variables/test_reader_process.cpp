@@ -130,7 +130,7 @@ void TestReaderProcess::a_helper_that_dies_is_damage_and_nothing_more() {
     const Status status = (*process)->read({0, 0, 0, 100}, samples);
     QVERIFY(!status);
     QCOMPARE(status.error().code, ErrorCode::format_damaged);
-    QCOMPARE(status.error().args, (std::vector<std::string>{"MAT 5", "its library failed on it"}));
+    QCOMPARE(status.error().args, (std::vector<MessageArg>{"MAT 5", "its library failed on it"}));
     QCOMPARE(exit_status(status.error().code), 3);
 }
 
@@ -148,7 +148,7 @@ void TestReaderProcess::a_helper_that_stops_working_is_given_up_after_twenty_sec
     QVERIFY2(timer.elapsed() >= 19000 && timer.elapsed() < 60000,
              qPrintable(QString::number(timer.elapsed())));
     QCOMPARE(status.error().args,
-             (std::vector<std::string>{"MAT 5", "its library stopped working on it for 20 s"}));
+             (std::vector<MessageArg>{"MAT 5", "its library stopped working on it for 20 s"}));
     QCOMPARE(::kill(id, 0), -1);  // a stopped one is ended, too
 }
 

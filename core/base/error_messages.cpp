@@ -1,0 +1,293 @@
+// What each error is called and says.
+#include "core/base/messages.h"
+
+namespace vybeg {
+namespace {
+
+// Exit statuses of INTERFACE.md.
+constexpr int wrong_call = 2;
+constexpr int bad_input = 3;
+constexpr int impossible = 4;
+constexpr int no_output = 5;
+constexpr int stopped = 130;
+
+}  // namespace
+
+MessageRow message_row(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::setting_invalid:
+            return {"setting-invalid", wrong_call,
+                    VYBEG_MESSAGE("Message", "%2 cannot be \"%3\": %4.")};
+        case ErrorCode::file_missing:
+            return {"file-missing", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: there is no such file. Check the name and the folder.")};
+        case ErrorCode::file_permission:
+            return {"file-permission", bad_input,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: no permission to read this file. Change its permissions or copy it.")};
+        case ErrorCode::file_is_directory:
+            return {"file-is-directory", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 is a folder, not a recording. Name one file inside it.")};
+        case ErrorCode::file_empty:
+            return {"file-empty", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the file is empty (0 bytes). Record or copy it again.")};
+        case ErrorCode::file_read_failed:
+            return {
+                "file-read-failed", bad_input,
+                VYBEG_MESSAGE("Message",
+                              "%1: reading failed: %2. Check the disk and copy the file again.")};
+        case ErrorCode::format_unknown:
+            return {"format-unknown", bad_input,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: neither an audio file nor a table of numbers. Save the recording as "
+                        "WAV or CSV, or give the layout of raw samples with --raw."),
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: neither an audio file nor a table of numbers. Save the recording as "
+                        "WAV or CSV, or give the layout of raw samples under Import.")};
+        case ErrorCode::format_damaged:
+            return {"format-damaged", bad_input,
+                    VYBEG_MESSAGE("Message", "%1: the %2 file is damaged: %3. Copy it again.")};
+        case ErrorCode::format_unsupported:
+            return {"format-unsupported", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: this %2 file holds %3, which is not read here. Export the "
+                                  "recording as WAV or CSV.")};
+        case ErrorCode::text_not_a_number:
+            return {"text-not-a-number", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1, line %2, column %3: \"%4\" is not a number. Correct it, or "
+                                  "write nan for a missing sample.")};
+        case ErrorCode::text_no_data:
+            return {"text-no-data", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: no line with two or more numbers. The file needs one column "
+                                  "for each pick-off.")};
+        case ErrorCode::text_time_backwards:
+            return {"text-time-backwards", bad_input,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1, line %2: the time %3 does not follow %4. The time column must rise.")};
+        case ErrorCode::text_no_table:
+            return {
+                "text-no-table", bad_input,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "%1: read as text with %2, no line from %3 on has two or more numbers; that "
+                    "line reads \"%4\". Choose another delimiter, decimal sign or first line.")};
+        case ErrorCode::text_lines_missing:
+            return {"text-lines-missing", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: %2 lines are to be skipped, and the file has only %3.")};
+        case ErrorCode::column_out_of_range:
+            return {"column-out-of-range", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: there is no column %2 to be the time; the file has %3.")};
+        case ErrorCode::too_few_channels:
+            return {"too-few-channels", bad_input,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D.")};
+        case ErrorCode::channel_out_of_range:
+            return {"channel-out-of-range", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: there is no channel %2; the file has %3. Choose other "
+                                  "channels with --channels."),
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: there is no channel %2; the file has %3. Choose other channels.")};
+        case ErrorCode::too_few_frames:
+            return {"too-few-frames", bad_input,
+                    VYBEG_MESSAGE("Message", "%1 holds %2 sample(s), and at least %3 are needed.")};
+        case ErrorCode::rate_unknown:
+            return {"rate-unknown", bad_input,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: the file does not tell its sample rate. Give it with --rate, in Hz."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the file does not tell its sample rate. Give it, in Hz.")};
+        case ErrorCode::passport_damaged:
+            return {"passport-damaged", bad_input,
+                    VYBEG_MESSAGE("Message", "%1 is not a passport that can be read: %2.")};
+        case ErrorCode::passport_schema:
+            return {"passport-schema", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: a passport of schema %2; this program knows schemas up to "
+                                  "%3. Use the program that wrote it, or a newer one.")};
+        case ErrorCode::variable_missing:
+            return {
+                "variable-missing", bad_input,
+                VYBEG_MESSAGE("Message",
+                              "%1: there is no variable \"%2\" to read; the file has %3. Choose "
+                              "others with --variables."),
+                VYBEG_MESSAGE(
+                    "Message",
+                    "%1: there is no variable \"%2\" to read; the file has %3. Choose others.")};
+        case ErrorCode::file_changed:
+            return {
+                "file-changed", bad_input,
+                VYBEG_MESSAGE("Message",
+                              "%1 changed while it was read: its size or the time of its last "
+                              "change is another. Wait until it is complete, and open it again.")};
+        case ErrorCode::window_too_long:
+            return {"window-too-long", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the window of %2 samples is longer than the %3 samples to "
+                                  "analyse. Choose a shorter window or a longer range.")};
+        case ErrorCode::window_too_short:
+            return {"window-too-short", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the window of %2 samples is too short; at this carrier it "
+                                  "needs at least %3 (5 samples, and three quarters of a period of "
+                                  "the carrier and of its distance from half the sample rate).")};
+        case ErrorCode::range_empty:
+            return {"range-empty", impossible,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: nothing lies between %2 s and %3 s; the recording is %4 s long.")};
+        case ErrorCode::carrier_above_half_rate:
+            return {"carrier-above-half-rate", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the carrier of %2 Hz is not below half the sample rate, %3 "
+                                  "Hz. Check the carrier and the rate.")};
+        case ErrorCode::carrier_not_found:
+            return {"carrier-not-found", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: no carrier stands out of the spectrum. Give it with --f0, "
+                                  "or the band to look in with --band."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1: no carrier stands out of the spectrum. Give its frequency, "
+                                  "or the band to look in.")};
+        case ErrorCode::carrier_not_near:
+            return {"carrier-not-near", impossible,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: no line stands out of the spectrum within %3 Hz of the carrier given, "
+                        "%2 Hz. Give a nearer one, or leave it out so that it is looked for.")};
+        case ErrorCode::band_invalid:
+            return {"band-invalid", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the band from %2 Hz to %3 Hz is impossible; it must rise "
+                                  "and lie between 0 and half the sample rate, %4 Hz.")};
+        case ErrorCode::filter_too_long:
+            return {"filter-too-long", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the filter needs %2 samples at each end, and the recording "
+                                  "has only %3. Choose a wider band or a longer recording.")};
+        case ErrorCode::no_valid_samples:
+            return {"no-valid-samples", impossible,
+                    VYBEG_MESSAGE("Message", "%1: every sample of the range is missing (NaN).")};
+        case ErrorCode::every_window_clipped:
+            return {"every-window-clipped", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: every window holds clipped samples (channel %2). Record "
+                                  "with a lower gain, begin the range where the wave is weaker "
+                                  "(--from), or shorten the window."),
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: every window holds clipped samples (channel %2). Record with a lower "
+                        "gain, begin the range where the wave is weaker, or shorten the window.")};
+        case ErrorCode::simulation_impossible:
+            return {"simulation-impossible", impossible,
+                    VYBEG_MESSAGE("Message", "This decay cannot be simulated: %2.")};
+        case ErrorCode::fit_window_too_short:
+            return {"fit-window-too-short", impossible,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: the window of %2 samples is too short for the resonator's fit; at "
+                        "this carrier it needs at least %3 (16 samples and two periods).")};
+        case ErrorCode::fit_window_turns:
+            return {"fit-window-turns", impossible,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: the window of %2 samples is too long for the beat between the lines "
+                        "at %3 Hz and %4 Hz. Use at most %5 samples, or leave the window out.")};
+        case ErrorCode::fit_beat_too_fast:
+            return {
+                "fit-beat-too-fast", impossible,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the "
+                    "shortest at this carrier. Keep one pair of modes with --filter."),
+                VYBEG_MESSAGE(
+                    "Message",
+                    "%1: the lines at %2 Hz and %3 Hz beat too fast for windows of %4 samples, the "
+                    "shortest at this carrier. Keep one pair of modes with the band-pass.")};
+        case ErrorCode::fit_too_few_windows:
+            return {"fit-too-few-windows", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the resonator needs %3 windows without faults, and there "
+                                  "are %2. Use a longer recording or shorter windows.")};
+        case ErrorCode::fit_failed:
+            return {"fit-failed", impossible,
+                    VYBEG_MESSAGE("Message", "The resonator cannot be fitted to %1: %2.")};
+        case ErrorCode::same_recording:
+            return {"same-recording", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 and %2 hold the same samples (SHA-256): a recording that is "
+                                  "counted twice is no new evidence. Name each recording once.")};
+        case ErrorCode::band_too_narrow:
+            return {"band-too-narrow", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the band from %2 Hz to %3 Hz is too narrow for the search "
+                                  "for the carrier; at this length it needs at least %4 Hz. Give "
+                                  "the carrier with --f0, or a wider band."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the band from %2 Hz to %3 Hz is too narrow for the search "
+                                  "for the carrier; at this length it needs at least %4 Hz. Give "
+                                  "the frequency of the carrier, or a wider band.")};
+        case ErrorCode::channel_without_samples:
+            return {"channel-without-samples", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: channel %2 has no samples in the range: every one is "
+                                  "missing (NaN). Choose other channels or another range.")};
+        case ErrorCode::out_of_memory:
+            return {
+                "out-of-memory", impossible,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "There is not enough memory. Choose a shorter range, or end other programs.")};
+        case ErrorCode::out_of_threads:
+            return {
+                "out-of-threads", impossible,
+                VYBEG_MESSAGE("Message",
+                              "The system starts no more threads. Raise the limit of processes, or "
+                              "give a smaller number with --threads."),
+                VYBEG_MESSAGE("Message",
+                              "The system starts no more threads. Raise the limit of processes.")};
+        case ErrorCode::output_failed:
+            return {
+                "output-failed", no_output,
+                VYBEG_MESSAGE("Message", "%1 cannot be written: %2. Nothing was changed there.")};
+        case ErrorCode::output_format_unknown:
+            return {"output-format-unknown", no_output,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the ending \"%2\" is not one that can be written here.")};
+        case ErrorCode::output_is_recording:
+            return {
+                "output-is-recording", no_output,
+                VYBEG_MESSAGE(
+                    "Message",
+                    "%1 is one of the open recordings, and stays as it is. Choose another name.")};
+        case ErrorCode::output_incomplete:
+            return {
+                "output-incomplete", no_output,
+                VYBEG_MESSAGE("Message",
+                              "%1 cannot be written: %2. What has gone out there is incomplete.")};
+        case ErrorCode::interrupted_partly:
+            return {
+                "interrupted-partly", stopped,
+                VYBEG_MESSAGE("Message", "Interrupted; what has gone out to %1 is incomplete.")};
+        case ErrorCode::interrupted:
+            return {"interrupted", stopped,
+                    VYBEG_MESSAGE("Message", "Interrupted; nothing was written.")};
+    }
+    return {"", 0, ""};
+}
+
+}  // namespace vybeg

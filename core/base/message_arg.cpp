@@ -1,0 +1,88 @@
+#include "core/base/message_arg.h"
+
+#include "core/base/number_text.h"
+#include "core/base/plain_text.h"
+
+#include <utility>
+
+namespace vybeg {
+
+bool operator==(const MessageArg& a, const MessageArg& b) {
+    return english(a) == english(b);
+}
+
+namespace {
+
+MessageArg number(std::string digits, const std::string& unit = {}) {
+    MessageArg arg(std::move(digits));
+    arg.kind = MessageArg::Kind::number;
+    arg.unit = unit;
+    return arg;
+}
+
+}  // namespace
+
+MessageArg number_arg(double value, int digits, const std::string& unit) {
+    return number(short_text(value, digits), unit);
+}
+
+MessageArg exact_arg(double value) {
+    return number(round_trip_text(value));
+}
+
+MessageArg count_arg(std::int64_t count) {
+    return number(integer_text(count));
+}
+
+MessageArg unit_arg(const std::string& unit) {
+    return number("", unit);
+}
+
+MessageArg words(const char* text, std::vector<MessageArg> args) {
+    MessageArg arg(text);
+    arg.kind = MessageArg::Kind::words;
+    arg.args = std::move(args);
+    return arg;
+}
+
+MessageArg stored_arg(const std::string& text) {
+    MessageArg arg(text);
+    arg.kind = parse_number(text) ? MessageArg::Kind::number : MessageArg::Kind::text;
+    return arg;
+}
+
+std::string fill_template(const std::string& text, const std::vector<std::string>& args) {
+    std::string filled;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::size_t number = text[i] == '%' && i + 1 < text.size()
+                                       ? static_cast<std::size_t>(text[i + 1] - '1')
+                                       : args.size();
+        if (number < args.size()) {
+            filled += args[number];
+            ++i;
+        } else {
+            filled += text[i];
+        }
+    }
+    return filled;
+}
+
+std::string english(const MessageArg& arg) {
+    switch (arg.kind) {
+        case MessageArg::Kind::text: return plain_text(arg.text);
+        case MessageArg::Kind::number:
+            return arg.text + (arg.text.empty() || arg.unit.empty() ? "" : " ") + arg.unit;
+        case MessageArg::Kind::words: return english(arg.text, arg.args);
+    }
+    return {};
+}
+
+std::string english(const std::string& text, const std::vector<MessageArg>& args) {
+    std::vector<std::string> texts;
+    for (const MessageArg& arg : args) {
+        texts.push_back(english(arg));
+    }
+    return fill_template(text, texts);
+}
+
+}  // namespace vybeg

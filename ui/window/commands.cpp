@@ -1,0 +1,65 @@
+#include "ui/window/commands.h"
+
+#include "ui/widgets/icons.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QWidget>
+
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("Command", text);
+}
+
+}  // namespace
+
+Commands::Commands(std::vector<CommandRow> rows, QWidget* window)
+    : QObject(window), rows_(std::move(rows)) {
+    for (const CommandRow& row : rows_) {
+        auto* action = new QAction(window);
+        action->setShortcuts(row.keys);
+        if (row.switched) {
+            action->setCheckable(true);
+            connect(action, &QAction::triggered, window, row.switched);
+        } else {
+            connect(action, &QAction::triggered, window, row.act);
+        }
+        actions_[static_cast<std::size_t>(row.id)] = action;
+    }
+}
+
+void Commands::refresh() {
+    for (const CommandRow& row : rows_) {
+        if (row.enabled) {
+            action(row.id)->setEnabled(row.enabled());
+        }
+    }
+}
+
+void Commands::retranslate() {
+    for (const CommandRow& row : rows_) {
+        QAction& shown = *action(row.id);
+        shown.setText(translated(row.text));
+        QString tip =
+            row.tip != nullptr ? translated(row.tip) : shown.text().remove(QLatin1Char('&'));
+        if (!shown.shortcut().isEmpty()) {
+            tip += QStringLiteral(" (%1)").arg(shown.shortcut().toString(QKeySequence::NativeText));
+        }
+        shown.setToolTip(tip);
+    }
+}
+
+void Commands::setIcons(const QPalette& palette) {
+    for (const CommandRow& row : rows_) {
+        if (row.icon != nullptr) {
+            action(row.id)->setIcon(themedIcon(QLatin1String(row.icon), palette));
+        }
+    }
+}
+
+}  // namespace vybeg::ui

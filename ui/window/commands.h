@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QKeySequence>
+#include <QList>
+#include <QObject>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+class QAction;
+class QPalette;
+class QWidget;
+
+namespace vybeg::ui {
+
+// What the menus, the tool bar and the keyboard offer.
+enum class Command {
+    open,
+    import_file,
+    close_recording,
+    export_plots,
+    export_track,
+    save_passport,
+    compare_passport,
+    quit,
+    undo,
+    redo,
+    copy_plot,
+    copy_table,
+    zoom_in,
+    zoom_out,
+    zoom_fit,
+    zoom_back,
+    zoom_forward,
+    sigma_bands,
+    log_a_A,
+    run,
+    live,
+    cancel,
+    compare,
+    identify,
+    new_set,
+    help,
+    copy_diagnostics,
+    about,
+    count
+};
+
+// Everything about one command. Texts are of the context "Command"; a command whose name says all
+// has no tip. Without `enabled` it always is. One with `switched` is checkable.
+struct CommandRow {
+    Command id;
+    const char* text;
+    const char* tip = nullptr;
+    const char* icon = nullptr;
+    QList<QKeySequence> keys{};
+    std::function<bool()> enabled{};
+    std::function<void()> act{};
+    std::function<void(bool)> switched{};
+};
+
+// The actions of a table of commands, which has a row for each of Command.
+class Commands : public QObject {
+    Q_OBJECT
+
+public:
+    Commands(std::vector<CommandRow> rows, QWidget* window);
+
+    QAction* action(Command command) const { return actions_[static_cast<std::size_t>(command)]; }
+    // Enables what can be done now.
+    void refresh();
+    void retranslate();
+    void setIcons(const QPalette& palette);
+
+private:
+    std::vector<CommandRow> rows_;
+    std::array<QAction*, static_cast<std::size_t>(Command::count)> actions_{};
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,162 @@
+#include "ui/window/file_commands.h"
+
+#include "core/output/same_file.h"
+#include "ui/import/import_dialog.h"
+#include "ui/panels/run_list.h"
+#include "ui/plots/plot_export.h"
+#include "ui/plots/track_view.h"
+#include "ui/window/compare_dialog.h"
+#include "ui/window/file_questions.h"
+
+namespace vybeg::ui {
+
+namespace {
+
+// Whether a file would take the place of an open recording.
+Status stayAsTheyAre(const Document& document, const QString& path) {
+    for (const RecordingEntry& entry : document.recordings()) {
+        if (same_file(entry.path.toStdU16String(), path.toStdU16String())) {
+            return Error{ErrorCode::output_is_recording, path.toStdString(), {}};
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+FileCommands::FileCommands(Document& document, TrackView& tracks, RunList& runs, QWidget* window)
+    : QObject(window),
+      document_(document),
+      tracks_(tracks),
+      runs_(runs),
+      ask_(*new FileQuestions(window)),
+      window_(window) {
+    connect(&document_, &Document::comparisonReady, this, &FileCommands::showComparison);
+    connect(&document_, &Document::busyChanged, this, [this] {
+        if (compare_) {
+            compare_->setBusy(document_.busy());
+        }
+    });
+}
+
+void FileCommands::askForRecordings() {
+    ask_.recordings([this](const QStringList& files) { document_.open(files); });
+}
+
+void FileCommands::askForPassport() {
+    ask_.passport([this](const QString& path) { document_.openPassport(path); });
+}
+
+void FileCommands::askWhereToPutPlots() {
+    ask_.plotsTarget([this](const QString& path) { exportPlotsTo(path); });
+}
+
+void FileCommands::askWhereToPutTrack() {
+    ask_.trackTarget([this](const QString& path) { exportTrackTo(path); });
+}
+
+void FileCommands::askWhereToPutPassport() {
+    ask_.passportTarget([this](const QString& path) { savePassportTo(path); });
+}
+
+void FileCommands::askForImport() {
+    const RecordingEntry* current = document_.currentRecording();
+    // The current one, to read it in another way.
+    ask_.import(current ? current->path : QString(), [this](const QString& file) {
+        const RecordingEntry* entry = document_.currentRecording();
+        openImport(file, entry && entry->path == file ? entry->options : OpenOptions{});
+    });
+}
+
+void FileCommands::openImport(const QString& path, const OpenOptions& options) {
+    delete import_;
+    auto* dialog = new ImportDialog(imports_, path, options, window_);
+    import_ = dialog;
+    connect(dialog, &ImportDialog::chosen, this,
+            [this](const QString& file, const OpenOptions& chosen) {
+                const RecordingEntry* entry = document_.currentRecording();
+                if (entry && entry->path == file) {
+                    document_.reopen(entry->id, chosen);
+                } else {
+                    document_.open({file}, chosen);
+                }
+            });
+    dialog->open();
+}
+
+void FileCommands::reportSaved(const Status& status, const QString& path) {
+    if (status) {
+        document_.report({Severity::info, [path] { return tr("Written: %1").arg(path); }, {}, {}});
+    } else {
+        document_.reportError(status.error());
+    }
+}
+
+void FileCommands::exportPlotsTo(const QString& path) {
+    const Status possible = stayAsTheyAre(document_, path);
+    const PlotContent content = tracks_.content();
+    reportSaved(possible ? exportPlots(content, paperSize(content), path) : possible, path);
+}
+
+void FileCommands::exportTrackTo(const QString& path) {
+    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+        reportSaved(possible, path);
+        return;
+    }
+    document_.exportTrack(runs_.currentRun(), path,
+                          [this, path](const Status& status) { reportSaved(status, path); });
+}
+
+void FileCommands::exportFigureTo(const QString& path) {
+    if (compare_) {
+        FigureOptions options;
+        options.units = tracks_.units();
+        const Status possible = stayAsTheyAre(document_, path);
+        reportSaved(possible ? renderFigure(compare_->columns(), path, options) : possible, path);
+    }
+}
+
+void FileCommands::savePassportTo(const QString& path) {
+    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+        reportSaved(possible, path);
+        return;
+    }
+    document_.savePassport(path, [this, path](const Status& status) { reportSaved(status, path); });
+}
+
+void FileCommands::exportResonatorPlot(const XYPlot& plot) {
+    ask_.resonatorPlotTarget([this, plot](const QString& path) {
+        const Status possible = stayAsTheyAre(document_, path);
+        reportSaved(possible ? exportXYPlot(plot, xy_paper_size, path) : possible, path);
+    });
+}
+
+void FileCommands::openCompare() {
+    if (!compare_) {
+        compare_ = new CompareDialog(window_);
+        connect(compare_, &CompareDialog::compareWanted, &document_, &Document::compareWindows);
+        connect(compare_, &CompareDialog::exportWanted, this, [this] {
+            ask_.figureTarget([this](const QString& path) { exportFigureTo(path); });
+        });
+    }
+    compare_->setBusy(document_.busy());
+    compare_->show();
+    compare_->raise();
+    compare_->activateWindow();
+}
+
+void FileCommands::showComparison(const QList<int>& run_ids) {
+    std::vector<FigureColumn> columns;
+    for (const int id : run_ids) {
+        if (const RunEntry* entry = document_.run(id)) {
+            columns.push_back(
+                {QStringLiteral("n = %1").arg(entry->run.analysis->plan.length), entry->run});
+        }
+    }
+    openCompare();
+    FigureOptions options;
+    options.units = tracks_.units();
+    compare_->showFigure(std::move(columns), options);
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/plots/xy_plot.h"
+
+#include <QObject>
+#include <QPointer>
+
+namespace vybeg::ui {
+
+class CompareDialog;
+class FileQuestions;
+class ImportDialog;
+class RunList;
+class TrackView;
+
+// Everything that goes in or out of the window by a question: importing, exporting, passports and
+// the comparison of windows. Failures go to the message bar.
+class FileCommands : public QObject {
+    Q_OBJECT
+
+public:
+    FileCommands(Document& document, TrackView& tracks, RunList& runs, QWidget* window);
+
+    void askForRecordings();
+    void askForImport();
+    void askForPassport();
+    void askWhereToPutPlots();
+    void askWhereToPutTrack();
+    void askWhereToPutPassport();
+    void openImport(const QString& path, const OpenOptions& options);
+    void openCompare();
+
+    // By the ending of the path.
+    void exportPlotsTo(const QString& path);
+    void exportTrackTo(const QString& path);
+    void exportFigureTo(const QString& path);
+    void savePassportTo(const QString& path);
+    void exportResonatorPlot(const XYPlot& plot);
+
+private:
+    void reportSaved(const Status& status, const QString& path);
+    void showComparison(const QList<int>& run_ids);
+
+    Document& document_;
+    TrackView& tracks_;
+    RunList& runs_;
+    FileQuestions& ask_;
+    QWidget* window_;
+    QPointer<CompareDialog> compare_;
+    AnalysisJob imports_;  // previews of the import dialog
+    QPointer<ImportDialog> import_;
+};
+
+}  // namespace vybeg::ui

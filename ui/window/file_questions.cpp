@@ -1,0 +1,129 @@
+#include "ui/window/file_questions.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QSettings>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+const QString folder_key = QStringLiteral("folder");
+
+void keepFolder(const QString& file) {
+    QSettings().setValue(folder_key, QFileInfo(file).absolutePath());
+}
+
+}  // namespace
+
+FileQuestions::FileQuestions(QWidget* window) : QObject(window), window_(window) {}
+
+// Empty and as `title` asks for it, with no answer connected.
+QFileDialog& FileQuestions::dialog(const QString& title) {
+    const QString name = QStringLiteral("files");
+    auto* dialog = window_->findChild<QFileDialog*>(name, Qt::FindDirectChildrenOnly);
+    if (!dialog) {
+        dialog = new QFileDialog(window_);
+        dialog->setObjectName(name);
+    }
+    disconnect(dialog, nullptr, this, nullptr);
+    dialog->setWindowTitle(title);
+    dialog->setAcceptMode(QFileDialog::AcceptOpen);
+    dialog->setDefaultSuffix(QString());
+    const QString folder = QSettings().value(folder_key).toString();
+    dialog->setDirectory(folder.isEmpty() ? QDir::currentPath() : folder);
+    if (auto* edit = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))) {
+        edit->clear();  // the answer to an earlier question
+    }
+    return *dialog;
+}
+
+void FileQuestions::recordings(const std::function<void(const QStringList&)>& open) {
+    QFileDialog& asked = dialog(tr("Open recordings"));
+    asked.setFileMode(QFileDialog::ExistingFiles);
+    const QString audio = QStringLiteral("*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf");
+    const QString tables = QStringLiteral("*.csv *.tsv *.txt *.dat");
+    const QString arrays = QStringLiteral("*.npy *.npz *.mat *.h5 *.hdf5 *.tdms *.uff *.unv");
+    asked.setNameFilters(
+        {tr("Recordings (%1)").arg(audio + QLatin1Char(' ') + tables + QLatin1Char(' ') + arrays),
+         tr("Audio (%1)").arg(audio), tr("Tables of numbers (%1)").arg(tables),
+         tr("Arrays (%1)").arg(arrays), tr("All files (*)")});
+    connect(&asked, &QFileDialog::filesSelected, this, [open](const QStringList& files) {
+        keepFolder(files.first());
+        open(files);
+    });
+    asked.open();
+}
+
+void FileQuestions::import(const QString& now, const std::function<void(const QString&)>& open) {
+    QFileDialog& asked = dialog(tr("Import a recording"));
+    asked.setFileMode(QFileDialog::ExistingFile);
+    asked.setNameFilter(tr("All files (*)"));
+    if (!now.isEmpty()) {
+        asked.selectFile(now);
+    }
+    connect(&asked, &QFileDialog::fileSelected, this, [open](const QString& file) {
+        keepFolder(file);
+        open(file);
+    });
+    asked.open();
+}
+
+void FileQuestions::passport(const std::function<void(const QString&)>& open) {
+    QFileDialog& asked = dialog(tr("Compare with passport"));
+    asked.setFileMode(QFileDialog::ExistingFile);
+    asked.setNameFilters({tr("Passport (*.json)"), tr("All files (*)")});
+    connect(&asked, &QFileDialog::fileSelected, this, open);
+    asked.open();
+}
+
+void FileQuestions::plotsTarget(const Save& save) {
+    picture(tr("Export plots"), QStringLiteral("vybeg.png"), save);
+}
+
+void FileQuestions::trackTarget(const Save& save) {
+    target(tr("Export track"), QStringLiteral("track.csv"), {tr("Track (*.csv)")}, save);
+}
+
+void FileQuestions::passportTarget(const Save& save) {
+    target(tr("Save passport"), QStringLiteral("passport.json"), {tr("Passport (*.json)")}, save);
+}
+
+void FileQuestions::resonatorPlotTarget(const Save& save) {
+    picture(tr("Export plot"), QStringLiteral("resonator.png"), save);
+}
+
+void FileQuestions::figureTarget(const Save& save) {
+    picture(tr("Export figure"), QStringLiteral("figure.pdf"), save);
+}
+
+void FileQuestions::target(const QString& title, const QString& name, const QStringList& filters,
+                           const Save& save) {
+    QFileDialog& asked = dialog(title);
+    asked.setAcceptMode(QFileDialog::AcceptSave);
+    asked.setFileMode(QFileDialog::AnyFile);
+    asked.setNameFilters(filters);
+    asked.selectFile(name);
+    asked.setDefaultSuffix(QFileInfo(name).suffix());
+    connect(&asked, &QFileDialog::filterSelected, this, [&asked](const QString& filter) {
+        asked.setDefaultSuffix(filter.section(QStringLiteral("*."), 1).chopped(1));
+    });
+    connect(&asked, &QFileDialog::fileSelected, this, save);
+    asked.open();
+}
+
+void FileQuestions::picture(const QString& title, const QString& name, const Save& save) {
+    QStringList filters{tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"),
+                        tr("PDF document (*.pdf)")};
+    const QString ending = QFileInfo(name).suffix();
+    std::stable_partition(filters.begin(), filters.end(), [&](const QString& filter) {
+        return filter.endsWith(QStringLiteral("*.%1)").arg(ending));
+    });
+    target(title, name, filters, save);
+}
+
+}  // namespace vybeg::ui

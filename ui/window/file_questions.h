@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include <functional>
+
+class QFileDialog;
+class QWidget;
+
+namespace vybeg::ui {
+
+// Asks for files, with one dialog for all questions: Qt keeps a third of a megabyte of every one
+// that was opened. The folder of the last recording is kept between sessions.
+class FileQuestions : public QObject {
+    Q_OBJECT
+
+public:
+    using Save = std::function<void(const QString&)>;
+
+    explicit FileQuestions(QWidget* window);
+
+    // Recordings to open.
+    void recordings(const std::function<void(const QStringList&)>& open);
+    // One file to open in a way of its own; `now` is chosen already where there is one.
+    void import(const QString& now, const std::function<void(const QString&)>& open);
+    void passport(const std::function<void(const QString&)>& open);
+    // Where to write what.
+    void plotsTarget(const Save& save);
+    void trackTarget(const Save& save);
+    void passportTarget(const Save& save);
+    void resonatorPlotTarget(const Save& save);
+    void figureTarget(const Save& save);
+
+private:
+    QFileDialog& dialog(const QString& title);
+    // `name` with its ending is proposed.
+    void target(const QString& title, const QString& name, const QStringList& filters,
+                const Save& save);
+    // PNG, SVG or PDF, the ending of `name` first.
+    void picture(const QString& title, const QString& name, const Save& save);
+
+    QWidget* window_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,159 @@
+#include "ui/window/tracks_page.h"
+
+#include "ui/document/document.h"
+#include "ui/panels/stale_mark.h"
+#include "ui/plots/signal_view.h"
+#include "ui/plots/track_view.h"
+
+#include <QEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Edits of the analysed range closer together than this are one drag, and one step of undo.
+constexpr qint64 one_gesture_ms = 700;
+
+}  // namespace
+
+TracksPage::TracksPage(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      signal_(new SignalView(this)),
+      stale_(new StaleMark(document, this)),
+      tracks_(new TrackView(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(signal_);
+    layout->addWidget(stale_);
+    layout->addWidget(tracks_, 1);
+
+    connect(&document_, &Document::recordingsChanged, this, &TracksPage::showRecording);
+    connect(&document_, &Document::recordingChanged, this, &TracksPage::showRecording);
+    connect(&document_, &Document::currentRecordingChanged, this, &TracksPage::showRecording);
+    connect(&document_, &Document::envelopeGrown, this, &TracksPage::showEnvelope);
+    connect(&document_, &Document::settingsChanged, this, &TracksPage::showAnalysedRange);
+    connect(&document_, &Document::runsChanged, this, &TracksPage::showRuns);
+    connect(&document_, &Document::liveChanged, this, &TracksPage::showRuns);
+    connect(stale_, &StaleMark::runWanted, this, &TracksPage::runWanted);
+    connect(signal_, &SignalView::visibleRangeEdited, this, [this](double from_s, double to_s) {
+        tracks_->setTimeRange({from_s, to_s});
+        // The plots show no more than their runs cover, and say nothing where that is what they
+        // have shown before.
+        signal_->setVisibleRange(tracks_->timeRange());
+    });
+    connect(signal_, &SignalView::analysedRangeEdited, this, &TracksPage::editAnalysedRange);
+    connect(tracks_, &TrackView::timeRangeChanged, this, [this](double from_s, double to_s) {
+        signal_->setVisibleRange({from_s, to_s});
+        // Empty plots show nothing of the recording that is about to come.
+        document_.setVisibleRange(document_.runs().empty() ? TimeRange() : TimeRange{from_s, to_s});
+    });
+    connect(tracks_, &TrackView::timeAxisPlaced, signal_, &SignalView::setMargins);
+    retranslate();
+    showRecording();
+    showRuns();
+}
+
+void TracksPage::showRecording() {
+    const RecordingEntry* entry = document_.currentRecording();
+    if (entry && entry->recording) {
+        signal_->setReading(entry->recording->seconds());
+        showEnvelope();
+        signal_->setFaults(entry->faults);
+        if (!document_.runs().empty()) {
+            signal_->setVisibleRange(tracks_->timeRange());
+        }
+        showAnalysedRange();
+    } else if (entry && entry->envelope) {
+        signal_->setReading(static_cast<double>(entry->envelope->frames()) /
+                            entry->envelope_rate_hz);
+        showEnvelope();
+    } else {
+        signal_->clear();
+    }
+}
+
+void TracksPage::showEnvelope() {
+    const RecordingEntry* entry = document_.currentRecording();
+    if (entry && entry->envelope) {
+        signal_->setEnvelope(entry->envelope, entry->envelope_rate_hz);
+    }
+}
+
+void TracksPage::showAnalysedRange() {
+    const RecordingEntry* entry = document_.currentRecording();
+    if (entry && entry->recording) {
+        const Settings& settings = document_.settings();
+        signal_->setAnalysedRange(
+            {settings.from_s.value_or(0), settings.to_s.value_or(entry->recording->seconds())});
+    }
+}
+
+void TracksPage::showRuns() {
+    tracks_->setRuns(document_.plottedRuns());
+    if (!document_.runs().empty()) {
+        signal_->setVisibleRange(tracks_->timeRange());
+    }
+}
+
+void TracksPage::markRun(int id) {
+    std::vector<double> crossings;
+    const RunEntry* entry = document_.run(id);
+    if (entry && entry->run.visible) {
+        for (const Event& event : entry->events) {
+            if (event.kind == EventKind::axis_crossing) {
+                crossings.push_back(event.time_s);
+            }
+        }
+    }
+    tracks_->setMarks(std::move(crossings));
+}
+
+void TracksPage::goToEvent(double time_s, double seconds) {
+    const double span = std::max(tracks_->timeRange().span(), 3 * seconds);
+    const double middle = time_s + seconds / 2;
+    tracks_->setTimeRange({middle - span / 2, middle + span / 2});
+    tracks_->setTracker(time_s);
+}
+
+void TracksPage::analyseVisibleRange() {
+    const AxisRange range = tracks_->timeRange();
+    editAnalysedRange(range.lower, range.upper);
+}
+
+void TracksPage::editAnalysedRange(double from_s, double to_s) {
+    const RecordingEntry* entry = document_.currentRecording();
+    if (!entry || !entry->recording) {
+        return;
+    }
+    if (!last_range_edit_.isValid() || last_range_edit_.elapsed() > one_gesture_ms) {
+        ++range_gesture_;
+    }
+    last_range_edit_.start();
+    Settings settings = document_.settings();
+    settings.from_s = from_s > 0 ? std::optional(from_s) : std::nullopt;
+    settings.to_s = to_s < entry->recording->seconds() ? std::optional(to_s) : std::nullopt;
+    document_.setSettings(settings, range_gesture_);
+}
+
+void TracksPage::setTheme(const Theme& theme) {
+    signal_->setTheme(theme);
+    tracks_->setTheme(theme);
+}
+
+void TracksPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void TracksPage::retranslate() {
+    signal_->setAccessibleName(tr("Overview of the recording"));
+}
+
+}  // namespace vybeg::ui

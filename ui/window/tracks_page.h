@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ui/widgets/theme.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+namespace vybeg::ui {
+
+class Document;
+class SignalView;
+class StaleMark;
+class TrackView;
+
+// The overview of the current recording over the plots of all shown runs. It follows the document,
+// and keeps the ranges that both views show the same.
+class TracksPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TracksPage(Document& document, QWidget* parent = nullptr);
+
+    TrackView& tracks() const { return *tracks_; }
+    // Marks the axis crossings of a run.
+    void markRun(int id);
+    // Centres the present zoom on an event, wide enough to see it from both sides.
+    void goToEvent(double time_s, double seconds);
+    // Analyses from now on what the plots show.
+    void analyseVisibleRange();
+    void setTheme(const Theme& theme);
+
+signals:
+    void runWanted();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showRecording();
+    void showEnvelope();
+    void showAnalysedRange();
+    void showRuns();
+    void editAnalysedRange(double from_s, double to_s);
+    void retranslate();
+
+    Document& document_;
+    SignalView* signal_;
+    StaleMark* stale_;
+    TrackView* tracks_;
+    QElapsedTimer last_range_edit_;
+    int range_gesture_ = 0;
+};
+
+}  // namespace vybeg::ui

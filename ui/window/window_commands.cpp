@@ -1,0 +1,215 @@
+#include "ui/window/window_commands.h"
+
+#include "ui/document/document.h"
+#include "ui/panels/cursor_panel.h"
+#include "ui/panels/run_list.h"
+#include "ui/plots/plot_export.h"
+#include "ui/plots/track_view.h"
+#include "ui/settings/settings_panel.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/status_line.h"
+
+#include <QApplication>
+#include <QClipboard>
+
+namespace vybeg::ui {
+
+std::vector<CommandRow> windowCommands(const CommandTargets& to) {
+    const auto any = [to] { return to.document.currentRecording() != nullptr; };
+    const auto open = [to] {
+        const RecordingEntry* entry = to.document.currentRecording();
+        return entry != nullptr && entry->recording.has_value();
+    };
+    const auto plots = [to] { return !to.document.runs().empty(); };
+    return {
+        {.id = Command::open,
+         .text = QT_TRANSLATE_NOOP("Command", "&Open…"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Open recordings of a free decay"),
+         .icon = "open",
+         .keys = {QKeySequence::Open},
+         .act = [to] { to.files.askForRecordings(); }},
+        {.id = Command::import_file,
+         .text = QT_TRANSLATE_NOOP("Command", "&Import…"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "Say how a file is to be read, and see at once what comes of it"),
+         .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_O)},
+         .act = [to] { to.files.askForImport(); }},
+        {.id = Command::close_recording,
+         .text = QT_TRANSLATE_NOOP("Command", "&Close recording"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Close the current recording and its runs"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_W)},
+         .enabled = any,
+         .act = [to] { to.document.closeRecording(to.document.currentRecording()->id); }},
+        {.id = Command::export_plots,
+         .text = QT_TRANSLATE_NOOP("Command", "&Export plots…"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Save the plots as PNG, SVG or PDF"),
+         .icon = "export",
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_E)},
+         .enabled = plots,
+         .act = [to] { to.files.askWhereToPutPlots(); }},
+        {.id = Command::export_track,
+         .text = QT_TRANSLATE_NOOP("Command", "Export &track…"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Save the slow variables of the chosen run as CSV"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_S)},
+         .enabled =
+             [to] {
+                 const RunEntry* chosen = to.document.run(to.runs.currentRun());
+                 return chosen && !chosen->partial();
+             },
+         .act = [to] { to.files.askWhereToPutTrack(); }},
+        {.id = Command::save_passport,
+         .text = QT_TRANSLATE_NOOP("Command", "Save &passport…"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "Save what was identified from the set as the gyro's passport"),
+         .enabled =
+             [to] {
+                 const RunSet* set = to.document.currentSet();
+                 const auto outcome = set ? to.document.outcome(*set) : nullptr;
+                 return outcome && !to.document.outOfDate(*set, *outcome);
+             },
+         .act = [to] { to.files.askWhereToPutPassport(); }},
+        {.id = Command::compare_passport,
+         .text = QT_TRANSLATE_NOOP("Command", "Compare &with passport…"),
+         .tip = QT_TRANSLATE_NOOP(
+             "Command", "Which parameters of the resonator have changed since its passport"),
+         .act = [to] { to.files.askForPassport(); }},
+        {.id = Command::quit,
+         .text = QT_TRANSLATE_NOOP("Command", "&Quit"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_Q)},
+         .act = [to] { to.close(); }},
+        {.id = Command::undo,
+         .text = QT_TRANSLATE_NOOP("Command", "&Undo"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Take back the last change of the settings"),
+         .icon = "undo",
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_Z)},
+         .enabled = [to] { return to.document.undoStack().canUndo(); },
+         .act = [to] { to.document.undoStack().undo(); }},
+        {.id = Command::redo,
+         .text = QT_TRANSLATE_NOOP("Command", "&Redo"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Make the change of the settings again"),
+         .icon = "redo",
+         .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_Z),
+                  QKeyCombination(Qt::CTRL, Qt::Key_Y)},
+         .enabled = [to] { return to.document.undoStack().canRedo(); },
+         .act = [to] { to.document.undoStack().redo(); }},
+        {.id = Command::copy_plot,
+         .text = QT_TRANSLATE_NOOP("Command", "&Copy plots"),
+         .tip = QT_TRANSLATE_NOOP("Command", "The plots as an image to the clipboard"),
+         .icon = "copy",
+         .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_C)},
+         .enabled = plots,
+         .act =
+             [to] {
+                 const PlotContent content = to.tracks.content();
+                 copyPlots(content, paperSize(content));
+             }},
+        {.id = Command::copy_table,
+         .text = QT_TRANSLATE_NOOP("Command", "Copy &table"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "The values at the cursor to the clipboard, for a spreadsheet"),
+         .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_T)},
+         .enabled = plots,
+         .act = [to] { QApplication::clipboard()->setText(to.cursor.tableText()); }},
+        {.id = Command::zoom_in,
+         .text = QT_TRANSLATE_NOOP("Command", "Zoom &in"),
+         .enabled = plots,
+         .act = [to] { to.tracks.zoomIn(); }},
+        {.id = Command::zoom_out,
+         .text = QT_TRANSLATE_NOOP("Command", "Zoom &out"),
+         .enabled = plots,
+         .act = [to] { to.tracks.zoomOut(); }},
+        {.id = Command::zoom_fit,
+         .text = QT_TRANSLATE_NOOP("Command", "&Fit"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Show the whole time range (double click, Home)"),
+         .icon = "zoom-fit",
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_0)},
+         .enabled = plots,
+         .act = [to] { to.tracks.fit(); }},
+        {.id = Command::zoom_back,
+         .text = QT_TRANSLATE_NOOP("Command", "Zoom &back"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Back in the zoom history (R)"),
+         .icon = "zoom-back",
+         .keys = {QKeyCombination(Qt::ALT, Qt::Key_Left)},
+         .enabled = [to] { return to.tracks.canZoomBack(); },
+         .act = [to] { to.tracks.zoomBack(); }},
+        {.id = Command::zoom_forward,
+         .text = QT_TRANSLATE_NOOP("Command", "Zoom fo&rward"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Forward in the zoom history"),
+         .keys = {QKeyCombination(Qt::ALT, Qt::Key_Right)},
+         .enabled = [to] { return to.tracks.canZoomForward(); },
+         .act = [to] { to.tracks.zoomForward(); }},
+        {.id = Command::sigma_bands,
+         .text = QT_TRANSLATE_NOOP("Command", "One-&sigma bands"),
+         .switched =
+             [to](bool on_now) {
+                 DisplayUnits units = to.tracks.units();
+                 units.sigma_bands = on_now;
+                 to.set_units(units);
+             }},
+        {.id = Command::log_a_A,
+         .text = QT_TRANSLATE_NOOP("Command", "&Logarithmic working amplitude"),
+         .switched =
+             [to](bool on_now) {
+                 DisplayUnits units = to.tracks.units();
+                 units.log_a_A = on_now;
+                 to.set_units(units);
+             }},
+        {.id = Command::run,
+         .text = QT_TRANSLATE_NOOP("Command", "&Run"),
+         .tip = QT_TRANSLATE_NOOP(
+             "Command",
+             "Analyse the current recording with the settings of the panel, as a run "
+             "that is kept"),
+         .icon = "run",
+         .keys = {QKeySequence(Qt::Key_F5)},
+         .enabled = open,
+         .act = [to] { to.settings.run(); }},
+        {.id = Command::live,
+         .text = QT_TRANSLATE_NOOP("Command", "&Live"),
+         .tip = QT_TRANSLATE_NOOP(
+             "Command", "Every change of a setting shows at once, in a run that follows the panel"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_L)},
+         .switched = [to](bool on_now) { to.document.setLive(on_now); }},
+        {.id = Command::cancel,
+         .text = QT_TRANSLATE_NOOP("Command", "&Cancel"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Stop the analyses that are under way"),
+         .icon = "cancel",
+         .keys = {QKeyCombination(Qt::SHIFT, Qt::Key_F5)},
+         .enabled = [to] { return to.document.busy(); },
+         .act = [to] { to.status.cancel(); }},
+        {.id = Command::compare,
+         .text = QT_TRANSLATE_NOOP("Command", "Compare &windows…"),
+         .tip = QT_TRANSLATE_NOOP("Command", "The article's figure: one column per window length"),
+         .icon = "compare",
+         .keys = {QKeySequence(Qt::Key_F6)},
+         .enabled = open,
+         .act = [to] { to.files.openCompare(); }},
+        {.id = Command::identify,
+         .text = QT_TRANSLATE_NOOP("Command", "&Identify resonator"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Fit one resonator to all recordings of the set"),
+         .keys = {QKeySequence(Qt::Key_F7)},
+         .enabled = [to] { return to.document.canIdentify(); },
+         .act = [to] { to.identify(); }},
+        {.id = Command::new_set,
+         .text = QT_TRANSLATE_NOOP("Command", "&New set of runs"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "Recordings of another resonator, to be identified together"),
+         .act = [to] { to.add_set(); }},
+        {.id = Command::help,
+         .text = QT_TRANSLATE_NOOP("Command", "&Help"),
+         .tip = QT_TRANSLATE_NOOP("Command", "How to use the program, the method and its formulas"),
+         .icon = "help",
+         .keys = {QKeySequence(Qt::Key_F1)},
+         .act = [to] { to.show_help(); }},
+        {.id = Command::copy_diagnostics,
+         .text = QT_TRANSLATE_NOOP("Command", "Copy &diagnostics"),
+         .tip = QT_TRANSLATE_NOOP(
+             "Command", "Versions and settings to the clipboard, for a report of a fault"),
+         .act = [to] { QApplication::clipboard()->setText(to.diagnostics()); }},
+        {.id = Command::about,
+         .text = QT_TRANSLATE_NOOP("Command", "&About Vybeg"),
+         .act = [to] { to.show_about(); }},
+    };
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "ui/window/commands.h"
+#include "ui/words/display_units.h"
+
+#include <functional>
+#include <vector>
+
+namespace vybeg::ui {
+
+class CursorPanel;
+class Document;
+class FileCommands;
+class RunList;
+class SettingsPanel;
+class StatusLine;
+class TrackView;
+
+// What the commands act on; all of it lives as long as the window.
+struct CommandTargets {
+    Document& document;
+    TrackView& tracks;
+    CursorPanel& cursor;
+    RunList& runs;
+    SettingsPanel& settings;
+    StatusLine& status;
+    FileCommands& files;
+    // What the window itself does.
+    std::function<void(const DisplayUnits&)> set_units;
+    std::function<void()> identify;
+    std::function<void()> add_set;
+    std::function<void()> show_help;
+    std::function<void()> show_about;
+    std::function<QString()> diagnostics;
+    std::function<void()> close;
+};
+
+// The table of all commands of the window.
+std::vector<CommandRow> windowCommands(const CommandTargets& to);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,190 @@
+#include "ui/window/window_menus.h"
+
+#include "ui/plots/track_view.h"
+#include "ui/window/recent_files.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenuBar>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks,
+                         const std::vector<std::pair<QDockWidget*, const char*>>& docks, int theme,
+                         QMainWindow* window)
+    : QObject(window),
+      commands_(commands),
+      tracks_(tracks),
+      window_(window),
+      recent_(new RecentFiles(window)),
+      languages_(new QActionGroup(this)) {
+    connect(recent_, &RecentFiles::chosen, this, &WindowMenus::recentChosen);
+    addFile();
+    QMenu* edit = top(QT_TR_NOOP("&Edit"));
+    add(edit, {Command::undo, Command::redo});
+    edit->addSeparator();
+    add(edit, {Command::copy_plot, Command::copy_table});
+    addView(docks, theme);
+    QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
+    add(analysis, {Command::run, Command::live, Command::cancel, Command::compare});
+    analysis->addSeparator();
+    add(analysis, {Command::identify, Command::new_set});
+    add(top(QT_TR_NOOP("&Help")), {Command::help, Command::copy_diagnostics, Command::about});
+}
+
+QMenu* WindowMenus::top(const char* title) {
+    QMenu* menu = window_->menuBar()->addMenu(QString());
+    menu->setToolTipsVisible(true);
+    titles_[menu] = title;
+    return menu;
+}
+
+QMenu* WindowMenus::sub(QMenu* parent, const char* title) {
+    QMenu* menu = parent->addMenu(QString());
+    titles_[menu] = title;
+    return menu;
+}
+
+void WindowMenus::add(QMenu* menu, std::initializer_list<Command> commands) {
+    for (const Command command : commands) {
+        menu->addAction(commands_.action(command));
+    }
+}
+
+void WindowMenus::addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
+                            int chosen, const std::function<void(int)>& choose) {
+    QMenu* menu = sub(parent, title);
+    auto* group = new QActionGroup(menu);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        QAction* entry = menu->addAction(QString());
+        entry->setCheckable(true);
+        entry->setChecked(static_cast<int>(i) == chosen);
+        group->addAction(entry);
+        choices_.push_back({entry, texts[i]});
+        connect(entry, &QAction::triggered, this, [choose, i] { choose(static_cast<int>(i)); });
+    }
+}
+
+void WindowMenus::addFile() {
+    QMenu* file = top(QT_TR_NOOP("&File"));
+    add(file, {Command::open});
+    titles_[recent_] = QT_TR_NOOP("Open &recent");
+    file->addMenu(recent_);
+    add(file, {Command::import_file, Command::close_recording});
+    file->addSeparator();
+    add(file, {Command::export_plots, Command::export_track});
+    file->addSeparator();
+    add(file, {Command::save_passport, Command::compare_passport});
+    file->addSeparator();
+    add(file, {Command::quit});
+}
+
+void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>>& docks,
+                          int theme) {
+    QMenu* view = top(QT_TR_NOOP("&View"));
+    add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
+               Command::zoom_forward});
+    view->addSeparator();
+    addVariables(view);
+    addUnits(view);
+    add(view, {Command::log_a_A, Command::sigma_bands});
+    view->addSeparator();
+    QMenu* panels = sub(view, QT_TR_NOOP("Pa&nels"));
+    for (const auto& [dock, title] : docks) {
+        panels->addAction(dock->toggleViewAction());
+    }
+    addChoice(view, QT_TR_NOOP("&Theme"),
+              {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")}, theme,
+              [this](int mode) { emit themeChosen(mode); });
+    addLanguages(view);
+}
+
+void WindowMenus::addVariables(QMenu* view) {
+    QMenu* variables = sub(view, QT_TR_NOOP("&Plots"));
+    for (const SlowVariable variable : shown_slow_variables) {
+        QAction* shown = variables->addAction(QString());
+        shown->setCheckable(true);
+        shown->setData(static_cast<int>(variable));
+        const auto& now = tracks_.shownVariables();
+        shown->setChecked(std::ranges::find(now, variable) != now.end());
+        choices_.push_back({shown, nullptr});
+        connect(shown, &QAction::triggered, this, [this, variables] {
+            std::vector<SlowVariable> wanted;
+            for (const QAction* each : variables->actions()) {
+                if (each->isChecked()) {
+                    wanted.push_back(static_cast<SlowVariable>(each->data().toInt()));
+                }
+            }
+            tracks_.setShownVariables(std::move(wanted));
+        });
+    }
+}
+
+void WindowMenus::addUnits(QMenu* view) {
+    const DisplayUnits& now = tracks_.units();
+    const auto change = [this](auto&& set) {
+        return [this, set](int unit) {
+            DisplayUnits units = tracks_.units();
+            set(units, unit);
+            emit unitsChosen(units);
+        };
+    };
+    addChoice(view, QT_TR_NOOP("Fre&quency in"),
+              {QT_TR_NOOP("Hz"), QT_TR_NOOP("rad/s"), QT_TR_NOOP("Deviation from f₀, Hz"),
+               QT_TR_NOOP("Deviation from f₀, ppm")},
+              static_cast<int>(now.frequency), change([](DisplayUnits& units, int unit) {
+                  units.frequency = static_cast<FrequencyUnit>(unit);
+              }));
+    addChoice(view, QT_TR_NOOP("&Angles in"), {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")},
+              static_cast<int>(now.angle), change([](DisplayUnits& units, int unit) {
+                  units.angle = static_cast<AngleUnit>(unit);
+              }));
+    addChoice(
+        view, QT_TR_NOOP("A&mplitudes in"), {QT_TR_NOOP("Recording units"), QT_TR_NOOP("Decibels")},
+        now.amplitude == AmplitudeUnit::decibels ? 1 : 0, change([](DisplayUnits& units, int unit) {
+            units.amplitude = unit == 1 ? AmplitudeUnit::decibels : AmplitudeUnit::recording;
+        }));
+}
+
+void WindowMenus::addLanguages(QMenu* view) {
+    QMenu* language = sub(view, QT_TR_NOOP("Lan&guage"));
+    for (const auto& [code, name] : {std::pair{"en", "English"}, std::pair{"ru", "Русский"}}) {
+        // A language is named in itself, so that its speakers find it.
+        QAction* entry = language->addAction(QString::fromUtf8(name));
+        entry->setData(QString::fromLatin1(code));
+        entry->setCheckable(true);
+        languages_->addAction(entry);
+        connect(entry, &QAction::triggered, this,
+                [this, entry] { emit languageChosen(entry->data().toString()); });
+    }
+}
+
+QList<QAction*> WindowMenus::languages() const {
+    return languages_->actions();
+}
+
+void WindowMenus::setLanguage(const QString& code) {
+    for (QAction* action : languages_->actions()) {
+        action->setChecked(action->data().toString() == code);
+    }
+}
+
+void WindowMenus::retranslate() {
+    for (const auto& [menu, title] : titles_) {
+        menu->setTitle(tr(title));
+    }
+    for (const Choice& choice : choices_) {
+        if (choice.text) {
+            choice.action->setText(tr(choice.text));
+        } else {
+            const auto variable = static_cast<SlowVariable>(choice.action->data().toInt());
+            choice.action->setText(displayMeaning(variable));
+        }
+    }
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "ui/window/commands.h"
+#include "ui/words/display_units.h"
+
+#include <QObject>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+class QActionGroup;
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+
+namespace vybeg::ui {
+
+class RecentFiles;
+class TrackView;
+
+// The menu bar: the commands, and choices of units, plots, panels, theme and language.
+class WindowMenus : public QObject {
+    Q_OBJECT
+
+public:
+    // `theme`: the choice in effect, as ThemeMode.
+    WindowMenus(const Commands& commands, TrackView& tracks,
+                const std::vector<std::pair<QDockWidget*, const char*>>& docks, int theme,
+                QMainWindow* window);
+
+    RecentFiles* recentFiles() const { return recent_; }
+    QList<QAction*> languages() const;
+    void setLanguage(const QString& code);
+    void retranslate();
+
+signals:
+    void recentChosen(const QString& path);
+    void unitsChosen(const DisplayUnits& units);
+    void themeChosen(int theme);
+    void languageChosen(const QString& code);
+
+private:
+    struct Choice {
+        QAction* action;
+        const char* text;  // of a slow variable: none
+    };
+
+    QMenu* top(const char* title);
+    QMenu* sub(QMenu* parent, const char* title);
+    void add(QMenu* menu, std::initializer_list<Command> commands);
+    void addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
+                   int chosen, const std::function<void(int)>& choose);
+    void addFile();
+    void addView(const std::vector<std::pair<QDockWidget*, const char*>>& docks, int theme);
+    void addVariables(QMenu* view);
+    void addUnits(QMenu* view);
+    void addLanguages(QMenu* view);
+
+    const Commands& commands_;
+    TrackView& tracks_;
+    QMainWindow* window_;
+    RecentFiles* recent_;
+    QActionGroup* languages_;
+    std::map<QMenu*, const char*> titles_;
+    std::vector<Choice> choices_;
+};
+
+}  // namespace vybeg::ui
