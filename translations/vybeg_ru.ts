@@ -944,6 +944,22 @@
         <source>%1: neither an audio file nor a table of numbers. Save the recording as WAV or CSV, or give the layout of raw samples under Import.</source>
         <translation>%1: это не звуковой файл и не таблица чисел. Сохраните запись в WAV или CSV либо задайте расположение отсчётов через «Импорт».</translation>
     </message>
+    <message>
+        <source>Channel %1 is in %2 and channel %3 states no unit: both are taken to be in the same one.</source>
+        <translation>Канал %1 записан в %2, у канала %3 единица не указана; принято, что она та же.</translation>
+    </message>
+    <message>
+        <source>%1: commas separate both columns and decimals, as in &quot;%2&quot;. Export the table with semicolons or tabs between its columns, or with decimal points.</source>
+        <translation>%1: запятые разделяют и столбцы, и десятичные знаки, например: «%2». Сохраните таблицу с точкой с запятой или табуляцией между столбцами либо с десятичной точкой.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 rises by equal steps: it holds times or numbers of rows, no signal. Choose other channels with --channels.</source>
+        <translation>%1: канал %2 растёт равными шагами: это время или номера строк, а не сигнал. Выберите другие каналы (--channels).</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 rises by equal steps: it holds times or numbers of rows, no signal. Choose other channels.</source>
+        <translation>%1: канал %2 растёт равными шагами: это время или номера строк, а не сигнал. Выберите другие каналы.</translation>
+    </message>
 </context>
 <context>
     <name>PlotPanel</name>

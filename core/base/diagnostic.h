@@ -21,6 +21,7 @@ enum class DiagnosticKind {
     not_converged,       // args: windows, of
     over_range,          // args: channel, samples. Of the missing ones, those beyond its range.
     unit_converted,      // args: channel, its unit, the unit of C, in which it is read
+    unit_of_one,         // args: channel, its unit, the other channel, which states none
     units_differ,        // args: channel C, its unit, channel D, its unit. No factor between them.
     time_unit_unknown,   // args: unit of the times, which are read as seconds
     rates_disagree,      // args: rate that the file states, rate of its times (Hz), which counts

@@ -68,6 +68,11 @@ MessageRow message_row(DiagnosticKind kind) {
                     VYBEG_MESSAGE("Message",
                                   "Channel %1 is in %2 in the file; it was converted to %3, the "
                                   "unit of channel C.")};
+        case DiagnosticKind::unit_of_one:
+            return {"unit-of-one", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "Channel %1 is in %2 and channel %3 states no unit: both are "
+                                  "taken to be in the same one.")};
         case DiagnosticKind::units_differ:
             return {"units-differ", goes_on,
                     VYBEG_MESSAGE("Message",

@@ -23,11 +23,13 @@ enum class ErrorCode {
     text_not_a_number,     // args: line, column, the text found there
     text_no_data,          // no line with at least two numbers
     text_time_backwards,   // args: line, the time there, the time before it
+    text_decimal_commas,   // args: a line. Commas separate columns and decimals.
     text_no_table,         // args: options, first line that is no row, what it reads
     text_lines_missing,    // args: lines to skip, lines found
     column_out_of_range,   // args: column asked for, columns found
     too_few_channels,      // args: channels found, channels needed
     channel_out_of_range,  // args: channel asked for, channels found
+    channel_is_time,       // args: channel. Times or counts, no signal.
     too_few_frames,        // args: frames found, frames needed
     rate_unknown,
     passport_damaged,  // args: reason

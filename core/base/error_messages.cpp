@@ -73,6 +73,12 @@ MessageRow message_row(ErrorCode code) {
                     VYBEG_MESSAGE(
                         "Message",
                         "%1, line %2: the time %3 does not follow %4. The time column must rise.")};
+        case ErrorCode::text_decimal_commas:
+            return {"text-decimal-commas", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: commas separate both columns and decimals, as in \"%2\". "
+                                  "Export the table with semicolons or tabs between its columns, "
+                                  "or with decimal points.")};
         case ErrorCode::text_no_table:
             return {
                 "text-no-table", bad_input,
@@ -101,6 +107,14 @@ MessageRow message_row(ErrorCode code) {
                     VYBEG_MESSAGE(
                         "Message",
                         "%1: there is no channel %2; the file has %3. Choose other channels.")};
+        case ErrorCode::channel_is_time:
+            return {"channel-is-time", bad_input,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: channel %2 rises by equal steps: it holds times or numbers "
+                                  "of rows, no signal. Choose other channels with --channels."),
+                    VYBEG_MESSAGE("Message",
+                                  "%1: channel %2 rises by equal steps: it holds times or numbers "
+                                  "of rows, no signal. Choose other channels.")};
         case ErrorCode::too_few_frames:
             return {"too-few-frames", bad_input,
                     VYBEG_MESSAGE("Message", "%1 holds %2 sample(s), and at least %3 are needed.")};

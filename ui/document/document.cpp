@@ -12,7 +12,7 @@ namespace vybeg::ui {
 namespace {
 
 // Whether a file could be opened if the engineer said how to read it.
-bool canBeSaid(ErrorCode code) {
+bool isFixableByImportOptions(ErrorCode code) {
     switch (code) {
         case ErrorCode::setting_invalid:
         case ErrorCode::format_unknown:
@@ -22,6 +22,7 @@ bool canBeSaid(ErrorCode code) {
         case ErrorCode::text_lines_missing:
         case ErrorCode::column_out_of_range:
         case ErrorCode::channel_out_of_range:
+        case ErrorCode::channel_is_time:
         case ErrorCode::rate_unknown:
         case ErrorCode::variable_missing: return true;
         default: return false;
@@ -144,7 +145,7 @@ void Document::whenOpened(int id, Result<Recording> result) {
     if (!result) {
         const Error error = result.error();
         Message message{Severity::error, [error] { return errorText(error); }, {}, {}};
-        if (canBeSaid(error.code)) {
+        if (isFixableByImportOptions(error.code)) {
             message.reopen_path = entry->path;
             message.reopen_options = entry->options;
         }

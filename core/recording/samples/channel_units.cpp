@@ -9,6 +9,12 @@ namespace vybeg {
 
 double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& diagnostics) {
     if (c.unit.empty() || d.unit.empty()) {
+        if (c.unit.empty() != d.unit.empty()) {
+            const Channel& with = c.unit.empty() ? d : c;
+            const Channel& without = c.unit.empty() ? c : d;
+            diagnostics.push_back(
+                {DiagnosticKind::unit_of_one, {with.name, with.unit, without.name}, -1, 0});
+        }
         return 1;
     }
     const auto ratio = unit_ratio(d.unit, c.unit);

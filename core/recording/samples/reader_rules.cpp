@@ -4,6 +4,8 @@
 #include "core/recording/samples/channel_units.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
 
 namespace vybeg {
@@ -27,6 +29,37 @@ void note_early_end(std::int64_t promised_frames, Recording& recording) {
 void note_not_closed(Recording& recording) {
     recording.diagnostics.push_back(
         {DiagnosticKind::file_not_closed, {count_arg(recording.frames())}, recording.frames(), 0});
+}
+
+// Whether samples rise by equal steps, as times and numbers of rows do and no vibration does.
+bool rises_evenly(std::span<const double> samples) {
+    constexpr double tolerance = 0.01;  // of a step
+    const double step =
+        (samples.back() - samples.front()) / static_cast<double>(samples.size() - 1);
+    return step > 0 && std::ranges::adjacent_find(samples, [&](double before, double after) {
+                           return !(std::abs(after - before - step) <= tolerance * step);
+                       }) == samples.end();
+}
+
+// Errors: channel_is_time; those of the source.
+Status check_signals(const FileBytes& file, const Recording& recording) {
+    constexpr std::int64_t looked_at = 1000;  // frames; a shorter start may rise by chance
+    if (recording.frames() < looked_at) {
+        return {};
+    }
+    std::vector<double> c(looked_at);
+    std::vector<double> d(looked_at);
+    if (const Status status = recording.source->read(0, c, d); !status) {
+        return status;
+    }
+    for (const auto& [samples, channel] :
+         {std::pair(&c, recording.channel_c), std::pair(&d, recording.channel_d)}) {
+        if (rises_evenly(*samples)) {
+            return file.error(ErrorCode::channel_is_time,
+                              {recording.channels[static_cast<std::size_t>(channel - 1)].name});
+        }
+    }
+    return {};
 }
 
 }  // namespace
@@ -109,8 +142,13 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     recording.start = std::move(found.start);
     recording.diagnostics = std::move(found.diagnostics);
     recording.source = std::move(found.source);
-    if (!found.one_unit && recording.source) {
-        match_units(recording);
+    if (recording.source) {
+        if (const Status status = check_signals(file, recording); !status) {
+            return status.error();
+        }
+        if (!found.one_unit) {
+            match_units(recording);
+        }
     }
     note_early_end(found.promised_frames, recording);
     if (found.never_closed) {

@@ -56,7 +56,7 @@ struct FoundSamples {
 
 // The recording with its rate, after the checks above. Adds file_ends_early where it has fewer
 // frames than promised, and file_not_closed; brings D to the unit of C (match_units()). Errors:
-// those of check_channels(), choose_rate() and check_frames(), in this order.
+// those of check_channels(), choose_rate() and check_frames(), in this order; channel_is_time.
 Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
                                      const OpenOptions& options);
 

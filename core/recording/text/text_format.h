@@ -22,6 +22,10 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
 // the samples are read as they stand there, with a scale of 1, else none.
 std::vector<Channel> channels_of(const TextFormat& format, double scale);
 
+// Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
+// leading zeros, decimals between delimiters have.
+bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& format);
+
 // E.g. "text, 3 columns, semicolon, decimal comma".
 std::string format_text(const TextFormat& format);
 

@@ -111,6 +111,11 @@ Result<TextFormat> find_text_format(const FileBytes& file, const TextHead& head,
                           {"text", "rows of " + std::to_string(format->columns) +
                                        " numbers (a column is a channel, a row a time)"});
     }
+    if (!choice.delimiter && has_decimal_commas(head.lines, *format)) {
+        return file.error(
+            ErrorCode::text_decimal_commas,
+            {short_quote(head.lines[static_cast<std::size_t>(format->lines_to_skip)])});
+    }
     format->lines_to_skip += head.dropped;
     if (choice.time_column && *choice.time_column > format->columns) {
         return file.error(ErrorCode::column_out_of_range,

@@ -95,6 +95,49 @@ private slots:
                       DiagnosticKind::time_unit_unknown));
     }
 
+    void a_unit_of_one_channel_is_named() {
+        const Folder folder;
+        for (const bool of_c : {true, false}) {
+            const std::string header = of_c ? "t (s),C (mV),D" : "t (s),C,D (mV)";
+            const Recording recording = opened(folder.write("run.csv", table(header, 1, 1)));
+            const Diagnostic* alone = find(recording, DiagnosticKind::unit_of_one);
+            QVERIFY(alone);
+            QCOMPARE(alone->args, (of_c ? std::vector<MessageArg>{"C", "mV", "D"}
+                                        : std::vector<MessageArg>{"D", "mV", "C"}));
+        }
+        for (const char* header : {"t (s),C (V),D (V)", "t (s),C,D"}) {
+            QVERIFY(!find(opened(folder.write("run.csv", table(header, 1, 1))),
+                          DiagnosticKind::unit_of_one));
+        }
+    }
+
+    void decimal_commas_between_commas_are_refused_data() {
+        QTest::addColumn<QByteArray>("rows");
+        QTest::addColumn<bool>("refused");
+        QTest::newRow("three") << QByteArray("0,000030,1,234500,-0,678900\n") << true;
+        QTest::newRow("two") << QByteArray("1,234500,-0,078900\n") << true;
+        // Counts of a converter, as integers are written.
+        QTest::newRow("integers") << QByteArray("0,30,1234,500\n") << false;
+        QTest::newRow("zeros") << QByteArray("0,0,1,0\n") << false;
+        QTest::newRow("points") << QByteArray("0.1,05,1.5,00\n") << false;
+        QTest::newRow("signs") << QByteArray("1,-05,1,-07\n") << false;
+    }
+    void decimal_commas_between_commas_are_refused() {
+        QFETCH(QByteArray, rows);
+        QFETCH(bool, refused);
+        const Folder folder;
+        const auto path = folder.write("run.csv", rows.repeated(20).toStdString());
+        OpenOptions options;
+        options.rate_hz = rate_hz;
+        const auto recording = open(path, options);
+        QCOMPARE(!recording && recording.error().code == ErrorCode::text_decimal_commas, refused);
+        // Said to be so, it is read so.
+        options.text.emplace().delimiter = ',';
+        options.text->decimal_comma = false;
+        const auto said = open(path, options);
+        QVERIFY(said || said.error().code != ErrorCode::text_decimal_commas);
+    }
+
     void d_comes_in_the_unit_of_c_data() {
         QTest::addColumn<QByteArray>("header");
         QTest::addColumn<double>("d_unit");
