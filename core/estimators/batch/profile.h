@@ -49,8 +49,8 @@ ProfileMaximum maximise_profile(const Window& window, const FrequencyBracket& br
 struct BatchMaximum {
     Lanes x;      // frequency, as in taylor_window.h
     Lanes power;  // of the best phasors
-    Lanes
-        arrived;  // 1; 0 where the steps leave the reach of the series or the power is not concave
+    // 1; 0 where the steps leave the reach of the series or the power is not concave.
+    Lanes arrived;
 };
 void maximise_batch(const ProjectionBatch& batch, const TaylorFrame& frame, BatchMaximum& maximum);
 

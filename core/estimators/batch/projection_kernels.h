@@ -30,8 +30,8 @@ CentreShift centre_shift(const TaylorBasis& basis, double distance);
 struct SampleCut {
     std::int64_t first = 0;
     std::int64_t length = 0;
-    std::vector<CentreShift>
-        shifts;  // of each segment; empty where the first segment holds all samples
+    // Of each segment; empty where the first segment holds all samples.
+    std::vector<CentreShift> shifts;
 };
 
 // Samples of both channels in memory.
