@@ -43,7 +43,7 @@ XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
     return curve;
 }
 
-// The same by the fitted resonator: both agree where the motion is that of a resonator.
+// The curve of the fitted resonator, for comparison.
 XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
     const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
     XYSeries curve;
