@@ -17,8 +17,8 @@ namespace vybeg {
 //
 // Units: seconds from the start of the recording (window centres), recording units, rad, Hz.
 // two_theta_A is unwrapped modulo pi with alpha carried along, the first valid value in (-pi/2,
-// pi/2]; delta_phi_CD and alpha lie in (-pi, pi]. A value that does not exist is NaN and its row's
-// flags say why.
+// pi/2]; delta_phi_CD and alpha lie in (-pi, pi]. A value that does not exist is NaN; the flags of
+// its row are the reason.
 class Track {
 public:
     Track() = default;

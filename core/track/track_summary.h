@@ -31,13 +31,12 @@ struct TrackSummary {
 // a single short window is itself known to no more than a third. Windows without a value, over
 // faults, not converged or at the bound of the search are excluded. Its variance is the sum of
 //   - the scatter of the block means: half of their mean squared step from block to block, so that
-//   a
-//     frequency that drifts is no scatter, while windows that overlap, or noise that is correlated
-//     over some windows, is told for what it is; with fewer than 20 blocks that of the windows
-//     about the mean, but no less than their own deviations;
+//     a drift of the frequency is no scatter, while overlapping windows and noise correlated over
+//     some windows count; with fewer than 20 blocks that of the windows about the mean, but no
+//     less than their own deviations;
 //   - the squared mean of the leakage, which is common to all windows;
-//   - what the windows at the bound hide: the squared sum of their distances from the mean, by the
-//     number of windows.
+//   - the effect of the windows at the bound: the squared sum of their distances from the mean,
+//     by the number of windows.
 class TrackSummariser {
 public:
     // `rows`: their total number. `independent`: fraction of a window's samples that the next

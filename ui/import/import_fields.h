@@ -25,7 +25,7 @@ class ImportFields : public QWidget {
 public:
     explicit ImportFields(QWidget* parent = nullptr);
 
-    // Emits nothing.
+    // Emits no signal.
     void setOptions(const OpenOptions& options);
     OpenOptions options() const;
     // Whether every field that is shown has an acceptable text.

@@ -28,7 +28,7 @@ std::optional<Algorithm> algorithm_from_name(std::string_view name);
 // of the window before (`previous`).
 enum class StartRule { first, previous };
 
-// Start values typed by the engineer; they replace the in-phase start of the first window (rule
+// Start values typed by the user; they replace the in-phase start of the first window (rule
 // `previous`) or of every window (rule `first`). alpha is at the centre of the first window and is
 // carried to the others with the frequency.
 struct StartValues {

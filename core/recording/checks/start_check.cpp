@@ -64,7 +64,7 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
     const double bin_hz = rate_hz / static_cast<double>(size);
     std::vector<MainsLine> lines;
     if (bin_hz > 5) {
-        return lines;  // too short to tell a line at 50 Hz
+        return lines;  // too short to resolve a line at 50 Hz
     }
     std::vector<std::complex<double>> data(size);
     const double turn = 2 * std::numbers::pi / static_cast<double>(size);

@@ -28,8 +28,7 @@ struct WaveMotion {
 };
 
 // Reasons: too_few_windows (fewer than eight windows count), circular_wave (angle and quadrature),
-// those of decay_time(). Precondition: the vectors of a run have one
-// length.
+// those of decay_time(). Precondition: the vectors of a run have one length.
 WaveMotion wave_motion(const PhasorRun& run);
 
 }  // namespace vybeg
