@@ -49,7 +49,7 @@ struct ChannelSensitivity {
     double phase_drift_rad = 0;
     double gain_drift = 0;
     double cubic_hz = 0;       // cubic spring: Hz at the set's largest amplitude
-    double pickoff_share = 0;  // relative gain of both channels at the largest amplitude
+    double pickoff_share = 0;  // relative increase of both gains at the largest amplitude
     double damping_share = 0;  // relative increase of 1/tau at the largest amplitude
 
     friend bool operator==(const ChannelSensitivity&, const ChannelSensitivity&) = default;
