@@ -21,15 +21,16 @@ fftw_complex* as_fftw(std::span<std::complex<double>> data) {
     return reinterpret_cast<fftw_complex*>(data.data());  // the same layout, by both standards
 }
 
-// FFTW ends the program where it gets no memory. What it may need, and a little for its many small
-// pieces, is asked for before: that throws std::bad_alloc. The memory is never touched.
+// FFTW terminates the program if an allocation fails. This allocates the upper limit of its need,
+// with a margin for small blocks, beforehand, which throws std::bad_alloc. The memory is never
+// touched.
 void ask_for_memory(std::size_t elements) {
     std::allocator<std::complex<double>> memory;
     const std::size_t count = elements + (std::size_t{1} << 16);
     memory.deallocate(memory.allocate(count), count);
 }
 
-// Shorter transforms have no buffers of their own that count.
+// The buffers of shorter transforms are negligible.
 void ask_for_buffers(std::size_t size) {
     if (size >= std::size_t{1} << 16) {
         ask_for_memory(size);
@@ -40,11 +41,11 @@ void ask_for_buffers(std::size_t size) {
 
 Fft::Fft(std::size_t size) : size_(size) {
     ask_for_memory(4 * size);
-    // An estimated plan looks at the array's place alone: its memory is never touched.
+    // An estimated plan reads only the address of the array; its memory is never touched.
     const std::unique_ptr<double[]> scratch(new double[2 * size]);
     auto* const array = reinterpret_cast<fftw_complex*>(scratch.get());
     const auto plan = [&](int sign) {
-        // Measured plans differ from run to run, and with them the last bits.
+        // Measured plans differ between executions, and with them the last bits.
         return fftw_plan_dft_1d(static_cast<int>(size), array, array, sign, FFTW_ESTIMATE);
     };
     const std::lock_guard lock(planner_mutex());

@@ -9,8 +9,8 @@ struct fftw_plan_s;
 namespace vybeg {
 
 // Complex FFT of one fixed length, in place, unnormalised: forward() then inverse() multiplies by
-// size(). Making and destroying are guarded (FFTW's planner is global); forward() and inverse() may
-// run from several threads at once, and give the same bits for the same input every time.
+// size(). Construction and destruction are guarded, because FFTW's planner is global. forward() and
+// inverse() may be called from several threads at once and return the same bits for the same input.
 class Fft {
 public:
     // Precondition: 1 <= size <= the largest int.

@@ -16,9 +16,9 @@ namespace {
 constexpr double half_length = 21;
 constexpr double beta = 13.2;
 
-// A delay this near to a whole number of samples (an error of 3e-9 at 0.4 of the rate) is taken as
-// whole: it comes from a product of seconds and rate, and whole delays reach no further than they
-// must.
+// Largest distance from a whole number of samples at which a delay counts as whole (an error of
+// 3e-9 at 0.4 of the rate). Delays are products of seconds and rate, and a whole delay needs fewer
+// samples.
 constexpr double whole_within = 1e-9;
 
 constexpr std::size_t block = 32;

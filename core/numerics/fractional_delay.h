@@ -14,14 +14,14 @@ public:
     // Precondition: |delay_samples| < 2^53.
     explicit FractionalDelay(double delay_samples);
 
-    // Samples before and after a point that the interpolation reaches, never negative: 0 where all
-    // that it needs lies on the other side.
+    // Numbers of samples before and after a point that the interpolation uses, not negative: 0
+    // where all of them lie on the other side.
     std::int64_t reach_before() const;
     std::int64_t reach_after() const;
 
-    // out[i] = x(first + i - delay). Precondition: x covers [first - reach_before(),
-    // first + out.size() + reach_after()). A sample of out has the same bits whatever else is asked
-    // for with it; it is NaN where a sample that it takes in is.
+    // out[i] = x(first + i - delay). Precondition: x covers [first - reach_before(), first +
+    // out.size() + reach_after()). A sample of out has the same bits for any range of out; it is
+    // NaN if one of the samples used is NaN.
     void apply(std::span<const double> x, std::int64_t first, std::span<double> out) const;
 
 private:

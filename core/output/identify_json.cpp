@@ -141,8 +141,8 @@ const char* shape_name(const NoiseShape& shape) {
     return shape.half_width_hz == 0 ? "1/f" : "line";
 }
 
-// What the residual holds beside the noise of the windows, one entry for each shape in both
-// channels and in the phase alone: variance in units of that noise, half width weighted with it.
+// Parts of the residual besides the noise of the windows, one entry per shape, in both channels and
+// in the phase only: variance in units of that noise, half width weighted with it.
 Json noise_json(const ResidualNoise& noise) {
     struct Sum {
         double variance = 0;
@@ -178,7 +178,7 @@ Json identifiable_json(const Identifiable& identifiable) {
             {"kappa", identifiable.kappa}};
 }
 
-// The curve at every 2.5 degrees of its period, and the one that the fitted resonator would have.
+// The curve at every 2.5 degrees of its period, and that of the fitted resonator.
 Json curve_json(const DriftFunction& drift, const ResonatorFit& fit) {
     constexpr int steps = 36;
     std::vector<double> theta;
@@ -213,7 +213,7 @@ Json drift_json(const Identification& identification) {
     }
     Reason none = no_drift_function(identification);
     if (none.code == ReasonCode::none) {
-        none.code = ReasonCode::few_angles;  // of the harmonics beyond the curve's order
+        none.code = ReasonCode::few_angles;  // for harmonics above the order of the curve
     }
     Json harmonics = Json::object();
     for (std::size_t k = 0; k < names.size(); ++k) {
@@ -269,7 +269,8 @@ Json differences_json(std::span<const Difference> differences) {
     return list;
 }
 
-// The fit sees D over the calibration's gain ratio, a file what was recorded.
+// Refers the gain ratio to the recorded channels: the fit uses D over the gain ratio of the
+// calibration.
 void refer_to_recorded(double calibrated, RawParameters& raw) {
     const auto found = std::ranges::find(raw.names, "kappa");
     if (found == raw.names.end()) {

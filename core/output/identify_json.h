@@ -9,16 +9,16 @@
 
 namespace vybeg {
 
-// A warning of an identification and what it is about.
+// A warning of an identification and its recording.
 struct IdentifyWarning {
     Diagnostic diagnostic;
-    int input = -1;  // which of the recordings; -1: the fit
+    int input = -1;  // index of the recording; -1: the fit
 };
 
-// Those of the recordings in their order, then those of the fit.
+// Warnings of the recordings in their order, then those of the fit.
 std::vector<IdentifyWarning> all_warnings(const Identification& identification);
 
-// What a set was compared with.
+// Comparison of a set with a passport.
 struct PassportComparison {
     std::string file;
     std::string sha256;
@@ -26,8 +26,8 @@ struct PassportComparison {
     std::vector<Difference> differences;
 };
 
-// identify JSON (INTERFACE.md), with the drift function and the channel balance as further keys;
-// `comparison` adds `passport` and `differences`, null: none. `inputs` as identification.runs.
+// Result of `identify` as JSON, with the drift function and the channel balance; `comparison` adds
+// `passport` and `differences`, null: none. `inputs` as identification.runs.
 std::string identify_json(const std::string& program, std::span<const IdentifiedInput> inputs,
                           const Identification& identification,
                           const PassportComparison* comparison);

@@ -20,9 +20,9 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
 constexpr std::size_t least_direct = std::size_t{1} << 17;
-// The disk begins to write after so many bytes, so that the wait for it at the end is short.
+// Bytes after which the disk begins to write, so that the final wait is short.
 constexpr std::int64_t written_behind = std::int64_t{1} << 23;
-// A pipe that poll() calls writable takes this much without blocking (PIPE_BUF).
+// Bytes that a pipe accepts without blocking if poll() reports it as writable (PIPE_BUF).
 constexpr std::size_t pipe_chunk = 4096;
 constexpr int poll_ms = 50;
 
@@ -40,7 +40,7 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& target, const
         return failure_of(name, EISDIR);
     }
     if (exists && !S_ISREG(existing.st_mode)) {
-        // Without O_NONBLOCK a pipe without a reader would hang here, deaf to the stop token.
+        // Without O_NONBLOCK, opening a pipe without reader would block and ignore cancellation.
         const int descriptor = open(target.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
         if (descriptor < 0) {
             return failure_of(name, errno);
@@ -55,7 +55,8 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& target, const
     if (unresolved) {
         return failure_of(name, unresolved.value());
     }
-    // rename() asks only the folder; a file protected against writing must stay protected.
+    // rename() checks the permissions of the folder only; a write-protected file must stay
+    // protected.
     if (exists && faccessat(AT_FDCWD, resolved.c_str(), W_OK, AT_EACCESS) != 0) {
         return failure_of(name, errno);
     }
@@ -114,7 +115,7 @@ Status OutputFile::wait_until_writable() const {
         pollfd waiting{descriptor_, POLLOUT, 0};
         const int ready = poll(&waiting, 1, poll_ms);
         if (ready > 0) {
-            return {};  // also where the pipe is broken: write() then says so
+            return {};  // also for a broken pipe; write() then reports it
         }
         if (ready < 0 && errno != EINTR) {
             return failed(errno);
@@ -123,7 +124,7 @@ Status OutputFile::wait_until_writable() const {
 }
 
 Status OutputFile::write(std::string_view bytes) {
-    // What is large goes out from where it is.
+    // Large pieces are written without copying.
     if (bytes.size() >= least_direct) {
         const Status flushed = flush();
         return flushed ? write_out(bytes) : flushed;
@@ -152,7 +153,7 @@ Status OutputFile::write_out(std::string_view left) {
         }
         bytes_out_ += std::max<ssize_t>(written, 0);
         if (seekable() && bytes_out_ - sent_to_disk_ >= written_behind) {
-            // A hint: what goes wrong shows at fsync().
+            // A hint; fsync() reports errors.
             sync_file_range(descriptor_, sent_to_disk_, bytes_out_ - sent_to_disk_,
                             SYNC_FILE_RANGE_WRITE);
             sent_to_disk_ = bytes_out_;
@@ -162,22 +163,22 @@ Status OutputFile::write_out(std::string_view left) {
     return {};
 }
 
-// Everything that can go wrong before the file takes its place.
+// All steps that can fail before the rename.
 Status OutputFile::settle() {
     if (const Status flushed = flush(); !flushed) {
         return flushed;
     }
-    // fsync also reports what the disk refused late.
+    // fsync also reports delayed errors of the disk.
     return !seekable() || fsync(descriptor_) == 0 ? Status{} : failed(errno);
 }
 
-// `returnable`: where there is an old file it stays, under the temporary name, until all of a group
-// have their places.
+// Moves the file to its target. `returnable`: an old file is kept under the temporary name until
+// all files of a group are in place.
 Status OutputFile::take_place(bool returnable) {
     if (!seekable()) {
         return {};
     }
-    // close() reports what a network drive refused; a copy of the descriptor keeps the lock.
+    // close() reports errors of a network drive; a copy of the descriptor keeps the lock.
     const int copy = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
     owned_ = false;
     if (close(descriptor_) != 0) {
@@ -200,7 +201,7 @@ Status OutputFile::take_place(bool returnable) {
     return {};
 }
 
-// Takes the file back from its place, as if it had never had it.
+// Restores the state of the target before take_place().
 void OutputFile::leave_place() noexcept {
     if (placed_ == Placed::exchanged) {
         renameat2(AT_FDCWD, target_.c_str(), AT_FDCWD, temporary_.c_str(), RENAME_EXCHANGE);
@@ -215,8 +216,8 @@ Status OutputFile::commit() {
 }
 
 Status OutputFile::commit_together(std::span<OutputFile* const> files) {
-    // What goes out directly comes last: until it begins, nothing has happened that shows, and what
-    // has gone out whole is followed by the others.
+    // Files written directly come last: until the first of them begins, no effect is visible, and
+    // after it the others follow.
     for (OutputFile* file : files) {
         if (const Status settled = file->seekable() ? file->settle() : Status{}; !settled) {
             return settled;
@@ -232,7 +233,7 @@ Status OutputFile::commit_together(std::span<OutputFile* const> files) {
             return settled;
         }
     }
-    std::string standing;  // of a group whose disk cannot exchange two names
+    std::string standing;  // files in place, on a file system that cannot exchange two names
     for (std::size_t k = 0; k < files.size(); ++k) {
         const Status placed = files[k]->take_place(files.size() > 1);
         if (!placed) {
@@ -252,7 +253,7 @@ Status OutputFile::commit_together(std::span<OutputFile* const> files) {
         if (file->placed_ != Placed::exchanged) {
             file->temporary_.clear();
         }
-        file->discard();  // of an exchanged one, the old file
+        file->discard();  // removes the old file of an exchange
         file->placed_ = Placed::no;
     }
     return {};

@@ -11,53 +11,52 @@
 
 namespace vybeg {
 
-// A file that appears complete or not at all: it is written beside its target under a temporary
-// name and renamed over it by commit(); without commit() the temporary is removed and the target
-// stays as it was. A target that is no regular file (a device, a pipe) is written to directly.
-// Every write hears the stop token, also while a pipe's reader stands still. Errors:
-// output_failed, interrupted; where a part of the bytes has gone out to a device or a pipe, which
-// nothing can take back, output_incomplete and interrupted_partly.
+// A file that appears complete or not at all. It is written beside its target under a temporary
+// name; commit() renames it. Without commit() the temporary is removed and the target unchanged. A
+// target that is no regular file (a device, a pipe) is written directly. Every write checks the
+// stop token, also while the reader of a pipe is blocked. Errors: output_failed, interrupted;
+// output_incomplete and interrupted_partly after a part of the bytes went to a device or a pipe.
 class OutputFile {
 public:
-    // Opens the temporary, so that a missing folder or permission shows before the work is done. A
-    // target that exists keeps its permissions; a link is followed. Temporaries that processes left
-    // in the folder which are gone are removed.
+    // Opens the temporary, so that a missing folder or permission is reported before the work. An
+    // existing target keeps its permissions; links are followed. Removes abandoned temporaries in
+    // the folder.
     static Result<OutputFile> create(const std::filesystem::path& target, const JobControl& job);
 
-    // Writes to an open descriptor, which stays open; `name` is for error messages.
+    // Writes to an open descriptor and leaves it open; `name` is for error messages.
     static OutputFile onto(int descriptor, std::string name, const JobControl& job);
 
     OutputFile(OutputFile&& other) noexcept;
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile();
 
-    // Bytes are gathered to about 1 MiB before they go out; large pieces go out at once.
+    // Buffers about 1 MiB; writes large pieces at once.
     Status write(std::string_view bytes);
     Status flush();
 
-    // Flushes, waits for the disk (fsync) and puts the file in its place.
+    // Flushes, waits for the disk (fsync) and renames the file to its target.
     Status commit();
-    // The same for several: all are whole on their disks before the first takes its place, and
-    // where one cannot, those before it go back. Past the last look at the stop token, which comes
-    // before the first, all of them appear.
+    // The same for several files: all are complete on disk before the first rename; if one rename
+    // fails, the earlier ones are undone. The last check of the stop token precedes the first
+    // rename.
     static Status commit_together(std::span<OutputFile* const> files);
 
-    // Compares the file with `bytes`, after flush(): what the disk gives back is what was written.
-    // Nothing to compare with where it is written to directly.
+    // Compares the file with `bytes` by reading it back. Precondition: flush(). No effect on files
+    // written directly.
     Status compare(std::string_view bytes) const;
 
-    // For libraries that write by themselves, after flush(); only where seekable() says that they
-    // may go back and forth.
+    // Descriptor for libraries that write themselves. Preconditions: flush(), seekable().
     int descriptor() const { return descriptor_; }
     bool seekable() const { return !temporary_.empty(); }
     const std::string& name() const { return name_; }
-    // Where there is room for what the file is made from: its own folder, where its disk is; the
-    // system's for temporary files where it is written to directly, and empty where there is none.
+    // Folder for intermediate files: that of the file, on its disk; the system's temporary folder
+    // for files written directly, empty if there is none.
     std::filesystem::path spool_folder() const;
 
-    // output_failed for this file with a reason in words; output_incomplete where bytes went out.
+    // output_failed for this file with a reason in words; output_incomplete after bytes were
+    // written directly.
     Error failure(MessageArg reason) const;
-    // `error`, except that an interruption after which a part stands becomes interrupted_partly.
+    // `error`, but interrupted_partly for an interruption that leaves a part of the output.
     Error as_it_stands(const Error& error) const;
 
 private:
@@ -77,18 +76,18 @@ private:
     bool owned_ = false;  // closed by this object
     std::string name_;
     std::filesystem::path target_;
-    std::filesystem::path temporary_;  // empty: written to directly, or already in its place
+    std::filesystem::path temporary_;  // empty: written directly, or already in place
     std::string buffer_;
     std::int64_t bytes_out_ = 0;
-    std::int64_t sent_to_disk_ = 0;  // of them, those whose writing has begun
-    // Of a file that took its place while others of its group had not: where the old one is.
+    std::int64_t sent_to_disk_ = 0;  // bytes of them passed to sync_file_range()
+    // State of a file in place while others of its group are not: location of the old file.
     enum class Placed { no, new_name, exchanged, for_good };
     Placed placed_ = Placed::no;
     JobControl job_;
 };
 
-// Writes a whole file: once, from memory, compared with what the disk gives back, renamed. Errors:
-// those of OutputFile.
+// Writes a whole file from memory, reads it back for comparison and renames it. Errors: those of
+// OutputFile.
 Status write_file(const std::filesystem::path& target, std::string_view bytes,
                   const JobControl& job);
 

@@ -49,7 +49,8 @@ Json written(const Estimate& estimate) {
     return json;
 }
 
-// What follows throws std::runtime_error, or the JSON library's own exception, with what is wrong.
+// The following functions throw std::runtime_error, or the exception of the JSON library, with the
+// reason.
 
 [[noreturn]] void fail(const std::string& reason) {
     throw std::runtime_error(reason);
@@ -68,7 +69,7 @@ std::vector<double> numbers(const Json& json) {
 }
 
 ReasonCode reason_code(const std::string& name) {
-    // The codes' names, up to the first number that has none.
+    // Names of the codes, up to the first number without a name.
     for (int code = 1;; ++code) {
         const std::string known = reason_name(static_cast<ReasonCode>(code));
         if (known.empty()) {
@@ -86,7 +87,7 @@ Reason stored_reason(const std::string& name, const std::vector<std::string>& ar
     return reason;
 }
 
-// Reasons of schema 1 that are no more, or have other arguments now, by their nearest.
+// Nearest present reason for reasons of schema 1 that were removed or have other arguments now.
 Reason old_reason(const std::string& name, const std::vector<std::string>& args) {
     constexpr std::array<std::pair<const char*, ReasonCode>, 7> nearest{{
         {"below-noise", ReasonCode::modes_not_apart},
@@ -126,7 +127,7 @@ Estimate read_estimate(const Json& json, int schema) {
         }
         return estimate;
     }
-    // What was not finite when it was written has neither code nor arguments.
+    // A value that was not finite when written has neither code nor arguments.
     if (json.contains("code")) {
         const auto name = json.at("code").get<std::string>();
         const auto args = json.at("args").get<std::vector<std::string>>();
@@ -179,8 +180,8 @@ ResonatorModel read_model(const std::string& name) {
     return name == "free" ? ResonatorModel::free : ResonatorModel::structured;
 }
 
-// What the modes of a file of schema 1 are named by: always by frequency, which names nothing where
-// it does not differ.
+// Order of the modes of a file of schema 1, always by frequency; empty where their frequencies do
+// not differ.
 std::optional<ModeOrder> old_mode_order(const Passport& passport) {
     constexpr double needed = 5;  // deviations
     const Estimate& split = passport.resonator.split_hz;
@@ -320,7 +321,7 @@ Result<Passport> read_passport(std::string_view text, const std::string& where) 
                      {words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
                             {count_arg(static_cast<std::int64_t>(error.byte))})}};
     } catch (const std::exception& error) {
-        // The JSON library begins with its own name of the error, in brackets.
+        // The JSON library prefixes its name of the error in brackets.
         const std::string reason = error.what();
         const std::size_t bracket = reason.starts_with('[') ? reason.find("] ") : std::string::npos;
         return Error{ErrorCode::passport_damaged,

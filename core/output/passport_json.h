@@ -9,18 +9,17 @@
 
 namespace vybeg {
 
-// A passport as the text of its file: JSON with "vybeg": "passport" and "schema": its number first,
-// then program, inputs, settings, model, resonator, modes, modes_by, runs, parameters with
-// covariance, tracks.
-// Quantities as in identify JSON, with the reason's code and arguments beside its sentence, so that
-// they read back. Numbers round-trip.
+// Passport as JSON text: "vybeg": "passport" and "schema": its number first, then program, inputs,
+// settings, model, resonator, modes, modes_by, runs, parameters with covariance, tracks. Quantities
+// as in identify JSON, with the reason's code and arguments beside its sentence, so that they read
+// back. Numbers round-trip.
 std::string passport_json(const Passport& passport);
 
-// And back, also from the files of older versions. Errors, with `where` as given: passport_damaged
-// with what is wrong and where in the file, passport_schema for one newer than this program.
+// Reads such a text, also of older schemas. Errors, with `where` as given: passport_damaged with
+// the fault and its place in the file; passport_schema for a schema newer than this program.
 Result<Passport> read_passport(std::string_view text, const std::string& where);
 
-// From its file. Errors also: those of reading a file, passport_damaged above 64 MiB.
+// Reads a passport file. Errors also: those of reading a file; passport_damaged above 64 MiB.
 Result<Passport> read_passport_file(const std::filesystem::path& path);
 
 }  // namespace vybeg

@@ -15,12 +15,12 @@ namespace vybeg {
 nlohmann::ordered_json number_json(double value);
 nlohmann::ordered_json numbers_json(std::span<const double> values);
 
-// A quantity of INTERFACE.md: {"value": x, "sd": s} or {"value": null, "reason": "..."}; with "u"
-// where the tolerances of the channels have a part in it.
+// A quantity as JSON: {"value": x, "sd": s} or {"value": null, "reason": "..."}; with "u" where the
+// tolerances of the channels contribute.
 nlohmann::ordered_json quantity_json(const Estimate& estimate);
 
-// The JSON as text, indented, with a line feed at its end. Names come from files: what is no UTF-8
-// is replaced, not thrown.
+// The JSON as text, indented, with a line feed at its end. Invalid UTF-8 in names from files is
+// replaced.
 std::string json_text(const nlohmann::ordered_json& json);
 
 }  // namespace vybeg

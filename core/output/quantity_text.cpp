@@ -14,7 +14,7 @@ namespace {
 int last_place(double sd) {
     const int leading = static_cast<int>(std::floor(std::log10(sd)));
     const double mantissa = sd * std::pow(10.0, -leading);
-    // From 2.95 up two digits would round to 3.0, which is one digit's worth.
+    // From 2.95 on, two digits round to 3.0, which counts as one digit.
     return mantissa < 2.95 ? leading - 1 : leading;
 }
 
@@ -23,7 +23,7 @@ std::string fixed_text(double value, int decimals) {
     const auto end =
         std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
     const std::string text(buffer, end.ptr);
-    // What is rounded to nought has no sign.
+    // A value that rounds to zero is printed without sign.
     const bool nought = text.find_first_not_of("-0.") == std::string::npos;
     return nought && text.starts_with('-') ? text.substr(1) : text;
 }

@@ -32,7 +32,7 @@ std::string recording_json(const Recording& recording, const std::string& sha256
     if (recording.rate_relative_sd > 0) {
         info["rate_relative_sd"] = recording.rate_relative_sd;
     }
-    // Names come from files: what is no UTF-8 is replaced, not thrown.
+    // Invalid UTF-8 in names from files is replaced.
     return info.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -7,8 +7,8 @@
 
 namespace vybeg {
 
-// What `info --json` prints: INTERFACE.md, section vybeg-cli. Indented, ends with a line feed.
-// `findings`: those of the recording check.
+// Output of `info --json`, indented, with a final line feed. `findings`: those of the recording
+// check.
 std::string recording_json(const Recording& recording, const std::string& sha256,
                            std::span<const Diagnostic> findings);
 

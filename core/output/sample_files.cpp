@@ -68,7 +68,7 @@ Status write_npy(OutputFile& file, const SampleStream& stream) {
 // Type numbers of the MAT level 5 format (MathWorks, "MAT-File Format", tables 1-1 and 1-3).
 enum MatType : std::uint32_t { int8 = 1, int32 = 5, uint32 = 6, float64 = 9, matrix = 14 };
 constexpr std::uint32_t mat_class_double = 6;
-// Its lengths, 32 bit counts of bytes, also hold the head of the column.
+// Its lengths, 32 bit counts of bytes, include the head of the column.
 constexpr std::int64_t most_mat_rows = (std::int64_t{1} << 29) - 16;
 
 void append_tag(std::string& bytes, MatType type, std::size_t size) {
@@ -76,8 +76,8 @@ void append_tag(std::string& bytes, MatType type, std::size_t size) {
     append_bytes(bytes, static_cast<std::uint32_t>(size));
 }
 
-// The head of a column of doubles, up to its first byte of data. libmatio would write the column in
-// one piece, deaf to the stop token and to a full disk.
+// The head of a column of doubles, up to its first byte of data. libmatio writes a column in one
+// piece and so ignores the stop token and a full disk.
 std::string mat_column_head(const std::string& name, std::int64_t rows) {
     const std::size_t padded = (name.size() + 7) / 8 * 8;
     const std::size_t bytes = static_cast<std::size_t>(rows) * sizeof(double);

@@ -9,16 +9,16 @@ namespace vybeg {
 
 enum class SampleFormat { wav, csv, npy, mat };
 
-// By the ending of the name (.wav, .csv, .npy, .mat; large letters too). output_format_unknown
-// otherwise.
+// Format by the ending of the name (.wav, .csv, .npy, .mat; upper case too). Errors:
+// output_format_unknown.
 Result<SampleFormat> sample_format(const std::filesystem::path& target);
 
 // wav: 64-bit float; with bits, PCM of the next larger of 8, 16, 24, 32 bits, full scale 1 (the
 //      samples' values are then fractions of full_scale); RF64 above 4 GiB.
 // csv: t_s,C,D, numbers that round-trip.   npy: float64, shape (n, 2).
-// mat: MATLAB level 5, vectors S_C, S_D (n x 1) and the scalar fs; runs the signals twice, and has
-//      room for 4 GiB each.
-// Errors: output_failed, those of the stream. commit() is left to the caller.
+// mat: MATLAB level 5, vectors S_C, S_D (n x 1) and the scalar fs; computes the signals twice,
+//      limit of 4 GiB each.
+// Errors: output_failed, those of the stream. The caller calls commit().
 Status write_stream(OutputFile& file, SampleFormat format, const SampleStream& stream);
 
 // The same; also interrupted.

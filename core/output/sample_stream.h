@@ -8,17 +8,17 @@
 
 namespace vybeg {
 
-// Takes frames of both channels, in their order.
+// Receives frames of both channels in order.
 using SampleSink = std::function<Status(std::span<const double> c, std::span<const double> d)>;
 
-// Two signals that are made while they are written.
+// Two signals computed while they are written.
 struct SampleStream {
     std::int64_t frames = 0;
     double rate_hz = 0;
-    int bits = 0;           // 0: double precision; else the quantiser that made the samples
+    int bits = 0;           // 0: double precision; otherwise those of the quantiser
     double full_scale = 0;  // of that quantiser
-    // Gives all frames to a sink, from the first on, the same each time; ends with its own errors
-    // and those of the sink.
+    // Passes all frames to a sink, from the first on, the same in each call. Errors: its own and
+    // those of the sink.
     std::function<Status(const SampleSink&)> run;
 };
 

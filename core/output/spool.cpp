@@ -14,8 +14,8 @@ namespace vybeg {
 namespace {
 
 constexpr std::size_t most_in_memory = std::size_t{1} << 23;
-constexpr std::size_t piece = std::size_t{1} << 20;  // between two looks at the stop token
-// What is longer goes into the file from where it is.
+constexpr std::size_t piece = std::size_t{1} << 20;  // bytes between two checks of the stop token
+// Longer pieces are written to the file without copying.
 constexpr std::size_t least_direct = std::size_t{1} << 17;
 
 }  // namespace
@@ -34,7 +34,7 @@ Status Spool::create() {
     const std::filesystem::path folder = output_.spool_folder();
     descriptor_ = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
     if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
-        // A file system that knows no files without names.
+        // For a file system without unnamed files.
         const TemporaryFile named = make_temporary(folder);
         if (named.descriptor < 0) {
             return failed(named.error);

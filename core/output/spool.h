@@ -11,13 +11,12 @@
 
 namespace vybeg {
 
-// Bytes that wait until what comes before them in an output is known: a few MiB in memory, the rest
-// in a file without a name, which the system removes whatever becomes of the program. Every write
-// hears the stop token. Errors: output_failed, interrupted.
+// Bytes stored until the preceding part of an output is known: a few MiB in memory, the rest in an
+// unnamed file, which the system removes in any case. Every write checks the stop token. Errors:
+// output_failed, interrupted.
 class Spool {
 public:
-    // For what goes to `output`, which must outlive the spool; its file is made in
-    // output.spool_folder().
+    // Spool for `output`, which must outlive it, with its file in output.spool_folder().
     Spool(const OutputFile& output, const JobControl& job) : output_(output), job_(job) {}
     Spool(const Spool&) = delete;
     Spool& operator=(const Spool&) = delete;
@@ -25,8 +24,8 @@ public:
 
     Status write(std::span<const std::byte> bytes);
 
-    // The next bytes in the order in which they were written. Precondition: so many are left, and
-    // nothing is written any more.
+    // Reads the next bytes in the order of writing. Preconditions: as many bytes are left; no more
+    // writes.
     Status read(std::span<std::byte> to);
 
 private:

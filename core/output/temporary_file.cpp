@@ -33,8 +33,8 @@ std::optional<std::int64_t> number_of(std::string_view text) {
                                                                         : std::nullopt;
 }
 
-// Start of a process in clock ticks since the system's; none where there is no such process, or no
-// /proc. It is the 22nd field of `stat`, the 20th behind the name in brackets.
+// Start of a process in clock ticks since the system's; empty without such a process or without
+// /proc. It is the 22nd field of `stat`, the 20th after the name in brackets.
 std::optional<std::int64_t> start_of(std::int64_t process) {
     std::ifstream file("/proc/" + integer_text(process) + "/stat");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -53,7 +53,7 @@ struct Owner {
     std::optional<std::int64_t> start;  // none in names of earlier versions: PID-N
 };
 
-// Of a name that is one of a temporary file.
+// Owner of a temporary file by its name; empty for other names.
 std::optional<Owner> owner_of(std::string_view name) {
     if (!name.starts_with(prefix) || !name.ends_with(ending)) {
         return {};
@@ -101,13 +101,13 @@ TemporaryFile make_temporary(const std::filesystem::path& folder) {
             file.error = errno;
             return file;
         }
-        // A file system without locks is left to the process number alone.
+        // On a file system without locks the process number alone decides.
         flock(file.descriptor, LOCK_EX | LOCK_NB);
         struct stat status {};
         if (fstat(file.descriptor, &status) == 0 && status.st_nlink > 0) {
             return file;
         }
-        close(file.descriptor);  // taken for abandoned before it was locked
+        close(file.descriptor);  // removed as abandoned before it was locked
     }
 }
 

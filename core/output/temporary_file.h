@@ -17,9 +17,9 @@ struct TemporaryFile {
 // short, so that it fits wherever the target's name does.
 TemporaryFile make_temporary(const std::filesystem::path& folder);
 
-// Removes the temporary files in `folder` that a process has left which did not live to do so
-// (SIGKILL, loss of power). A file stays while its process lives on this machine, or while it is
-// locked, as by a process of another machine or container that shares the folder.
+// Removes abandoned temporary files in `folder` (after SIGKILL or loss of power). A file stays
+// while its process runs on this machine, or while it is locked, for example by a process of
+// another machine or container that shares the folder.
 void remove_abandoned(const std::filesystem::path& folder);
 
 }  // namespace vybeg

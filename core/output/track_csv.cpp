@@ -24,10 +24,10 @@ constexpr std::array sd_columns{SlowVariable::a_A, SlowVariable::a_B, SlowVariab
 
 // Rows that one task writes as text, a quarter of a megabyte.
 constexpr std::size_t rows_per_block = 1024;
-// Blocks that are written as text at the same time and then handed on, some megabytes.
+// Blocks converted to text in parallel and then written, some megabytes.
 constexpr std::size_t blocks_at_once = 32;
 
-// A file's name may hold a line feed; a header line may not.
+// A file name may contain a line feed, a header line may not.
 std::string one_line(std::string text) {
     for (char& character : text) {
         if (static_cast<unsigned char>(character) < ' ') {
@@ -56,7 +56,7 @@ std::string head_text(std::span<const std::string> header) {
     return text + column_names();
 }
 
-// Room for any row.
+// Upper limit of the length of a row.
 constexpr std::size_t longest_row =
     (1 + value_columns.size() + sd_columns.size()) * (longest_round_trip + 1) + longest_flags_text +
     1;
@@ -79,7 +79,7 @@ char* write_row(char* to, const Track& track, std::size_t row) {
     return to;
 }
 
-// The text of some rows, in memory that is taken once and never cleared.
+// Text of some rows, in memory that is allocated once and never cleared.
 class RowsText {
 public:
     std::string_view write(const Track& track, std::size_t first, std::size_t end) {
@@ -97,7 +97,7 @@ private:
     std::unique_ptr<char[]> room_;
 };
 
-// The columns of the file, one after the other, until one fails.
+// Visits the columns of the file until one fails.
 template <class AnyTrack, class Visit>
 Status for_each_column(AnyTrack& track, const Visit& visit) {
     Status done = visit(track.time_s());
@@ -110,8 +110,8 @@ Status for_each_column(AnyTrack& track, const Visit& visit) {
     return done ? visit(track.flags()) : done;
 }
 
-// Hands the rows to write(text, rows so far), some at a time: digits take most of the time of a
-// track, and are made by all threads.
+// Passes the rows to write(text, rows so far), some at a time. All threads convert digits, because
+// these take most of the time of a track.
 template <class Write>
 Status write_rows(const Track& track, Write write) {
     const std::size_t blocks = (track.rows() + rows_per_block - 1) / rows_per_block;

@@ -18,28 +18,28 @@ namespace vybeg {
 std::vector<std::string> track_header(const std::string& program, const Recording& recording,
                                       const std::string& sha256, const AnalysisSummary& analysis);
 
-// The track in the format of INTERFACE.md, section Track CSV: header lines behind "# ", one line of
-// names, a row per window. Errors: output_failed, interrupted. commit() is left to the caller.
+// Writes the track as CSV: header lines after "# ", one line of names, a row per window. Errors:
+// output_failed, interrupted. The caller calls commit().
 Status write_track_csv(OutputFile& file, const Track& track, std::span<const std::string> header,
                        const JobControl& job);
 
-// The same of a track that is still being made, by a program that learns its last warnings with the
-// last window: the rows wait in a spool for their header. Not for two threads at once.
+// Writer of a track during its computation. The rows are spooled until the header is known, because
+// the last warnings come with the last window. Not for two threads at once.
 class TrackCsvWriter {
 public:
     // `file` must outlive the writer.
     TrackCsvWriter(OutputFile& file, const JobControl& job) : file_(file), rows_(file, job) {}
 
     Status append(const Track& rows);
-    // `flagged`: rows that get a flag on their way from the spool into the file.
+    // `flagged`: rows that get a flag between spool and file.
     Status finish(std::span<const std::string> header, std::span<const FlaggedRows> flagged);
 
 private:
-    // Rows from the spool, of that block and those after it, as many as become text at once.
+    // Rows of the next blocks from the spool, as many as are converted at once.
     Result<Track> next_rows(std::size_t& block);
 
     OutputFile& file_;
-    Spool rows_;                       // numbers: less than half of their text
+    Spool rows_;                       // numbers, less than half the size of their text
     std::vector<std::size_t> blocks_;  // rows of each append()
 };
 

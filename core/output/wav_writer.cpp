@@ -11,7 +11,7 @@
 namespace vybeg {
 namespace {
 
-// What a WAV header can count, less its chunks; RF64 counts in 64 bits.
+// Largest size of a WAV file less its chunks; RF64 has 64 bits.
 constexpr std::int64_t wav_bytes = (std::int64_t{1} << 32) - 4096;
 
 struct Closer {
@@ -31,7 +31,7 @@ int subtype(int bits) {
     return bits <= 24 ? SF_FORMAT_PCM_24 : SF_FORMAT_PCM_32;
 }
 
-// The quantiser's code at the upper end of 32 bits, as WAV keeps numbers of odd widths.
+// Code of the quantiser in the upper bits of 32, the WAV layout of other widths.
 int pcm(double sample, const SampleStream& stream) {
     const double code = std::round(sample / stream.full_scale * std::ldexp(1.0, stream.bits - 1));
     const double most = std::ldexp(1.0, stream.bits - 1);
@@ -75,7 +75,8 @@ Status write_wav(OutputFile& file, const SampleStream& stream) {
     if (!wav) {
         return file.failure(sf_strerror(nullptr));
     }
-    // The peak chunk holds the time of day: the same simulation would give different files.
+    // The peak chunk contains the time of day, so that equal simulations would yield different
+    // files.
     sf_command(wav.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
     const Status written =
         stream.bits == 0

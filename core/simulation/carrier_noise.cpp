@@ -11,8 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Seed of a stream beside the white noise's, by the finaliser of splitmix64: neighbouring seeds
-// give unrelated streams.
+// Seed of a stream separate from the white noise's, by the finaliser of splitmix64: neighbouring
+// seeds yield unrelated streams.
 std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t stream) {
     std::uint64_t x = seed + stream * 0x9e3779b97f4a7c15;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
@@ -24,7 +24,7 @@ double correlation(double width_hz, double rate_hz) {
     return std::exp(-2 * pi * width_hz / rate_hz);
 }
 
-// sd of what a step adds: sqrt(1 - correlation^2), without loss of digits in slow processes.
+// sd of the increment of a step: sqrt(1 - correlation^2), without loss of digits in slow processes.
 double innovation(double width_hz, double rate_hz) {
     return std::sqrt(-std::expm1(-4 * pi * width_hz / rate_hz));
 }

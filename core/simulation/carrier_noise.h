@@ -30,7 +30,7 @@ private:
 // The value is drawn once in `stride` samples, with straight lines between.
 class FlickerNoise {
 public:
-    // From f_low on, up to half of rate / stride.
+    // From low_hz to half of rate / stride.
     FlickerNoise(double low_hz, double rate_hz, int stride, std::uint64_t seed);
     double next();
 
@@ -52,8 +52,8 @@ class CarrierNoise {
 public:
     explicit CarrierNoise(const FreeDecay& decay);
 
-    // Disturbs the phasors of a frame, frame by frame from 0 on; leaves them as they are where
-    // there is no noise.
+    // Disturbs the phasors of a frame, frame by frame from 0 on; leaves them unchanged without
+    // noise.
     void disturb(Eigen::Vector2cd& z, std::int64_t frame);
 
 private:

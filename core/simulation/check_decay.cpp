@@ -12,7 +12,7 @@ namespace vybeg {
 namespace {
 
 constexpr std::int64_t most_frames = std::int64_t{1} << 36;   // three weeks at 33333 Hz
-constexpr std::int64_t most_doubled = std::int64_t{1} << 20;  // they wait in memory
+constexpr std::int64_t most_doubled = std::int64_t{1} << 20;  // held in memory
 constexpr double longest_delay_s = 0.1;
 
 Error impossible(std::string reason) {
@@ -23,7 +23,7 @@ double start_power(const FreeDecay& decay) {
     return decay.a_A * decay.a_A + decay.a_B * decay.a_B;
 }
 
-// Beyond these the motion is no number any more, or has lost its digits.
+// Beyond these bounds the motion overflows or loses its digits.
 Status check_sizes(const FreeDecay& decay) {
     constexpr double most_amplitude = 1e30;
     constexpr double most_angle = 1e6;
@@ -128,7 +128,7 @@ Status check_modes_beside(const FreeDecay& decay) {
 
 Status check_losses(const FreeDecay& decay) {
     const std::int64_t frames = motion_frame_count(decay);
-    std::int64_t free = 0;  // first frame behind the fault before
+    std::int64_t free = 0;  // first frame after the previous fault
     for (const LostSamples& fault : decay.lost) {
         if (fault.count < -most_doubled || fault.count > frames || fault.count == 0) {
             return impossible("samples lost are 1 to " + integer_text(frames) +

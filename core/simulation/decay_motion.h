@@ -12,8 +12,7 @@ namespace vybeg {
 // drift and settle.
 class DecayMotion {
 public:
-    // `late_s`: the motion as it was so many seconds before each frame.
-    // Precondition: check(decay) passes.
+    // `late_s`: delay of the motion against each frame, s. Precondition: check(decay) passes.
     explicit DecayMotion(const FreeDecay& decay, double late_s = 0);
 
     // Phasors with their carrier, the signals being their real parts, at frame 0, 1, 2, ...
@@ -33,7 +32,7 @@ private:
     SlowMotion linear_;
     std::optional<PowerMotion> by_power_;
     bool turns_;                    // whether f changes
-    std::complex<double> earlier_;  // the carrier's turn in late_s_
+    std::complex<double> earlier_;  // rotation of the carrier in late_s_
     Eigen::Matrix2cd step_;
     Eigen::Vector2cd z_;
     std::int64_t frame_ = 0;

@@ -5,8 +5,8 @@
 
 namespace vybeg {
 
-// Another mode in the same recording, as the pick-offs see it: adds
-// a e^{-t/tau} cos(2 pi f t - phase) to each channel, before the pick-off's cubic.
+// Another mode in the same recording, in the pick-off signals: adds a e^{-t/tau} cos(2 pi f t -
+// phase) to each channel, before the pick-off's cubic.
 struct ModeBeside {
     double f_hz = 0;
     double a_C = 0;
@@ -19,7 +19,7 @@ struct ModeBeside {
 };
 
 // A fault of the recorder: the `count` samples from `frame` on are missing. A negative count: they
-// are recorded twice, one after the other. Frames are counted as if nothing were lost.
+// are recorded twice, one after the other. Frames are those of the undisturbed recording.
 struct LostSamples {
     std::int64_t frame = 0;
     std::int64_t count = 0;
@@ -28,10 +28,10 @@ struct LostSamples {
 };
 
 // A simulated free decay (METHOD section 8): two degenerate modes of a resonator, let go at t = 0.
-// Units in the names; angles in rad where the name says nothing else; amplitudes in recording
+// Units in the names; angles in rad unless the name has another unit; amplitudes in recording
 // units. The defaults are those of `simulate`: no error, no noise, no departure from the linear
-// motion. demo_decay() is the article's case, with a split, a decay and a noise under which a_B
-// visibly swings and 2theta_A turns through an axis.
+// motion. demo_decay() is the article's case, with a split, a decay and a noise with which a_B
+// visibly oscillates and 2theta_A crosses an axis.
 //
 // Slow motion of z = (c, d), relative to the carrier's phase 2 pi int f dt:
 //     dz/dt = M z + i (2 pi b/3) (2|z|^2 z + (z.z) conj z) - k |z|^2 z
@@ -72,7 +72,7 @@ struct FreeDecay {
     double damping_per_power_per_s = 0;  // k: 1/tau = 1/tau_s + k |z|^2, |z|^2 = a_A^2 + a_B^2
 
     // Errors of the channels.
-    double delay_d_s = 0;        // D comes late; |delay| <= 0.1 s
+    double delay_d_s = 0;        // delay of channel D; |delay| <= 0.1 s
     double skew_deg = 0;         // the pick-off of D shows d + sin(skew) c
     double crosstalk = 0;        // in quadrature: i c, C a quarter of a period early
     double phase_drift_rad = 0;  // of D, over the recording
@@ -82,7 +82,7 @@ struct FreeDecay {
     double hum_hz = 50;
     double hum_phase = 0;
 
-    // Noise about the carrier, of streams of its own: each leaves the white noise as it is.
+    // Noise about the carrier, in separate streams that leave the white noise unchanged.
     // Ornstein-Uhlenbeck processes about f0, independent for both channels: complex, each component
     // with the sd given and the correlation e^{-2 pi width |lag|}; `width` is half that of their
     // line at half its height.
@@ -95,7 +95,7 @@ struct FreeDecay {
     double phase_noise_rad = 0;
 
     std::vector<ModeBeside> modes_beside = {};
-    std::vector<LostSamples> lost = {};  // apart from each other, in the order of their frames
+    std::vector<LostSamples> lost = {};  // not overlapping, in the order of their frames
 
     friend bool operator==(const FreeDecay&, const FreeDecay&) = default;
 };

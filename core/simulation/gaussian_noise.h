@@ -8,7 +8,7 @@
 namespace vybeg {
 
 // White Gaussian noise of unit variance, two independent numbers at a time, by Marsaglia's polar
-// method. std::normal_distribution would differ from one standard library to the next.
+// method. std::normal_distribution differs between standard libraries.
 class GaussianNoise {
 public:
     explicit GaussianNoise(std::uint64_t seed) : engine_(seed) {}

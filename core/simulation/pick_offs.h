@@ -10,8 +10,8 @@
 
 namespace vybeg {
 
-// What the pick-offs make of the wave: errors of the channels, modes beside, cubic, offsets, hum,
-// as FreeDecay writes them down. The delay of D is already in its phasor.
+// Pick-off signals of the wave: errors of the channels, modes beside, cubic, offsets, hum, as
+// defined in FreeDecay. The phasor of D already contains its delay.
 class PickOffs {
 public:
     explicit PickOffs(const FreeDecay& decay);

@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double slowest = 1e-12;  // 1/s: a motion of 30,000 years is stepped through in these
+constexpr double slowest = 1e-12;  // 1/s: least rate, that of 30,000 years
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Eigen::Vector2cd PowerMotion::slope(const Eigen::Vector2cd& z) const {
            Complex{0, spring_} * square * z.conjugate();
 }
 
-// The coefficients follow one from another: those of products are sums of products.
+// Recurrence of the coefficients; those of products are sums of products.
 void PowerMotion::expand(double direction) {
     const double power = z_.squaredNorm();
     const double rate = linear_.norm() + 2 * (3 * std::abs(spring_) + std::abs(damping_)) * power;
@@ -69,7 +69,8 @@ Eigen::Vector2cd PowerMotion::sum(double x) const {
 }
 
 Eigen::Vector2cd PowerMotion::at(double t) {
-    // A series reaches as far back as it reaches ahead; only the first time can lie further back.
+    // A series converges equally far backwards and forwards; only the first time can lie further
+    // back.
     while (std::abs(t - begin_) > std::abs(step_)) {
         const double direction = t > begin_ ? 1 : -1;
         if (step_ * direction < 0) {

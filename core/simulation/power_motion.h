@@ -11,19 +11,19 @@ namespace vybeg {
 
 // The slow motion where frequency and damping depend on the power |z|^2 (FreeDecay), z = (c, d):
 //     dz/dt = M z + i (2 pi b/3) (2|z|^2 z + (z.z) conj z) - k |z|^2 z
-// by Taylor series of order 16 from step to step. A step is `fraction` of 1/rate, where
-// rate = |M| + 2 (2 pi |b| + |k|) |z|^2 bounds the inverse radius of convergence: at a tenth the
-// series leaves less than the rounding of a double.
+// by Taylor series of order 16 from step to step. A step is `fraction` of 1/rate, where rate = |M|
+// + 2 (2 pi |b| + |k|) |z|^2 bounds the inverse radius of convergence: at a tenth the truncation
+// error is below the rounding of a double.
 class PowerMotion {
 public:
     PowerMotion(const FreeDecay& decay, const Eigen::Matrix2cd& linear,
                 const Eigen::Vector2cd& start, double fraction = 0.1);
 
-    // z at t, seconds; earlier than 0 too. Steps are kept only up to the last one: times come in
-    // ascending order, but for the first.
+    // z at t, seconds, also before 0. Only the last step is stored. Precondition: ascending times,
+    // except the first.
     Eigen::Vector2cd at(double t);
 
-    // dz/dt where the motion has z.
+    // dz/dt of the motion at z.
     Eigen::Vector2cd slope(const Eigen::Vector2cd& z) const;
 
 private:

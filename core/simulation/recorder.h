@@ -8,8 +8,7 @@
 
 namespace vybeg {
 
-// Loses and doubles samples of one channel while they pass. The blocks follow one another from
-// frame 0 on.
+// Loses and doubles samples of one channel. Blocks are consecutive from frame 0 on.
 class Recorder {
 public:
     explicit Recorder(std::span<const LostSamples> lost) : lost_(lost.begin(), lost.end()) {}
@@ -19,10 +18,10 @@ public:
 
 private:
     std::vector<LostSamples> lost_;
-    std::size_t next_ = 0;        // fault that is not over yet
+    std::size_t next_ = 0;        // present or next fault
     std::int64_t frame_ = 0;      // of the next sample
-    std::vector<double> twice_;   // of a doubling that has begun
-    std::vector<double> passed_;  // kept for its memory
+    std::vector<double> twice_;   // of the present doubling
+    std::vector<double> passed_;  // kept to reuse its memory
 };
 
 }  // namespace vybeg

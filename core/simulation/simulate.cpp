@@ -44,7 +44,7 @@ Status run(const FreeDecay& decay,
            const JobControl& job) {
     const std::int64_t frames = motion_frame_count(decay);
     DecayMotion motion(decay);
-    std::optional<DecayMotion> late;  // the motion as channel D has it
+    std::optional<DecayMotion> late;  // motion of channel D, delayed
     if (decay.delay_d_s != 0) {
         late.emplace(decay, decay.delay_d_s);
     }
@@ -138,7 +138,7 @@ Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job) {
     SimulatedDecay samples;
     samples.full_scale = *full_scale;
     try {
-        // Reserved, not filled: filling gigabytes would not hear the stop token.
+        // Reserved, not filled, because filling gigabytes would ignore the stop token.
         samples.c.reserve(static_cast<std::size_t>(frames));
         samples.d.reserve(static_cast<std::size_t>(frames));
     } catch (const std::bad_alloc&) {

@@ -10,7 +10,7 @@
 
 namespace vybeg {
 
-// Takes frames of both signals in their order; an error ends the simulation.
+// Receives frames of both signals in order; an error ends the simulation.
 using DecaySink = std::function<Status(std::span<const double> c, std::span<const double> d)>;
 
 struct SimulatedDecay {
@@ -19,20 +19,20 @@ struct SimulatedDecay {
     double full_scale = 0;  // of the quantiser, as used; 0: not quantised
 };
 
-// Full scale of the quantiser, as used; 0 without one. Where it is not given the decay is simulated
+// Full scale of the quantiser, as used; 0 without one. Unless it is given, the decay is simulated
 // once to find its largest sample. Errors: simulation_impossible, interrupted.
 Result<double> find_full_scale(const FreeDecay& decay, const JobControl& job);
 
 // The two signals: slow motion by the exact matrix exponential, or, where frequency or damping
 // depend on the amplitude, by Taylor steps good to rounding; channels, noise, then the quantiser,
-// which clips; `full_scale` is that of find_full_scale(); lost samples last. The sink gets some
-// thousand frames at a time: memory does not grow with the length. The same seed gives the same
+// which clips; `full_scale` is that of find_full_scale(); lost samples last. The sink receives some
+// thousand frames at a time; memory does not grow with the length. The same seed gives the same
 // samples on every machine, to the rounding of its sin, cos, exp and log. Errors: those of the
 // sink, simulation_impossible, interrupted.
 Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink,
                 const JobControl& job);
 
-// The same in memory, which must have room for it.
+// The same in memory. Precondition: enough memory.
 Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job);
 
 }  // namespace vybeg

@@ -54,7 +54,7 @@ Eigen::Matrix2cd SlowMotion::propagator(double t) const {
         even = decay * std::cosh(x);
         odd = decay * t * (x == Complex{} ? Complex{1} : std::sinh(x) / x);
     } else {
-        // The decay goes into each exponential: cosh alone would overflow in a long record.
+        // Each exponential contains the decay, because cosh alone would overflow in a long record.
         const Complex plus = std::exp(mean_ * t + x);
         const Complex minus = std::exp(mean_ * t - x);
         even = (plus + minus) / 2.0;
@@ -68,7 +68,7 @@ Complex SlowMotion::carrier(double frame) const {
 }
 
 double SlowMotion::frequency_offset_hz(const Eigen::Vector2cd& z) const {
-    // The mean part of M is real: it takes no part in the phase.
+    // The mean part of M is real: it does not affect the phase.
     return z.dot(traceless_ * z).imag() / (2 * pi * z.squaredNorm());
 }
 

@@ -21,14 +21,13 @@ using std::numbers::pi;
 
 constexpr std::int64_t most_rows = std::int64_t{1} << 26;  // 9 GB of track
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-// Relative to the amplitude: four digits above the rounding of what is compared.
+// Relative to the amplitude: four digits above the rounding of the compared values.
 constexpr double vanishing = 1e-12;
 
-// The ellipse that (C, D) = ellipse (cos wt, sin wt) runs through, as a turn, two signed half-axes
-// and a phase.
+// Ellipse of (C, D) = ellipse (cos wt, sin wt): rotation, two signed half-axes and a phase.
 struct Axes {
     double long_axis = 0;   // a_A
-    double short_axis = 0;  // a_B, its sign the sense of the run
+    double short_axis = 0;  // a_B, its sign is the sense of rotation
     double angle = 0;       // 2theta_A
     double phase = 0;       // alpha, chosen together with the angle
 };

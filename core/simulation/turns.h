@@ -4,9 +4,8 @@
 
 namespace vybeg {
 
-// The turns of a frequency up to a frame (whole or half), less whole ones, exact to rounding
-// however long the record: the product is reduced by whole turns, which is exact, with its own
-// rounding error carried.
+// Fractional turns of a frequency up to a frame (whole or half), exact to rounding for any length:
+// the product is reduced by whole turns, which is exact, with its own rounding error carried.
 inline double turns_at(double frame, double f_hz, double rate_hz) {
     const double product = frame * f_hz;
     const double lost = std::fma(frame, f_hz, -product);

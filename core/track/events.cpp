@@ -11,8 +11,8 @@ namespace {
 
 constexpr double half_pi = std::numbers::pi / 2;
 
-// When 2theta_A is at `level`, where it lies to one side of it at window `before` and to the other
-// at `after`.
+// Time at which 2theta_A crosses `level`, s; it lies on opposite sides of `level` at the windows
+// `before` and `after`.
 double time_at(const Track& track, std::size_t before, std::size_t after, double level) {
     const auto time = track.time_s();
     const auto angle = track.values(SlowVariable::two_theta_A);
@@ -21,7 +21,7 @@ double time_at(const Track& track, std::size_t before, std::size_t after, double
     const std::size_t count = std::min(after + width, track.rows()) - from;
     const LineFit line = fit_line(time.subspan(from, count), angle.subspan(from, count));
     const double at = line.mean_x + (level - line.mean_y) / line.slope;
-    // A fast turn is no line over its neighbours; it never lies outside the two windows.
+    // The line is inaccurate for a fast turn; the crossing lies between the two windows.
     return std::clamp(at, time[before], time[after]);
 }
 
@@ -45,9 +45,9 @@ std::vector<double> local_sds(std::span<const double> sds) {
     return local;
 }
 
-// Axis crossings with a dead band round each axis: the angle counts as beyond an axis only when it
-// is six standard deviations past it, which noise reaches once in 10^9 windows. The crossing itself
-// is where a line through the windows between, and as many as those on either side, meets the axis.
+// Axis crossings with a dead band round each axis: the angle counts as past an axis only beyond six
+// standard deviations, which noise reaches once in 10^9 windows. The crossing is the intersection
+// of the axis with a line through the windows between and as many on either side.
 void find_crossings(const Track& track, std::vector<Event>& events) {
     const auto angle = track.values(SlowVariable::two_theta_A);
     const std::vector<double> sd = local_sds(track.sds(SlowVariable::two_theta_A));
@@ -80,7 +80,7 @@ void find_crossings(const Track& track, std::vector<Event>& events) {
     }
 }
 
-// Stretches of consecutive windows with a flag.
+// Events of consecutive windows with a flag.
 void find_stretches(const Track& track, Flag flag, EventKind kind, std::vector<Event>& events) {
     const auto time = track.time_s();
     const auto flags = track.flags();

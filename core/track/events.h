@@ -16,9 +16,9 @@ enum class EventKind {
     moving
 };
 
-// Something that happened in a track. An axis crossing is the instant at which 2theta_A passes a
-// multiple of pi/2 (METHOD section 7); the others are stretches of windows with that flag, which
-// begin at time_s and last seconds.
+// Event of a track. An axis crossing is the instant at which 2theta_A passes a multiple of pi/2
+// (METHOD section 7); the others are consecutive windows with that flag, from time_s on, for
+// `seconds`.
 struct Event {
     EventKind kind{};
     double time_s = 0;
@@ -29,9 +29,9 @@ struct Event {
     friend bool operator==(const Event&, const Event&) = default;
 };
 
-// All events of a track in the order of time. Crossings inside the noise of the angle count once:
-// the angle has to leave the axis by more than six standard deviations on both sides. Windows with
-// Flag::moving cross nothing: their angle's branch may be another.
+// All events of a track in the order of time. Crossings within the noise of the angle count once:
+// the angle must leave the axis by more than six standard deviations on both sides. Windows with
+// Flag::moving have no crossing, because the branch of their angle is uncertain.
 std::vector<Event> find_events(const Track& track);
 
 }  // namespace vybeg

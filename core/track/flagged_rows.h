@@ -7,8 +7,8 @@
 
 namespace vybeg {
 
-// Consecutive rows of a track that get a flag after they were made: what speaks against them was
-// known only when everything had been read.
+// Consecutive rows of a track that get a flag after their estimation, because the reason is known
+// only at the end of the recording.
 struct FlaggedRows {
     std::size_t first = 0;
     std::size_t count = 0;
@@ -18,7 +18,7 @@ struct FlaggedRows {
 };
 
 // Sets the flags in a part of the track that begins with its row `first`. Rows of other parts are
-// left out.
+// ignored.
 void set_flags(Track& part, std::size_t first, std::span<const FlaggedRows> flagged);
 
 }  // namespace vybeg

@@ -13,11 +13,11 @@ constexpr double pi = std::numbers::pi;
 constexpr double quarter = pi / 4;
 // Rounding of an estimate without noise.
 constexpr double rounding = 1e-9;
-// Share of a half turn within which alpha has to be foretold, one standard deviation, before its
-// step says anything.
+// Largest standard deviation of the predicted alpha, in half turns, at which its step is
+// conclusive.
 constexpr double foretold = 0.08;
 
-// Adds rows [first, end) to stretches in order of their ends.
+// Adds rows [first, end) to ranges ordered by their ends.
 void add(std::size_t first, std::size_t end, std::vector<FlaggedRows>& stretches) {
     if (!stretches.empty()) {
         FlaggedRows& last = stretches.back();
@@ -131,8 +131,8 @@ bool MotionMarker::loses_branch(const Row& from, const Row& to, double hops) con
     if (std::abs(step) > quarter + 4 * std::sqrt(from.var_two_theta_A + to.var_two_theta_A)) {
         return true;
     }
-    // The frequency of a window is the mean rate of u+ and u- by their powers: a turn of the angle
-    // adds to it where there is a quadrature.
+    // The frequency of a window is the mean rate of u+ and u- weighted by their powers; with a
+    // quadrature a turn of the angle adds to it.
     const double seconds = hops * hop_s_;
     const double b = std::isnan(to.a_B) ? 0 : to.a_B;
     const double share = 2 * to.a_A * b / (to.a_A * to.a_A + b * b);

@@ -8,34 +8,34 @@
 
 namespace vybeg {
 
-// Finds the windows of a track in which the wave moves more than the model of a window, constant
-// slow variables, can bear (Flag::moving). The track comes in pieces, angles unwrapped.
+// Marks the windows of a track in which the wave moves too much for the model of a window, constant
+// slow variables (Flag::moving). The track arrives in pieces, angles unwrapped.
 //
-// Inside: a variable x that runs straight through a window has its mean at the centre, one that
-// bends is off by x'' T^2/24. x'' is that of the windows one window length before and behind. A
-// window moves where that exceeds the standard deviation of a_A, a_B, 2theta_A or f, or where
-// 2theta_A turns by more than pi/4 within a window length; so do the windows that touch it, among
+// Inside a window: a variable x linear in time has its mean at the centre; curvature shifts the
+// mean by x'' T^2/24. x'' follows from the windows one window length before and after. A window is
+// marked where the shift exceeds the standard deviation of a_A, a_B, 2theta_A or f, or where
+// 2theta_A turns by more than pi/4 within a window length. Adjacent windows are marked, too, among
 // them those between two bends, whose own x'' passes zero.
 //
-// Where windows lie apart, the bend between them may be another one's alias. There the residual
-// tells: a wave that changes by d over the window leaves d/sqrt(12) and is off by about d^2/24 of
-// its amplitude. Such a window moves where that exceeds the deviation of a_A, provided that its
-// neighbours are no more alike than a moving wave leaves them.
+// Where windows lie apart, the curvature between them may be aliased, and the residual decides: a
+// wave that changes by d over the window leaves d/sqrt(12) and an error of about d^2/24 of its
+// amplitude. Such a window is marked where that error exceeds the deviation of a_A, provided that
+// its neighbours are no more alike than a moving wave leaves them.
 //
-// Between: 2theta_A is known modulo pi. A step of more than pi/4, half of what can be told, leaves
-// its branch open, and so does a phase that did not run on: (2theta_A, alpha) and (2theta_A + pi,
-// alpha + pi) are one wave, so that alpha, foretold by the frequencies of both windows, shows a
-// branch that was missed. Both windows of such a step move.
+// Between windows: 2theta_A is known modulo pi. A step of more than pi/4, half of the resolvable
+// step, leaves its branch uncertain. So does a discontinuous phase: (2theta_A, alpha) and (2theta_A
+// + pi, alpha + pi) are one wave, so that alpha, predicted by the frequencies of both windows,
+// reveals a missed branch. Both windows of such a step are marked.
 class MotionMarker {
 public:
     MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz);
 
     void take(const Track& next_rows);
-    // The rows found, in order; stretches do not overlap.
+    // Marked rows in ascending order; ranges do not overlap.
     std::vector<FlaggedRows> finish();
 
 private:
-    // Of a row, what is looked at; variances are squared standard deviations.
+    // Values of a row that enter the test; variances are squared standard deviations.
     struct Row {
         double a_A, a_B, two_theta_A, alpha, f_hz, noise;
         double var_a_A, var_a_B, var_two_theta_A, var_alpha, var_f;
@@ -47,11 +47,11 @@ private:
     bool loses_branch(const Row& from, const Row& to, double hops) const;
     void step_to(const Row& row);
 
-    std::size_t apart_;     // rows between a window and the one that touches it
+    std::size_t apart_;     // rows between a window and the adjacent one
     double lengths_apart_;  // window lengths between their centres
     double hop_s_;
     std::vector<Row> held_;       // the last rows
-    std::size_t first_held_ = 0;  // which row the first of them is
+    std::size_t first_held_ = 0;  // index of the first of them
     std::size_t rows_ = 0;
     std::size_t judged_ = 0;
     Row last_valid_{};  // with an angle

@@ -4,8 +4,7 @@
 
 namespace vybeg {
 
-// The slow variables of a track: the single list that the plots, the tables and the files go
-// through.
+// The slow variables of a track; plots, tables and files iterate over this list.
 enum class SlowVariable {
     a_A,
     a_B,
@@ -25,8 +24,8 @@ inline constexpr std::array<SlowVariable, slow_variable_count> all_slow_variable
     SlowVariable::f,     SlowVariable::delta_phi_CD, SlowVariable::alpha,
     SlowVariable::noise, SlowVariable::rms,          SlowVariable::orthogonality};
 
-// Those that people are shown: rms, which falls with the window's length because fewer samples hold
-// less noise against five parameters, is in files only, and noise stands in its place.
+// Variables of plots and tables. rms is in files only, replaced by noise: rms falls in short
+// windows, because five parameters absorb more of their noise.
 inline constexpr std::array<SlowVariable, slow_variable_count - 1> shown_slow_variables{
     SlowVariable::a_A,   SlowVariable::a_B,          SlowVariable::two_theta_A,
     SlowVariable::f,     SlowVariable::delta_phi_CD, SlowVariable::alpha,
@@ -45,7 +44,7 @@ struct SlowVariableInfo {
     const char* unit;     // unit of the stored values: "" (recording units), "rad", "Hz"
     const char* meaning;  // English, translatable in context "SlowVariable"
     Quantity quantity;
-    bool has_sd;  // a standard deviation is stored beside it
+    bool has_sd;  // with a standard deviation
 };
 
 const SlowVariableInfo& info(SlowVariable variable);

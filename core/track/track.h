@@ -12,13 +12,13 @@
 
 namespace vybeg {
 
-// The slow variables over time, a row per window. Filled once, by analyse() or by the simulator,
-// then only read.
+// The slow variables over time, a row per window. analyse() or the simulator fills it once; later
+// it is only read.
 //
 // Units: seconds from the start of the recording (window centres), recording units, rad, Hz.
 // two_theta_A is unwrapped modulo pi with alpha carried along, the first valid value in (-pi/2,
-// pi/2]; delta_phi_CD and alpha lie in (-pi, pi]. A value that does not exist is NaN and its row's
-// flags say why.
+// pi/2]; delta_phi_CD and alpha lie in (-pi, pi]. A value that does not exist is NaN; the flags of
+// its row are the reason.
 class Track {
 public:
     Track() = default;
@@ -30,11 +30,11 @@ public:
     // Standard deviations; empty where the variable has none (slow_variables.h).
     std::span<const double> sds(SlowVariable variable) const { return sds_[index(variable)]; }
     std::span<const Flags> flags() const { return flags_; }
-    // By how much the frequency of a closed form (algorithms 1 to 4) differs from that of the best
-    // wave of its window, Hz; 0 for the others. Its square is in the frequency's variance.
+    // Frequency of a closed form (algorithms 1 to 4) less that of the best wave of its window, Hz;
+    // 0 for the others. Its square is in the frequency's variance.
     std::span<const double> leakage_f_hz() const { return leakage_f_hz_; }
 
-    // For those who fill the track.
+    // For filling the track.
     std::span<double> time_s() { return time_s_; }
     std::span<double> values(SlowVariable variable) { return values_[index(variable)]; }
     std::span<double> sds(SlowVariable variable) { return sds_[index(variable)]; }
@@ -52,8 +52,8 @@ private:
     std::vector<double> leakage_f_hz_;
 };
 
-// Takes the rows of a track while it is made, some thousand at a time, in their order, from any
-// thread but never from two at once. An error ends the making.
+// Receives the rows of a track during its computation, some thousand at a time, in order, from any
+// thread but never from two at once. An error ends the computation.
 using TrackSink = std::function<Status(const Track& rows)>;
 
 }  // namespace vybeg

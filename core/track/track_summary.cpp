@@ -53,8 +53,8 @@ void TrackSummariser::take(const Track& rows) {
 }
 
 void TrackSummariser::take_frequency(double f, double sd, double leakage) {
-    // The frequencies agree to seven digits and more, and a difference of sums of squares would
-    // lose the scatter.
+    // Welford's recurrence, because the frequencies agree to seven digits and a difference of sums
+    // of squares would lose the scatter.
     count_ += 1;
     const double step = f - mean_;
     mean_ += step / count_;
@@ -82,9 +82,9 @@ TrackSummary TrackSummariser::summary() const {
         return weighted ? b.count * b.count / b.variance : b.count;
     };
     double weights = 0;
-    double offset = 0;  // from the plain mean, which keeps the digits
+    double offset = 0;  // from the plain mean, to keep digits
     double leakage = 0;
-    double own = 0;  // variance of the mean by the windows' own deviations, times weights^2
+    double own = 0;  // variance of the mean by the deviations of the windows, times weights^2
     for (const Block& b : blocks_) {
         weights += weight(b);
         offset += weight(b) * (b.mean - mean_);

@@ -7,7 +7,7 @@
 
 namespace vybeg {
 
-// What one line says about a whole track.
+// Summary of a whole track.
 struct TrackSummary {
     std::size_t windows = 0;
     std::size_t flagged = 0;  // windows with a reason other than no_quadrature
@@ -15,35 +15,33 @@ struct TrackSummary {
     std::size_t leaking = 0;  // with Flag::leakage
     std::size_t moving = 0;   // with Flag::moving
     double mean_f_hz = 0;     // weighted mean of the valid windows; NaN where there is none
-    double sd_mean_f_hz = 0;  // all of what is known of it; NaN for fewer than two windows
-    double leakage_f_hz = 0;  // what of that is leakage of a closed form: |its weighted mean|
-    double scatter_f_hz = 0;  // what of that is the scatter of the windows
+    double sd_mean_f_hz = 0;  // all contributions; NaN for fewer than two windows
+    double leakage_f_hz = 0;  // part due to leakage of a closed form: |its weighted mean|
+    double scatter_f_hz = 0;  // part due to the scatter of the windows
     double noise = 0;         // per sample and channel, root of the mean square; NaN: none
 
-    // Leakage says more about the mean's error than the noise does: a window of whole half-periods
-    // would cure it.
+    // Whether leakage, not noise, dominates the error of the mean. A window of whole half-periods
+    // avoids it.
     bool leakage_limits() const { return leakage_f_hz > scatter_f_hz; }
 };
 
-// Summarises a track that comes in pieces.
+// Computes the summary of a track that arrives in pieces.
 //
 // The mean of f is weighted with 1/sd^2, averaged over a block of windows, because the deviation of
 // a single short window is itself known to no more than a third. Windows without a value, over
-// faults, not converged or at the bound of the search have no part in it. Its variance is the sum
-// of
+// faults, not converged or at the bound of the search are excluded. Its variance is the sum of
 //   - the scatter of the block means: half of their mean squared step from block to block, so that
-//   a
-//     frequency that drifts is no scatter, while windows that overlap, or noise that is correlated
-//     over some windows, is told for what it is; with fewer than 20 blocks that of the windows
-//     about the mean, but no less than their own deviations;
+//     a drift of the frequency is no scatter, while overlapping windows and noise correlated over
+//     some windows count; with fewer than 20 blocks that of the windows about the mean, but no
+//     less than their own deviations;
 //   - the squared mean of the leakage, which is common to all windows;
-//   - what the windows at the bound hide: the squared sum of their distances from the mean, by the
-//     number of windows.
+//   - the effect of the windows at the bound: the squared sum of their distances from the mean,
+//     by the number of windows.
 class TrackSummariser {
 public:
-    // `rows`: how many will come. `independent`: the fraction of a window's samples that the next
-    // one does not share, hop / length and at most 1: overlapping windows tell less about their
-    // mean than their number promises.
+    // `rows`: their total number. `independent`: fraction of a window's samples that the next
+    // window does not share, hop / length, at most 1, because overlapping windows determine the
+    // mean less than their number suggests.
     TrackSummariser(std::size_t rows, double independent);
 
     void take(const Track& next_rows);

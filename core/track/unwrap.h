@@ -4,12 +4,12 @@
 
 namespace vybeg {
 
-// Makes the angle of a track continuous: 2theta_A, as estimated window by window modulo pi, first
-// loses `two_theta_zero` (the first electrode's), then follows its last valid value to the nearest
-// branch, and alpha is carried along, so that each row stays the same motion. The first valid
+// Makes the angle of a track continuous. From 2theta_A, estimated modulo pi, it subtracts
+// `two_theta_zero` (angle of the first electrode, doubled), then selects the branch nearest to the
+// last valid value; alpha follows, so that each row remains the same motion. The first valid
 // 2theta_A lies in (-pi/2, pi/2], alpha in (-pi, pi].
 //
-// Takes the track in pieces, one after the other.
+// The track arrives in consecutive pieces.
 class AngleUnwrapper {
 public:
     explicit AngleUnwrapper(double two_theta_zero) : two_theta_zero_(two_theta_zero) {}

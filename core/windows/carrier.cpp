@@ -24,7 +24,8 @@ std::vector<std::complex<double>> windowed(std::span<const double> c, std::span<
     std::vector<std::complex<double>> data(size);
     const double turn = 2 * std::numbers::pi / static_cast<double>(c.size());
     const std::complex<double> step = std::polar(1.0, turn);
-    // The window's cosine is carried from sample to sample, and begun afresh with each stretch.
+    // The cosine of the window is updated from sample to sample and recomputed at the start of each
+    // segment.
     constexpr std::size_t stretch = 256;
     for (std::size_t first = 0; first < c.size(); first += stretch) {
         std::complex<double> phase = std::polar(1.0, turn * (static_cast<double>(first) + 0.5));
@@ -51,7 +52,7 @@ std::vector<double> summed_power(const std::vector<std::complex<double>>& spectr
     return power;
 }
 
-// The median, of a long spectrum by a part of its bins.
+// Median; for a long spectrum that of a part of its bins.
 double median_of(const std::vector<double>& power) {
     constexpr std::size_t bins = 65536;
     const std::size_t step = 1 + power.size() / bins;
@@ -89,7 +90,8 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
     if (const auto found = zoom_carrier(c, d, rate_hz, low_hz, high_hz, job)) {
         return *found;
     }
-    // A million samples take some tenths of a second: the stop token is heard on the way.
+    // A million samples take some tenths of a second, so the stop token is checked between the
+    // steps.
     const Error interrupted{ErrorCode::interrupted, "", {}};
     std::vector<std::complex<double>> data =
         windowed(c, d, mean_of_finite(c), mean_of_finite(d), size);
@@ -113,8 +115,8 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
     if (!(power[peak] > 0)) {
         return Error{ErrorCode::carrier_not_found, "", {}};
     }
-    // White noise of a million bins has peaks of 10 dB over its median. A few periods fill the
-    // whole spectrum themselves and cannot be held to this.
+    // White noise of a million bins has peaks of 10 dB above its median. A few periods fill the
+    // whole spectrum, so this limit does not apply to shorter ranges.
     constexpr std::size_t least_length = 256;
     constexpr double least_ratio = 40;
     if (c.size() >= least_length && power[peak] < least_ratio * median_of(power)) {

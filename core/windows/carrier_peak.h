@@ -8,18 +8,18 @@
 
 namespace vybeg {
 
-// What the searches for the carrier share.
+// Functions common to the searches for the carrier.
 
-// Padded to half as much again, so that the parabola through a peak's logarithms is a good one: the
-// next power of two, or three times one.
+// Length with zero padding of at least half the length, so that the parabola through the logarithms
+// of a peak is accurate: the next power of two, or three times one.
 inline std::size_t padded_length(std::size_t length) {
     const std::size_t least = std::max<std::size_t>(length + length / 2, 1024);
     const std::size_t power = std::bit_ceil(least);
     return power / 4 * 3 >= least ? power / 4 * 3 : power;
 }
 
-// Where between its neighbours a peak of a spectrum's power lies, in bins: the vertex of the
-// parabola through the logarithms.
+// Position of a peak of the power spectrum between its neighbours, in bins: vertex of the parabola
+// through the logarithms.
 inline double peak_shift(double left, double here, double right) {
     const double below = std::log(left);
     const double above = std::log(right);

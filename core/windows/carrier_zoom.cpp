@@ -21,15 +21,15 @@ using Complex = std::complex<double>;
 using Eight = double __attribute__((vector_size(64)));
 
 constexpr double pi = std::numbers::pi;
-// Of shorter stretches the whole spectrum takes a few milliseconds.
+// For shorter ranges the whole spectrum takes a few milliseconds.
 constexpr std::size_t least_length = std::size_t{1} << 17;
 constexpr std::size_t coarse_length = 4096;
 constexpr std::size_t coarse_stretches = 8;
-// Thinned out so far that about so many blocks are left, whose filter covers four of them.
+// Number of blocks after decimation; the filter of a block covers four of them.
 constexpr std::size_t blocks_wished = 8192;
 constexpr std::size_t overlap = 4;
-// The zoom's centre is a multiple of the blocks' rate over this: the turn from block to block then
-// repeats itself.
+// The centre of the zoom is a multiple of the rate of blocks divided by this, so that the rotation
+// from block to block is periodic.
 constexpr std::size_t turns = 64;
 
 VYBEG_INLINED inline Eight load(const double* from) {
@@ -61,7 +61,7 @@ void clear_missing(std::span<double> x) {
     }
 }
 
-// Roughly where the largest peak lies, from a few short stretches.
+// Approximate frequency of the largest peak, from a few short segments.
 Result<std::optional<double>> coarse_peak(const SampleFeed& read, std::size_t count, double rate_hz,
                                           double low_hz, double high_hz) {
     std::vector<double> power(coarse_length / 2);
@@ -118,7 +118,7 @@ std::vector<double> low_pass(std::size_t length) {
     return taps;
 }
 
-// Both channels thinned out around a frequency, and their sums.
+// Both channels decimated around a frequency, and their sums.
 struct Thinned {
     std::vector<Complex> c;
     std::vector<Complex> d;
@@ -127,7 +127,8 @@ struct Thinned {
     double weighted_squares = 0;
 };
 
-// One block: the samples times e^{-iwj} and the low-pass; of the first `fresh` also their sums.
+// One block: the samples times e^{-iwj} and the low-pass; for the first `fresh` samples also their
+// sums.
 VYBEG_DISPATCHED
 void thin_block(const double* c, const double* d, const double* cosines, const double* sines,
                 std::size_t length, std::size_t fresh, std::array<double, 7>& sums) {
@@ -173,8 +174,8 @@ public:
         }
     }
 
-    // As many samples as one block needs at least, but for the last ones. Returns how many of them
-    // need not come again with the next portion.
+    // Precondition: at least the samples of one block, except at the end. Returns how many of them
+    // the next portion need not repeat.
     std::size_t take(std::span<const double> c, std::span<const double> d) {
         std::size_t at = 0;
         std::array<double, 7> sums{};
@@ -190,7 +191,7 @@ public:
         return at;
     }
 
-    // What is left behind the last block; then offsets are taken out, and all blocks brought to one
+    // Processes the samples after the last block, subtracts the offsets and moves all blocks to one
     // phase.
     Thinned finish(std::span<const double> c, std::span<const double> d) {
         const std::size_t first = count_ - c.size();
@@ -254,7 +255,7 @@ Result<Thinned> thin_out(const SampleFeed& read, std::size_t count, std::size_t 
     std::vector<double> c(std::min(portion + overlap * step, count));
     std::vector<double> d(c.size());
     Thinner thinner(count, step, centre);
-    std::size_t held = 0;  // samples of the portion before that come again
+    std::size_t held = 0;  // samples repeated from the portion before
     for (std::size_t at = 0; at < count && !job.cancelled();) {
         const std::size_t fresh = std::min(c.size() - held, count - at);
         const std::span<double> fresh_c = std::span(c).subspan(held, fresh);
@@ -303,13 +304,13 @@ FineSpectrum fine_spectrum(const Thinned& thinned, std::size_t count, std::size_
     return spectrum;
 }
 
-// The peak, in the thinned samples' spectrum, of a carrier near centre/turns of their rate.
+// Peak of a carrier near centre/turns of their rate in the spectrum of the decimated samples.
 std::optional<double> peak_of(const Thinned& thinned, std::size_t count, std::size_t step,
                               double centre, double rate_hz, double low_hz, double high_hz) {
     const double blocks_hz = rate_hz / static_cast<double>(step);
     const auto [power, energy] = fine_spectrum(thinned, count, step);
-    // The largest peak where the low-pass is flat, and what there is beside it: there the low-pass
-    // takes up to 15 dB.
+    // Largest peak where the low-pass is flat, and largest power beside it, where the low-pass
+    // attenuates by up to 15 dB.
     const std::size_t size = power.size();
     const double bin_hz = blocks_hz / static_cast<double>(size);
     const auto flat = static_cast<std::ptrdiff_t>(size / 6);
@@ -334,9 +335,9 @@ std::optional<double> peak_of(const Thinned& thinned, std::size_t count, std::si
         return std::nullopt;
     }
 
-    // By Cauchy and Schwarz samples whose squares add up to E in a Hann window have no peak above E
-    // times the window's sum, half of it where they are real: what lies outside of the band is held
-    // against that, twice.
+    // By Cauchy-Schwarz, samples whose squares add up to E in a Hann window have no peak above E
+    // times the sum of the window, half of it for real samples. The power outside the band is
+    // compared with this bound, with a factor of two.
     const auto of_block = static_cast<double>(step);
     const double outside = std::max(thinned.weighted_squares - 2 * of_block * energy, 0.0);
     const double elsewhere = 2 * 0.5 * 0.5 * static_cast<double>(count) * outside;

@@ -10,15 +10,15 @@
 
 namespace vybeg {
 
-// The carrier of a long stretch coarse to fine, as accurate as by the spectrum of all its samples
-// (carrier.h) in a fortieth of the time: a short spectrum says roughly where it is, and the samples
-// around that, filtered and thinned out in one pass, have a short spectrum of the full resolution.
+// Carrier of a long range, coarse to fine, with the accuracy of the spectrum of all samples
+// (carrier.h) in a fortieth of the time. A short spectrum yields the approximate frequency; the
+// samples, filtered and decimated about it in one pass, have a short spectrum of the full
+// resolution.
 //
-// Nothing where that cannot be the answer for certain: the largest peak of the whole spectrum might
-// lie elsewhere, as the power outside the band that was looked at could make one as high; few
-// samples; a carrier next to 0 or to half the rate; or a job that is cancelled.
+// Empty if the result is not certain: power outside the band could make a peak as high; few
+// samples; a carrier next to 0 or to half the rate; a cancelled job.
 //
-// `read` fills both channels from a sample on. Errors: those of `read`.
+// `read` fills both channels from a given sample on. Errors: those of `read`.
 using SampleFeed =
     std::function<Status(std::int64_t first, std::span<double> c, std::span<double> d)>;
 Result<std::optional<double>> zoom_carrier(const SampleFeed& read, std::size_t count,

@@ -24,7 +24,7 @@ double orthogonality_residual(std::int64_t n, double f_hz, double rate_hz) {
 }
 
 std::int64_t least_window(double f_hz, double rate_hz) {
-    // cos and sin at f and at its images 0 and half the rate away become one.
+    // cos and sin are indistinguishable where f meets its image, at 0 and at half the rate.
     const double nearest_hz = std::min(f_hz, rate_hz / 2 - f_hz);
     constexpr double longest = 1e15;  // of any recording; a carrier at half the rate has no window
     const double samples =

@@ -4,7 +4,7 @@
 
 namespace vybeg {
 
-// Where the windows lie: `count` windows of `length` samples, the k-th from first + k hop.
+// Position of windows: `count` windows of `length` samples, window k from sample first + k hop.
 struct WindowPlan {
     std::int64_t first = 0;
     std::int64_t length = 0;
@@ -29,18 +29,18 @@ WindowPlan plan_windows(std::int64_t first, std::int64_t end, std::int64_t lengt
 // Dirichlet kernel of METHOD section 3, in [0, 1].
 double orthogonality_residual(std::int64_t n, double f_hz, double rate_hz);
 
-// The window length of smallest residual within half a period of `n`, at least least_window():
-// METHOD section 3.
+// Window length of smallest residual within half a period of `n`, samples, at least least_window()
+// (METHOD section 3).
 std::int64_t snap_window(std::int64_t n, double f_hz, double rate_hz);
 
-// The shortest window that is let in: 5 samples and three quarters of a period, of the carrier and
-// of its distance from half the sample rate. Five parameters need 5 samples of two channels; the
-// article's "one period" of 6 samples is 0.95 of one at 5300 Hz, and below about half a period cos
-// and sin cannot be told apart. The same holds near half the rate, where the sampled carrier is the
-// image of one at rate/2 - f.
+// Shortest window accepted, samples: 5 samples and three quarters of a period of the carrier and of
+// its distance from half the sample rate. Five parameters need 5 samples of two channels. The
+// article's "one period" of 6 samples is 0.95 of a period at 5300 Hz; below about half a period cos
+// and sin cannot be distinguished. The same applies near half the rate, where the sampled carrier
+// is the image of one at rate/2 - f.
 std::int64_t least_window(double f_hz, double rate_hz);
 
-// Samples nearest to a number of periods of the carrier.
+// Number of samples nearest to a number of periods of the carrier.
 std::int64_t window_of_periods(double periods, double f_hz, double rate_hz);
 
 }  // namespace vybeg

@@ -54,8 +54,9 @@ ImportDialog::ImportDialog(AnalysisJob& job, const QString& path, const OpenOpti
     connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
     connect(fields_, &ImportFields::edited, this, [this] {
-        proposed_ = true;  // the engineer has the word now
-        // A field that is left says again what its keys have said: a click on Open does that, too.
+        proposed_ = true;  // from here on, user edits win over guesses
+        // Ignores repeated signals: a field that loses the focus, as on a click on Open, emits its
+        // last edit again.
         if (this->options() != asked_) {
             refresh();
         } else {
@@ -69,7 +70,7 @@ ImportDialog::ImportDialog(AnalysisJob& job, const QString& path, const OpenOpti
 }
 
 ImportDialog::~ImportDialog() {
-    fields_->disconnect(this);  // a field that loses the focus with the dialog has nobody to tell
+    fields_->disconnect(this);  // avoids signals of fields to a destroyed object
     if (job_) {
         job_->forget(preview_key);
     }
@@ -132,7 +133,7 @@ void ImportDialog::take(const Result<RecordingPreview>& result) {
     enableOpen();
     const bool lacks_rate = preview_->problem && preview_->problem->code == ErrorCode::rate_unknown;
     if (!std::exchange(shown_, true) && lacks_rate) {
-        fields_->focusRate();  // all that is missing can be typed at once
+        fields_->focusRate();  // the only missing value can be typed at once
     }
 }
 

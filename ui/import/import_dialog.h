@@ -13,9 +13,9 @@ namespace vybeg::ui {
 class ImportFields;
 class ImportPreview;
 
-// How to read a file that does not tell all by itself, with what comes of it beside the choices.
-// Starts with what was chosen last for a file of this kind where nothing is said. Does not block
-// the window; previews are made in the background.
+// Options for reading a file with incomplete information, with a preview. Without given options it
+// starts with the last choices for files of this kind. Does not block the window; previews are
+// computed in the background.
 class ImportDialog : public QDialog {
     Q_OBJECT
 
@@ -40,18 +40,18 @@ protected:
 private:
     void refresh();
     void take(const Result<RecordingPreview>& result);
-    // Better start values, once the file is known; nothing where these stay.
+    // Better start values from the preview; empty if none.
     std::optional<OpenOptions> proposal(const RecordingPreview& preview);
     void enableOpen();
     void retranslate();
 
-    QPointer<AnalysisJob> job_;  // gone before the dialog where the window closes
+    QPointer<AnalysisJob> job_;  // may be destroyed before the dialog when the window closes
     QString path_;
-    bool proposed_ = false;                    // for the file as it was given
-    bool shown_ = false;                       // a preview has been
-    bool raw_proposed_ = false;                // for its first reading as raw samples
-    OpenOptions asked_;                        // what the latest preview is, or will be, of
-    std::optional<RecordingPreview> preview_;  // of the options as they stand
+    bool proposed_ = false;      // start values for the given file were set
+    bool shown_ = false;         // a preview was shown
+    bool raw_proposed_ = false;  // start values for the first reading as raw samples were set
+    OpenOptions asked_;          // options of the latest requested preview
+    std::optional<RecordingPreview> preview_;  // of the present options
     QLabel* title_;
     ImportFields* fields_;
     ImportPreview* view_;

@@ -22,13 +22,13 @@ constexpr std::array delimiters = {',', ';', '\t', ' ', '|'};
 constexpr std::array time_units = {1.0, 1e-3, 1e-6, 1e-9};
 constexpr int most_columns = 200;  // offered in a list
 
-// What is being typed into the field; otherwise, and while that is no number, its value, which may
-// have more digits than are shown.
+// Number being typed into the field; otherwise its value, which may have more digits than are
+// shown.
 std::optional<double> typed(const NumberField& field) {
     return field.isModified() && field.isValid() ? readNumber(field.text()) : field.value();
 }
 
-// Of a list whose first entry is "automatic".
+// Selects an entry of a list whose first one is "automatic".
 template <class List>
 int indexOf(const List& list, const auto& value) {
     const auto* const found = std::ranges::find(list, value);
@@ -38,7 +38,7 @@ int indexOf(const List& list, const auto& value) {
 void select(QComboBox& box, int number) {
     int index = box.findData(number);
     if (index < 0) {
-        // Not in the file, or not known yet.
+        // Not in the file, or unknown yet.
         box.addItem(QString::number(number), number);
         index = box.count() - 1;
     }
@@ -242,12 +242,12 @@ void ImportFields::showRows() {
     form_->setRowVisible(scale_, raw || isText());
 }
 
-// The first entry of each list, and the empty fields, say what was found without being told.
+// Shows the automatic values in the first entry of each list and in empty fields.
 void ImportFields::showAutomatic() {
     const auto automatic = [this](const QString& value) {
         return value.isEmpty() ? tr("automatic") : tr("automatic: %1").arg(value);
     };
-    // What is found for a choice that is automatic stands in the format that is used.
+    // The value of an automatic choice is that of the used format.
     const auto format = [this](bool is_automatic) {
         return !preview_                        ? nullptr
                : is_automatic && preview_->used ? &*preview_->used

@@ -17,26 +17,25 @@ namespace vybeg::ui {
 
 class NumberField;
 
-// The choices of an import. What the content tells stands as "automatic" with the value that was
-// found; only the rows that concern the kind of file are shown. Keeps no state but that of its
-// fields.
+// Fields of an import. "Automatic" choices show the value from the content; only rows for the kind
+// of file are visible. The fields are its only state.
 class ImportFields : public QWidget {
     Q_OBJECT
 
 public:
     explicit ImportFields(QWidget* parent = nullptr);
 
-    // Emits nothing.
+    // Emits no signal.
     void setOptions(const OpenOptions& options);
     OpenOptions options() const;
     // Whether every field that is shown has an acceptable text.
     void focusRate();
     bool isValid() const;
-    // What these options lead to: values of the automatic choices, names of the channels.
+    // Sets the automatic values and the names of the channels from a preview of these options.
     void setPreview(const RecordingPreview& preview);
 
 signals:
-    // Something was changed, by every key.
+    // Emitted on every change, also on each key.
     void edited();
 
 protected:

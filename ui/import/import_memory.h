@@ -8,15 +8,15 @@
 
 namespace vybeg::ui {
 
-// How files of a kind were imported last, kept in QSettings.
+// Last import options of each kind of file, stored in QSettings.
 
-// What tells the kind of a file: for text its ending, the number of its columns and their names,
-// as guessed; for raw samples (`raw`) and all others the ending.
+// Key of a kind of file: for text the ending, the number of columns and their guessed names; for
+// raw samples (`raw`) and all others the ending.
 QString importKind(const QString& path, const RecordingPreview& preview, bool raw);
 
 std::optional<OpenOptions> rememberedImport(const QString& kind);
 
-// The last 50 kinds are kept.
+// Stores the options; keeps the last 50 kinds.
 void rememberImport(const QString& kind, const OpenOptions& options);
 
 }  // namespace vybeg::ui

@@ -17,7 +17,7 @@ namespace vybeg::ui {
 
 namespace {
 
-constexpr std::size_t frames_shown = 256;  // at first; the wheel shows more
+constexpr std::size_t frames_shown = 256;  // initially; the wheel shows more
 constexpr int widest_column = 240;         // pixels
 
 QColor translucent(QColor color, float alpha) {

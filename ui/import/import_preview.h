@@ -13,8 +13,8 @@ class QTableWidget;
 
 namespace vybeg::ui {
 
-// How a recording begins: the first rows as a table, with the columns of C, D and the time marked,
-// and the first samples as curves. What stands in the way is told above.
+// Beginning of a recording: the first rows as a table, with the columns of C, D and the time
+// marked, and the first samples as curves. A problem is shown above.
 class ImportPreview : public QWidget {
     Q_OBJECT
 

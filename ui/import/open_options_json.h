@@ -6,10 +6,10 @@
 
 namespace vybeg::ui {
 
-// How a recording is opened, to be kept in a file or the settings; what is not said is left out.
+// Options of opening as JSON, for a file or the settings; unset options are omitted.
 QJsonObject optionsToJson(const OpenOptions& options);
 
-// Reads what optionsToJson() has written; what is missing or of another type is not said.
+// Reads the result of optionsToJson(); missing values and values of another type remain unset.
 OpenOptions optionsFromJson(const QJsonObject& json);
 
 }  // namespace vybeg::ui

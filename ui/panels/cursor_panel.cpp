@@ -29,7 +29,7 @@ struct Reading {
     double sd = std::numeric_limits<double>::quiet_NaN();
 };
 
-// The window whose centre is nearest; a track is never empty.
+// Row of the window with the nearest centre. Precondition: the track is not empty.
 std::size_t nearestRow(const Track& track, double time_s) {
     const auto times = track.time_s();
     const auto after = std::ranges::lower_bound(times, time_s);

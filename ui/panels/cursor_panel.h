@@ -21,8 +21,8 @@ public:
 
     void setTime(std::optional<double> time_s);
     void setUnits(const DisplayUnits& units);
-    // The table as tab-separated text: value and standard deviation of a run in columns of their
-    // own, in the displayed units and the decimal mark of the interface's language.
+    // The table as tab-separated text: value and standard deviation of a run in separate columns,
+    // in displayed units, with the decimal sign of the interface's language.
     QString tableText() const;
 
     QSize sizeHint() const override { return {260, 300}; }
@@ -32,7 +32,7 @@ protected:
 
 private:
     void refresh();
-    // The tracker's time, or the first window's before the mouse has been over the plots.
+    // Time of the tracker, or of the first window before the mouse enters the plots.
     double shownTime(const Run& first) const;
     void retranslate();
 

@@ -14,7 +14,7 @@ namespace vybeg::ui {
 
 namespace {
 
-// More rows than this nobody reads; the title says how many there are.
+// Limit of rows in the list; the title shows the number of events.
 constexpr std::size_t most_rows = 2000;
 
 }  // namespace
@@ -29,7 +29,7 @@ EventsPanel::EventsPanel(Document& document, QWidget* parent)
     list_->setColumnCount(2);
     list_->setItemDelegateForColumn(1, new IndexDelegate(list_));
     list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    list_->header()->setResizeContentsPrecision(0);  // of the rows that are seen
+    list_->header()->setResizeContentsPrecision(0);  // of the visible rows
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

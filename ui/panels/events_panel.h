@@ -9,7 +9,7 @@ class QTreeWidget;
 
 namespace vybeg::ui {
 
-// The events of one run in the order of time. Choosing one goes there.
+// The events of one run in the order of time. A click emits eventChosen().
 class EventsPanel : public QWidget {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ private:
     QLabel* title_;
     QTreeWidget* list_;
     int run_id_ = 0;
-    std::shared_ptr<const Analysis> listed_;  // whose events stand in the list
+    std::shared_ptr<const Analysis> listed_;  // analysis of the listed events
 };
 
 }  // namespace vybeg::ui

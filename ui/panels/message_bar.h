@@ -13,8 +13,7 @@ class QVBoxLayout;
 
 namespace vybeg::ui {
 
-// Messages in the window, above the plots: nothing has to be answered, nothing blocks. The newest
-// stands on top; more than three push the oldest out.
+// Messages above the plots; none blocks or needs an answer. At most three, the newest on top.
 class MessageBar : public QWidget {
     Q_OBJECT
 
@@ -23,13 +22,13 @@ public:
 
     void add(const Message& message);
     void clear();
-    // Takes what was told about a topic away.
+    // Removes the message of a topic.
     void withdraw(Topic topic);
-    // Texts on display, newest first.
+    // Displayed texts, newest first.
     QStringList texts() const;
 
 signals:
-    // The engineer wants to open a file again and say how.
+    // The user wants to open a file again with other options.
     void reopenWanted(const QString& path, const OpenOptions& options);
 
 protected:

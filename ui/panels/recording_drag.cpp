@@ -10,7 +10,8 @@ namespace vybeg::ui {
 
 namespace {
 
-// Ids mean something inside this program alone: with its number, another window does not take them.
+// Ids are valid in this process only; with the process number in the type, other windows reject
+// them.
 QString recordingType() {
     return QStringLiteral("application/x-vybeg-recordings-%1")
         .arg(QCoreApplication::applicationPid());
@@ -38,7 +39,7 @@ void RecordingDragList::setRecordings(const std::vector<RecordingEntry>& recordi
             delete takeItem(row);
         }
     }
-    // Recordings only ever come at the end.
+    // New recordings are always at the end.
     for (std::size_t k = static_cast<std::size_t>(count()); k < recordings.size(); ++k) {
         (new QListWidgetItem(this))->setData(Qt::UserRole, recordings[k].id);
     }

@@ -18,7 +18,7 @@ class RecordingDragList : public QListWidget {
 public:
     explicit RecordingDragList(QWidget* parent = nullptr);
 
-    // One item for each; items of recordings that were there before stay the same.
+    // One item per recording; existing items remain.
     void setRecordings(const std::vector<RecordingEntry>& recordings);
     std::vector<int> selectedRecordings() const;
 
@@ -27,7 +27,7 @@ protected:
     QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
 };
 
-// What is dragged: recordings of this window, or files.
+// Data of a drag: recordings of this window, or files.
 QMimeData* recordingMimeData(const std::vector<int>& recording_ids);
 std::vector<int> draggedRecordings(const QMimeData& data);
 QStringList localFiles(const QMimeData& data);

@@ -26,7 +26,7 @@ bool isWorthAWarning(const Diagnostic& diagnostic) {
     return diagnostic.kind != DiagnosticKind::text_lines_ignored;
 }
 
-// Lets a long text without spaces (a path, a hash) break anywhere.
+// Allows line breaks anywhere in a long text without spaces (a path, a hash).
 QString breakable(const QString& text) {
     QString broken;
     for (const QChar character : text) {
@@ -39,7 +39,7 @@ QString breakable(const QString& text) {
 QString channelText(const Recording& recording, int number) {
     const Channel& channel = recording.channels.at(static_cast<std::size_t>(number - 1));
     const QString name = QString::fromStdString(channel.name);
-    // Many files call their channels by number; that needs no second mention.
+    // The name is omitted if the file names its channels by number.
     QString text = RecordingPanel::tr("%1 of %2").arg(number).arg(recording.channels.size());
     if (name != QString::number(number)) {
         text = QStringLiteral("%1 (%2)").arg(name, text);
@@ -127,8 +127,7 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
 
 void RecordingPanel::rebuildList() {
     const QSignalBlocker blocker(list_);
-    // The items of recordings that stay are kept: one of them may be under the mouse, about to be
-    // dragged.
+    // Existing items are kept, because one of them may be about to be dragged.
     list_->setRecordings(document_.recordings());
     int row = 0;
     for (const RecordingEntry& entry : document_.recordings()) {

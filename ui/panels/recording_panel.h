@@ -15,8 +15,8 @@ namespace vybeg::ui {
 class CheckList;
 class RecordingDragList;
 
-// The open recordings, and what is known of the current one. Recordings are dragged from here into
-// a set of runs, or added to it with Insert.
+// The open recordings and properties of the current one. Recordings can be dragged into a set or
+// added with Insert.
 class RecordingPanel : public QWidget {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
     QSize sizeHint() const override { return {310, 340}; }
 
 signals:
-    // The engineer wants to open the current recording in another way (rate, channels).
+    // The user chose the place of a finding, seconds from the start.
     void placeChosen(double time_s, double seconds);
     void reopenWanted(const QString& path, const OpenOptions& options);
 

@@ -25,7 +25,7 @@ QIcon runIcon(const Run& run) {
     constexpr int scale = 2;
     QPixmap pixmap(width * scale, height * scale);
     pixmap.setDevicePixelRatio(scale);
-    // Its own ground: the line must also be seen on the colour of a selected row.
+    // An opaque background, so that the line is visible on a selected row.
     pixmap.fill(QGuiApplication::palette().color(QPalette::Base));
     QPainter painter(&pixmap);
     const Theme theme = isDark(QGuiApplication::palette()) ? darkTheme() : lightTheme();
@@ -76,7 +76,7 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
             const int id = item->data(name, Qt::UserRole).toInt();
             const bool visible = item->checkState(name) == Qt::Checked;
             const QString text = item->text(name);
-            // Queued: the document's answer rebuilds this list, and with it the item.
+            // Queued, because the response of the document rebuilds this list and deletes the item.
             QMetaObject::invokeMethod(
                 this,
                 [this, id, visible, text] {
@@ -191,7 +191,7 @@ void RunList::fillNotes(QTreeWidgetItem& item, const RunEntry& entry) {
     layout->addStretch(1);
     setItemWidget(&item, notes, cell);
     item.setSizeHint(notes, {cell->sizeHint().width(), fontMetrics().height() + 4});
-    // Queued: the new run rebuilds this list, and with it the button.
+    // Queued, because the new run rebuilds this list and deletes the button.
     connect(
         snap, &QPushButton::clicked, &document_,
         [this, id = entry.run.id] { document_.rerunSnapped(id); }, Qt::QueuedConnection);

@@ -8,10 +8,9 @@ class QAction;
 
 namespace vybeg::ui {
 
-// The runs: a row per analysis with its colour, where it comes from and what came out. The check
-// box shows it in the plots; F2 renames, Delete removes, Ctrl+R analyses again with its settings.
-// What speaks against a run stands in its row, behind a mark; where leakage limits its mean
-// frequency, the button that cures it stands there, too.
+// The runs: a row per analysis with its colour, source and results. The check box shows it in the
+// plots; F2 renames, Delete removes, Ctrl+R analyses again with its settings. A mark in the row
+// opens its warnings; if leakage limits the mean frequency, the row has the button Snap.
 class RunList : public QTreeWidget {
     Q_OBJECT
 

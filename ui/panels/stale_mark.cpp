@@ -11,7 +11,7 @@ namespace vybeg::ui {
 
 namespace {
 
-// The groups of the panel in which two settings differ, as its titles name them.
+// Titles of the groups of the panel in which two settings differ.
 QStringList differences(const Settings& a, const Settings& b) {
     QStringList names;
     const auto name = [&names](bool differ, const QString& group) {
@@ -31,7 +31,7 @@ QStringList differences(const Settings& a, const Settings& b) {
     return names;
 }
 
-// In what the plots of the current recording differ from the panel; empty where they do not.
+// Differences between the plots of the current recording and the panel; empty without differences.
 QStringList staleness(const Document& document) {
     const RecordingEntry* current = document.currentRecording();
     QStringList newest;
@@ -56,8 +56,8 @@ StaleMark::StaleMark(const Document& document, QWidget* parent)
     layout->addWidget(text_, 1);
     layout->addWidget(run_);
     connect(run_, &QPushButton::clicked, this, &StaleMark::runWanted);
-    // Queued: a live analysis begins right after the change that asks for it, and the plots would
-    // make room for a mark that is not meant.
+    // Queued, because a live analysis begins right after the change, and the mark would appear for
+    // an instant.
     for (const auto changed :
          {&Document::settingsChanged, &Document::runsChanged, &Document::currentRecordingChanged,
           &Document::busyChanged, &Document::liveChanged}) {

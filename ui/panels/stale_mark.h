@@ -9,9 +9,9 @@ namespace vybeg::ui {
 
 class Document;
 
-// A line at the plots that says that they are older than the analysis panel, and in what, with the
-// button that mends it. It hides itself where an analysis of the current recording that is shown
-// has the settings of the panel, or such a one is being computed for Live.
+// A line at the plots: they are older than the analysis panel, with the differences and a button to
+// analyse again. Hidden if a visible analysis of the current recording has the settings of the
+// panel or is being computed by Live.
 class StaleMark : public QWidget {
     Q_OBJECT
 

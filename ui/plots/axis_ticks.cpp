@@ -12,7 +12,7 @@ int decade(double x) {
     return static_cast<int>(std::floor(std::log10(x) + 1e-9));
 }
 
-// Digits behind the point that a multiple of `step` needs.
+// Decimal places of a multiple of `step`.
 int decimalsOf(double step) {
     for (int decimals = 0; decimals < 15; ++decimals) {
         const double scaled = step * std::pow(10., decimals);
@@ -51,7 +51,7 @@ void chooseOffset(AxisTicks& ticks, const AxisRange& range, double step) {
     }
     const double shown =
         std::max(std::abs(range.lower - ticks.offset), std::abs(range.upper - ticks.offset));
-    // Beside an offset every small number reads better with a prefix; alone 0.05 is well as it is.
+    // With an offset every small number gets a prefix; without one 0.05 remains as it is.
     const double small = ticks.offset != 0 ? 1 : 0.01;
     if (shown < small || shown >= 1e5) {
         const int exponent = 3 * static_cast<int>(std::floor(decade(shown) / 3.));
@@ -64,7 +64,7 @@ AxisTicks ticksOfStep(const AxisRange& range, double step) {
     chooseOffset(ticks, range, step);
     const double unit = std::pow(10., ticks.exponent);
     const int decimals = decimalsOf(step / unit);
-    // Counted from the offset: far from zero the positions keep their precision.
+    // Counted from the offset, so that positions far from zero keep their precision.
     const double slack = 1e-9 * range.span();
     const auto first =
         static_cast<long long>(std::ceil((range.lower - ticks.offset - slack) / step));
@@ -98,7 +98,7 @@ AxisTicks firstAndLast(AxisTicks ticks) {
     return ticks;
 }
 
-// The linear ticks of less than a decade, without those that come too near to their neighbour.
+// Linear ticks of less than a decade, without those too close to a neighbour.
 AxisTicks thinned(const AxisTicks& all, const AxisRange& range, const TickRoom& room) {
     AxisTicks ticks = all;
     ticks.positions.clear();
@@ -133,8 +133,8 @@ AxisTicks linearTicks(const AxisRange& range, const TickRoom& room, TickSteps st
     if (!(span > 0) || !std::isfinite(span) || room.length < 1) {
         return {};
     }
-    // One tick tells nothing of the scale: short axes get two that are closer than wished, or the
-    // first and the last of a step too fine to label all.
+    // A single tick does not show the scale, so short axes get two that are closer than the
+    // spacing, or the first and the last of a step too fine to label all.
     constexpr double closest = 8;
     AxisTicks coarsest_pair;
     AxisTicks ends;

@@ -10,7 +10,7 @@
 
 namespace vybeg::ui {
 
-// How much room the tick labels of an axis have.
+// Room for the tick labels of an axis.
 struct TickRoom {
     double length = 0;                             // of the axis, pixels
     double spacing = 0;                            // least distance of two labelled ticks, pixels
@@ -27,15 +27,15 @@ struct AxisTicks {
     std::vector<double> between;  // unlabelled ones
     QStringList labels;           // as many as positions
     double offset = 0;
-    int offset_decimals = 0;  // that the offset needs
+    int offset_decimals = 0;  // decimal places of the offset
     int exponent = 0;
 
-    // What the axis' name gets behind it, e.g. " − 5300"; empty without an offset.
+    // Suffix of the axis name, e.g. " − 5300"; empty without an offset.
     QString offsetText() const;
 };
 
-// Ticks of a linear axis: the finest step of 1, 2, 5 (degrees also 15, 30, 45, 90) whose labels
-// have room. No label needs more than five digits: beyond that the labels count from an offset.
+// Ticks of a linear axis: the finest step of 1, 2, 5 (degrees also 15, 30, 45, 90) with room for
+// its labels. Labels have at most five digits; longer ones count from an offset.
 AxisTicks linearTicks(const AxisRange& range, const TickRoom& room,
                       TickSteps steps = TickSteps::decimal);
 
@@ -43,8 +43,7 @@ AxisTicks linearTicks(const AxisRange& range, const TickRoom& room,
 // steps over less than a decade.
 AxisTicks logTicks(const AxisRange& range, const TickRoom& room);
 
-// The unit as it stands behind the name: "mHz" for Hz and -3 where it takes prefixes, else
-// "×10⁻³ °".
+// Unit after the name: "mHz" for Hz and -3 if the unit takes prefixes, otherwise "×10⁻³ °".
 QString scaledUnit(const QString& unit, bool takes_prefix, int exponent);
 
 }  // namespace vybeg::ui

@@ -10,10 +10,10 @@ namespace vybeg::ui {
 namespace {
 
 constexpr double line_width = 1.4;
-// Wider apart than this, every window gets a dot.
+// Distance of windows above which each gets a dot, pixels.
 constexpr double dot_spacing = 9;
-// Between the pointers to where the curve goes on beyond the frame: fewer than would merge into a
-// bar.
+// Distance of the pointers to parts of the curve beyond the frame, pixels; closer ones would merge
+// into a bar.
 constexpr double pointer_spacing = 24;
 
 // The band of one standard deviation at one column, pixels.
@@ -42,18 +42,18 @@ void drawBandShape(QCPPainter& painter, const std::vector<BandPoint>& piece) {
     }
 }
 
-// The same pixel column by pixel column: a polygon with a noisy outline costs a raster painter
-// 20 ms and more per plot, this a fraction of one.
+// Draws the band pixel column by pixel column. A polygon with a noisy outline takes a raster
+// painter 20 ms and more per plot, this a fraction of 1 ms.
 void drawBandPixels(QCPPainter& painter, const std::vector<BandPoint>& piece, const QColor& fill) {
     painter.setAntialiasing(false);
-    // One by one: filling a rectangle with a colour is the way that takes no rasteriser. And not
-    // too tall: from 96 rows on Qt wakes threads for what is not opaque, and waits for them, which
+    // Single rectangles, because filling one with a colour needs no rasteriser. Limited height,
+    // because from 96 rows on Qt starts threads for translucent fills and waits for them, which
     // takes ten times as long as the filling (Qt 6.4, qdrawhelper.cpp).
     const double tallest = 64 / painter.deviceTransform().m22();
     const auto add = [&](double x, double top, double bottom) {
         const double end = std::max(top + 1, bottom);
         for (double from = top; from < end; from += tallest) {
-            // Half a pixel is what QCPPainter shifts all that is not smoothed.
+            // QCPPainter shifts everything without antialiasing by half a pixel.
             painter.fillRect(QRectF(x, from + 0.5, 1, std::min(tallest, end - from)), fill);
         }
     };
@@ -128,7 +128,7 @@ QCPRange CrispGraph::getValueRange(bool& foundRange, QCP::SignDomain,
 double CrispGraph::pixelY(double displayed) const {
     const QCPAxis& axis = *valueAxis();
     const QRect rect = axis.axisRect()->rect();
-    // Coordinates that a painter can take, and a place for what a logarithm has no value for.
+    // Limits coordinates to the range of a painter; values without a logarithm get the lower limit.
     const double beyond = 3.0 * rect.height();
     if (scale_.logarithmic && !(displayed > 0)) {
         return rect.bottom() + beyond;
@@ -180,7 +180,7 @@ void CrispGraph::drawLine(QCPPainter& painter, const std::vector<CurveColumn>& c
     QVector<QLineF> lines;
     QVector<QPointF> dots;
     lines.reserve(static_cast<qsizetype>(2 * columns.size()));
-    // The pattern hangs on t = 0: it moves with the curve.
+    // The origin of the pattern is t = 0, so that it moves with the curve.
     const double origin = keyAxis()->coordToPixel(0);
     QPointF before;
     double last_dot = -1e9;
@@ -204,7 +204,7 @@ void CrispGraph::drawLine(QCPPainter& painter, const std::vector<CurveColumn>& c
         } else if (column.min < column.max) {
             vertical(column.min, column.max);
         }
-        // Dots where windows are far apart, and for a window alone between two missing ones.
+        // Dots for windows far apart, and for a single window between two missing ones.
         const bool alone = !column.joined && (i + 1 == columns.size() || !columns[i + 1].joined);
         if (alone || (column.time_first == column.time_last && x - last_dot > dot_spacing &&
                       i + 1 < columns.size() &&
@@ -229,7 +229,7 @@ void CrispGraph::addDashed(QVector<QLineF>& lines, const QLineF& segment, double
     const double period = std::accumulate(pattern_.begin(), pattern_.end(), 0.0);
     const double left = std::max(segment.x1(), double(keyAxis()->axisRect()->left()) - 1);
     const double right = std::min(segment.x2(), double(keyAxis()->axisRect()->right()) + 1);
-    const bool upright = segment.dx() < 0.5;  // is drawn whole, where its place is in a dash
+    const bool upright = segment.dx() < 0.5;  // drawn completely if it starts in a dash
     double dash = origin + std::floor((left - origin) / period) * period;
     for (qsizetype i = 0; dash <= right; i = (i + 2) % pattern_.size()) {
         const double begin = std::max(left, dash);
@@ -248,14 +248,14 @@ void CrispGraph::addDashed(QVector<QLineF>& lines, const QLineF& segment, double
 
 void CrispGraph::drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {
     if (data_->empty()) {
-        return;  // the algorithm does not estimate it: the plot says so in words
+        return;  // the algorithm does not estimate it; the plot shows a text
     }
     const QRect rect = keyAxis()->axisRect()->rect();
     const QCPRange shown = valueAxis()->range();
     painter.setAntialiasing(false);
     painter.setPen(Qt::NoPen);
     QVector<QPolygonF> pointers;
-    // Where the last one stands.
+    // Position of the last one.
     double above = rect.left() + (pointers_begin_ - 1) * pointer_spacing;
     double below = above;
     for (const CurveColumn& column : columns) {

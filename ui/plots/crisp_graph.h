@@ -10,10 +10,10 @@
 namespace vybeg::ui {
 
 // The curve of one run in one plot: min/max per pixel column, drawn as independent segments
-// (QCustomPlot's own graphs take seconds for dense data unless the pen is one pixel wide). The
-// dash pattern runs along the time axis, so that noise does not blur it. Missing windows leave a
-// gap and a mark at the foot of the plot, however narrow the gap is; values outside the axis leave
-// a mark at the edge they passed.
+// (QCustomPlot's own graphs take seconds for dense data unless the pen is one pixel wide). The dash
+// pattern runs along the time axis, so that noise does not blur it. Missing windows leave a gap and
+// a mark at the foot of the plot, however narrow the gap is; values outside the axis leave a mark
+// at the edge that they cross.
 class CrispGraph : public QCPAbstractPlottable {
     Q_OBJECT
 
@@ -22,10 +22,10 @@ public:
 
     void setScale(const DisplayScale& scale) { scale_ = scale; }
     void setBand(bool shown) { band_ = shown; }
-    // Where its pointers to what lies beyond the frame begin, 0 to 1 of the space between two:
-    // those of several curves stand beside each other.
+    // Offset of the pointers to values beyond the frame, 0 to 1 of their distance, so that those of
+    // several curves are side by side.
     void setPointers(double begin) { pointers_begin_ = begin; }
-    // How the curve, its band and the marks of missing windows look.
+    // Look of the curve, its band and the marks of missing windows.
     void setLook(const QColor& color, Qt::PenStyle dash, const QColor& missing);
 
     const CurveData& data() const { return *data_; }
@@ -33,7 +33,7 @@ public:
     const DisplayScale& scale() const { return scale_; }
     const QColor& color() const { return color_; }
 
-    // The columns of a time range over a width in pixels; kept until asked for others.
+    // The columns of a time range over a width in pixels; cached for the last arguments.
     const std::vector<CurveColumn>& columns(const AxisRange& time, int width) const;
 
     double selectTest(const QPointF& pos, bool onlySelectable,

@@ -43,8 +43,7 @@ void setLetters(const Stacks& stacks, std::size_t rows) {
     int letter = 0;
     for (std::size_t row = 0; row < rows; ++row) {
         for (const auto& stack : stacks) {
-            // After z comes aa: no figure of this program gets there, a wrong letter would be
-            // worse.
+            // "aa" would follow z; figures of this program have fewer plots.
             QString text(QChar('a' + letter % 26));
             stack->panels()[row]->setLetter(text.repeated(1 + letter / 26));
             ++letter;
@@ -67,7 +66,7 @@ void layOut(const Columns& columns, const FigureOptions& options, const Draw& dr
             std::make_unique<PlotStack>(plot, static_cast<int>(i), PlotStack::Head::title));
         PlotContent content;
         content.runs = {columns[i].run};
-        // A column holds one run: nothing needs telling apart.
+        // A column has one run, so no legend is needed.
         content.runs.front().visible = true;
         content.runs.front().color = runStyle(0).color;
         content.runs.front().dash = Qt::SolidLine;

@@ -22,15 +22,15 @@ struct FigureOptions {
     std::vector<SlowVariable> variables{SlowVariable::a_A, SlowVariable::a_B,
                                         SlowVariable::two_theta_A, SlowVariable::f};
     DisplayUnits units;
-    // The columns of a row share one value axis, so that the scatter can be compared. Off: each
-    // panel follows its own data.
+    // Common value axis of the columns of a row, for comparison of the scatter. Off: each panel
+    // follows its own data.
     bool common_value_axes = true;
     bool letters = true;  // a, b, c ... row by row, as in the article
     QSize size;           // device-independent pixels; empty: 420 per column, 150 per row
 };
 
 // The article's figure: a row of panels per variable, a column per window length, one time axis.
-// Written by the ending of `path`: .svg, .pdf (vectors) or .png (scale 2). Needs a QApplication but
+// Format by the ending of `path`: .svg, .pdf (vectors) or .png (scale 2). Needs a QApplication but
 // no window and no display (offscreen platform). Errors: output_format_unknown, output_failed.
 Status renderFigure(const std::vector<FigureColumn>& columns, const QString& path,
                     const FigureOptions& options = {});
@@ -38,7 +38,7 @@ Status renderFigure(const std::vector<FigureColumn>& columns, const QString& pat
 // The same as drawing commands, for a report's page.
 QPicture figurePicture(const std::vector<FigureColumn>& columns, const FigureOptions& options = {});
 
-// Size that `options` ask for.
+// Size by `options`.
 QSize figureSize(std::size_t columns, const FigureOptions& options);
 
 }  // namespace vybeg::ui

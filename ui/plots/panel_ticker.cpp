@@ -32,7 +32,7 @@ void PanelTicker::generate(const QCPRange& range, const QLocale&, QChar, int,
     if (tickLabels) {
         *tickLabels = ticks_.labels;
         if (orientation_ == Qt::Horizontal && !tickLabels->isEmpty()) {
-            // Rather no label at the last tick than one that is cut.
+            // The last label is omitted if it would be cut.
             const double pixel = (ticks_.positions.back() - range.lower) / range.size() * length_;
             const double half = 0.5 * metrics.horizontalAdvance(tickLabels->last());
             if (pixel + half > length_ + beyond_) {

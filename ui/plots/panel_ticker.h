@@ -6,13 +6,13 @@
 
 namespace vybeg::ui {
 
-// Hands the ticks of axis_ticks.h to a QCPAxis. Whoever lays out the axis tells its length and its
-// font before every layout.
+// Passes the ticks of axis_ticks.h to a QCPAxis. Precondition of each layout: setRoom() with the
+// length and font of the axis.
 class PanelTicker : public QCPAxisTicker {
 public:
     explicit PanelTicker(Qt::Orientation orientation) : orientation_(orientation) {}
 
-    // `beyond`: pixels behind the upper end of a horizontal axis that a label may use.
+    // `beyond`: pixels after the upper end of a horizontal axis that a label may use.
     void setRoom(double length, const QFont& font, double beyond = 0);
     void setSteps(TickSteps steps) { steps_ = steps; }
     void setLogarithmic(bool logarithmic) { logarithmic_ = logarithmic; }

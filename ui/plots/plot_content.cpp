@@ -31,7 +31,7 @@ std::optional<AxisRange> coveredTime(const std::vector<Run>& runs) {
 ZoomState clipped(ZoomState state, const std::vector<Run>& runs) {
     const AxisRange full = coveredTime(runs).value_or(AxisRange{0, 1});
     AxisRange& time = state.time;
-    // Down to four samples: nothing in a track is finer.
+    // Least span of four samples, the resolution of a track.
     double least = 1e-6 * full.span();
     for (const Run& run : runs) {
         if (run.rate_hz > 0) {
@@ -40,8 +40,8 @@ ZoomState clipped(ZoomState state, const std::vector<Run>& runs) {
     }
     const double span = std::clamp(time.span(), std::min(least, full.span()), full.span());
     const double centre = 0.5 * (time.lower + time.upper);
-    // A range that only lies too far out is shifted as it is, not through its centre: it keeps its
-    // last bit and the history knows it again.
+    // A range that only lies too far out is shifted at its edge, not through its centre, so that it
+    // keeps its last bit and the history recognises it.
     if (span != time.span()) {
         time = {centre - 0.5 * span, centre + 0.5 * span};
     }

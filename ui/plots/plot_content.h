@@ -17,7 +17,7 @@ struct TrendCurve {
     std::vector<double> value;
 };
 
-// All that a stack of plots shows: what the screen, an exported image and a figure have in common.
+// Content of a stack of plots, common to screen, exported image and figure.
 struct PlotContent {
     std::vector<Run> runs;
     std::vector<SlowVariable> variables{main_slow_variables.begin(), main_slow_variables.end()};
@@ -28,14 +28,14 @@ struct PlotContent {
     std::optional<TrendCurve> trend;
 };
 
-// All that the visible runs cover, first to last sample of their windows; nothing without a visible
-// window.
+// Time range of the visible runs, from the first to the last sample of their windows; empty without
+// a visible window.
 std::optional<AxisRange> coveredTime(const std::vector<Run>& runs);
 
-// A view with its time range inside what the visible runs cover, and with sound value ranges.
+// A view with its time range inside that of the visible runs, and with valid value ranges.
 ZoomState clipped(ZoomState state, const std::vector<Run>& runs);
 
-// What frequency deviations are counted from: the carrier of the first visible run, or 0.
+// Reference of frequency deviations: the carrier of the first visible run, or 0.
 double referenceFrequency(const std::vector<Run>& runs);
 
 }  // namespace vybeg::ui

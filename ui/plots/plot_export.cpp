@@ -10,7 +10,7 @@
 namespace vybeg::ui {
 namespace {
 
-// The plots of `content` on paper: calls draw(plot) once they are laid out.
+// Lays out the plots of `content` on paper and calls draw(plot).
 template <class Draw>
 void onPaper(const PlotContent& content, QSize size, const Draw& draw) {
     PlotContent paper = content;
@@ -18,7 +18,7 @@ void onPaper(const PlotContent& content, QSize size, const Draw& draw) {
     QCustomPlot plot;
     preparePlot(plot, paper.theme);
     PlotStack stack(plot, 0, PlotStack::Head::run_names);
-    // Twice: the room for the names is known after the first.
+    // Twice, because the room for the names is known after the first layout.
     stack.setContent(paper);
     stack.prepare(size);
     stack.setZoom(paper.zoom);

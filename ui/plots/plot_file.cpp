@@ -51,7 +51,7 @@ void writePdf(QCustomPlot& plot, QSize size, QIODevice& device) {
 
 QImage toImage(QCustomPlot& plot, QSize size, double scale) {
     QImage image((QSizeF(size) * scale).toSize(), QImage::Format_RGB32);
-    // 96 dpi per unit of scale: the picture has its natural size when pasted.
+    // 96 dpi per unit of scale, so that a pasted picture has its natural size.
     const int per_metre = static_cast<int>(std::lround(screen_dpi * scale / 0.0254));
     image.setDotsPerMeterX(per_metre);
     image.setDotsPerMeterY(per_metre);
@@ -75,7 +75,7 @@ Status writePlot(QCustomPlot& plot, QSize size, const QString& path) {
         ending != QStringLiteral("pdf")) {
         return Error{ErrorCode::output_format_unknown, path.toStdString(), {ending.toStdString()}};
     }
-    // The writers of SVG and PDF pass over what a disk refuses: they draw into memory.
+    // SVG and PDF are drawn in memory, because their writers ignore errors of the disk.
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);

@@ -10,13 +10,13 @@ class QCustomPlot;
 
 namespace vybeg::ui {
 
-// A plot that needs no window, drawn at a size in device-independent pixels.
+// A plot without a window, drawn at a size in device-independent pixels.
 
 QImage toImage(QCustomPlot& plot, QSize size, double scale);
 QPicture toPicture(QCustomPlot& plot, QSize size);
 
-// By the ending of `path`: .png (scale 2), .svg or .pdf (vectors, text as text). Drawn in memory
-// and written as write_file() does. Errors: output_format_unknown, output_failed, out_of_memory.
+// Format by the ending of `path`: .png (scale 2), .svg or .pdf (vectors, text as text). Drawn in
+// memory and written by write_file(). Errors: output_format_unknown, output_failed, out_of_memory.
 Status writePlot(QCustomPlot& plot, QSize size, const QString& path);
 
 }  // namespace vybeg::ui

@@ -24,8 +24,7 @@ struct Reading {
     double width = 0;
 };
 
-// The values of all runs at the tracker, as many as fit: without deviations before runs are left
-// out.
+// Values of all runs at the tracker, as many as fit; deviations are omitted before runs.
 std::vector<Reading> readings(const PlotPanel& panel, double time_s, const QFontMetricsF& metrics) {
     for (const bool with_sd : {true, false}) {
         std::vector<Reading> list;
@@ -113,7 +112,7 @@ void PlotOverlay::drawHair(QCPPainter& painter, double time_s, const QColor& col
     for (const PlotPanel* panel : stack_->panels()) {
         painter.drawLine(QLineF(x, panel->rect().top(), x, panel->rect().bottom()));
     }
-    // The tracker's time, a cursor's name: they cover tick labels, never the curves.
+    // Time of the tracker, name of a cursor: they may cover tick labels, but not curves.
     const QFont font = stack_->panels().front()->headFont();
     const QFontMetricsF metrics(font);
     const QString text = name.isEmpty() ? timeText(time_s) : name;

@@ -12,9 +12,9 @@ namespace vybeg::ui {
 class PlotPanel;
 class PlotStack;
 
-// What moves with the mouse, on a layer of its own so that the curves below are not drawn again:
-// the tracker's hair line with the readout in the head line of each plot, the two cursors, the
-// rubber band.
+// Items that move with the mouse, on a separate layer, so that the curves below are not drawn
+// again: the tracker's hair line with the readout in the head line of each plot, the two cursors,
+// the rubber band.
 class PlotOverlay : public QCPLayerable {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     void setTracker(std::optional<double> time_s) { tracker_ = time_s; }
     void setCursors(const std::array<std::optional<double>, 2>& times_s) { cursors_ = times_s; }
     void setRubberBand(std::optional<QRectF> band) { band_ = band; }
-    // Said in the middle of an empty view.
+    // Text in the middle of an empty view.
     void setHint(const QString& hint) { hint_ = hint; }
 
 protected:
@@ -37,7 +37,7 @@ private:
                   const QString& name) const;
     void drawReadout(QCPPainter& painter, const PlotPanel& panel) const;
     void drawDots(QCPPainter& painter, const PlotPanel& panel) const;
-    // The instant with as many digits as a pixel is worth.
+    // The instant with the resolution of a pixel.
     QString timeText(double time_s) const;
 
     const PlotStack* stack_;

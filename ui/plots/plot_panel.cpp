@@ -24,7 +24,7 @@ PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable)
       time_ticker_(new PanelTicker(Qt::Horizontal)),
       value_ticker_(new PanelTicker(Qt::Vertical)) {
     setLayer(QStringLiteral("background"));  // below the grid
-    // A full frame; only left and bottom carry ticks.
+    // A full frame with ticks at the left and bottom only.
     for (const auto type : {QCPAxis::atLeft, QCPAxis::atBottom, QCPAxis::atRight, QCPAxis::atTop}) {
         QCPAxis* side = addAxis(type);
         side->setLayer(QStringLiteral("axes"));
@@ -42,7 +42,7 @@ PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable)
     valueAxis()->setTickLength(0, 4);
     timeAxis()->setTickLabelPadding(5);
     valueAxis()->setTickLabelPadding(4);
-    // The labels under the lowest panel have a row of their own: all panels are equally high.
+    // The labels under the lowest panel have a separate row, so that all panels are equally high.
     setAutoMargins(QCP::msLeft);
     setMinimumMargins({least_left_margin, 0, 0, 0});
     setMargins({least_left_margin, head_height, right_margin, foot});
@@ -87,7 +87,7 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     value_ticker_->setSteps(degrees ? TickSteps::degrees : TickSteps::decimal);
     value_ticker_->setLogarithmic(scale.logarithmic);
     valueAxis()->setScaleType(scale.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    // Without a value there is no scale to show.
+    // Without values no scale is shown.
     const bool any = std::any_of(graphs_.begin(), graphs_.end(),
                                  [](const CrispGraph* graph) { return !graph->data().empty(); });
     valueAxis()->setTickLabels(any);
@@ -219,7 +219,7 @@ void PlotPanel::drawMarks(QCPPainter& painter) const {
     for (auto mark = std::ranges::lower_bound(marks_s_, time().lower);
          mark != marks_s_.end() && *mark <= time().upper; ++mark) {
         const double x = timeAxis()->coordToPixel(*mark);
-        // Marks that cannot be told apart are not drawn one over the other.
+        // Indistinguishable marks are drawn once.
         if (x - last >= least_mark_spacing) {
             painter.drawLine(QLineF(x, rect().top(), x, rect().bottom()));
             last = x;

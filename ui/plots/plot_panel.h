@@ -22,15 +22,15 @@ public:
     SlowVariable variable() const { return variable_; }
     const std::vector<CrispGraph*>& graphs() const { return graphs_; }
 
-    // Curves, units and colours; replaces what was there.
+    // Sets curves, units and colours.
     void setContent(const PlotContent& content, const QFont& font);
     // Instants marked by thin lines, s, in rising order.
     void setMarks(const std::vector<double>& times_s) { marks_s_ = times_s; }
-    // The labels of the time axis stand under the lowest panel alone.
+    // Only the lowest panel has labels of the time axis.
     void setTimeLabels(bool shown);
     // A letter at the right end of the head line, for figures.
     void setLetter(const QString& letter) { letter_ = letter; }
-    // The size of the axis rectangle after the layout that is to come, to about its left margin.
+    // Size of the axis rectangle after the next layout, without exact left margin.
     void setExpectedSize(QSize size) { expected_ = size; }
     void removeGraphs();
 
@@ -38,17 +38,17 @@ public:
     void setValues(const AxisRange& values);
     AxisRange time() const;
     AxisRange values() const;
-    // The value axis that shows the visible part of all curves well; {0, 1} without any.
+    // Automatic value axis for the visible part of all curves; {0, 1} without curves.
     AxisRange automaticValues() const;
 
     QCPAxis* timeAxis() const { return axis(QCPAxis::atBottom); }
     QCPAxis* valueAxis() const { return axis(QCPAxis::atLeft); }
     const AxisTicks& timeTicks() const { return time_ticker_->ticks(); }
 
-    // Symbol and unit as they stand in the head line, e.g. "ω_cp/2π − 5300 Hz" and "mHz".
+    // Symbol and unit in the head line, e.g. "ω_cp/2π − 5300 Hz" and "mHz".
     QString headSymbol() const;
     QString headUnit() const;
-    // Where a readout may be drawn: right of symbol and unit.
+    // Area for a readout: right of symbol and unit.
     QRectF readoutArea() const;
     const QFont& headFont() const { return font_; }
 

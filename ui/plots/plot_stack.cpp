@@ -61,7 +61,7 @@ void PlotStack::setContent(const PlotContent& content) {
                     {run.name, true, true, readable(run.color, content.theme), run.dash});
             }
         }
-        // With one curve there is nothing to tell apart.
+        // A single curve needs no legend.
         const bool shown = entries.size() > 1;
         head_strip_->setMinimumSize(10, shown ? head_strip_height : 4);
         head_strip_->setMaximumSize(QWIDGETSIZE_MAX, shown ? head_strip_height : 4);

@@ -11,31 +11,31 @@ namespace vybeg::ui {
 class PlotPanel;
 class PlotStrip;
 
-// A column of plots under each other over one time axis, in one column of a QCustomPlot's layout:
-// what the track view, its exports and the article's figure are made of. The QCustomPlot owns the
-// elements; before the first stack the caller clears its layout.
+// A column of plots over one time axis, in one column of a QCustomPlot's layout: part of the track
+// view, its exports and the article's figure. The QCustomPlot owns the elements; before the first
+// stack the caller clears its layout.
 class PlotStack {
 public:
     enum class Head { none, run_names, title };
 
-    // `head` is what stands in the row above the plots; columns of one figure have the same.
+    // `head`: kind of the row above the plots, the same for all columns of a figure.
     PlotStack(QCustomPlot& plot, int column, Head head);
 
-    // Builds the panels anew where the variables have changed; sets zoom and value axes.
+    // Rebuilds the panels if the variables have changed; sets zoom and value axes.
     void setContent(const PlotContent& content);
     void setTitle(const QString& title);
     // Instants marked in all plots, s, in rising order.
     void setMarks(const std::vector<double>& times_s);
-    // Time and value axes: the fixed ones as they are, the others after the visible data.
+    // Sets time and value axes; value axes that are not fixed follow the visible data.
     void setZoom(const ZoomState& zoom);
-    // The size (device-independent pixels) that this column is about to get: tick steps and the
-    // curves' resolution follow from it. To be called before setZoom() and before every layout for
-    // another size.
+    // Size of this column (device-independent pixels) in the next layout, from which tick steps and
+    // the resolution of curves follow. Call it before setZoom() and before every layout of another
+    // size.
     void prepare(QSize size);
 
     const std::vector<PlotPanel*>& panels() const { return panels_; }
     PlotPanel* panel(SlowVariable variable) const;
-    // The plot at a position, its head line included.
+    // Plot at a position, including its head line.
     PlotPanel* panelAt(const QPointF& position) const;
 
     // Name of the time axis with offset and prefix, as of the latest layout: "t − 13.4 s, ms".
@@ -54,7 +54,7 @@ private:
     std::vector<PlotPanel*> panels_;
     PlotContent content_;
     QPointer<QCPMarginGroup> margins_;
-    QObject context_;  // of the connections to the plot, which outlives the stack
+    QObject context_;  // context of the connections to the plot, which outlives the stack
 };
 
 // A QCustomPlot without its default axes, with the layers that a stack needs and the theme's

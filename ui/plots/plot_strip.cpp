@@ -17,7 +17,7 @@ void drawSample(QCPPainter& painter, QPointF from, double length, const QColor& 
                 Qt::PenStyle dash) {
     QPen pen(color, 2, Qt::SolidLine, Qt::FlatCap);
     if (const QVector<double> pattern = dashPattern(dash); !pattern.isEmpty()) {
-        // Half the curve's own lengths, so that a whole period fits; in units of the pen's width.
+        // Half the lengths of the curve, so that a whole period fits; in units of the pen's width.
         QVector<double> shorter;
         for (const double part : pattern) {
             shorter.append(0.5 * part / pen.widthF());
@@ -58,7 +58,7 @@ double PlotStrip::width(const StripEntry& entry) const {
 
 void PlotStrip::shorten(double available) {
     const QFontMetricsF metrics(font_);
-    // All names may be equally long, as long as they are not all needed in full.
+    // All names get the same limit of length until they fit.
     for (double most = available; most > least_name; most *= 0.9) {
         double total = -entry_gap;
         std::vector<StripEntry> shorter = entries_;
@@ -73,7 +73,7 @@ void PlotStrip::shorten(double available) {
             return;
         }
     }
-    // Too many to be told apart by name: what has room.
+    // Too many for distinct names: as many as fit.
     shown_.clear();
     double total = metrics.horizontalAdvance(QStringLiteral("…"));
     for (StripEntry entry : entries_) {

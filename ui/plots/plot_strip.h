@@ -9,15 +9,15 @@ namespace vybeg::ui {
 // One entry of a strip: a text, with a sample of a curve before it where `line` is set.
 struct StripEntry {
     QString text;
-    bool literal = false;  // else an underscore introduces an index
+    bool literal = false;  // otherwise an underscore introduces an index
     bool line = false;
     QColor color;
     Qt::PenStyle dash = Qt::SolidLine;
 };
 
 // A row of texts of fixed height among the plots: the names of the runs, the title of a column, the
-// name of the time axis. Literal texts are shortened to fit, entries
-// without room left out behind an ellipsis.
+// name of the time axis. Literal texts are shortened to fit; entries without room are replaced by
+// an ellipsis.
 class PlotStrip : public QCPLayoutElement {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
 
     void setEntries(std::vector<StripEntry> entries, Qt::Alignment alignment);
     void setLook(const QFont& font, const QColor& text);
-    // Space kept free at both ends and above the text.
+    // Free space at both ends and above the text.
     void setInset(int left, int right, int above);
     int height() const { return maximumSize().height(); }
 

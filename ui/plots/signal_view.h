@@ -29,20 +29,20 @@ public:
 
     // No recording: the strip is empty.
     void clear();
-    // A recording of that length of which nothing is known yet.
+    // Shows a recording of that length without data yet.
     void setReading(double seconds);
-    // As much as has been read; what has only been looked at is paler, the rest hatched. The time
-    // axis is that of the whole recording from the start.
+    // The part read so far; parts that are only sampled are paler, the rest hatched. The time axis
+    // is always that of the whole recording.
     void setEnvelope(std::shared_ptr<const Envelope> envelope, double rate_hz);
-    // What the recording check found: clipped stretches are a bar along the top, places of lost
-    // samples lines with a point. Null: nothing is known.
+    // Faults of the recording check: clipped ranges are a bar along the top, places of lost samples
+    // lines with a point. Null: unknown.
     void setFaults(std::shared_ptr<const SampleFaults> faults);
     void setVisibleRange(AxisRange range);
     void setAnalysedRange(AxisRange range);
     void setTheme(const Theme& theme);
-    // Where the time axis begins and ends, pixels from both edges: lines it up with other plots.
+    // Margins of the time axis, pixels from both edges, for alignment with other plots.
     void setMargins(int left, int right);
-    // What lies over the time axis, in coordinates of the widget.
+    // Area above the time axis, in coordinates of the widget.
     QRect plotArea() const;
 
     AxisRange visibleRange() const { return visible_; }
@@ -107,7 +107,7 @@ private:
     AxisRange visible_;
     AxisRange analysed_;
     Theme theme_;
-    QPixmap drawn_;  // the envelope at the present size; null when it has to be drawn again
+    QPixmap drawn_;  // the envelope at the present size; null if it must be drawn again
     int left_ = 8;
     int right_ = 8;
     Grip grip_ = Grip::none;

@@ -1,4 +1,4 @@
-// What the mouse and the keyboard do in the overview strip; the rest is in signal_view.cpp.
+// Mouse and keyboard of the overview strip; the rest is in signal_view.cpp.
 #include "ui/plots/signal_view.h"
 
 #include <QKeyEvent>
@@ -16,7 +16,7 @@ constexpr double reach = 6;  // pixels from a handle
 constexpr double notch_factor = 0.8;
 constexpr double key_step = 0.1;  // of the range
 
-// The range moved as a whole so that it lies in [0, seconds].
+// The range shifted as a whole into [0, seconds].
 AxisRange inside(AxisRange range, double seconds) {
     const double span = std::min(range.span(), seconds);
     const double lower = std::clamp(range.lower, 0., seconds - span);
@@ -42,7 +42,7 @@ SignalView::Grip SignalView::gripAt(const QPointF& position) const {
     const double to_first = std::abs(toPixel(ends[0].time_s) - position.x());
     const double to_second = std::abs(toPixel(ends[1].time_s) - position.x());
     if (std::min(to_first, to_second) <= reach) {
-        // Both within reach: the one on whose outer side the mouse is.
+        // With both handles within reach, the one on whose outer side the mouse is.
         if (to_first == to_second) {
             return position.x() < toPixel(ends[0].time_s) ? ends[0].grip : ends[1].grip;
         }
@@ -69,7 +69,7 @@ void SignalView::editAnalysed(AxisRange range) {
 
 void SignalView::drag(double time_s) {
     const double t = std::clamp(time_s, 0., seconds_);
-    // A range never turns around and never shrinks below what a handle covers.
+    // A range is never reversed or smaller than a handle.
     const double least = std::abs(toTime(2) - toTime(0));
     const double shift = time_s - press_s_;
     const AxisRange moved =

@@ -1,4 +1,4 @@
-// How the overview strip is drawn; the rest is in signal_view.cpp.
+// Painting of the overview strip; the rest is in signal_view.cpp.
 #include "ui/plots/axis_ticks.h"
 #include "ui/plots/signal_view.h"
 
@@ -45,7 +45,8 @@ void SignalView::paintEvent(QPaintEvent*) {
         }
         painter.drawPixmap(0, 0, drawn_);
         drawRanges(painter, area);
-        drawFaults(painter, area);  // above the veil: what is outside the visible range counts too
+        // Above the veil, so that faults outside the visible range are visible too.
+        drawFaults(painter, area);
     }
     if (!envelope_ || !envelope_->whole()) {
         drawLabel(painter, area, int(Qt::AlignRight | Qt::AlignTop), tr("reading…"));
@@ -71,7 +72,7 @@ void SignalView::drawSignals(QPainter& painter, const QRect& area,
                              const std::vector<EnvelopeBucket>& columns) const {
     const double ratio = painter.device()->devicePixelRatioF();
     const int lane_height = (area.height() - 2) / 2;
-    // One scale for both: their ratio tells how the wave lies.
+    // One scale for both, because their ratio shows the angle of the wave.
     float top = 0;
     for (const EnvelopeBucket& column : columns) {
         for (const float v : {column.c_min, column.c_max, column.d_min, column.d_max}) {
@@ -97,7 +98,7 @@ void SignalView::drawSignals(QPainter& painter, const QRect& area,
             const auto high = static_cast<double>(columns[i].*lane.high);
             if (std::isfinite(low) && std::isfinite(high)) {
                 const double x = area.left() + (static_cast<double>(i) + 0.5) / ratio;
-                const double least = 0.5 / ratio;  // a constant signal is a line, not nothing
+                const double least = 0.5 / ratio;  // a constant signal remains visible as a line
                 auto& lines = columns[i].coverage == Coverage::all ? read : looked_at;
                 lines.append(
                     {x, lane.middle - scale * high - least, x, lane.middle - scale * low + least});
@@ -134,7 +135,7 @@ void SignalView::drawFaults(QPainter& painter, const QRect& area) const {
     const auto x_of = [&](std::int64_t frame) {
         return toPixel(static_cast<double>(frame) / rate_hz_);
     };
-    // Clipping comes in thousands of stretches: those that share a pixel are one.
+    // There may be thousands of clipped ranges; those of one pixel are drawn once.
     double drawn_to = area.left();
     for (const FrameRange& range : faults_->clipped) {
         const double from = std::max(x_of(range.first), drawn_to);
@@ -240,7 +241,7 @@ void SignalView::drawTimes(QPainter& painter, const QRect& area) const {
         const QString text = ticks.labels[i] + ' ' + unit;
         const double width = metrics.horizontalAdvance(text);
         const double x = toPixel(ticks.positions[static_cast<std::size_t>(i)]) - 0.5 * width;
-        // At the ends a label moves inward rather than being cut.
+        // At the ends a label moves inwards instead of being cut.
         const double shown = std::clamp(x, 2., std::max(2., this->width() - width - 2));
         painter.drawText(QPointF(shown, base), text);
     }

@@ -15,14 +15,14 @@
 namespace vybeg::ui {
 namespace {
 
-// Steps that follow each other within this time are one entry of the zoom history.
+// Longest pause between steps of one entry of the zoom history.
 constexpr int gesture_pause_ms = 600;
 
 bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& b) {
     return displayScale(variable, a, 1) == displayScale(variable, b, 1);
 }
 
-// Whether a run is of a recording that no run is of that was there before.
+// Whether a run belongs to a recording without a run in `before`.
 bool hasOtherRecording(const std::vector<Run>& runs, const std::vector<Run>& before) {
     return std::ranges::any_of(runs, [&](const Run& run) {
         return std::ranges::find(before, run.recording, &Run::recording) == before.end();
@@ -35,7 +35,7 @@ TrackView::TrackView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(plot_);
-    // The view itself hears the mouse: QCustomPlot's own interactions are other ones.
+    // The view handles the mouse itself, not QCustomPlot.
     plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
     plot_->setFocusPolicy(Qt::NoFocus);
     setMouseTracking(true);
@@ -51,7 +51,8 @@ TrackView::TrackView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
 }
 
 TrackView::~TrackView() {
-    // The plot refers to the stack while it is drawn; the stack refers to the plot's elements.
+    // Order of destruction: the plot uses the stack while it is drawn, the stack the elements of
+    // the plot.
     delete plot_;
 }
 
@@ -84,7 +85,7 @@ void TrackView::setUnits(const DisplayUnits& units) {
     std::erase_if(state.fixed,
                   [&](const auto& entry) { return !sameUnit(entry.first, units, content_.units); });
     if (!(units == content_.units)) {
-        // Older views hold ranges in units of their time.
+        // The history is cleared, because its ranges are in the old units.
         history_ = ZoomStack(state);
         emit zoomHistoryChanged();
     }

@@ -31,9 +31,9 @@ enum class Cursor { a, b };
 // Shift+drag: zoom into a rectangle; double click or Home: fit; R or Alt+Left, Alt+Right: zoom
 // history; + and -: zoom time about the tracker or the centre; Left, Right: pan; Ctrl+Plus,
 // Ctrl+Minus, Up, Down: value axis of the focused plot; Tab: next plot; 1 and 2: cursor A and B to
-// the tracker, 0 takes both away; cursors can be dragged.
+// the tracker, 0 removes both; cursors can be dragged.
 //
-// Times are seconds from the start of the recording. Setters emit no signals but timeRangeChanged.
+// Times are seconds from the start of the recording. Setters emit only timeRangeChanged.
 class TrackView : public QWidget {
     Q_OBJECT
 
@@ -41,21 +41,21 @@ public:
     explicit TrackView(QWidget* parent = nullptr);
     ~TrackView() override;
 
-    // The visible time range is kept, unless it was all that there was to see, lies outside the new
-    // runs, or a recording joins that was not there: then all is shown.
+    // Keeps the visible time range. Shows everything if everything was visible before, if the range
+    // lies outside the new runs or if a new recording joins.
     void setRuns(std::vector<Run> runs);
     const std::vector<Run>& runs() const { return content_.runs; }
     void setShownVariables(std::vector<SlowVariable> variables);
     const std::vector<SlowVariable>& shownVariables() const { return content_.variables; }
-    // Value ranges fixed by hand are given up where their unit changes.
+    // Drops value ranges fixed by hand if their unit changes.
     void setUnits(const DisplayUnits& units);
     const DisplayUnits& units() const { return content_.units; }
     void setTheme(const Theme& theme);
 
     AxisRange timeRange() const { return history_.current().time; }
-    // Clipped to the runs' range; goes into the zoom history.
+    // Clips the range to that of the runs; adds it to the zoom history.
     void setTimeRange(AxisRange range);
-    // All that the visible runs cover; {0, 1} without any.
+    // Time range of the visible runs; {0, 1} without any.
     AxisRange fullTimeRange() const;
     // A fixed value axis in displayed units, or one that follows the data.
     void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
@@ -70,12 +70,12 @@ public:
     void setCursor(Cursor which, std::optional<double> time_s);
     // Instants in rising order, marked by thin lines in all plots: axis crossings, for example.
     void setMarks(std::vector<double> times_s);
-    // A fitted curve drawn over one plot, displayed units; nullopt takes it away.
+    // A fitted curve over one plot, displayed units; nullopt removes it.
     void setTrend(std::optional<TrendCurve> trend);
 
     // The variable whose plot lies at a position of the widget, for context menus.
     std::optional<SlowVariable> variableAt(const QPoint& position) const;
-    // What is shown, with the time range: input of plot_export.h.
+    // Present content with the time range, input of plot_export.h.
     PlotContent content() const;
 
     QSize sizeHint() const override { return {900, 700}; }
@@ -95,7 +95,7 @@ signals:
     // The user moved, placed or removed a cursor.
     void cursorsChanged();
     void zoomHistoryChanged();
-    // Where the time axes begin and end, pixels from both edges.
+    // Margins of the time axes, pixels from both edges.
     void timeAxisPlaced(int left, int right);
 
 protected:
@@ -111,7 +111,7 @@ protected:
 
 private:
     enum class Drag { none, pan, rubberBand, cursorA, cursorB };
-    // What one entry of the zoom history is made of.
+    // Kind of input of one entry of the zoom history.
     enum class Gesture { none, wheelTime, wheelValue, drag, keyTime, keyValue, outside };
 
     // The instant and, in the plot with the mouse, the value at a position.
@@ -126,7 +126,7 @@ private:
     void zoomToBand(const QRectF& band);
     bool keyMoves(QKeyEvent* event);
 
-    // Goes to a view: clips it, draws it, remembers it and tells the others.
+    // Goes to a view: clips it, draws it, stores it in the history and emits the signals.
     void visit(ZoomState state, Gesture gesture);
     void goTo(const ZoomState& state);
     void moveTracker(std::optional<double> time_s);
@@ -152,7 +152,7 @@ private:
     ZoomState press_state_;
     std::optional<SlowVariable> press_variable_;
     AxisRange press_values_;
-    QTimer pause_;  // runs while the next step belongs to the same gesture
+    QTimer pause_;  // active while the next step belongs to the same gesture
     Gesture gesture_ = Gesture::none;
 };
 

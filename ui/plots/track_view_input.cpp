@@ -1,4 +1,4 @@
-// What the mouse and the keyboard do in a track view; the rest of the class is in track_view.cpp.
+// Mouse and keyboard of a track view; the rest of the class is in track_view.cpp.
 #include "ui/plots/plot_overlay.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
@@ -19,7 +19,7 @@ namespace {
 constexpr double notch_factor = 0.8;  // of a range per notch of the wheel or key
 constexpr double pan_step = 0.1;      // of a range per arrow key
 constexpr double cursor_reach = 4;    // pixels
-constexpr double least_band = 5;      // pixels; what is smaller was a click
+constexpr double least_band = 5;      // pixels; a smaller one is a click
 
 double scaled(const QCPAxis& axis, double coordinate) {
     return axis.scaleType() == QCPAxis::stLogarithmic ? std::log(coordinate) : coordinate;
@@ -200,7 +200,7 @@ void TrackView::pan(const QPointF& position) {
     ZoomState state = press_state_;
     const double step = moved.x() / std::max(1, panel->width()) * state.time.span();
     state.time = {state.time.lower - step, state.time.upper - step};
-    // An axis that follows the data keeps doing so; one that was fixed moves along.
+    // An automatic axis remains automatic; a fixed one moves along.
     if (state.fixed.contains(panel->variable())) {
         state.fixed[panel->variable()] = changed(*panel->valueAxis(), press_values_, 1, 0,
                                                  moved.y() / std::max(1, panel->height()));
@@ -215,7 +215,7 @@ void TrackView::mouseMoveEvent(QMouseEvent* event) {
             QWidget::setCursor(cursorAt(position) ? QCursor(Qt::SplitHCursor)
                                                   : QCursor(Qt::ArrowCursor));
             break;
-        case Drag::pan: pan(position); return;  // the readout would only flicker
+        case Drag::pan: pan(position); return;  // without readout, which would flicker
         case Drag::rubberBand: {
             const QRectF area(stack_->panel(*press_variable_)->rect());
             const QRectF band = QRectF(press_, position).normalized().intersected(area);
@@ -260,7 +260,7 @@ void TrackView::leaveEvent(QEvent* event) {
 }
 
 void TrackView::wheelEvent(QWheelEvent* event) {
-    // Alt turns a wheel sideways on some desktops; touch pads give fractions of a notch.
+    // Alt turns a wheel sideways on some desktops; touch pads report fractions of a notch.
     const double notches = event->angleDelta().y() / 120.;
     const PlotPanel* panel = stack_->panelAt(event->position());
     if (notches == 0 || !panel || !coveredTime(content_.runs)) {

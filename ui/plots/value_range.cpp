@@ -6,18 +6,18 @@
 namespace vybeg::ui {
 namespace {
 
-// Of fewer columns than this none is called a spike.
+// Least number of columns for the detection of spikes.
 constexpr std::size_t too_few_to_judge = 20;
 
-// The value below which a share of the sorted-on-demand list lies.
+// Quantile: value below which a share of the list lies.
 double quantile(std::vector<double> list, double share) {
     const auto index = static_cast<std::ptrdiff_t>(share * static_cast<double>(list.size() - 1));
     std::nth_element(list.begin(), list.begin() + index, list.end());
     return list[static_cast<std::size_t>(index)];
 }
 
-// The range from low to high without spikes: what reaches farther out than twice the range of all
-// but a hundredth of the columns is left outside.
+// Range from low to high without spikes: values beyond twice the range of 99 % of the columns are
+// excluded.
 AxisRange withoutSpikes(const std::vector<double>& lows, const std::vector<double>& highs) {
     const double low = *std::min_element(lows.begin(), lows.end());
     const double high = *std::max_element(highs.begin(), highs.end());
@@ -70,7 +70,8 @@ std::optional<AxisRange> ValueRange::range(bool logarithmic) const {
     }
     AxisRange range = withoutSpikes(lows_, highs_);
     if (!band_lows_.empty()) {
-        // A band may double what the data need, and may always be three of its own widths high.
+        // A band may double the range of the data, and the range may always be three band widths
+        // high.
         const double tail = band_lows_.size() < too_few_to_judge ? 0 : 0.05;
         const AxisRange band{quantile(band_lows_, tail), quantile(band_highs_, 1 - tail)};
         const double width = quantile(band_highs_, 0.5) - quantile(band_lows_, 0.5);
@@ -86,7 +87,7 @@ std::optional<AxisRange> ValueRange::range(bool logarithmic) const {
         const double margin = std::max(std::pow(range.upper / lower, 0.06), 1.0005);
         return AxisRange{lower / margin, range.upper * margin};
     }
-    // Constant data: an axis that shows them as constant, not the rounding of their last digits.
+    // For constant data an axis that hides the rounding of their last digits.
     const double least = 1e-12 * std::max(std::abs(range.lower), std::abs(range.upper));
     if (range.span() <= least) {
         const double half = range.upper != 0 ? 1e-6 * std::abs(range.upper) : 1;

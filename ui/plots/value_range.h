@@ -8,14 +8,13 @@
 
 namespace vybeg::ui {
 
-// Gathers what the visible columns of several curves reach, and finds the value axis that shows
-// them well: all of the data unless single spikes stand far out, the bands of one standard
-// deviation as long as they do not flatten the data, a margin around.
+// Automatic value axis from the visible columns of several curves: all data except single far
+// spikes, the bands of one standard deviation unless they flatten the data, and a margin.
 class ValueRange {
 public:
     void add(const std::vector<CurveColumn>& columns, const DisplayScale& scale, bool bands);
 
-    // In displayed units; nothing where there is no value.
+    // Range in displayed units; empty without values.
     std::optional<AxisRange> range(bool logarithmic) const;
 
 private:
@@ -26,7 +25,7 @@ private:
 };
 
 // The interval [low, high] of stored values in displayed units, in order. In decibels an interval
-// around zero has no lower end: it gets that of its larger side less 60 dB.
+// around zero has no lower end; it gets the larger side less 60 dB.
 AxisRange displayedInterval(const DisplayScale& scale, double low, double high);
 
 }  // namespace vybeg::ui

@@ -22,9 +22,9 @@ constexpr int foot_height = 40;
 constexpr int left_margin = 60;
 constexpr int right_margin = 16;
 constexpr int legend_height = 22;
-constexpr std::size_t legend_columns = 3;  // more have no room beside each other in a panel
+constexpr std::size_t legend_columns = 3;  // limit of entries side by side in a panel
 
-// The axes, with their names drawn as those of the track's plots.
+// Axis rectangle with names in the style of the track's plots.
 class XYPanel : public QCPAxisRect {
 public:
     XYPanel(QCustomPlot* plot, const XYPlot& content, const Theme& theme, QSize room)
@@ -129,7 +129,7 @@ QPen penOf(const XYSeries& series, const Theme& theme) {
 }
 
 void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {
-    // Shapes, too: colours alone are not enough for everybody.
+    // Shapes in addition to colours, for colour-blind users.
     static constexpr std::array<QCPScatterStyle::ScatterShape, 6> shapes{
         QCPScatterStyle::ssCircle,           QCPScatterStyle::ssSquare,
         QCPScatterStyle::ssTriangle,         QCPScatterStyle::ssDiamond,
@@ -171,7 +171,7 @@ void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, cons
     line(0);
 }
 
-// What shows all of the values; a twentieth more at both ends.
+// Range of all values with a margin of a twentieth at both ends.
 AxisRange rangeOf(const XYPlot& content, bool of_y) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -204,7 +204,7 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
             legend.push_back({series.name, true, true, pen.color(), pen.style()});
         }
     }
-    // With one curve there is nothing to tell apart.
+    // A single curve needs no legend.
     int row = 0;
     for (std::size_t k = 0; k < legend.size() && legend.size() > 1; k += legend_columns) {
         auto* strip = new PlotStrip(&plot, legend_height);

@@ -27,27 +27,27 @@ struct XYSeries {
     bool dashed = false;
 };
 
-// A plot of one quantity against another, as a value: for the screen and for paper. Names with an
-// underscore have indices.
+// A plot of one quantity against another, as a value, for screen and paper. An underscore in a name
+// introduces an index.
 struct XYPlot {
     QString x_name;
     QString x_unit;
     bool x_in_degrees = false;
-    std::optional<AxisRange> x_range;  // else what the series need
+    std::optional<AxisRange> x_range;  // otherwise the range of the series
     QString y_name;
     QString y_unit;
     bool y_takes_prefix = false;
     std::vector<XYSeries> series;
-    QString empty;  // said where there is no series
+    QString empty;  // text shown without series
 };
 
-// Puts it on a plot, replacing what is there; `size` is that of the plot.
+// Replaces the content of a plot of size `size`.
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size);
 
-// The size of a figure of one plot, whatever the window's.
+// Size of an exported figure of one plot, independent of the window.
 inline constexpr QSize xy_paper_size{640, 420};
 
-// On paper: in the light theme. By the ending of the path: .png, .svg, .pdf. Errors:
+// Exports a plot in the light theme, format by the ending of the path: .png, .svg, .pdf. Errors:
 // output_format_unknown, output_failed.
 Status exportXYPlot(const XYPlot& content, QSize size, const QString& path);
 QImage xyPlotImage(const XYPlot& content, QSize size);

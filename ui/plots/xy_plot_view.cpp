@@ -20,7 +20,7 @@ XYPlotView::XYPlotView(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(1, 1, 1, 1);
     layout->addWidget(plot_);
-    // The wheel scrolls the panel around it.
+    // The plot ignores the mouse, so that the wheel scrolls the panel around it.
     plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
     plot_->setFocusPolicy(Qt::NoFocus);
     setFocusPolicy(Qt::StrongFocus);
@@ -58,7 +58,7 @@ void XYPlotView::resizeEvent(QResizeEvent* event) {
     rebuild();
 }
 
-// The frame says where the keyboard is.
+// The frame shows the keyboard focus.
 void XYPlotView::paintEvent(QPaintEvent* event) {
     QWidget::paintEvent(event);
     if (hasFocus()) {

@@ -14,13 +14,13 @@ namespace vybeg::ui {
 
 namespace {
 
-// Of a difference, "modes[0].f_hz".
+// Title of a difference such as "modes[0].f_hz".
 QString titleOfMode(const std::string& name) {
     const auto digit = std::string("modes[").size();
     return modeTitle(name.at(digit) - '0', name.substr(digit + 3));
 }
 
-// Signed, with one decimal; nought has no sign.
+// Signed, with one decimal; zero has no sign.
 QString deviationsText(double deviations) {
     const QString size = QLocale().toString(std::abs(deviations), 'f', 1);
     if (std::abs(deviations) < 0.05) {
@@ -29,7 +29,7 @@ QString deviationsText(double deviations) {
     return (deviations < 0 ? QChar(0x2212) : QLatin1Char('+')) + size;
 }
 
-// Of a difference, "runs[10].direction.f_hz".
+// Title of a difference such as "runs[10].direction.f_hz".
 QString titleOfRun(const std::string& name) {
     const auto digits = std::string("runs[").size();
     return directionTitle(std::stoi(name.substr(digits)), name.substr(name.rfind('.') + 1));
@@ -44,7 +44,7 @@ QString titleOf(const Difference& difference) {
                : shownAs(difference.name, difference.unit, {}).title;
 }
 
-// Percent, or ppm where there is less.
+// Percent, or ppm for small values.
 QuantityCell relativeCell(double relative) {
     if (std::isnan(relative)) {
         return {QStringLiteral("—"), {QString()}, {}};
@@ -58,7 +58,7 @@ QuantityCell relativeCell(double relative) {
         text + (small ? QStringLiteral(" ppm") : QStringLiteral(" %")), {exactText(relative)}, {}};
 }
 
-// Reasons stand below the table: in its narrow columns they would tear it apart.
+// Reasons are below the table, because its columns are too narrow.
 QuantityCell sideCell(const Estimate& estimate, double factor) {
     QuantityCell cell = cellOf(estimate, factor);
     if (!estimate.given()) {
@@ -68,7 +68,7 @@ QuantityCell sideCell(const Estimate& estimate, double factor) {
 }
 
 QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
-    // Sign, word and an Okabe-Ito colour: any one of them is enough.
+    // Sign, word and an Okabe-Ito colour are redundant.
     switch (difference.verdict) {
         case Verdict::unchanged: {
             const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "unchanged"));
@@ -98,7 +98,7 @@ QString whyText(const Difference& difference) {
 }  // namespace
 
 QStringList incomparableTexts(const std::vector<Difference>& differences) {
-    std::vector<std::pair<QString, QStringList>> reasons;  // and whose they are
+    std::vector<std::pair<QString, QStringList>> reasons;  // and the names of their parameters
     for (const Difference& difference : differences) {
         if (difference.verdict != Verdict::not_comparable) {
             continue;

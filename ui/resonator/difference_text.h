@@ -9,13 +9,13 @@
 
 namespace vybeg::ui {
 
-// Of a comparison: verdict, difference in combined uncertainties, in its unit and in percent, then,
-// now.
+// Columns of a comparison: verdict, difference in combined uncertainties, in its unit and in
+// percent, then, now.
 QStringList differenceHeaders();
 std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
                                         const DisplayUnits& units, const Theme& theme);
 
-// Why parameters are not comparable: a sentence for all that share a reason.
+// Reasons of parameters that are not comparable, one sentence per reason.
 QStringList incomparableTexts(const std::vector<Difference>& differences);
 
 }  // namespace vybeg::ui

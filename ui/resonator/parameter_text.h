@@ -9,9 +9,9 @@
 
 namespace vybeg::ui {
 
-// What the tables of a resonator are made of.
+// Texts and cells of the tables of a resonator.
 
-// How a parameter of resonator_parameters.h is displayed: its stored values times `factor`.
+// Display of a parameter of resonator_parameters.h: stored values times `factor`.
 struct Shown {
     QString title;
     QString tip;
@@ -29,9 +29,9 @@ QString directionTitle(int index, const std::string& parameter);
 QString exactText(double value);
 QuantityCell valueCell(double value, double sd,
                        double u = std::numeric_limits<double>::quiet_NaN());
-// A text among such cells.
+// A text as a cell.
 QuantityCell sentenceCell(const QString& text);
-// The value, or the sentence why there is none.
+// The value, or the reason for its absence.
 QuantityCell cellOf(const Estimate& estimate, double factor = 1);
 
 // Displayed unit and factor of angles (rad) and of their rates (rad/s).

@@ -44,7 +44,7 @@ QString paragraphs(const QStringList& texts, const QString& form) {
     return html;
 }
 
-// Names of the recordings; a mark stands at those that a finding below the table is about.
+// Names of the recordings, with a mark at those with a finding below the table.
 QStringList markedNames(const ResonatorOutcome& outcome) {
     QStringList names;
     for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
@@ -174,8 +174,7 @@ void ResonatorPanel::showComparison() {
     comparison_section_->setOpen(true);
 }
 
-// A change of the settings, many a second while one is dragged, changes no more than what is said
-// of the result.
+// Changes of the settings, many per second during a drag, affect only the state of the result.
 void ResonatorPanel::refresh() {
     const RunSet* set = document_.currentSet();
     const auto outcome = set ? document_.outcome(*set) : nullptr;

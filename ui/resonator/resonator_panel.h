@@ -20,8 +20,7 @@ class Section;
 class SetPanel;
 class XYPlotView;
 
-// The resonator behind the current set: which recordings, what was found, how it compares with a
-// passport.
+// The resonator of the current set: recordings, results, comparison with a passport.
 class ResonatorPanel : public QWidget {
     Q_OBJECT
 
@@ -30,13 +29,13 @@ public:
 
     void setUnits(const DisplayUnits& units);
     void setTheme(const Theme& theme);
-    // Opens what shows the comparison.
+    // Opens the comparison.
     void showComparison();
 
     QSize sizeHint() const override { return {330, 500}; }
 
 signals:
-    // The engineer wants a plot in a file.
+    // The user wants to export a plot.
     void exportWanted(const XYPlot& plot);
 
 protected:

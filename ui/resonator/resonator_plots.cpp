@@ -43,7 +43,7 @@ XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
     return curve;
 }
 
-// The same by the fitted resonator: both agree where the motion is that of a resonator.
+// The curve of the fitted resonator, for comparison.
 XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
     const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
     XYSeries curve;
@@ -152,7 +152,7 @@ XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, Trac
     const double angle = angleFactor(units);
     for (std::size_t run = 0; run < passport.tracks.size(); ++run) {
         XYSeries then = trackOf(passport.tracks[run], variable, angle);
-        if (run == 0) {  // the dash stands for all of them
+        if (run == 0) {  // one entry for the dash of all of them
             then.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "passport"));
         }
         then.style = static_cast<int>(run);

@@ -19,10 +19,10 @@ namespace vybeg::ui {
 
 namespace {
 
-// A change of a parameter, in its standard deviations, that is not worth its digits.
+// Change of a parameter, in its standard deviations, below which it is not shown.
 constexpr double negligible = 0.01;
 
-// One sentence is enough for all the numbers that lack for the same reason.
+// Replaces a repeated reason by a reference to its first row.
 void sayOnce(std::vector<QuantityRow>& rows) {
     for (std::size_t k = 1; k < rows.size(); ++k) {
         for (std::size_t first = 0; first < k; ++first) {
@@ -38,7 +38,7 @@ void sayOnce(std::vector<QuantityRow>& rows) {
     }
 }
 
-// A number without a deviation of its own.
+// A number without a deviation, three digits.
 QString threeDigits(double value) {
     const double size = std::abs(value);
     if (!std::isfinite(value) || size == 0) {
@@ -251,7 +251,7 @@ std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUni
 }
 
 QStringList findingTexts(const ResonatorOutcome& outcome) {
-    // What several recordings share is said once.
+    // Findings common to several recordings appear once.
     std::vector<std::pair<QString, QStringList>> texts;
     for (const auto& [diagnostic, input] : all_warnings(outcome.identification)) {
         if (input < 0) {

@@ -9,27 +9,27 @@
 namespace vybeg::ui {
 
 // An identification as tables: names and units in the interface's language, values rounded by their
-// standard deviations, sentences where there is no value. Angles in the units of display, their
-// rates in rad/s or degrees per hour.
+// standard deviations, reasons for missing values. Angles in the units of display, their rates in
+// rad/s or degrees per hour.
 
-// One column for each recording: what its wave did.
+// Motion of the wave, one column per recording.
 std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnits& units);
-// One column: the value. Of the free model, none.
+// One column with the value; empty for the free model.
 std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units);
-// What usual errors of the channels would change, a column each; parameters that are given.
+// Effects of usual errors of the channels on the given parameters, one column per error.
 QStringList sensitivityHeaders();
 std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units);
-// One column; one row with the reason where the modes cannot be told apart.
+// One column; one row with the reason if the modes are not separated.
 std::vector<QuantityRow> modeRows(const ResonatorFit& fit);
 // One column for each recording.
 std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units);
-// One column: mean and harmonics of the drift function, or why it is not known.
+// One column: mean and harmonics of the drift function, or the reason for its absence.
 std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units);
 
 // Sentences about the result.
 QStringList warningTexts(const ResonatorOutcome& outcome);
 
-// What was found in the recordings, each with their names.
+// Findings in the recordings, each with the names of the recordings.
 QStringList findingTexts(const ResonatorOutcome& outcome);
 
 }  // namespace vybeg::ui

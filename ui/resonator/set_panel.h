@@ -12,14 +12,14 @@ class QToolButton;
 
 namespace vybeg::ui {
 
-// The recordings of a set: takes what is dropped on it; Delete removes.
+// The recordings of a set; accepts drops; Delete removes.
 class SetMembers : public QListWidget {
     Q_OBJECT
 
 public:
     explicit SetMembers(Document& document, QWidget* parent = nullptr);
 
-    // What stands in it while it is empty.
+    // Text shown in an empty set.
     void setHint(const QString& hint);
     QSize sizeHint() const override;
 
@@ -34,7 +34,7 @@ private:
     QString hint_;
 };
 
-// Which recordings are identified together, and how.
+// Recordings of a set and options of their identification.
 class SetPanel : public QWidget {
     Q_OBJECT
 
@@ -63,7 +63,7 @@ private:
     QPushButton* identify_;
 };
 
-// The set's name: its own, that of its only recording, or "Set 2".
+// Name of a set: the given one, that of its only recording, or "Set 2".
 QString setName(const Document& document, const RunSet& set);
 
 }  // namespace vybeg::ui

@@ -27,7 +27,7 @@ void SettingsFields::setState(const SettingsState& state) {
 QLabel* SettingsFields::makeLabel(QWidget* buddy) {
     auto* label = new QLabel(this);
     label->setBuddy(buddy);
-    // One label column for all groups, so that their fields stand in one line.
+    // One width of labels for all groups, so that their fields are aligned.
     label->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Перекрытие")));
     return label;
 }
@@ -61,7 +61,7 @@ std::pair<NumberField*, NumberField*> SettingsFields::addPair(const Texts& first
     return {left, right};
 }
 
-// A line below the fields that says what is wrong with them.
+// A line below the fields with their fault.
 void SettingsFields::addFaults(const std::vector<NumberField*>& fields) {
     auto* line = new QLabel(this);
     line->setObjectName(QStringLiteral("fault"));

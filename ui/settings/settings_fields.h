@@ -14,7 +14,7 @@ class QLabel;
 
 namespace vybeg::ui {
 
-// What the fields of the analysis panel show: the settings, and what they refer to.
+// State of the fields of the analysis panel: the settings and their references.
 struct SettingsState {
     Settings settings;
     std::optional<double> f0_hz;    // carrier, typed or found
@@ -23,8 +23,8 @@ struct SettingsState {
     Tolerance tolerance;
 };
 
-// One group of fields of the analysis panel. It shows a state and tells of edits; it keeps nothing
-// of its own.
+// One group of fields of the analysis panel. It shows a state and emits edits; it has no other
+// state.
 class SettingsFields : public QWidget {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ public:
     explicit SettingsFields(QWidget* parent = nullptr);
 
     void setState(const SettingsState& state);
-    // A field whose text is not in effect; null where all is well.
+    // First field with a fault; null without.
     NumberField* faulty() const;
 
 signals:

@@ -112,7 +112,7 @@ void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
 }
 
 void SettingsPanel::run() {
-    // F5 leaves the focus in the field that was being edited.
+    // F5 does not move the focus, so the edited field is committed here.
     if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget())) {
         field->commit();
     }

@@ -16,9 +16,8 @@ namespace vybeg::ui {
 class Document;
 class Section;
 
-// The analysis panel: algorithm, window, start values, range, carrier and filter, calibration, and
-// the button that runs it and the switch that makes the plots follow it. Every edit goes to the
-// document, with undo.
+// The analysis panel: algorithm, window, start values, range, carrier and filter, calibration, the
+// button Run and the switch Live. Every edit goes to the document, with undo.
 class SettingsPanel : public QWidget {
     Q_OBJECT
 
@@ -27,7 +26,7 @@ public:
 
     QSize sizeHint() const override { return {310, 420}; }
 
-    // Analyses with what the fields say. Where one says what cannot be, it gets the focus instead.
+    // Analyses with the values of the fields. A field with a fault gets the focus instead.
     void run();
 
 signals:

@@ -97,7 +97,7 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
             field->setLimits(0, 1e12);
             field->setStep(10);
             connect(field, &NumberField::valueEdited, this, [this, &fields] { editBand(fields); });
-            // A field that is mended to what it was has no new value, but its band may have.
+            // A field restored to its old value emits no edit, but its band may have changed.
             connect(field, &NumberField::editingFinished, this,
                     [this, &fields] { editBand(fields); });
         }
@@ -117,7 +117,7 @@ void CarrierFields::editBand(const BandFields& fields) {
     emit edited(settings);
 }
 
-// Half a band and a reversed one are no settings yet: they stay in the fields, with the reason.
+// Incomplete and reversed bands are not applied; they stay in the fields, with the reason.
 void CarrierFields::showConflict(const BandFields& fields) {
     const auto low = fields.low->value();
     const auto high = fields.high->value();
@@ -132,7 +132,7 @@ void CarrierFields::showConflict(const BandFields& fields) {
 
 void CarrierFields::showBand(BandFields& fields) {
     const std::optional<Band>& band = state().settings.*fields.member;
-    // What has a fault goes on waiting for its mending, unless undo brings another band.
+    // A band with a fault waits for its correction, unless undo changes the band.
     const bool waits = !fields.low->fault().isEmpty() || !fields.high->fault().isEmpty();
     if (!waits || band != fields.shown) {
         fields.low->setValue(band ? std::optional(band->low_hz) : std::nullopt);

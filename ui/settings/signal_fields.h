@@ -19,7 +19,7 @@ public:
     explicit RangeFields(QWidget* parent = nullptr);
 
 signals:
-    // The engineer wants the range that the plots show.
+    // The user wants the visible range of the plots.
     void visibleRangeWanted();
 
 protected:
@@ -33,7 +33,7 @@ private:
     QPushButton* visible_;
 };
 
-// The carrier, the band to look for it in, and the band-pass before everything.
+// Carrier, search band, and the band-pass before all processing.
 class CarrierFields : public SettingsFields {
     Q_OBJECT
 
@@ -60,7 +60,7 @@ private:
     std::array<BandFields, 2> bands_;
 };
 
-// What is known of the pick-offs, and how well.
+// Calibration of the pick-offs and its tolerances.
 class CalibrationFields : public SettingsFields {
     Q_OBJECT
 

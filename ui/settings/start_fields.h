@@ -8,8 +8,8 @@ class QLabel;
 
 namespace vybeg::ui {
 
-// Where the conjugate gradient starts: from algorithm 1, from the window before, or from typed
-// values of the five parameters. Off for the other algorithms, which need no start.
+// Start of the conjugate gradient: algorithm 1, the window before, or typed values of the five
+// parameters. Disabled for the other algorithms.
 class StartFields : public SettingsFields {
     Q_OBJECT
 

@@ -15,9 +15,10 @@ namespace vybeg::ui {
 
 namespace {
 
-// From here on the residual is worth a warning: algorithms 1-4 are wrong by about this share.
+// Residual from which on a warning is shown; algorithms 1 to 4 have a relative error of about this
+// size.
 constexpr double high_residual = 0.01;
-// Below this it is nothing that a recording could tell.
+// Below this the residual is negligible for any recording.
 constexpr double no_residual = 1e-5;
 
 }  // namespace

@@ -7,8 +7,8 @@ class QPushButton;
 
 namespace vybeg::ui {
 
-// The window: its length in samples, periods of the carrier and milliseconds, tied together; the
-// residual of orthogonality that it leaves, live; Snap; the hop in samples or as an overlap.
+// The window: its length in samples, periods of the carrier and milliseconds, linked; the present
+// residual of orthogonality; Snap; the hop in samples or as an overlap.
 class WindowFields : public SettingsFields {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ private:
     NumberField* overlap_;
 };
 
-// The window that an analysis with this state will use, samples.
+// Window of an analysis with this state, samples.
 std::int64_t windowInUse(const SettingsState& state);
 
 }  // namespace vybeg::ui

@@ -9,7 +9,7 @@
 namespace vybeg::ui {
 namespace {
 
-// What follows in time is added to what is there.
+// Appends a column that follows in time.
 void append(CurveColumn& column, const CurveColumn& next) {
     column.missing = column.missing || next.missing;
     if (next.empty()) {
@@ -56,7 +56,7 @@ double CurveData::sd(std::size_t row) const {
     return sd_.empty() ? std::numeric_limits<double>::quiet_NaN() : sd_[row];
 }
 
-// Drawing spends its time here: nothing but what a row needs, in one loop.
+// The time-critical loop of drawing, reduced to the needs of a row.
 void CurveData::addRows(CurveColumn& column, std::size_t begin, std::size_t end) const {
     CurveColumn sum = column;
     const bool banded = !sd_.empty();
@@ -126,11 +126,11 @@ std::vector<CurveColumn> CurveData::columns(const AxisRange& time, int count) co
     row -= std::min<std::size_t>(row, 1);
     const std::size_t stop = std::min(rows(), row_at(time.upper) + 1);
     const double width = time.span() / count;
-    // Fewer than two windows in a column: each is drawn for itself.
+    // With fewer than two windows per column each window is drawn separately.
     const bool single = stop - std::min(stop, row) < 2 * static_cast<std::size_t>(count);
     bool before_has_value = false;
     double before = 0;
-    std::size_t usual = stop - std::min(stop, row);  // rows of a column, as far as known
+    std::size_t usual = stop - std::min(stop, row);  // estimated rows of a column
     while (row < stop) {
         std::size_t end = row + 1;
         if (!single) {

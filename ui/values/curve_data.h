@@ -24,21 +24,21 @@ struct CurveColumn {
     double negative_max = -std::numeric_limits<double>::infinity();
     double positive_min = std::numeric_limits<double>::infinity();
     bool wraps = false;
-    bool joined = false;   // a line leads here from the column before
+    bool joined = false;   // connected by a line to the column before
     bool missing = false;  // at least one window has no value
 
     bool empty() const { return !(min <= max); }
 };
 
-// One variable of one run as it is drawn: finds the least and greatest value of every pixel column
-// without touching each window (64 of them, 64 times 64 and so on are summarised once). Immutable,
-// refers to the track of the analysis that it keeps alive.
+// One variable of one run for drawing: least and greatest value of every pixel column without
+// reading each window, from summaries of 64, 64 times 64, ... windows. Immutable; keeps the
+// analysis with its track alive.
 class CurveData {
 public:
     CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable);
 
-    // What is seen between two times (s) in `count` equal columns, and one column beyond each end;
-    // columns without a window are left out. Columns begin at whole multiples of their width, so
+    // Visible part between two times (s) in `count` equal columns, plus one column beyond each end;
+    // columns without a window are omitted. Columns begin at whole multiples of their width, so
     // that panning does not make the curve flicker. Precondition: count >= 1.
     std::vector<CurveColumn> columns(const AxisRange& time, int count) const;
 
@@ -48,7 +48,7 @@ public:
     double value(std::size_t row) const { return value_[row]; }
     double sd(std::size_t row) const;
 
-    // No window has a value.
+    // Whether no window has a value.
     bool empty() const { return empty_; }
     std::size_t rows() const { return time_.size(); }
     SlowVariable variable() const { return variable_; }

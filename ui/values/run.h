@@ -10,8 +10,8 @@
 
 namespace vybeg::ui {
 
-// One analysis as the window shows it: a row of the run list, a curve in every plot. A value;
-// copies share the analysis.
+// One analysis for display: a row of the run list, a curve in every plot. A value; copies share the
+// analysis.
 struct Run {
     int id = 0;  // unique in a document
     QString name;
@@ -20,9 +20,9 @@ struct Run {
     Qt::PenStyle dash = Qt::SolidLine;
     bool visible = true;
     double rate_hz = 0;
-    double seconds_taken = 0;  // the estimators alone
+    double seconds_taken = 0;  // estimators only
     std::shared_ptr<const Analysis> analysis;
-    Curves curves;  // of the analysis; where there are none, they are made when they are drawn
+    Curves curves;  // of the analysis; computed on drawing if empty
 };
 
 }  // namespace vybeg::ui

@@ -10,28 +10,28 @@
 
 namespace vybeg::ui {
 
-// What an identification found, and from what.
+// Result of an identification and its inputs.
 struct ResonatorOutcome {
-    Identification identification;        // its settings are as asked for
+    Identification identification;        // with the requested settings
     std::vector<IdentifiedInput> inputs;  // as identification.runs
     std::vector<int> recordings;          // ids in the document, in that order
-    double seconds = 0;                   // that it took
+    double seconds = 0;                   // duration
 };
 
 // Recordings of one resonator, started at different angles, that are identified together. A single
 // recording is a set of one.
 struct RunSet {
     int id = 0;
-    int number = 0;               // in its name, where it has none of its own
-    QString name;                 // empty: not named by the engineer
+    int number = 0;               // for the default name
+    QString name;                 // empty: default name
     std::vector<int> recordings;  // ids in the document, in the order in which they were added
     FitOptions::Model model = FitOptions::Model::automatic;
-    // The newest last. All have the same recordings, else there is one alone: the last that was
-    // found, which is out of date.
+    // The newest last. All have the present recordings of the set; otherwise only the last one
+    // remains, out of date.
     std::vector<std::shared_ptr<const ResonatorOutcome>> outcomes;
 };
 
-// A passport that sets are compared with.
+// Passport for the comparison of sets.
 struct OpenPassport {
     QString name;  // of its file
     Passport passport;

@@ -13,7 +13,7 @@ void ZoomStack::visit(ZoomState state, bool same_gesture) {
         states_.back() = std::move(state);
         return;
     }
-    // Longer than anyone steps back, short enough to never matter.
+    // Longest useful history; its memory is negligible.
     constexpr std::size_t longest = 200;
     if (states_.size() == longest) {
         states_.erase(states_.begin());

@@ -19,8 +19,8 @@ struct AxisRange {
     friend bool operator==(const AxisRange&, const AxisRange&) = default;
 };
 
-// What a track view shows: the time range in seconds, and the value ranges that the engineer has
-// fixed, in displayed units; the other value axes follow the data.
+// State of a track view: time range in seconds, and value ranges fixed by the user, in displayed
+// units; the other value axes follow the data.
 struct ZoomState {
     AxisRange time;
     std::map<SlowVariable, AxisRange> fixed;
@@ -28,7 +28,7 @@ struct ZoomState {
     friend bool operator==(const ZoomState&, const ZoomState&) = default;
 };
 
-// The history of views, as in a browser. A value; knows nothing of widgets.
+// History of views, as in a browser. A value without widgets.
 class ZoomStack {
 public:
     explicit ZoomStack(ZoomState home = {}) : states_{std::move(home)} {}
@@ -37,8 +37,8 @@ public:
     bool canBack() const { return position_ > 0; }
     bool canForward() const { return position_ + 1 < states_.size(); }
 
-    // Goes to a new view and forgets what was forward. With `same_gesture` it replaces the current
-    // entry: a turn of the wheel is one step back, however many notches it had.
+    // Goes to a new view and removes the forward entries. With `same_gesture` it replaces the
+    // current entry, so that one turn of the wheel is one step back.
     void visit(ZoomState state, bool same_gesture = false);
     void back();
     void forward();

@@ -34,7 +34,7 @@ void CheckList::setRunning() {
 
 void CheckList::setFindings(const std::vector<Diagnostic>& findings, double rate_hz) {
     if (!running_ && findings == findings_ && rate_hz == rate_hz_) {
-        return;  // the reader's place in the list stays
+        return;  // keeps the scroll position of the list
     }
     running_ = false;
     findings_ = findings;
@@ -52,7 +52,7 @@ void CheckList::refresh() {
     title_->setText(findings_.empty() ? tr("Recording check: nothing found")
                                       : tr("Recording check: %n finding(s)", nullptr,
                                            static_cast<int>(findings_.size())));
-    // The number of the finding is its link; what has no place has none.
+    // The number of a finding is its link; findings without a place have no link.
     QString rows;
     for (std::size_t i = 0; i < findings_.size(); ++i) {
         const Diagnostic& finding = findings_[i];

@@ -12,14 +12,14 @@ class QUrl;
 
 namespace vybeg::ui {
 
-// What the recording check found, with the places. Choosing a place goes there.
+// Findings of the recording check with their places. A click on a place emits its choice.
 class CheckList : public QWidget {
     Q_OBJECT
 
 public:
     explicit CheckList(QWidget* parent = nullptr);
 
-    // The check still runs.
+    // Shows that the check still runs.
     void setRunning();
     void setFindings(const std::vector<Diagnostic>& findings, double rate_hz);
 

@@ -7,7 +7,7 @@ class QPalette;
 
 namespace vybeg::ui {
 
-// An icon of resources/icons in the text colours of a palette, so that it reads on light and dark.
+// An icon of resources/icons in the text colours of a palette, legible on light and dark.
 QIcon themedIcon(const QString& name, const QPalette& palette);
 
 }  // namespace vybeg::ui

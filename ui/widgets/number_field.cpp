@@ -131,7 +131,7 @@ void NumberField::commit() {
     }
 }
 
-// Of the keys that a line edit would keep, on X11 also Ctrl+E, those that are a command's.
+// Whether a key that a line edit would consume, on X11 also Ctrl+E, is the shortcut of a command.
 bool NumberField::isForTheWindow(const QKeyEvent& key) const {
     const bool own_undo = isModified() && isUndoAvailable() && key.matches(QKeySequence::Undo);
     const bool own_redo = isRedoAvailable() && key.matches(QKeySequence::Redo);
@@ -144,7 +144,7 @@ bool NumberField::isForTheWindow(const QKeyEvent& key) const {
     };
     const QWidget* window = this->window();
     while (window && !std::ranges::any_of(window->findChildren<QAction*>(), is_command)) {
-        // A floating panel hands its keys to the window behind it.
+        // A floating panel forwards its keys to its parent window.
         window = window->parentWidget() ? window->parentWidget()->window() : nullptr;
     }
     return window != nullptr;
@@ -205,7 +205,7 @@ QSize NumberField::minimumSizeHint() const {
 void NumberField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
     QPainter painter(this);
-    // Behind a placeholder in words ("as the window") a unit would read oddly.
+    // No unit after a placeholder in words ("as the window").
     if (!unit_.isEmpty() && (!text().isEmpty() || readNumber(placeholderText()))) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);

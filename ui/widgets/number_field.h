@@ -7,11 +7,11 @@
 
 namespace vybeg::ui {
 
-// A field for one number with its unit inside the frame. Takes a decimal point and a decimal comma,
-// whatever the language; shows the one of the interface's language. Empty means "no value", where
-// that is allowed. What cannot be a value is framed in red and never leaves the field, which says
-// why; Escape brings the last value back. Up and Down step. The window's shortcuts work in it; undo
-// and redo are its own as long as there is typing to undo.
+// A field for one number with its unit inside the frame. Accepts decimal point and decimal comma in
+// any language; shows that of the interface's language. Empty means "no value", if allowed. An
+// invalid text is framed in red with the reason and not emitted; Escape restores the last value. Up
+// and Down step. The window's shortcuts work in it; undo and redo are those of the field while it
+// has typing to undo.
 class NumberField : public QLineEdit {
     Q_OBJECT
     Q_PROPERTY(QString unit READ unit WRITE setUnit)
@@ -29,16 +29,17 @@ public:
     // Significant digits shown.
     void setDigits(int digits) { digits_ = digits; }
 
-    // Shows a value; emits no edit. What is being typed stays as long as the value is the same.
+    // Shows a value without emitting an edit. Keeps text being typed if the value is the same.
     void setValue(std::optional<double> value);
     std::optional<double> value() const { return value_; }
-    // Takes the text over as leaving the field does.
+    // Applies the text as on leaving the field.
     void commit();
-    // Why the text, as it was left, is no value; else what setConflict() told. Empty: all is well.
+    // Reason why the committed text is no value; otherwise the conflict of setConflict(). Empty:
+    // none.
     QString fault() const { return refusal_.isEmpty() ? conflict_ : refusal_; }
-    // Why the value does not go together with those of other fields.
+    // Sets the reason for which the value contradicts other fields.
     void setConflict(const QString& sentence);
-    // Whether the text as it stands is acceptable.
+    // Whether the present text is acceptable.
     bool isValid() const;
 
     QSize minimumSizeHint() const override;
@@ -79,8 +80,8 @@ private:
     bool optional_ = false;
 };
 
-// The number in a text with a decimal point or comma, spaces and typographic minus allowed; nothing
-// where it is no finite number.
+// The number in a text with a decimal point or comma, spaces and typographic minus allowed; empty
+// for other texts.
 std::optional<double> readNumber(QString text);
 
 }  // namespace vybeg::ui

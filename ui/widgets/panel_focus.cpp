@@ -27,7 +27,7 @@ void PanelFocus::paintEvent(QPaintEvent*) {
 }
 
 void PanelFocus::focusInEvent(QFocusEvent* event) {
-    // Who clicks sees where; a frame is for those who come by keyboard.
+    // The frame is shown only for focus by keyboard.
     framed_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
               event->reason() == Qt::ShortcutFocusReason;
     update();

@@ -7,8 +7,8 @@
 
 namespace vybeg::ui {
 
-// A plot as the keyboard and a screen reader see it: an invisible widget over a panel that takes
-// the focus, has the accessible name and draws the focus frame. The mouse passes through.
+// Representative of a plot for keyboard and screen reader: an invisible widget over a panel with
+// the focus, the accessible name and the focus frame. Transparent for the mouse.
 class PanelFocus : public QWidget {
 public:
     PanelFocus(SlowVariable variable, QWidget* parent);

@@ -91,8 +91,8 @@ QString QuantityTable::tableText() const {
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
-// The names take what they need, at most two fifths of the width, but no word is broken; of two
-// columns the second takes the rest, several take what they need.
+// Column widths: names as wide as needed, at most two fifths of the width, without breaking words;
+// the second of two columns takes the rest, several columns take their own width.
 void QuantityTable::layOut() {
     const int characters = fontMetrics().averageCharWidth();
     const int room = viewport()->width();

@@ -11,11 +11,11 @@ class QAction;
 
 namespace vybeg::ui {
 
-// A cell: what is shown, and what it is as text for a spreadsheet, with all its digits.
+// A cell: displayed text, and text for a spreadsheet with all digits.
 struct QuantityCell {
     QString text;
-    // Value, standard deviation and combined uncertainty, or one text; alike in all rows of a
-    // column.
+    // Value, standard deviation and combined uncertainty, or one text; the same number of texts in
+    // all rows of a column.
     QStringList exact;
     QColor color;  // of the text; invalid: the usual one
 };
@@ -26,8 +26,8 @@ struct QuantityRow {
     std::vector<QuantityCell> cells;
 };
 
-// Quantities with their names and units, a row each; long texts are broken. As high as its rows:
-// it stands in something that scrolls. Ctrl+C copies it as tab-separated text.
+// Quantities with their names and units, a row each; long texts are wrapped. As high as its rows,
+// for use in a scroll area. Ctrl+C copies it as tab-separated text.
 class QuantityTable : public QTableWidget {
     Q_OBJECT
 

@@ -114,7 +114,7 @@ bool isDark(const QPalette& palette) {
 }
 
 Theme applyTheme(QApplication& app, ThemeMode mode) {
-    // Setting a style resets the palette to the style's own: only when it is another style.
+    // Only for another style, because setting a style resets the palette to that of the style.
     if (QApplication::style()->name().compare("fusion", Qt::CaseInsensitive) != 0) {
         QApplication::setStyle(QStyleFactory::create("Fusion"));
     }
@@ -130,7 +130,7 @@ Theme applyTheme(QApplication& app, ThemeMode mode) {
 
 RunStyle runStyle(int index) {
     // Okabe and Ito, without black (no good on dark) and yellow (no good on light), in an order
-    // that keeps neighbours far apart for every kind of colour blindness.
+    // that separates neighbours for every kind of colour blindness.
     static constexpr std::array<const char*, 6> colors{"#0072b2", "#d55e00", "#009e73",
                                                        "#cc79a7", "#e69f00", "#56b4e9"};
     static constexpr std::array<Qt::PenStyle, 5> dashes{
@@ -140,7 +140,7 @@ RunStyle runStyle(int index) {
 }
 
 QColor readable(const QColor& color, const Theme& theme) {
-    // Thin lines on black need more than on white.
+    // Thin lines need more contrast on black than on white.
     const double enough = theme.dark ? 4.5 : 3.2;
     constexpr double step = 0.02;
     float hue = 0;

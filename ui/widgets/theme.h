@@ -9,7 +9,7 @@ namespace vybeg::ui {
 
 enum class ThemeMode { system, light, dark };
 
-// Every colour that a view draws with, and the palette of the widgets around it.
+// Colours of views, and the palette of widgets.
 struct Theme {
     bool dark = false;
     QPalette palette;
@@ -29,7 +29,7 @@ struct Theme {
     QColor signalD;
 };
 
-// How the curve of a run is told apart: an Okabe-Ito colour and a dash of its own.
+// Style of the curve of a run: an Okabe-Ito colour and a dash.
 struct RunStyle {
     QColor color;
     Qt::PenStyle dash = Qt::SolidLine;
@@ -41,15 +41,15 @@ Theme darkTheme();
 // Whether a palette is a dark one: the luminance of its window against that of its text.
 bool isDark(const QPalette& palette);
 
-// Fusion style and the palette of the mode; `system` asks the desktop's own palette. Returns what
-// the views are to be given. Call it again on QEvent::ThemeChange to follow the desktop.
+// Fusion style and the palette of the mode; `system` uses the palette of the desktop. Returns the
+// theme for views. Call it again on QEvent::ThemeChange to follow the desktop.
 Theme applyTheme(QApplication& app, ThemeMode mode);
 
 // Style of the index-th run of a document (any index >= 0): colours change fastest, then dashes.
 RunStyle runStyle(int index);
 
-// The run's colour moved in lightness until it is readable on the theme's panels: contrast 3.2
-// in the light, 4.5 in the dark theme.
+// The run's colour with its lightness changed until it is readable on the theme's panels: contrast
+// 3.2 in the light, 4.5 in the dark theme.
 QColor readable(const QColor& color, const Theme& theme);
 
 // Contrast of two opaque colours after WCAG 2, 1 to 21.

@@ -16,7 +16,7 @@ public:
         if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) {
             return QObject::eventFilter(watched, event);
         }
-        event->ignore();  // it goes on to the parent
+        event->ignore();  // passed on to the parent
         return true;
     }
 };
@@ -27,7 +27,8 @@ void guardFromWheel(QWidget& panel) {
     auto* guard = new WheelGuard(&panel);
     for (QWidget* field : panel.findChildren<QWidget*>()) {
         if (qobject_cast<QComboBox*>(field) || qobject_cast<QAbstractSpinBox*>(field)) {
-            field->setFocusPolicy(Qt::StrongFocus);  // that of Qt takes the focus by the wheel
+            // Qt's default also takes the focus by the wheel.
+            field->setFocusPolicy(Qt::StrongFocus);
             field->installEventFilter(guard);
         }
     }

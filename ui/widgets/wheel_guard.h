@@ -4,8 +4,8 @@ class QWidget;
 
 namespace vybeg::ui {
 
-// From here on the wheel over a choice or a spin box inside `panel` changes it only while it has
-// the focus, and else scrolls what it stands in.
+// After this call the wheel over a combo or spin box inside `panel` changes it only if it has the
+// focus, and otherwise scrolls the area around it.
 void guardFromWheel(QWidget& panel);
 
 }  // namespace vybeg::ui

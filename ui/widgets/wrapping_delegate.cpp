@@ -19,7 +19,7 @@ constexpr int padding = 4;
 void prepare(QTextDocument& document, const QString& text, const QFont& font) {
     document.setDocumentMargin(0);
     document.setDefaultFont(font);
-    // No line ends within a unit.
+    // Prevents line breaks within a unit.
     document.setHtml(richText(QString(text).replace(QLatin1Char('/'), QStringLiteral("/\u2060"))));
 }
 

@@ -4,9 +4,8 @@
 
 namespace vybeg::ui {
 
-// Draws the texts of a table with their indices set low, in as many lines as they need. The table
-// sets the heights of its rows by heightFor(): a delegate does not know the width while it is
-// asked.
+// Draws the texts of a table with subscripts, in as many lines as needed. The table sets the
+// heights of its rows by heightFor(), because a delegate does not know the width in sizeHint().
 class WrappingDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -16,7 +15,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
 
-    // Pixels of a cell with a text: on one line, and in a column of a width.
+    // Size of a cell with a text, pixels: width on one line, height in a column of a given width.
     static int widthFor(const QString& text, const QFont& font);
     static int heightFor(const QString& text, const QFont& font, int width);
 };

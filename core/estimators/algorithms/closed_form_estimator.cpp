@@ -48,7 +48,7 @@ public:
                 const Window window = window_of(block, first + lane);
                 const double power = batch.cc[lane] + batch.dd[lane];
                 if (!std::isfinite(power)) {
-                    // A missing sample makes its whole sum one.
+                    // A missing sample makes the whole sum NaN.
                     out[first + lane] = no_estimate(Flag::gap);
                 } else if (!std::isfinite(batch.cq[lane])) {
                     out[first + lane] = no_estimate(Flag::delay_reach);
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    // A window and its sums.
+    // Window and its sums.
     struct SummedWindow {
         Window window;
         const ProjectionBatch& batch;
@@ -98,7 +98,8 @@ private:
                                  options_);
     }
 
-    // Where Newton's steps on the series do not arrive: J by a search over the main lobe.
+    // Minimum of J by a search over the main lobe, for windows in which Newton's steps on the
+    // series do not converge.
     WaveEstimate estimate_window(const SummedWindow& summed) const {
         const auto& [window, batch, lane, frame] = summed;
         const std::int64_t n = frame.length();
@@ -107,7 +108,7 @@ private:
         const double power = sum.cc + sum.dd;
         const FormFrame form = form_frame(frame, quarter_period_);
         const auto x_at = [&](double w) { return 0.5 * count * (w - summed.frame.w0()); };
-        // By the series where it reaches.
+        // Within the reach of the series the kernel follows from the series.
         const auto kernel_at = [&](double w) {
             return std::abs(x_at(w)) > closed_form_reach ? window_kernel(n, w)
                                                          : summed.frame.kernel(x_at(w));
@@ -119,7 +120,8 @@ private:
                                : lane_projections(summed.batch, summed.lane, x),
                            kernel_at(w));
         };
-        // J has its minimum near that of the best wave, within the window's leakage: start there.
+        // The minimum of J lies near that of the best wave, within the window's leakage; the search
+        // starts there.
         const ProfileMaximum best = maximise_profile(window, bracket_);
         const double lobe = 2 * pi / count;
         const Minimum minimum = minimise(

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int most_steps = 200;
 
-// By a_A, a_B, 2theta_A, alpha and w.
+// n F and its derivatives by a_A, a_B, 2theta_A, alpha and w.
 WaveFunctional<double> functional_at(const Window& window, const Five<double>& at) {
     return evaluate_functional({{at[0], at[1], at[2], at[3]}, at[4]}, window_moments(window, at[4]),
                                window_kernel(window.length(), at[4]));
@@ -80,10 +80,10 @@ private:
         double centre_s = 0;
     };
 
-    // The same wave at another window's centre: tau = w u - alpha goes on.
+    // The same wave at the centre of another window, with continuous tau = w u - alpha.
     WaveParameters carried(const WaveParameters& from, double from_s, double to_s) const {
         WaveParameters to = from;
-        // Wrapped, or the phase of a long recording would lose its digits.
+        // Wrapped, because the phase of a long recording would otherwise lose digits.
         to.state.alpha = wrap(to.state.alpha - from.w * options_.rate_hz * (to_s - from_s));
         return to;
     }
@@ -129,7 +129,7 @@ private:
                 descent};
     }
 
-    // From the window before, where that has been found.
+    // Starts from the window before if that one converged.
     WaveEstimate estimate_next(const Window& window, double centre_s) {
         if (has_gap(window.c) || has_gap(window.d)) {
             previous_.reset();
@@ -175,15 +175,14 @@ Descent descend(const Window& window, const FrequencyBracket& bracket,
             direction = {};
         }
         const Five<double> scaled = scale.apply(f.gradient);
-        // g.M^-1.g / n is the mean squared change of the samples that is still to come.
+        // g.M^-1.g / n is the mean squared change of the samples by the remaining steps.
         if (dot(f.gradient, scaled) <= tolerance * tolerance * power_of(at) * n) {
             return ended(steps, is_positive(f.hessian));
         }
         const DescentWay<double> way = next_way(f, scaled, direction);
         direction = way.direction;
-        // The point that the exact step reaches, or the first of shorter ones that descends. Where
-        // F is not convex along the direction, its preconditioned length is the best guess of a
-        // step.
+        // Point after the exact step, or after the first shorter step that descends. Where F is not
+        // convex along the direction, the preconditioned length of the direction is the step.
         const double exact = way.curvature > 0 ? -way.slope / way.curvature : 1;
         constexpr int most_halvings = 30;
         int halving = 0;

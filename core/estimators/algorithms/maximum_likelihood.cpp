@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    // Far from the carrier the series does not reach: the window by itself, at its own frequency.
+    // Estimate of a window beyond the reach of the series, from its samples at its own frequency.
     WaveEstimate estimate_window(const Window& window) const {
         const ProfileMaximum maximum = maximise_profile(window, bracket_);
         Flags flags = 0;

@@ -11,7 +11,7 @@ constexpr int most_steps = 8;
 constexpr auto in_reach = [](Vec8 x) VYBEG_INLINED { return less(absolute(x), closed_form_reach); };
 
 // Maximum likelihood from the same sums, by Newton's steps on the profile power from the closed
-// form's frequency: the difference shows the closed form's own error.
+// form's frequency; the difference is the error of the closed form.
 VYBEG_INLINED inline BestWaveOf<Vec8> find_best(const ProjectionBatch& batch,
                                                 const TaylorFrame& frame, Vec8 x,
                                                 WindowJets<Vec8> s, Mask8& arrived) {

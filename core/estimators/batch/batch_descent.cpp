@@ -6,11 +6,11 @@
 namespace vybeg {
 namespace {
 
-// Most windows need 5 to 10; the few that need more are as well estimated by themselves.
+// Most windows need 5 to 10 steps; the few that need more are estimated one by one.
 constexpr int most_steps = 40;
 
-// All cosines and sines in one loop, the cosines as sines: of both of the same number GCC would
-// make one call for each lane.
+// All cosines and sines in one loop, with cosines computed as sines, because GCC combines cos and
+// sin of one number into one call per lane.
 VYBEG_INLINED inline TurnedWave<Vec8> turned_lanes(const Five<Vec8>& at) {
     constexpr double quarter = std::numbers::pi / 2;
     const std::array<Vec8, 4> phases{at[2] + quarter, at[2], at[3] + quarter, at[3]};
@@ -71,7 +71,7 @@ void descend_batch(const ProjectionBatch& __restrict batch, const TaylorFrame& _
         const DescentWay<Vec8> way = next_way(f, scaled, direction);
         direction = way.direction;
         const Vec8 step = -way.slope / way.curvature;
-        // Windows that have arrived stay.
+        // Converged windows keep their parameters.
         at = moved(at, direction, select(on_the_way, step, Vec8{}));
         const Vec8 value = f.value;
         f = functional_at(batch, frame, at);

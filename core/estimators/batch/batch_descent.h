@@ -4,14 +4,14 @@
 
 namespace vybeg {
 
-// Algorithm 5 in eight windows: the conjugate gradient of conjugate_gradient.h, step by step the
-// same, with F and its derivatives from the projections' series.
+// Algorithm 5 for eight windows: the conjugate gradient of conjugate_gradient.h with the same
+// steps; F and its derivatives come from the series of the projections.
 template <class Real>
 struct DescentFit {
     WaveReport<Real> wave;
     Real residual;  // n F at the minimum
-    // 1; or 0 where the way leaves the series' reach, or a step is not the exact one: such windows
-    // are left to descend().
+    // 1; 0 where the steps leave the reach of the series or a step is not the exact one. descend()
+    // estimates such windows.
     Real arrived;
 };
 
@@ -23,7 +23,7 @@ struct BatchStart {
     Lanes x;
 };
 
-// (15), (18) at the reference frequency.
+// Start values of algorithm 5, (15), (18), at the reference frequency.
 void in_phase_starts(const ProjectionBatch& batch, const TaylorFrame& frame, BatchStart& start);
 
 void descend_batch(const ProjectionBatch& batch, const TaylorFrame& frame, const BatchStart& start,

@@ -13,27 +13,27 @@ namespace vybeg {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-// Where no window of a block lies farther from the carrier than this, its reference does for all.
+// Largest |x| of the windows of a block for which the carrier is the reference of all.
 constexpr double near = 0.04;
-// References lie on a grid of this step, so that blocks have them in common.
+// Step of the grid of references, which blocks share.
 constexpr double grid = 0.06;
 constexpr std::size_t most_references = 64;
-// Windows of many stretches have a reference nearly each where the carrier drifts.
+// Long windows with a drifting carrier have a reference almost each.
 constexpr std::size_t most_of_long = 6;
-// Farther apart the windows of one reference do not lie on the line: where the reference is made
-// for them, and where it is one of the grid.
+// Largest range of x of the windows with one reference: a reference computed for these windows, and
+// one of the grid.
 constexpr double widest = 0.06;
 constexpr double widest_on_grid = 0.03;
-// Windows of a block in which the steps may fail to arrive before the rest is left as it is: noise
-// follows no line.
+// Largest number of windows of a block that move the line without convergence, because the
+// frequency of noise follows no line.
 constexpr int most_followed = 4;
-// Shorter windows are not probed: their pieces would hold less than two periods.
+// Shorter windows are not probed, because their pieces would be shorter than two periods.
 constexpr std::int64_t least_probed = 128;
-// Windows from which on pieces of 64 samples are a part of them; those tell frequencies far outside
-// of the main lobe.
+// Windows from this length on are probed by separate pieces of 64 samples, which resolve
+// frequencies far outside the main lobe.
 constexpr std::int64_t least_sparse = 1024;
 
-// Power of the pieces of a window, `by_x` radians per x apart, at x.
+// Power at x of the pieces of a window; the phase between pieces changes by `by_x` radians per x.
 double power_of_pieces(std::span<const Projections> pieces, double turn, double by_x, double x) {
     std::complex<double> c = 0;
     std::complex<double> d = 0;
@@ -45,8 +45,8 @@ double power_of_pieces(std::span<const Projections> pieces, double turn, double 
     return std::norm(c) + std::norm(d);
 }
 
-// A wave of its own in the main lobe, while a stronger one, at x, lies outside: where it is. What
-// the stronger one leaks into the lobe has less than 1/x^2 of its power.
+// Position of a separate wave in the main lobe while a stronger wave, at x, lies outside. The
+// leakage of the stronger wave into the lobe is below 1/x^2 of its power.
 std::optional<double> wave_in_lobe(std::span<const Projections> pieces, double turn, double by_x,
                                    double x) {
     constexpr int points = 12;
@@ -79,7 +79,7 @@ CarrierSums::Reference& CarrierSums::reference(double x) {
     const std::int64_t place = std::llround(x / grid);
     const std::size_t most = n_ > longest_whole_window ? most_of_long : most_references;
     if (references_.size() >= most && !references_.contains(place)) {
-        // The farthest one makes room, in memory that is in the caches already.
+        // The farthest reference is replaced; its memory is already in the caches.
         const bool is_first =
             place - references_.begin()->first > references_.rbegin()->first - place;
         const auto farthest = is_first ? references_.begin() : std::prev(references_.end());
@@ -94,8 +94,8 @@ CarrierSums::Reference& CarrierSums::reference(double x) {
     return *found;
 }
 
-// x by the phases of short pieces of the window against each other, from neighbours to pieces half
-// a window apart; nothing where samples are missing.
+// x from phase differences of short pieces of the window, from neighbours to pieces half a window
+// apart; empty where samples are missing.
 std::optional<double> CarrierSums::probe(std::size_t window) const {
     const bool sparse = n_ >= least_sparse;
     const std::size_t pieces = sparse ? 16 : 4;
@@ -130,13 +130,13 @@ std::optional<double> CarrierSums::probe(std::size_t window) const {
         x = wave_in_lobe(all_pieces, turn, by_x, x).value_or(x);
     }
     const double farthest = sparse ? 8 * pi : pi;
-    // As the main lobe of taylor_window.h keeps away from 0 and half the rate.
+    // The main lobe of taylor_window.h keeps this distance from 0 and half the rate.
     const double low = 0.5 * (pi - static_cast<double>(n_) * w0_);
     const double high = 0.5 * (static_cast<double>(n_) * (pi - w0_) - pi);
     return std::clamp(std::clamp(x, -farthest, farthest), std::min(low, 0.0), std::max(high, 0.0));
 }
 
-// Roughly where the power of a lane is largest, from its series far outside of their reach.
+// Approximate x of the largest power of a lane, by its series far beyond their reach.
 double CarrierSums::rough_maximum(const ProjectionBatch& batch, std::size_t lane) const {
     constexpr int points = 7;
     constexpr double step = 0.25;
@@ -179,7 +179,7 @@ void CarrierSums::take(const WindowBlock& block, std::size_t count,
     use(x_at(0.5 * static_cast<double>(count - 1)));
 }
 
-// Sums of windows from `first` on, at the line's frequency. Returns of how many.
+// Sums of windows from `first` on at the frequency of the line. Returns their number.
 std::size_t CarrierSums::sum_up(std::size_t first, ProjectionBatch& batch) {
     const double steep = std::abs(slope_);
     const auto on_line = [steep](std::size_t most, double width) {
@@ -214,7 +214,8 @@ std::size_t CarrierSums::sum_up(std::size_t first, ProjectionBatch& batch) {
     return count;
 }
 
-// Moves the line through a window in which the steps have not arrived; true where they then do.
+// Moves the line through a window in which the steps have not converged; returns true if they then
+// converge.
 bool CarrierSums::follow(std::size_t first, std::size_t lane, ProjectionBatch& batch,
                          BatchMaximum& maximum, std::size_t& count) {
     const double before_x = x_;
@@ -255,7 +256,7 @@ std::size_t CarrierSums::next(std::size_t first, ProjectionBatch& batch, BatchMa
     if (left_to_follow_ > 0 && !arrived(0)) {
         left_to_follow_ -= follow(first, 0, batch, maximum, count) ? 0 : 1;
     }
-    // Where the last ones do not arrive, the next group begins with them.
+    // The next group begins with the last windows that have not converged.
     if (left_to_follow_ > 0 && arrived(0) && !arrived(count - 1)) {
         while (!arrived(count - 1)) {
             --count;

@@ -13,17 +13,17 @@
 
 namespace vybeg {
 
-// The sums of a block's windows as power series about the frequency that each of them has, so that
-// Newton's steps arrive whether the carrier drifts or was told wrong: a window in which they do not
-// is estimated by itself, a thousand times slower.
+// Sums of the windows of a block as power series about the frequency of each window. Newton's steps
+// then converge although the carrier drifts or is given with an error; windows without convergence
+// are estimated one by one, a thousand times slower.
 //
-// Where the windows of a block have the carrier's frequency, as almost always, that is the
-// reference. Else it follows a straight line through the frequencies that the phases of a few short
-// pieces tell of the first and the last window. Windows that stand apart are projected at that
-// frequency; those that share their hops are brought to it from one reference for the block, some
-// of them at a time (ProjectionSums::move()). A window in which the steps do not arrive all the
-// same moves the line. Beyond the carrier's main lobe the line follows a wave only
-// where the lobe holds none: with two waves in a window, that of the carrier is estimated.
+// The reference is the carrier if the windows of a block have its frequency, which is the usual
+// case. Otherwise it follows a straight line through the frequencies of the first and the last
+// window, computed from phases of a few short pieces. Windows without common hops are projected at
+// that frequency; windows with common hops are moved to it from one reference of the block, some at
+// a time (ProjectionSums::move()). A window without convergence moves the line. Beyond the main
+// lobe of the carrier the line follows a wave only if the lobe contains none, so that of two waves
+// in a window that of the carrier is estimated.
 //
 // x is the distance from the carrier as in taylor_window.h, (w - w0) n/2.
 class CarrierSums {
@@ -34,14 +34,15 @@ public:
     // As ProjectionSums::take().
     void take(const WindowBlock& block, std::size_t count, std::span<const double> delayed = {});
 
-    // The sums of windows from `first` on that have one reference, lane_count at most, and where
-    // the power that they take out is largest. Returns how many. Windows are asked for in order.
+    // Computes the sums of at most lane_count windows with one reference, from `first` on, and
+    // their maxima of the profile power. Returns the number of windows. Precondition: ascending
+    // `first`.
     std::size_t next(std::size_t first, ProjectionBatch& batch, BatchMaximum& maximum);
-    // Their reference, until the next call.
+    // Reference of these windows, valid until the next call.
     const TaylorFrame& frame() const { return zone_ ? *zone_ : at_->basis; }
 
 private:
-    // Sums by one basis.
+    // Basis of one reference and its sums.
     struct Reference {
         TaylorBasis basis;
         ProjectionSums sums;
@@ -65,13 +66,14 @@ private:
     WindowBlock block_;
     std::size_t count_ = 0;
     std::span<const double> delayed_;
-    // The line: x of window `from_`, and its slope by windows.
+    // The line: x of window `from_`, and its slope per window.
     double x_ = 0;
     double slope_ = 0;
     double from_ = 0;
     int left_to_follow_ = 0;  // windows of the block that may move the line
     Reference* at_ = nullptr;
-    std::optional<TaylorFrame> zone_;  // of windows brought to another frequency than at_'s
+    // Frame of windows moved to another frequency than that of at_.
+    std::optional<TaylorFrame> zone_;
     std::size_t zone_end_ = 0;
 };
 

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-// Algorithms 1 to 4 in both widths. Each Form has n J, the functional that it minimises by the
-// frequency, (16), (25), (29), less the power of the samples, and the wave that it finds at one
-// frequency.
+// Algorithms 1 to 4 in both widths. Each Form computes n J, the functional over the frequency,
+// (16), (25), (29), less the power of the samples, and the wave at one frequency.
 
 namespace vybeg {
 
-// The forms' constants for windows of n samples.
+// Constants of the forms for windows of n samples.
 struct FormFrame {
     double n = 0;
     double excess = 0;  // algorithm 2: phase of the delay of S_D over pi/2, at the reference
@@ -51,13 +50,13 @@ VYBEG_INLINED inline AxisJets<Real> across(const Axes<Real>& axes, const WindowJ
 // (20) with the correct factor: the axes on which <S_A S_B> vanishes, without the angle itself.
 template <class Real>
 VYBEG_INLINED inline Axes<Real> axes_of_powers(const SampleProductsOf<Real>& sum) {
-    constexpr double least = 1e-150;  // a circle has the axes of the pick-offs
+    constexpr double least = 1e-150;  // a circular wave gets the axes of the pick-offs
     const Real across = 2 * sum.cd;
     const Real along = sum.cc - sum.dd + least;
     const Real by_length = 1 / sqrt_of(across * across + along * along);
     const Real double_cosine = along * by_length;
     const Real double_sine = across * by_length + 0.0;  // no -0
-    // Half of the angle by the larger of its cosine and sine.
+    // Half of the angle from the larger of its cosine and sine.
     const Real large = sqrt_of(0.5 + 0.5 * absolute(double_cosine));
     const Real small = 0.5 * absolute(double_sine) / large;
     const Real cosine = select(negative(double_cosine), small, large);
@@ -74,8 +73,8 @@ VYBEG_INLINED inline Jet2<Real> squared_length(const Jet2<Real>& p2, const Jet2<
     return r2;
 }
 
-// The part of n J of a wave with constant amplitude a along one axis and the phase of the signal:
-// -2 a r + a^2 (p^2 g + q^2 h)/r^2 with r^2 = p^2 + q^2.
+// Contribution to n J of a wave with constant amplitude a along one axis and the phase of the
+// signal: -2 a r + a^2 (p^2 g + q^2 h)/r^2 with r^2 = p^2 + q^2.
 template <class Real>
 VYBEG_INLINED inline Jet2<Real> axis_functional(const AxisJets<Real>& s, Real a,
                                                 const WindowJets<Real>& window) {
@@ -85,8 +84,8 @@ VYBEG_INLINED inline Jet2<Real> axis_functional(const AxisJets<Real>& s, Real a,
     return (a * a) * ((p2 * window.g + q2 * window.h) * reciprocal(r2)) - (2 * a) * square_root(r2);
 }
 
-// e^{-i arg} of a signal along an axis, e = (p - iq)/r; zero where there is no signal, which only a
-// wave without quadrature has across its axis.
+// e^{-i arg} of a signal along an axis, e = (p - iq)/r; zero without signal, the case of a wave
+// without quadrature across its axis.
 template <class Real>
 struct Direction {
     Real re;
@@ -131,10 +130,10 @@ struct InPhaseForm {
     Real a_A;
 
     VYBEG_INLINED InPhaseForm(const SampleProductsOf<Real>& sum, const FormFrame& frame) {
-        constexpr double least = 1e-300;  // silence has no axes
+        constexpr double least = 1e-300;  // a signal of zero power has no axes
         const Real by_power = 1 / (sum.cc + sum.dd + least);
         axes.cosine = sqrt_of(sum.cc * by_power);
-        // (15) with the sign that the root has lost.
+        // (15) with the sign, which the root omits.
         const Real sine = sqrt_of(sum.dd * by_power);
         axes.sine = select(negative(sum.cd), -sine, sine);
         axes.double_cosine = (sum.cc - sum.dd) * by_power;
@@ -178,7 +177,8 @@ struct PhaseShiftForm {
     // (23), (24). The delay is a quarter period of the carrier; at the window's own frequency it is
     // pi/2 + excess, and <S_C S_D(t - t3)> = a_C a_D sin(dphi_CD - excess)/2.
     VYBEG_INLINED Amplitudes amplitudes(Real x) const {
-        // By their power series: |excess| is small, and below pi/2 where cos does not vanish.
+        // cos and sin of the excess by their power series, because |excess| is small and below
+        // pi/2, where cos does not vanish.
         const double by_x = frame.excess_by_x;
         const Real all = frame.excess + by_x * x;
         const Real e2 = all * all;

@@ -8,13 +8,13 @@
 
 namespace vybeg {
 
-// Converged when what a Newton-like step would still change is below this, relative to the wave in
-// every sample. The last digit of w moves the ends of a long window by more than 1e-13.
+// Tolerance of convergence: change of the samples by a Newton-like step relative to the wave. The
+// last digit of w moves the ends of a long window by more than 1e-13.
 inline double descent_tolerance(double w, std::int64_t n) {
     return 1e-13 + 6e-17 * w * static_cast<double>(n);
 }
 
-// Directions are begun afresh as often as there are parameters.
+// Directions restart after as many steps as there are parameters.
 inline constexpr int descent_restart = 5;
 
 template <class Real>
@@ -69,9 +69,9 @@ VYBEG_INLINED inline Real power_of(const Five<Real>& at) {
     return at[0] * at[0] + at[1] * at[1];
 }
 
-// The Hessian that F has in an ideal window without noise, inverted: the natural scale of each
-// parameter. Angle and phase are coupled through the quadrature wave; where a_A = |a_B| the
-// coupling is total, and is held just below.
+// Inverse Hessian of F in an ideal window without noise: the natural scale of each parameter. The
+// quadrature wave couples angle and phase; at a_A = |a_B| the coupling is total and is limited to
+// just below.
 template <class Real>
 struct Preconditioner {
     double amplitude;
@@ -99,8 +99,8 @@ struct Preconditioner {
     }
 };
 
-// The way on: conjugate to the direction before with respect to the Hessian here; -scaled, the
-// preconditioned gradient, where that would lead uphill.
+// Next direction, conjugate to the one before with respect to the present Hessian; -scaled, the
+// preconditioned gradient, if the conjugate direction ascends.
 template <class Real>
 struct DescentWay {
     Five<Real> direction;
@@ -127,8 +127,8 @@ VYBEG_INLINED inline DescentWay<Real> next_way(const WaveFunctional<Real>& f,
     return way;
 }
 
-// By how much F is above the level that a step has to reach. F is a difference of sums of squares,
-// which rounding limits.
+// Excess of F over the level that a step must reach. Rounding limits F, a difference of sums of
+// squares.
 template <class Real>
 VYBEG_INLINED inline Real excess_of(Real there, Real here, Real step, Real slope) {
     const Real rounding = 1e-14 * (absolute(here) + absolute(slope * step));

@@ -5,7 +5,7 @@
 namespace vybeg {
 namespace {
 
-// binomial(m, k) x^(m - k): a polynomial's coefficients about another place.
+// binomial(m, k) x^(m - k): coefficients of a polynomial about another point.
 struct Reexpansion {
     std::array<std::array<double, taylor_orders>, taylor_orders> by{};
 
@@ -27,7 +27,7 @@ struct Turn {
     Vec8 sine;
 };
 
-// Of w distance in each lane.
+// cos and sin of w distance in each lane.
 VYBEG_INLINED inline Turn turn_of(Vec8 angle) {
     Turn turn{};
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -88,7 +88,7 @@ VYBEG_INLINED inline void move_channel(double* to, std::size_t to_pitch, const d
     }
 }
 
-// Rows that are gone through together, so that their sums do not wait for each other.
+// Rows processed together, so that their sums do not wait for each other.
 constexpr std::size_t together = 4;
 static_assert(batch_numbers % together == 0);
 
@@ -103,7 +103,7 @@ void move_hops(HopSums& to, const HopSums& from, std::size_t first, std::size_t 
     for (std::size_t k = 0; k < lane_count; ++k) {
         lane[k] = static_cast<double>(k);
     }
-    // The turn is carried on from eight runs to the next, and begun afresh now and then.
+    // The rotation is updated from eight hop sums to the next and recomputed at intervals.
     constexpr std::size_t afresh = 128;
     const double by_eight = move.w * move.step * static_cast<double>(lane_count);
     const double carry_cos = std::cos(by_eight);
@@ -143,7 +143,7 @@ void sum_windows(HopSums& windows, const HopSums& terms, const HopSums& heads, b
             head[row] = has_heads ? &heads.numbers[(kind + row) * heads.pitch] : nullptr;
             window[row] = &windows.numbers[(kind + row) * windows.pitch];
         }
-        // The part of all windows, then the parts of each at its left.
+        // The part common to all windows, then the part of each window on its left.
         for (std::size_t k = count - 1; k < whole; ++k) {
             for (std::size_t row = 0; row < together; ++row) {
                 sum[row] += term[row][k];

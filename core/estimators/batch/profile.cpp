@@ -5,7 +5,7 @@
 namespace vybeg {
 namespace {
 
-// By w, straight from the samples.
+// Newton's steps over w with the sums of the samples.
 NewtonEnd<double> climb(const Window& window, const FrequencyBracket& bracket, double w) {
     const auto power_at = [&](double at) {
         return profile_power(
@@ -16,7 +16,7 @@ NewtonEnd<double> climb(const Window& window, const FrequencyBracket& bracket, d
                   [&](double at) { return bracket.contains(at); });
 }
 
-// The best of a grid over the bracket, fine enough not to miss the main lobe.
+// Best point of a grid over the bracket, fine enough to hit the main lobe.
 double grid_search(const Window& window, const FrequencyBracket& bracket, bool& at_edge) {
     constexpr int points = 33;
     double best_w = bracket.centre;

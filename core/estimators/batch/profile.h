@@ -7,7 +7,7 @@
 namespace vybeg {
 
 // The least-squares fit of a window with the four phasor components eliminated (variable
-// projection, METHOD section 5.6): what is left is one function of the frequency.
+// projection, METHOD section 5.6): the remainder is one function of the frequency.
 
 // p^2/g of one component, added to the power; by_g = 1/g.
 template <class Real>
@@ -20,7 +20,7 @@ VYBEG_INLINED inline void add_component(Jet2<Real>& power, const Jet2<Real>& p, 
     power.bend += 2 * (left * left) * by_g + ratio * (2 * p.bend - ratio * g.bend);
 }
 
-// Power that the best phasors take out of the samples.
+// Power of the best phasors at a frequency (profile power).
 template <class Real>
 VYBEG_INLINED inline Jet2<Real> profile_power(const WindowJets<Real>& s) {
     const Real by_g = 1 / s.g.value;
@@ -40,15 +40,17 @@ struct ProfileMaximum {
     bool at_bound = false;  // the largest power lies at the edge of the bracket
 };
 
-// The frequency of largest power in the bracket, by Newton steps from its centre; where those leave
-// the bracket or meet no concavity, by a search over the bracket first. Error of w: 1e-12 / n.
+// The frequency of largest power in the bracket, by Newton steps from its centre; a search over the
+// bracket precedes them where they leave the bracket or the power is not concave. Error of w: 1e-12
+// / n.
 ProfileMaximum maximise_profile(const Window& window, const FrequencyBracket& bracket);
 
 // The same of eight windows near the reference frequency, by Newton steps on the series.
 struct BatchMaximum {
-    Lanes x;        // frequency, as in taylor_window.h
-    Lanes power;    // that is taken out
-    Lanes arrived;  // 1; or 0 where the steps leave the series' reach or meet no concavity
+    Lanes x;      // frequency, as in taylor_window.h
+    Lanes power;  // of the best phasors
+    // 1; 0 where the steps leave the reach of the series or the power is not concave.
+    Lanes arrived;
 };
 void maximise_batch(const ProjectionBatch& batch, const TaylorFrame& frame, BatchMaximum& maximum);
 

@@ -29,7 +29,8 @@ VYBEG_INLINED inline void project(Series& sum, SampleColumns of, std::int64_t le
     }
 }
 
-// Two at a time, or the processor would wait for each sum before it adds to it.
+// Two sums at a time, because the processor would otherwise wait for each sum before the next
+// addition.
 VYBEG_INLINED inline void project(Series& sum_a, SampleColumns a, Series& sum_b, SampleColumns b,
                                   std::int64_t length, const double* row) {
     for (std::int64_t j = 0; j < length; ++j, row += 2 * taylor_orders) {
@@ -124,8 +125,8 @@ VYBEG_INLINED inline Series sum_of_stretches(SampleColumns of, const SampleCut& 
     return sum;
 }
 
-// One channel's series of eight runs, brought to another centre and added: cos is the real, sin the
-// imaginary part of the sum of s e^{iwu}.
+// Series of one channel of eight hop sums, moved to another centre and added: cos is the real, sin
+// the imaginary part of the sum of s e^{iwu}.
 VYBEG_INLINED inline void add_shifted_channel(double* to, std::size_t to_pitch, const double* from,
                                               std::size_t from_pitch, const CentreShift& shift) {
     std::array<Vec8, taylor_orders> re;
@@ -222,8 +223,7 @@ void add_shifted_runs(HopSums& to, const HopSums& from, std::size_t first, std::
                       const CentreShift& shift) {
     double* const sums = to.numbers.data();
     const double* const parts = from.numbers.data() + first;
-    // The runs may be those that are added to, from a later one on: eight are read before they are
-    // written.
+    // `from` may be `to` at a later position: eight sums are read before they are written.
     for (std::size_t run = 0; run < count; run += lane_count) {
         for (const std::size_t channel : {std::size_t{0}, 2 * taylor_orders}) {
             add_shifted_channel(sums + channel * to.pitch + run, to.pitch,

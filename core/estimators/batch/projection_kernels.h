@@ -12,32 +12,33 @@
 
 namespace vybeg {
 
-// What projection_sums.h is made of: sums over samples, and sums brought to another centre.
+// Kernels of projection_sums.h: sums over samples, and sums moved to another centre.
 
-// e^{iw distance} as a series in x: brings a series that counts time from one centre to another,
-// which lies `distance` samples before it.
+// e^{iw distance} as a series in x: moves a series from its centre of time to another one, which
+// lies `distance` samples before it.
 struct CentreShift {
     double turn_cos = 0;  // of w0 distance
     double turn_sin = 0;
     std::array<double, taylor_orders> powers{};  // (2 distance/n)^k/k!
-    // Both together, real and imaginary part, behind as many zeros.
+    // Real and imaginary part together, after as many zeros.
     std::array<double, 2 * taylor_orders> re{};
     std::array<double, 2 * taylor_orders> im{};
 };
 CentreShift centre_shift(const TaylorBasis& basis, double distance);
 
-// Samples that follow each other, from `first` on of a window or a hop, in stretches of the basis.
+// Consecutive samples of a window or a hop from `first` on, in segments of the basis.
 struct SampleCut {
     std::int64_t first = 0;
     std::int64_t length = 0;
-    std::vector<CentreShift> shifts;  // of each stretch; none where the first one holds them all
+    // Of each segment; empty where the first segment holds all samples.
+    std::vector<CentreShift> shifts;
 };
 
-// Where samples are in memory.
+// Samples of both channels in memory.
 struct SampleColumns {
     const double* c = nullptr;
     const double* d = nullptr;
-    const double* delayed = nullptr;  // d, a quarter period later; or null
+    const double* delayed = nullptr;  // d delayed by a quarter period; or null
 
     SampleColumns from(std::int64_t j) const {
         return {c + j, d + j, delayed == nullptr ? nullptr : delayed + j};
@@ -68,15 +69,15 @@ void for_numbers(Batch& batch, Number number) {
     number(batch_coefficients + 3, batch.cq);
 }
 
-// Numbers of many runs of samples: those of one kind follow each other.
+// Sums over many hops or groups of hops; numbers of one kind are contiguous.
 struct HopSums {
     std::vector<double> numbers;
     std::size_t pitch = 0;  // from kind to kind; whole lanes may be read and written
     void reset(std::size_t runs);
 };
 
-// Adds runs first .. first + count - 1 of a table, brought to another centre, to the first ones of
-// another, or of the same one.
+// Adds the sums first .. first + count - 1 of `from`, moved to another centre, to the first ones of
+// `to`, which may be the same table.
 void add_shifted_runs(HopSums& to, const HopSums& from, std::size_t first, std::size_t count,
                       const CentreShift& shift);
 

@@ -7,7 +7,7 @@
 namespace vybeg {
 namespace {
 
-// Shorter windows are projected faster than they are put together.
+// Up to this length a projection is faster than a sum of hops.
 constexpr std::int64_t longest_apart = 128;
 
 SampleColumns columns_of(const WindowBlock& block, std::span<const double> delayed) {
@@ -20,7 +20,7 @@ SampleColumns columns_of(const WindowBlock& block, std::span<const double> delay
 
 SampleCut ProjectionSums::cut(std::int64_t first, std::int64_t length, double distance) const {
     SampleCut cut{first, length, {}};
-    // One stretch counts from where its rows of the basis do.
+    // A single segment needs no shift where its time equals that of the basis rows.
     if (first + length > basis_.stretch() || distance != static_cast<double>(first)) {
         cut.shifts.reserve(static_cast<std::size_t>(length / basis_.stretch() + 1));
         for (std::int64_t j = 0; j < length; j += basis_.stretch()) {
@@ -38,8 +38,8 @@ void ProjectionSums::prepare(std::int64_t hop) {
         whole_ = cut(0, n, 0.5 * static_cast<double>(basis_.stretch() - n));
     } else {
         const std::int64_t head = n % hop;
-        // A hop of several stretches counts from its own middle, a shorter one from that of a
-        // stretch.
+        // The time of a hop of several segments counts from its own centre, that of a shorter one
+        // from the centre of a segment.
         const double middle = 0.5 * static_cast<double>(basis_.stretch() - 1);
         origin_ = hop > basis_.stretch() ? 0.5 * static_cast<double>(hop - 1) : middle;
         head_ = cut(0, head, middle - origin_);
@@ -66,7 +66,7 @@ void ProjectionSums::move(std::size_t first, std::size_t count, const TaylorFram
     const std::size_t whole = most_moved();
     const auto hop = static_cast<double>(hop_);
     const auto n = static_cast<double>(basis_.length());
-    // Everything to the middle of the windows' middle one.
+    // All sums move to the common centre of these windows.
     const double to_first = static_cast<double>(first) * hop;
     const double centre = to_first + 0.5 * (static_cast<double>(count - 1) * hop + n - 1);
     const double x = 0.5 * n * (frame.w0() - basis_.w0());
@@ -89,7 +89,7 @@ void ProjectionSums::move(std::size_t first, std::size_t count, const TaylorFram
     in_windows_ = first;
 }
 
-// The block's hops as runs of one, and their heads.
+// Sums of the single hops of the block, and of their heads.
 void ProjectionSums::project_hops(std::size_t count) {
     const auto in_window = static_cast<std::size_t>(basis_.length() / hop_);
     const std::size_t whole = count + in_window - 1;
@@ -129,7 +129,7 @@ void ProjectionSums::join_hops(std::size_t count) {
     tables_->windows.reset(count);
     std::fill(tables_->windows.numbers.begin(), tables_->windows.numbers.end(), 0.0);
     const auto hop = static_cast<double>(hop_);
-    // From where a window's first hop counts to the window's middle.
+    // From the centre of a window's first hop to that of the window.
     const double to_centre = origin_ - 0.5 * static_cast<double>(basis_.length() - 1);
     const auto whole = static_cast<std::size_t>(basis_.length() / hop_);
     std::size_t runs = count + whole - 1;

@@ -12,21 +12,23 @@
 
 namespace vybeg {
 
-// The sums of a block's windows as power series, each sample being touched once.
+// Sums of the windows of a block as power series; each sample is used once.
 //
-// Windows that stand apart are projected one after the other. Where long ones overlap by half or
-// more, the samples between two window starts, a hop, are projected once, and windows are put
-// together of hops: runs of 1, 2, 4, ... hops are made by bringing the series of two runs to one
-// centre, all runs of a length side by side. A window then takes about 2 log2(length/hop) such
-// steps. Its sums are of its own samples alone, added in the same order wherever the block begins.
+// Short windows and windows with little overlap are projected one by one. Where long windows
+// overlap by half or more, the samples between two window starts, a hop, are projected once, and a
+// window is a sum of hops. Sums over 1, 2, 4, ... hops result from moving two shorter sums to one
+// centre; all sums of one length are computed side by side. A window takes about 2 log2(length/hop)
+// such steps. Its sums contain its own samples only, added in the same order wherever the block
+// begins.
 class ProjectionSums {
 public:
-    // What a block's sums take much room for; several that take up blocks in turn may share it.
+    // Large tables of a block's sums; several ProjectionSums that process blocks in turn may share
+    // them.
     struct Tables {
         HopSums runs;
         HopSums heads;
         HopSums windows;
-        // Of move().
+        // Used by move().
         HopSums terms;
         HopSums ends;
         HopSums sums;
@@ -37,19 +39,18 @@ public:
                             std::shared_ptr<Tables> tables = std::make_shared<Tables>())
         : basis_(basis), tables_(std::move(tables)) {}
 
-    // Takes up the first `count` windows of a block, whose samples must stay until the last
-    // batch(). `delayed` are the block's d by a quarter period later, as many as d; empty where
-    // nobody asks for cq. Precondition: the windows are as long as those of the basis.
+    // Begins with the first `count` windows of a block. `delayed` is the block's d delayed by a
+    // quarter period, of the length of d; empty where cq is not needed. Preconditions: the windows
+    // have the length of the basis; the samples exist until the last batch().
     void take(const WindowBlock& block, std::size_t count, std::span<const double> delayed = {});
 
-    // The sums of `count` windows of that block from window `first` on, count <= lane_count; the
-    // lanes beyond repeat the last one.
+    // Computes the sums of `count` windows of that block from window `first` on, count <=
+    // lane_count; unused lanes repeat the last window.
     void batch(std::size_t first, std::size_t count, ProjectionBatch& batch);
 
-    // Whether the windows are put together of hops; then they can be for another frequency, too:
-    // windows first .. first + count - 1 of the block, at the frame's, which lies near the basis'.
-    // Those of batch() are then these ones. Precondition: count <= most_moved(), and as far as the
-    // block goes.
+    // Whether windows are sums of hops. Only then move() computes windows first .. first + count -
+    // 1 of the block at the frequency of `frame`, near that of the basis; batch() then returns
+    // these. Precondition: count <= most_moved(), within the block.
     bool overlapping() const { return overlapping_; }
     std::size_t most_moved() const { return static_cast<std::size_t>(basis_.length() / hop_); }
     void move(std::size_t first, std::size_t count, const TaylorFrame& frame);
@@ -63,16 +64,16 @@ private:
     const TaylorBasis& basis_;
     std::int64_t hop_ = 0;  // for which the cuts are made
     bool overlapping_ = false;
-    SampleCut whole_;  // a window that stands apart
-    SampleCut head_;   // of a hop, as far as a window reaches into its last one
-    SampleCut rest_;   // of a hop
+    SampleCut whole_;  // a window projected as a whole
+    SampleCut head_;   // start of a hop, up to the end of a window
+    SampleCut rest_;   // remainder of a hop
     WindowBlock block_;
     std::span<const double> delayed_;
     std::shared_ptr<Tables> tables_;
     std::size_t count_ = 0;       // windows of the block
     std::size_t in_windows_ = 0;  // the first window of windows_
     enum class Runs { none, of_one_hop, joined } state_ = Runs::none;
-    double origin_ = 0;  // of a hop's series, from its first sample
+    double origin_ = 0;  // centre of a hop's series, from its first sample
 };
 
 }  // namespace vybeg

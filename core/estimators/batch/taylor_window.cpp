@@ -53,8 +53,8 @@ TaylorBasis::TaylorBasis(std::int64_t n, double w0)
       stretch_(n <= longest_whole_window ? n : stretch_length),
       rows_(static_cast<std::size_t>(stretch_) * 2 * taylor_orders) {
     const auto count = static_cast<double>(n);
-    // Rows as far before the middle as behind it differ in signs alone: cos is even, sin odd, and
-    // order k has v^k and a turn by k quarters.
+    // Rows at equal distances before and after the centre differ in sign only: cos is even, sin
+    // odd, and order k has v^k and a rotation by k quarter turns.
     for (std::int64_t j = stretch_ / 2; j < stretch_; ++j) {
         const double u = static_cast<double>(j) - 0.5 * static_cast<double>(stretch_ - 1);
         const double v = 2 * u / count;

@@ -11,25 +11,25 @@
 namespace vybeg {
 
 // Projections of windows as power series in the frequency (METHOD section 5.6): one product of the
-// samples with a basis that is the same for every window, after which a frequency near the
-// reference is tried without touching a sample.
+// samples with a basis common to all windows. Projections at frequencies near the reference then
+// need no sample.
 //
 // With v = 2u/n in [-1, 1] and x = (w - w0) n/2, the projections at w are
 //     sum s cos wu = sum_k x^k sum_j s_j v^k/k! cos(w0 u + k pi/2)
 //     sum s sin wu = sum_k x^k sum_j s_j v^k/k! sin(w0 u + k pi/2).
 inline constexpr std::size_t taylor_orders = 8;
 
-// Largest |x| at which the series is used. What is cut off is below x^8/8! of a projection and
+// Largest |x| at which the series is used. The truncation error is below x^8/8! of a projection and
 // x^7/7! of its slope: 4e-15 and 5e-13.
 inline constexpr double taylor_reach = 0.06;
 
-// Windows up to this length are projected as a whole. The basis of longer ones would not stay in
-// cache: they are cut into stretches of 256 samples, whose series are brought to the window's
-// centre and added (projection_sums.h).
+// Largest window projected as a whole. Longer windows are cut into segments of 256 samples, because
+// their basis would not stay in cache; the series of the segments are moved to the window's centre
+// and added (projection_sums.h).
 inline constexpr std::int64_t longest_whole_window = 1024;
 inline constexpr std::int64_t stretch_length = 256;
 
-// What of the windows' length and the reference frequency is in closed form.
+// Closed-form quantities of a window length and a reference frequency.
 class TaylorFrame {
 public:
     // Windows of n samples, reference frequency w0 (rad per sample, 0 < w0 < pi).
@@ -52,15 +52,15 @@ private:
     double spread_;
 };
 
-// The functions that the samples are multiplied with.
+// Basis functions, the factors of the samples.
 class TaylorBasis : public TaylorFrame {
 public:
     TaylorBasis(std::int64_t n, double w0);
 
-    // Samples that one stretch has at most. Its series counts time from the middle of so many
-    // samples, also where it has fewer.
+    // Largest number of samples of a segment. The time of its series counts from the centre of that
+    // many samples, also for shorter segments.
     std::int64_t stretch() const { return stretch_; }
-    // Of sample j of a stretch: the basis functions of cos, then those of sin, by order.
+    // Row of sample j of a segment: the basis functions of cos, then those of sin, by order.
     const double* row(std::int64_t j) const { return rows_.data() + 2 * taylor_orders * j; }
 
 private:
@@ -68,8 +68,7 @@ private:
     std::vector<double> rows_;
 };
 
-// Sums over windows that stand side by side. A window with a missing sample has cc + dd that is not
-// finite.
+// Sums over eight windows, one per lane. cc + dd is not finite for a window with a missing sample.
 using TaylorSums = std::array<Lanes, taylor_orders>;
 struct ProjectionBatch {
     TaylorSums c_cos;
@@ -79,7 +78,7 @@ struct ProjectionBatch {
     Lanes cc;  // sum C^2
     Lanes dd;
     Lanes cd;
-    Lanes cq;  // sum C(t) D(t - t3), where delayed samples were given
+    Lanes cq;  // sum C(t) D(t - t3); only with delayed samples
 };
 
 // One window's projections at x.

@@ -8,7 +8,7 @@
 
 namespace vybeg {
 
-// The error functional F of the article's last section by its five parameters.
+// Error functional F of the article's last section over its five parameters, with derivatives.
 //
 // Seen along the wave's axes and in its phase the projections Z = sum s e^{-iwu} of both signals
 // are
@@ -16,7 +16,7 @@ namespace vybeg {
 //     B = e^{i alpha} (Z_D cos 2theta - Z_C sin 2theta)
 // and, with D = sum cos 2wu, n F less the power of the samples is
 //     n/2 (a_A^2 + a_B^2) + D/2 cos 2alpha (a_A^2 - a_B^2) - 2 a_A Re A + 2 a_B Im B.
-// dA/d2theta = B, dB/d2theta = -A, d/dalpha = i of both; that gives all derivatives.
+// dA/d2theta = B, dB/d2theta = -A, d/dalpha = i of both, which yields all derivatives.
 
 // One number for each of a_A, a_B, 2theta_A, alpha and the frequency.
 template <class Real>
@@ -78,8 +78,7 @@ VYBEG_INLINED inline WaveFunctional<Real> wave_functional(const TurnedWave<Real>
     return f;
 }
 
-// The five parameters of one window, and n F less the power of its samples, by them; from moments
-// taken at w.
+// The five parameters of one window. n F less the power of the samples follows from moments at w.
 struct WaveParameters {
     WaveState state;
     double w = 0;  // radians per sample

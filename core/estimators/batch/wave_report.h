@@ -5,7 +5,7 @@
 
 namespace vybeg {
 
-// The best wave of a window in the sense of least squares, beside that of a closed form.
+// Least-squares wave of a window, for comparison with that of a closed form.
 template <class Real>
 struct BestWaveOf {
     WaveStateOf<Real> state;
@@ -14,7 +14,7 @@ struct BestWaveOf {
 };
 using BestWave = BestWaveOf<double>;
 
-// A wave that an algorithm found in a window, with all that follows from it but the noise.
+// Wave of a window by one algorithm, with all derived values except the noise.
 template <class Real>
 struct WaveReport {
     Real w;  // rad per sample
@@ -30,7 +30,7 @@ VYBEG_INLINED inline WaveReport<Real> report_wave(const SampleProductsOf<Real>& 
                                                   const WindowKernelOf<Real>& kernel,
                                                   const PhasorParts<Real>& phasors,
                                                   const OrientedWave<Real>& found) {
-    // <S_A S_B> over <S_A^2> + <S_B^2>: the wave axes' orthogonality (30), straight from the
+    // <S_A S_B> over <S_A^2> + <S_B^2>: orthogonality of the wave axes, (30), from sums of the
     // samples.
     const Real orthogonality =
         (sum.cd * found.turn_cos + 0.5 * (sum.dd - sum.cc) * found.turn_sin) / (sum.cc + sum.dd);

@@ -70,7 +70,7 @@ void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n) {
         return;
     }
     // The smaller travelling wave, u+ or u-, has a standard deviation of sigma sqrt(4/n) in
-    // modulus; the second bound is what rounding leaves of a perfect circle.
+    // modulus; the second bound is the rounding error of a perfect circle.
     const WaveState& state = estimate.state;
     const double smaller = state.a_A - std::abs(state.a_B);
     const auto count = static_cast<double>(n);

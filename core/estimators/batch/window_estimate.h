@@ -5,43 +5,43 @@
 
 namespace vybeg {
 
-// Samples of one window of a block.
+// Samples of window k of a block.
 Window window_of(const WindowBlock& block, std::size_t k);
 
-// True where a sample of the span is missing.
+// Whether a sample of the span is missing (NaN).
 bool has_gap(std::span<const double> samples);
 
-// An estimate without values, for a window that has none; `flag` says why.
+// Estimate with NaN values; `flag` is the reason.
 WaveEstimate no_estimate(Flag flag);
 
-// How well a wave fits its window.
+// Quality of a wave's fit in its window.
 struct WaveFit {
-    double residual = 0;  // n F, the sum of squares that the wave leaves
+    double residual = 0;  // n F, sum of squared residuals
     int parameters = 5;
     Flags flags = 0;
     const BestWave* best = nullptr;  // algorithms 1 to 4
 };
 
-// n F: `difference`, the window's power (sum C^2 + D^2) less the power of the wave, while that has
-// kept eight digits; where less than 1e-8 of the power is left, a sum over the samples.
+// n F, the sum of squared residuals: `difference`, the window's power (sum C^2 + D^2) less the
+// power of the wave, if it exceeds 1e-8 of the power and so keeps eight digits; otherwise a sum
+// over the samples.
 double residual_of(double difference, double power, const Window& window,
                    const WaveReport<double>& wave);
 
-// Adds to an estimate by a closed form what that has beyond the best wave of the same samples:
-// leakage of a window off Snap, power of the noise in the averages. The best wave is efficient, so
-// that the difference is not correlated with its error (J. A. Hausman, 1978): variances add, and
-// the closed form has that of the best wave plus the squared difference. Flag leakage where a
+// Adds the leakage of a closed form to its deviations: the difference from the best wave of the
+// same samples, due to a window off Snap and to the power of the noise in averages. The best wave
+// is efficient, so that the difference is not correlated with its error (J. A. Hausman, 1978) and
+// variances add: that of the best wave plus the squared difference. Sets Flag::leakage where a
 // difference exceeds its standard deviation.
 void add_leakage(WaveEstimate& estimate, const BestWave& best, double rate_hz);
 
-// Makes unknown what does not exist: a_B and dphi_CD where the algorithm has none (flag
-// no_quadrature), else the angles where |a_A - |a_B|| is below three standard deviations (flag
-// circular). `noise` is that of the phasors.
+// Sets undefined values to NaN: a_B and dphi_CD of an algorithm without quadrature (flag
+// no_quadrature), otherwise the angles where |a_A - |a_B|| is below three standard deviations (flag
+// circular). `noise`: that of the phasors, sd per sample and channel.
 void clear_undefined(WaveEstimate& estimate, double noise, std::int64_t n);
 
-// The estimate of a window: rms from the residual, noise from the rms with the degrees of freedom
-// removed (2n - parameters), standard deviations for the known noise, else for that of the
-// residual.
+// Estimate of a window: rms from the residual; noise with 2n - parameters degrees of freedom;
+// standard deviations for the known noise, otherwise for that of the residual.
 WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fit,
                                const EstimatorOptions& options);
 

@@ -47,7 +47,7 @@ VYBEG_INLINED inline WindowJets<Vec8> jets_at(const ProjectionBatch& batch,
                       });
 }
 
-// At x = 0 the series are their first coefficients.
+// At x = 0 the value of a series is its first coefficient.
 VYBEG_INLINED inline WindowJets<Vec8> jets_at_reference(const ProjectionBatch& batch,
                                                         const TaylorFrame& frame) {
     const auto& gram = frame.gram();

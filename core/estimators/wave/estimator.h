@@ -24,11 +24,11 @@ enum class Algorithm {
 std::string_view algorithm_name(Algorithm algorithm);
 std::optional<Algorithm> algorithm_from_name(std::string_view name);
 
-// Where the conjugate gradient starts each window: from the in-phase closed form, or from the
-// result of the window before.
+// Start of the conjugate gradient in each window: the in-phase closed form (`first`), or the result
+// of the window before (`previous`).
 enum class StartRule { first, previous };
 
-// Start values typed by the engineer; they replace the in-phase start of the first window (rule
+// Start values typed by the user; they replace the in-phase start of the first window (rule
 // `previous`) or of every window (rule `first`). alpha is at the centre of the first window and is
 // carried to the others with the frequency.
 struct StartValues {
@@ -38,8 +38,8 @@ struct StartValues {
     friend bool operator==(const StartValues&, const StartValues&) = default;
 };
 
-// White noise, sd per sample and channel in recording units, under which the phasors and the
-// frequency of a window would be as uncertain as they are.
+// White noise that gives the phasors and the frequency of a window their actual uncertainty; sd per
+// sample and channel, recording units.
 struct EquivalentNoise {
     double phasors = 0;
     double frequency = 0;
@@ -47,7 +47,7 @@ struct EquivalentNoise {
     friend bool operator==(const EquivalentNoise&, const EquivalentNoise&) = default;
 };
 
-// What is found in one window. NaN where a value does not exist; `flags` says why.
+// Estimate of one window. A value that does not exist is NaN; `flags` holds the reasons.
 struct WaveEstimate {
     WaveState state;          // alpha at the window's centre
     double f_hz = 0;          // omega / 2 pi, the mean frequency f_cp
@@ -58,13 +58,13 @@ struct WaveEstimate {
     WaveState sd;              // one standard deviation each
     double sd_f_hz = 0;
     double sd_delta_phi_CD = 0;
-    double leakage_f_hz = 0;  // algorithms 1 to 4: f_hz less that of the best wave; else 0
+    double leakage_f_hz = 0;  // algorithms 1 to 4: f_hz less that of the best wave; 0 for 5 and 6
     Flags flags = 0;
 };
 
-// Consecutive windows over one stretch of samples. c and d have equal length; window k covers
-// [first + k hop, first + k hop + length) of them. What lies around is context, which some
-// algorithms use.
+// Consecutive windows over one segment of samples. c and d have equal length; window k covers
+// [first + k hop, first + k hop + length). Samples around the windows are context for some
+// algorithms.
 struct WindowBlock {
     std::span<const double> c;
     std::span<const double> d;
@@ -73,7 +73,7 @@ struct WindowBlock {
     std::int64_t hop = 0;
 };
 
-// How an estimator is set up for one analysis.
+// Options of an estimator for one analysis.
 struct EstimatorOptions {
     std::int64_t length = 0;  // samples per window
     double rate_hz = 0;
@@ -81,8 +81,9 @@ struct EstimatorOptions {
         0;  // carrier; the search is bracketed to its main lobe, |f - f0| < rate / length
     StartRule start = StartRule::first;  // conjugate gradient only
     std::optional<StartValues> initial;  // conjugate gradient only
-    double first_centre_s = 0;           // where initial->state.alpha holds
-    // Known where the noise is not white; else the residual of each window tells it.
+    double first_centre_s = 0;           // time to which initial->state.alpha refers
+    // Known noise, for noise that is not white; otherwise it follows from the residual of each
+    // window.
     std::optional<EquivalentNoise> noise = std::nullopt;
 };
 
@@ -90,11 +91,11 @@ class Estimator {
 public:
     virtual ~Estimator() = default;
 
-    // Samples needed on both sides of a window; a window without them is flagged as gap.
+    // Number of samples needed on both sides of a window; a window without them is flagged as gap.
     virtual std::int64_t context() const { return 0; }
 
-    // True where a window's estimate needs the one before it: such blocks are not spread over
-    // threads.
+    // Whether the estimate of a window needs that of the window before; such blocks are not
+    // distributed over threads.
     virtual bool sequential() const { return false; }
 
     // Fills out[k] for the windows of a block; centre_s is the time of window 0's centre.

@@ -12,10 +12,10 @@ enum class Flag : std::uint16_t {
     no_quadrature = 1,  // the algorithm does not estimate a_B
     circular = 2,       // a_A = |a_B| within the noise: the angle is undefined
     // Samples are missing inside the window or around it where they are needed (no values), or were
-    // lost inside it without a trace (values that mix the times before and after).
+    // lost inside it (values mix the times before and after the loss).
     gap = 4,
     not_converged = 8,
-    at_bound = 16,          // the frequency ran to the edge of the main lobe
+    at_bound = 16,          // the frequency reached the edge of the main lobe
     clipped = 32,           // samples inside the window lie at the rail of the converter
     filter_transient = 64,  // the band-pass at the window reaches beyond an end of the recording
     delay_reach = 128,      // the quarter-period delay reaches beyond the samples (algorithm 2)
@@ -38,12 +38,11 @@ inline constexpr void set(Flags& flags, Flag flag) {
     flags = static_cast<Flags>(flags | static_cast<Flags>(flag));
 }
 
-// The reasons as in the track CSV: joined by ';', e.g. "gap;not-converged"; empty where there is
-// none.
+// Text of the flags in the track CSV, joined by ';', e.g. "gap;not-converged"; empty without flags.
 std::string flags_text(Flags flags);
-// No such text is longer.
+// Upper limit of the length of such a text.
 inline constexpr std::size_t longest_flags_text = 128;
-// And back; a word that is none of them counts as nothing.
+// Flags of such a text; unknown words are ignored.
 Flags flags_from_text(std::string_view text);
 
 }  // namespace vybeg

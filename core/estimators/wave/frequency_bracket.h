@@ -4,8 +4,8 @@
 
 namespace vybeg {
 
-// Where a window's frequency is looked for, radians per sample: the main lobe about the carrier,
-// |f - f0| < rate / n, as far as the window can tell cos from sin there.
+// Search range of a window's frequency, radians per sample: the main lobe about the carrier, |f -
+// f0| < rate / n, limited to frequencies at which cos and sin are distinct in the window.
 struct FrequencyBracket {
     double low = 0;
     double centre = 0;

@@ -22,7 +22,7 @@ VYBEG_INLINED inline Real polynomial(Real x, Coefficient coefficient) {
     return value;
 }
 
-// The same with its derivatives by x.
+// The same with derivatives by x.
 template <std::size_t orders, class Real, class Coefficient>
 VYBEG_INLINED inline Jet2<Real> polynomial_jet(Real x, Coefficient coefficient) {
     Jet2<Real> sum{coefficient(orders - 1), Real{}, Real{}};

@@ -8,8 +8,8 @@
 
 // The two widths of a formula: double, for one window, and Vec8, for eight windows side by side in
 // the processor's vectors. Formulas are templates on Real, one of the two, and VYBEG_INLINED;
-// functions that use them on Vec8 are VYBEG_DISPATCHED. So each processor's instructions stay in
-// the function that was compiled for it.
+// functions that use them on Vec8 are VYBEG_DISPATCHED. Thus the instructions of each processor
+// remain in the function compiled for it.
 
 namespace vybeg {
 
@@ -53,8 +53,8 @@ inline Struct<double> lane_of(const Struct<Vec8>& eight, std::size_t lane) {
     return one;
 }
 
-// Comparisons go by the bit of the sign: GCC splits comparisons of long vectors into lanes. A NaN
-// has no defined answer.
+// Comparisons use the sign bit, because GCC splits comparisons of long vectors into lanes. The
+// result for NaN is undefined.
 VYBEG_INLINED inline bool negative(double x) {
     return std::signbit(x);
 }
@@ -128,7 +128,7 @@ VYBEG_INLINED inline void transpose(std::array<Vec8, lane_count>& m) {
 }
 
 // glibc has these for whole vectors (libmvec, to four units of the last place), but declares them
-// so only under -ffast-math. Names of their own keep other code on the scalar ones.
+// only under -ffast-math. Separate names keep other code on the scalar functions.
 #ifdef __clang__
 #define VYBEG_VECTOR_FUNCTION
 #else

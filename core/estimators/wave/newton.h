@@ -4,11 +4,11 @@
 
 namespace vybeg {
 
-// The end of Newton's steps. The extremum lies at x + move.
+// End of Newton's steps; the extremum lies at x + move.
 template <class Real>
 struct NewtonEnd {
     Real x;           // of the last evaluation
-    Real move;        // from there on; zero in lanes that have left
+    Real move;        // to the extremum; zero in lanes that have left
     Jet2<Real> last;  // the function at x
     MaskOf<Real> arrived;
 
@@ -17,13 +17,13 @@ struct NewtonEnd {
 };
 
 struct NewtonRules {
-    bool maximum = false;  // else a minimum
+    bool maximum = false;  // otherwise a minimum
     double last_move = 0;  // a shorter move is the last one: convergence is quadratic
     int steps = 0;         // after the first one
 };
 
 // Newton's steps on the slope of function(x), from x on, where the function is `last`. A lane
-// leaves where the function bends the wrong way, or where inside(x) does not hold.
+// leaves where the curvature has the wrong sign or inside(x) is false.
 template <class Real, class Function, class Inside>
 VYBEG_INLINED inline NewtonEnd<Real> newton(Real x, Jet2<Real> last, const NewtonRules& rules,
                                             Function function, Inside inside) {

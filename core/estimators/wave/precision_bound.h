@@ -7,7 +7,7 @@
 
 namespace vybeg {
 
-// Least standard deviations that any unbiased estimator can reach in one window, in white noise.
+// Lower bounds of the standard deviations of unbiased estimators in one window, in white noise.
 template <class Real>
 struct PrecisionOf {
     WaveStateOf<Real> sd;  // recording units and rad
@@ -16,9 +16,9 @@ struct PrecisionOf {
 };
 
 // Cramer-Rao bound of all five parameters together for noise of one recording unit per sample and
-// channel, for the window as it is: with the residual of section 3 it keeps the terms that METHOD
-// section 6 drops, and equals section 6 where that residual is zero (tested). Angles' bounds are
-// not finite where a_A = |a_B|.
+// channel, for the actual window: it keeps the terms of the residual of METHOD section 3, which
+// section 6 omits, and equals section 6 at zero residual (tested). The bounds of the angles are not
+// finite at a_A = |a_B|.
 template <class Real>
 VYBEG_INLINED inline PrecisionOf<Real> unit_precision(const PhasorParts<Real>& z,
                                                       const WindowKernelOf<Real>& kernel) {

@@ -26,7 +26,7 @@ struct WaveStateOf {
 using WaveState = WaveStateOf<double>;
 
 // The inversion of METHOD section 1. two_theta_A lies in (-pi/2, pi/2] and alpha in (-pi, pi],
-// chosen together. Where a_A = |a_B| the angles mean nothing; the caller knows from the amplitudes.
+// chosen together. At a_A = |a_B| the angles are undefined; the caller checks the amplitudes.
 WaveState to_wave_state(const Phasors& phasors);
 
 Phasors to_phasors(const WaveState& state);

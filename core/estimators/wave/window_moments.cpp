@@ -8,8 +8,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// The rotation e^{-iwu} is carried from sample to sample inside a block and computed afresh at the
-// start of each, so that its error stays below block_length roundings.
+// The rotation e^{-iwu} is updated from sample to sample within a block and recomputed at the start
+// of each block, which limits its error to block_length roundings.
 constexpr std::int64_t block_length = 64;
 
 // Complex product without the checks for infinity that operator* makes.
@@ -47,8 +47,7 @@ Moments window_moments(const Window& window, double w) {
     Moments sum{};
     const Complex step = unit(-w);
     for_blocks(window.length(), w, [&](std::int64_t first, std::int64_t last, double u, Complex r) {
-        // Powers of the place inside the block: small numbers, shifted to the window's centre
-        // below.
+        // Powers of the position in the block: small numbers, shifted to the window's centre below.
         Moments block{};
         double v = 0;
         for (std::int64_t j = first; j < last; ++j, v += 1) {

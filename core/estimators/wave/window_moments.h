@@ -7,7 +7,7 @@
 
 namespace vybeg {
 
-// Everything that the estimators need of a window's samples, at one trial frequency.
+// Sums over the samples of a window at one trial frequency.
 //
 // Time inside a window is counted in samples from its centre: u_j = j - (n - 1)/2. The trial
 // frequency w is in radians per sample, 0 < w < pi.
@@ -45,14 +45,14 @@ struct Moments {
 // 64 samples.
 Moments window_moments(const Window& window, double w);
 
-// Only z[0] of both channels, for searches that need no derivative.
+// z[0] of both channels, for searches without derivatives.
 struct Projections {
     std::complex<double> c;
     std::complex<double> d;
 };
 Projections window_projections(const Window& window, double w);
 
-// Sums of the window alone, in closed form; they say how far cos and sin are from orthogonal and
+// Sums that depend on the window only, in closed form: deviation of cos and sin from orthogonal and
 // equal.
 template <class Real>
 struct WindowKernelOf {
@@ -67,7 +67,7 @@ using WindowKernel = WindowKernelOf<double>;
 WindowKernel window_kernel(std::int64_t n, double w);
 
 // sum (C^2 + D^2) of the residual after taking Re(c e^{iwu}), Re(d e^{iwu}) from the samples: n F.
-// By residuals, not by moments, so that it keeps its digits where the fit is almost perfect.
+// Computed from residuals, not from moments, so that an almost perfect fit keeps its digits.
 double residual_sum(const Window& window, const Projections& phasors, double w);
 
 }  // namespace vybeg

@@ -18,7 +18,7 @@ constexpr std::string_view magic = "\x93NUMPY"sv;
 constexpr std::int64_t most_channels = 4096;
 constexpr std::int64_t longest_header = std::int64_t{1} << 16;  // NumPy itself stops at 10000
 
-// Reads the Python literal that is the header, token by token. Blanks mean nothing.
+// Reads the header, a Python literal, token by token. Blanks are ignored.
 class Literal {
 public:
     explicit Literal(std::string_view text) : text_(text) {}
@@ -57,7 +57,7 @@ public:
         return is_there;
     }
 
-    // Not negative; Python 2 wrote an L behind it.
+    // Not negative; Python 2 appended an L.
     std::optional<std::int64_t> whole_number() {
         at(' ');
         std::int64_t number = 0;
@@ -100,7 +100,7 @@ struct Header {
     std::optional<std::vector<std::int64_t>> shape;
 };
 
-// Nothing where the text is no dictionary of the three known keys.
+// Empty if the text is no dictionary of the three known keys.
 std::optional<Header> parse_header(std::string_view text) {
     Literal literal(text);
     Header header;
@@ -140,8 +140,8 @@ std::optional<Header> parse_header(std::string_view text) {
     return whole ? std::optional(header) : std::nullopt;
 }
 
-// "<f8" and its like. NumPy writes '|' where there is but one byte, and '=' or nothing stands for
-// the order of the machine that wrote it, which all but surely was little.
+// Type codes such as "<f8". NumPy writes '|' for one byte; '=' or no sign means the byte order of
+// the writing machine, almost certainly little endian.
 std::optional<std::pair<NumberType, bool>> parse_type(std::string_view descr) {
     bool big_endian = false;
     if (!descr.empty() && "<>=|"sv.find(descr.front()) != ""sv.npos) {
@@ -169,7 +169,7 @@ std::optional<std::pair<NumberType, bool>> parse_type(std::string_view descr) {
     return std::nullopt;
 }
 
-// As it may stand in a one-line message.
+// Text for a one-line message.
 std::string printable(std::string_view text) {
     std::string copy(text.substr(0, 20));
     std::replace_if(
@@ -183,7 +183,7 @@ std::size_t channel_axis(const std::vector<std::int64_t>& shape) {
 }
 
 bool size_fits(const std::vector<std::int64_t>& shape) {
-    // So that products with the size of a number are still numbers.
+    // Limits the size, so that products with the size of a number do not overflow.
     std::int64_t room = std::numeric_limits<std::int64_t>::max() / 16;
     for (const std::int64_t length : shape) {
         if (length > room) {
@@ -276,7 +276,7 @@ Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
 SampleColumn npy_column(const NpyArray& array, std::shared_ptr<const ByteSource> bytes,
                         std::int64_t channel) {
     const std::int64_t size = bytes_of(array.type);
-    // Whether the samples of a channel follow each other, and the channels each other.
+    // Whether the samples of a channel are contiguous, one channel after the other.
     const bool apart =
         array.shape.size() < 2 || (channel_axis(array.shape) == 0) != array.fortran_order;
     SampleRun run;

@@ -15,18 +15,17 @@ namespace vybeg {
 namespace {
 
 constexpr std::size_t channels = 2;
-constexpr std::int64_t front_bytes = std::int64_t{1} << 14;  // where a header may stand
-constexpr std::int64_t body_bytes = std::int64_t{1} << 16;   // behind it: what is judged
+constexpr std::int64_t front_bytes = std::int64_t{1} << 14;  // possible extent of a header
+constexpr std::int64_t body_bytes = std::int64_t{1} << 16;   // after it, basis of the guess
 constexpr std::int64_t longest_header = std::int64_t{1} << 13;
-constexpr std::int64_t round_length = 64;  // what headers are multiples of
+constexpr std::int64_t round_length = 64;  // usual multiple of header lengths
 constexpr double never = std::numeric_limits<double>::infinity();
 
-// A layout and what it makes of the body.
+// A layout and the statistics of the body under it.
 struct Candidate {
     RawLayout layout;
-    std::int64_t shift = 0;  // bytes that the first sample stands behind a multiple of its width
-    double noise = never;    // power that the two samples before do not tell, relative to all; 1:
-                             // white
+    std::int64_t shift = 0;  // offset of the first sample from a multiple of its width, bytes
+    double noise = never;  // residual power of the prediction from two samples, relative; 1: white
     double rms = 0;
     double step_rms = 0;  // of x[n] - a x[n-1] + x[n-2]
     double a = 0;
@@ -82,7 +81,7 @@ Candidate judge(std::string_view body, const RawLayout& layout, std::int64_t shi
         sums += sum * sum;
         count += 1;
     }
-    // Beyond these bounds nobody's units lie, but numbers do that are none.
+    // No real unit yields values beyond these bounds; misread bytes do.
     constexpr double smallest = 1e-15;
     constexpr double largest = 1e15;
     found.rms = std::sqrt(power / count);
@@ -97,19 +96,19 @@ Candidate judge(std::string_view body, const RawLayout& layout, std::int64_t shi
     return found;
 }
 
-constexpr double narrow = 0.25;  // noise of what may well be samples
+constexpr double narrow = 0.25;  // upper limit of the noise of probable samples
 
-// Noise as it counts when layouts are compared.
+// Noise with weights for the comparison of layouts.
 double weighed(const Candidate& candidate) {
     const RawType type = candidate.layout.type;
     double noise = candidate.noise;
     if (type == RawType::f32 || type == RawType::f64) {
-        // Whole numbers never make floating point ones of a narrow band, while the bits of
-        // floating point ones can pass for whole numbers of it.
+        // The bits of integers never form floating point numbers of a narrow band, while those of
+        // floating point numbers can form integers of one.
         noise *= noise < narrow ? 1e-3 : 1.0;
     } else if (type == RawType::i32) {
         noise *=
-            4;  // two 16 bit samples in a row are one of 32 bits, with less noise if D is silent
+            4;  // two consecutive 16 bit samples form one of 32 bits, with less noise if D is zero
     }
     return noise;
 }
@@ -137,7 +136,8 @@ Candidate best_of(std::string_view body, bool shifted) {
     return best;
 }
 
-// Where the samples begin: behind the last one in front that does not follow from its like.
+// Start of the samples: after the last number at the front that does not follow from its
+// neighbours.
 std::int64_t header_length(std::string_view front, const Candidate& found) {
     constexpr double surely = 6;  // standard deviations
     std::vector<double> x = samples(front, found.layout, found.shift);
@@ -153,7 +153,7 @@ std::int64_t header_length(std::string_view front, const Candidate& found) {
     }
     const std::int64_t width = bytes_of(number_type(found.layout.type));
     const std::int64_t header = found.shift + static_cast<std::int64_t>(begin) * width;
-    // The last number of a header may pass for a sample, which leaves the length one short.
+    // The last number of a header may look like a sample, which makes the length one short.
     if (begin > 0 && (header + width) % round_length == 0) {
         return header + width;
     }

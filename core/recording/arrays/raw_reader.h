@@ -10,12 +10,12 @@
 
 namespace vybeg {
 
-// What the samples of a layout are.
+// Number type of the samples of a layout.
 NumberType number_type(RawType type);
 
 // Headerless interleaved samples by options.raw, read on demand; one count is `scale` recording
-// units. Bytes after the last whole frame are passed over. Precondition: options.raw is set.
-// Errors: setting_invalid, too_few_channels, channel_out_of_range, too_few_frames, rate_unknown.
+// units. Bytes after the last whole frame are ignored. Precondition: options.raw is set. Errors:
+// setting_invalid, too_few_channels, channel_out_of_range, too_few_frames, rate_unknown.
 Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options);
 
 }  // namespace vybeg

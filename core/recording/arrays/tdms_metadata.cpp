@@ -22,7 +22,7 @@ TdmsRefusal impossible() {
             words(VYBEG_MESSAGE("Words", "the raw data of a channel cannot be as its index says"))};
 }
 
-// Scalers have a numbering of their own; nothing for times and what is not known.
+// Type of a scaler, which has a separate numbering; empty for times and unknown types.
 std::optional<NumberType> scaler_type(std::uint32_t code) {
     switch (code) {
         case 0: return NumberType::u8;
@@ -45,7 +45,7 @@ TdmsScaler take_scaler(TdmsMetadata& metadata, bool is_digital) {
     scaler.buffer = metadata.number<std::uint32_t>();
     scaler.offset = metadata.number<std::uint32_t>();
     if (is_digital) {
-        scaler.offset /= 8;  // it counts in bits
+        scaler.offset /= 8;  // in bits
         metadata.bytes(1);   // the bitmap of the sample's format
     } else {
         scaler.type = scaler_type(type);
@@ -55,7 +55,7 @@ TdmsScaler take_scaler(TdmsMetadata& metadata, bool is_digital) {
     return scaler;
 }
 
-// Whether each scaler lies inside of a row of its buffer.
+// Whether each scaler lies inside a row of its buffer.
 bool fits(const TdmsRawIndex& index) {
     const auto buffers = static_cast<std::int64_t>(index.widths.size());
     return std::accumulate(index.widths.begin(), index.widths.end(), std::int64_t{0}) <=

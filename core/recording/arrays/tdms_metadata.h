@@ -14,7 +14,7 @@
 
 namespace vybeg {
 
-// Instead of the length of an object's raw index.
+// Value in place of the length of an object's raw index: no raw data.
 inline constexpr std::uint32_t tdms_no_raw_data = 0xFFFFFFFF;
 inline constexpr std::uint32_t tdms_same_as_before = 0;
 
@@ -24,10 +24,10 @@ struct TdmsValue {
     std::string text;
 };
 
-// Where DAQmx puts one of a channel's raw numbers: in which of a chunk's buffers, and where in each
+// Position of one of a channel's raw numbers in DAQmx data: buffer of a chunk, and place in each
 // row of it.
 struct TdmsScaler {
-    std::optional<NumberType> type;  // nothing for digital lines and times
+    std::optional<NumberType> type;  // empty for digital lines and times
     std::int64_t buffer = 0;
     std::int64_t offset = 0;  // bytes from the start of a row
     std::uint32_t id = 0;     // the scale that takes it as its input
@@ -35,7 +35,7 @@ struct TdmsScaler {
     friend bool operator==(const TdmsScaler&, const TdmsScaler&) = default;
 };
 
-// What one object has in each chunk of a segment's raw data.
+// Data of one object in each chunk of a segment's raw data.
 struct TdmsRawIndex {
     std::size_t object = 0;  // its place in TdmsFile::objects
     std::uint32_t type = 0;  // of its values, in National Instruments' numbering
@@ -46,8 +46,8 @@ struct TdmsRawIndex {
     std::vector<std::int64_t> widths;  // bytes of a row in each buffer; DAQmx alone
 };
 
-// The bytes of a segment's metadata, taken one value after the other. What lies behind their end
-// reads as nothing, and ended() says so.
+// Reader of a segment's metadata, value by value. After the end it returns empty values, and
+// ended() is true.
 class TdmsMetadata {
 public:
     TdmsMetadata(std::string bytes, bool big_endian)
@@ -63,7 +63,7 @@ public:
 
     std::string_view bytes(std::size_t size);
     std::string string() { return std::string(bytes(number<std::uint32_t>())); }
-    // A property's value; nothing where its type is not known.
+    // A property's value; empty for an unknown type.
     std::optional<TdmsValue> value(std::uint32_t type);
     bool ended() const { return ended_; }
 
@@ -76,11 +76,11 @@ private:
 
 // Why a raw index cannot be used.
 struct TdmsRefusal {
-    bool damaged = false;  // else of a kind that is not read
+    bool damaged = false;  // otherwise of an unsupported kind
     MessageArg reason;
 };
 
-// Takes an object's raw index, whose first number was `length`. Nothing where all is well.
+// Reads an object's raw index, whose first number was `length`. Returns the refusal, if any.
 std::optional<TdmsRefusal> take_raw_index(TdmsMetadata& metadata, std::uint32_t length,
                                           TdmsRawIndex& index);
 

@@ -21,8 +21,8 @@ namespace {
 constexpr std::string_view data_tag = "TDSm";
 constexpr std::string_view index_tag = "TDSh";
 
-// So that where the samples stand never takes more than the file's size and this: a vector that
-// grows holds the old runs and up to twice as many places.
+// The table of sample positions takes at most the file's size plus this; a growing vector holds the
+// old entries and room for up to twice as many.
 constexpr std::int64_t held_bytes = std::int64_t{32} << 20;
 constexpr std::int64_t held_bytes_of_run = 3 * sizeof(SampleRun);
 
@@ -31,7 +31,7 @@ struct FoundChannel {
     TdmsRawIndex index;  // the first of its object
 };
 
-// What the first walk through the file brings.
+// Result of the first pass through the file.
 struct Contents {
     std::vector<TdmsObject> objects;
     std::vector<FoundChannel> channels;
@@ -43,7 +43,7 @@ struct Contents {
     const TdmsObject& object(int number) const { return objects[channel(number).object]; }
 };
 
-// A channel that is to be read: which of its numbers, and what they become.
+// A channel to be read: the chosen numbers and their scaling.
 struct ChosenChannel {
     std::size_t object = 0;
     NumberType type = NumberType::f64;
@@ -80,7 +80,7 @@ public:
 
     Result<Contents> contents() const {
         TdmsFile tdms(file_, job_);
-        std::vector<std::optional<TdmsRawIndex>> first;  // of each object, once it has values
+        std::vector<std::optional<TdmsRawIndex>> first;  // of each object with values
         std::vector<std::size_t> order;
         const Status status =
             tdms.walk([&](const TdmsSegment&, const std::vector<TdmsRawIndex>& chunk) -> Status {
@@ -142,7 +142,7 @@ public:
         return chosen;
     }
 
-    // Both columns, from a second walk: which channels they are is only known after the first.
+    // Both columns, from a second pass, because only the first pass determines the channels.
     Result<Columns> columns(const ChosenChannel& c, const ChosenChannel& d) const {
         TdmsRuns runs_c(c.object, c.scaler());
         TdmsRuns runs_d(d.object, d.scaler());
@@ -199,7 +199,7 @@ private:
         return found == object.properties.end() ? std::nullopt : found->second.number;
     }
 
-    // The channel, its group and the file, as far as they are described.
+    // The channel, its group and the file, those with properties.
     static std::vector<const TdmsObject*> with_owners(const Contents& contents,
                                                       const TdmsObject& channel) {
         std::vector<const TdmsObject*> found{&channel};
@@ -219,7 +219,7 @@ private:
     const JobControl& job_;
 };
 
-// Names with their group where the file has several groups of channels.
+// Names, with their group in files with several groups of channels.
 std::vector<Channel> describe(const Contents& contents) {
     const std::string& first = contents.object(1).group;
     const bool one_group = std::all_of(
@@ -269,7 +269,7 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     if (const auto own = rate_c ? rate_c : rate_d) {
         found.own_rate = SampleRate{*own, RateOrigin::file};
     }
-    // Before the second walk.
+    // Checked before the second pass.
     if (const auto rate = choose_rate(*file, found.own_rate, options); !rate) {
         return rate.error();
     }

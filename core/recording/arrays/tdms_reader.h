@@ -11,19 +11,18 @@
 
 namespace vybeg {
 
-// True where the first bytes of a file are those of a TDMS file of National Instruments, or of the
-// index that lies beside one (.tdms_index).
+// Whether the first bytes of a file are those of a TDMS file of National Instruments, or of its
+// index file (.tdms_index).
 bool is_tdms(std::string_view head);
 
-// The channels of a TDMS file that hold numbers and are not named as times, in the order of their
-// first appearance; read on demand through a table of segments, raw data of DAQmx too. The rate is
-// 1 / wf_increment of C (else of its group or the file), unit_string the unit, wf_start_time the
-// start; the scales of tdms_scaling() are applied. Channels of different lengths get the diagnostic
-// channels_unequal; a file that ends early file_ends_early; one whose last segment was never
-// closed, or that is cut within the head of a segment, file_not_closed.
-// Errors: format_damaged; format_unsupported for scales of sensors, an index alone and channels of
-// different rates; too_few_channels, channel_out_of_range, too_few_frames, rate_unknown,
-// interrupted.
+// The numeric channels of a TDMS file without time names, in the order of their first appearance;
+// read on demand through a table of segments, also raw data of DAQmx. The rate is 1 / wf_increment
+// of C (otherwise of its group or the file), unit_string the unit, wf_start_time the start; the
+// scales of tdms_scaling() are applied. Channels of different lengths get the diagnostic
+// channels_unequal; a file that ends early file_ends_early; one with an unclosed last segment, or
+// truncated within the head of a segment, file_not_closed. Errors: format_damaged;
+// format_unsupported for scales of sensors, an index alone and channels of different rates;
+// too_few_channels, channel_out_of_range, too_few_frames, rate_unknown, interrupted.
 Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                             const JobControl& job);
 

@@ -8,13 +8,13 @@
 namespace vybeg {
 namespace {
 
-// How a chunk is made, and where in it the channel stands.
+// Layout of a chunk, and position of the channel in it.
 struct Chunk {
     std::int64_t size = 0;    // bytes
     std::int64_t offset = 0;  // of the channel's first value
     std::int64_t stride = 0;  // from value to value
     std::int64_t width = 0;   // of a value
-    std::int64_t count = 0;   // of the channel's values; 0: it is not there
+    std::int64_t count = 0;   // of the channel's values; 0: the channel is absent
     bool by_rows = false;     // a value of each channel in turn
 };
 
@@ -36,8 +36,8 @@ Chunk chunk_for(std::size_t object, const std::vector<TdmsRawIndex>& indices, bo
     return chunk;
 }
 
-// The same for DAQmx: buffers one after the other, each of as many rows as the longest channel in
-// it has values. Nothing where the channels do not agree on the buffers.
+// The same for DAQmx: consecutive buffers, each with as many rows as its longest channel has
+// values. Empty if the channels contradict each other about the buffers.
 std::optional<Chunk> daqmx_chunk_for(std::size_t object, std::uint32_t scaler_id,
                                      const std::vector<TdmsRawIndex>& indices) {
     const std::vector<std::int64_t>& widths = indices.front().widths;
@@ -78,8 +78,8 @@ std::int64_t values_in(const Chunk& chunk, std::int64_t bytes) {
     return room < 0 || chunk.count == 0 ? 0 : std::min(chunk.count, room / chunk.stride + 1);
 }
 
-// A last chunk of `bytes` bytes, shared out: each channel has its values in proportion. Nothing
-// where a product would be too large for any file.
+// A last chunk of `bytes` bytes, divided in proportion among the channels. Empty if a product would
+// exceed any file size.
 std::optional<Chunk> shared_out(Chunk chunk, std::size_t object, std::int64_t bytes,
                                 const std::vector<TdmsRawIndex>& indices) {
     constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
@@ -140,7 +140,7 @@ std::optional<const char*> TdmsRuns::take(const TdmsSegment& segment,
     run.chunk_stride = chunk.size;
     run.big_endian = segment.big_endian;
 
-    // A segment that was never closed promises as many whole chunks as it began.
+    // The number of values of an unclosed segment is that of its whole chunks.
     const std::int64_t bytes = segment.promised.value_or(segment.size);
     const std::int64_t last = bytes % chunk.size;
     promised_ += bytes / chunk.size * chunk.count;
@@ -161,7 +161,7 @@ std::optional<const char*> TdmsRuns::take(const TdmsSegment& segment,
         return std::nullopt;
     }
     append(run);
-    // How many bytes of a shorter chunk are texts, nothing says.
+    // The number of text bytes in a shorter chunk is unknown.
     SampleRun end = run;
     end.count = has_texts(indices) ? 0 : values_in(*share, rest);
     end.per_chunk = std::max<std::int64_t>(share->count, 1);

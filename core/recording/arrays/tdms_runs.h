@@ -11,23 +11,23 @@
 
 namespace vybeg {
 
-// Collects where the values of one channel stand, segment by segment. Runs that continue each other
-// become one: a file that was written piece by piece has a short table.
+// Collects the positions of the values of one channel, segment by segment. Contiguous ranges are
+// merged, so that a file written in many pieces has a short table.
 class TdmsRuns {
 public:
-    // `scaler`: which of a DAQmx channel's numbers are meant.
+    // `scaler`: id of the chosen numbers of a DAQmx channel.
     explicit TdmsRuns(std::size_t object, std::uint32_t scaler = 0)
         : object_(object), scaler_(scaler) {}
 
-    // Takes one segment's chunks. A last chunk that its segment itself has shorter is shared out in
-    // proportion among channels that stand one after the other; where the file is cut, what is
-    // there is there. Returns what is wrong with the chunks, or nothing.
+    // Adds the chunks of one segment. A last chunk that is shorter by its segment is divided in
+    // proportion among consecutive channels; in a truncated file the present bytes count. Returns
+    // the fault of the chunks, if any.
     std::optional<const char*> take(const TdmsSegment& segment,
                                     const std::vector<TdmsRawIndex>& chunk);
 
     const std::vector<SampleRun>& runs() const { return runs_; }
     std::vector<SampleRun> take_runs() { return std::move(runs_); }
-    // Values by the segments' lead-ins; of a segment that was never closed, whole chunks.
+    // Number of values by the lead-ins of the segments; of an unclosed segment, whole chunks.
     std::int64_t promised() const { return promised_; }
     std::int64_t present() const { return runs_.empty() ? 0 : runs_.back().end(); }
 

@@ -35,7 +35,7 @@ public:
         return found == owner_.properties.end() ? "" : found->second.text;
     }
 
-    // As many as the file says, else as are described.
+    // Number of scales by the file, otherwise of those described.
     double count() const {
         if (const auto told = number(std::string(count_name))) {
             return *told;
@@ -54,11 +54,11 @@ public:
                 VYBEG_MESSAGE("Words", "the channel %1 has an impossible number of scales"));
         }
         TdmsScaling scaling;
-        // From the last scale back to the raw numbers: a step that is met first is applied last.
+        // From the last scale back to the raw numbers; the step found first is applied last.
         auto index = static_cast<int>(scales) - 1;
         for (int seen = 0;; ++seen) {
             const std::string type = text(scale_name(index, "Scale_Type"));
-            if (type.empty()) {  // what DAQmx delivers under this number
+            if (type.empty()) {  // raw number of DAQmx with this id
                 scaling.scaler = static_cast<std::uint32_t>(index);
                 break;
             }
@@ -117,7 +117,7 @@ private:
         return {};
     }
 
-    // What the properties call scaled values is what comes in, and pre-scaled what goes out.
+    // "Scaled values" of the properties are the input, "pre-scaled" the output.
     Status take_table(int index, TdmsScaling& scaling) const {
         const double size = number(scale_name(index, "Table_Scaled_Values_Size")).value_or(0);
         auto x = list(scale_name(index, "Table_Scaled_Values"), size);
@@ -144,7 +144,7 @@ private:
         return {};
     }
 
-    // name[0], name[1], ...; nothing where one is missing.
+    // name[0], name[1], ...; empty if one is missing.
     std::optional<std::vector<double>> list(const std::string& name, double size) const {
         std::vector<double> values;
         for (int i = 0; i < size; ++i) {
@@ -157,7 +157,7 @@ private:
         return values;
     }
 
-    // Straight lines at the beginning are the decoder's.
+    // Moves linear steps at the beginning into the scale of the decoder.
     static void fold(TdmsScaling& scaling) {
         auto& steps = scaling.steps;
         while (!steps.empty()) {

@@ -28,7 +28,7 @@ constexpr std::uint64_t never_closed = std::numeric_limits<std::uint64_t>::max()
 
 constexpr std::size_t most_kept = 50000;
 
-// Those that say something about samples.
+// Whether a property describes samples.
 bool is_kept(std::string_view name) {
     constexpr std::array<std::string_view, 5> names{
         "wf_increment", "wf_xunit_string", "wf_start_time", "unit_string", "NI_Number_Of_Scales"};
@@ -46,7 +46,7 @@ struct LeadIn {
 
 LeadIn parse_lead_in(const char* bytes) {
     LeadIn lead_in;
-    lead_in.contents = load<std::uint32_t>(bytes + 4, false);  // in this order in all files
+    lead_in.contents = load<std::uint32_t>(bytes + 4, false);  // little endian in all files
     const bool big_endian = lead_in.has(is_big_endian);
     lead_in.next = load<std::uint64_t>(bytes + 12, big_endian);
     lead_in.raw = load<std::uint64_t>(bytes + 20, big_endian);

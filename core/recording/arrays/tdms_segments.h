@@ -16,26 +16,25 @@
 
 namespace vybeg {
 
-// An object of a TDMS file: the file ("/"), a group or a channel. Of its properties those are kept
-// that say something about samples.
+// An object of a TDMS file: the file ("/"), a group or a channel. It stores only properties that
+// describe samples.
 struct TdmsObject {
     std::string group;    // empty for the file itself
     std::string channel;  // empty for the file and for groups
     std::map<std::string, TdmsValue, std::less<>> properties;
 };
 
-// The raw data of one segment: chunks of equal make, one after the other.
+// Raw data of one segment: consecutive chunks of equal layout.
 struct TdmsSegment {
-    std::int64_t offset = 0;  // of its first chunk, in the file
-    std::int64_t size = 0;    // bytes that are there
-    std::optional<std::int64_t>
-        promised;              // bytes by its lead-in; nothing where it was never closed
-    bool interleaved = false;  // one value of each object in turn
+    std::int64_t offset = 0;               // of its first chunk, in the file
+    std::int64_t size = 0;                 // bytes present
+    std::optional<std::int64_t> promised;  // bytes by its lead-in; empty if it was never closed
+    bool interleaved = false;              // one value of each object in turn
     bool big_endian = false;
-    bool last = false;  // nothing follows, and its last chunk may be incomplete
+    bool last = false;  // last segment; its last chunk may be incomplete
 };
 
-// Walks a TDMS file (version 2.0) from segment to segment.
+// Reads a TDMS file (version 2.0) segment by segment.
 class TdmsFile {
 public:
     using Visitor =
@@ -43,14 +42,15 @@ public:
 
     TdmsFile(std::shared_ptr<const FileBytes> file, const JobControl& job);
 
-    // Calls `visit` for each segment with raw data; `chunk` is what a chunk of it consists of, in
-    // its order. Errors: those of `visit`; file_read_failed; format_damaged; format_unsupported for
-    // more than 10,000 objects and more than 50,000 properties of scales; interrupted.
+    // Calls `visit` for each segment with raw data; `chunk` lists the contents of one of its
+    // chunks, in order. Errors: those of `visit`; file_read_failed; format_damaged;
+    // format_unsupported for more than 10,000 objects and more than 50,000 properties of scales;
+    // interrupted.
     Status walk(const Visitor& visit);
 
-    const std::vector<TdmsObject>& objects() const { return objects_; }  // as far as walked
-    // Whether the last segment was never closed, or the file was cut within a segment's head: how
-    // much there was to be is unknown.
+    const std::vector<TdmsObject>& objects() const { return objects_; }  // read so far
+    // Whether the last segment was never closed or the file is truncated within the head of a
+    // segment; the intended length is then unknown.
     bool open_ended() const { return open_ended_; }
 
 private:

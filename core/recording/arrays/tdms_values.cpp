@@ -63,7 +63,7 @@ std::string tdms_time_text(std::int64_t seconds, std::uint64_t fraction) {
         return {};
     }
     const std::int64_t in_day = seconds - days_after * day;
-    // To the nearest: the fraction of .789 s lies just below it.
+    // Rounded to the nearest, because the fraction of .789 s lies just below it.
     const std::uint64_t milliseconds =
         std::min<std::uint64_t>(((fraction >> 32) * 1000 + (1u << 31)) >> 32, 999);
     return padded(in_year, 4) + "-" + padded(static_cast<unsigned>(date.month()), 2) + "-" +

@@ -135,8 +135,8 @@ Status AudioDecoder::read(std::int64_t first, std::span<double> out) {
     }
     const auto frames = static_cast<std::int64_t>(out.size()) / info_.channels;
     const std::int64_t got = sf_readf_double(handle_, out.data(), frames);
-    // libFLAC 1.4 stops short of a block with a wrong checksum; before, it put zeros there, which
-    // sf_error alone tells.
+    // libFLAC 1.4 stops before a block with a wrong checksum; earlier versions fill it with zeros,
+    // which only sf_error reveals.
     if (sf_error(handle_) != SF_ERR_NO_ERROR) {
         return damaged(library_reason(handle_));
     }

@@ -28,14 +28,14 @@ public:
     const SF_INFO& info() const { return info_; }
     std::string container() const;    // e.g. "WAV"
     std::string sample_type() const;  // e.g. "64 bit float"
-    std::string start() const;        // date and time as the file gives them, or empty
+    std::string start() const;        // date and time from the file, or empty
 
-    // Decodes the frames from `first` on into `out`, interleaved. Errors: format_damaged, where not
-    // every one of them could be decoded; the decoder is of no use afterwards.
+    // Decodes the frames from `first` on into `out`, interleaved. Errors: format_damaged, if one of
+    // them cannot be decoded; the decoder is unusable afterwards.
     Status read(std::int64_t first, std::span<double> out);
 
 private:
-    struct Bytes;  // what libsndfile reads from
+    struct Bytes;  // input of libsndfile
 
     AudioDecoder();
     Error damaged(MessageArg reason) const;

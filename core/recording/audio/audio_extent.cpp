@@ -15,21 +15,21 @@ using namespace std::string_view_literals;
 // The 16 byte names of W64 chunks begin with the four letters of the WAV chunk.
 constexpr std::string_view w64_riff = "riff\x2E\x91\xCF\x11\xA5\xD6\x28\xDB\x04\xC1\x00\x00"sv;
 constexpr int most_chunks = 1000;
-constexpr std::size_t payload_head = 40;  // more than any field that is looked at
+constexpr std::size_t payload_head = 40;  // more than any field used
 
 enum class Container { wav, rf64, w64, aiff, caf };
 
 struct Chunk {
     std::string_view id;  // four letters
-    std::int64_t size;    // of the payload, as it is written; -1 or all ones: not filled in
+    std::int64_t size;    // of the payload, as written; -1 or all ones: not filled in
     std::int64_t payload_at;
-    const char* payload;  // its first payload_head bytes, zeros behind the end of the file
+    const char* payload;  // its first payload_head bytes, zeros after the end of the file
 };
 
-// Whether the chunks in a LIST chunk lie inside of it.
+// Whether the chunks in a LIST chunk lie inside it.
 Result<bool> is_sound_list(const FileBytes& file, const Chunk& list, bool big_endian) {
     constexpr std::int64_t head_bytes = 8;
-    std::int64_t at = list.payload_at + 4;  // behind the list's type
+    std::int64_t at = list.payload_at + 4;  // after the list's type
     const std::int64_t end = list.payload_at + list.size;
     if (end > file.size()) {
         return false;
@@ -45,8 +45,7 @@ Result<bool> is_sound_list(const FileBytes& file, const Chunk& list, bool big_en
     return at <= end + 1;  // the last one need not be padded
 }
 
-// Whether the decoder may see a chunk of a WAV or RF64 file: the samples, what describes them, and
-// the date.
+// Whether the decoder gets a chunk of a WAV or RF64 file: samples, their description, date.
 Result<bool> is_wanted(const FileBytes& file, const Chunk& chunk, bool big_endian) {
     constexpr std::array<std::string_view, 5> wanted{"fmt ", "fact", "data", "ds64", "bext"};
     if (chunk.id == "LIST") {
@@ -55,8 +54,8 @@ Result<bool> is_wanted(const FileBytes& file, const Chunk& chunk, bool big_endia
     return std::find(wanted.begin(), wanted.end(), chunk.id) != wanted.end();
 }
 
-// Whether the bytes from `at` to the end of a WAV file are chunks, the last one complete: what
-// stands behind a data chunk that is truly empty.
+// Whether the bytes from `at` to the end of a WAV file are chunks, the last one complete; this is
+// the case after a data chunk that is really empty.
 Result<bool> are_chunks(const FileBytes& file, std::int64_t at, bool big_endian) {
     constexpr std::int64_t head_bytes = 8;
     for (int i = 0; i < most_chunks && file.size() - at >= head_bytes; ++i) {
@@ -74,7 +73,7 @@ Result<bool> are_chunks(const FileBytes& file, std::int64_t at, bool big_endian)
     return at == file.size() || at == file.size() + 1;
 }
 
-// How a container writes the heads of its chunks.
+// Layout of the chunk heads of a container.
 struct Layout {
     std::int64_t first_chunk;
     std::int64_t id_bytes;
@@ -95,13 +94,13 @@ Layout layout_of(Container container, bool big_endian) {
     return {};
 }
 
-// Collects what is needed from the chunks of one file, until the samples begin.
+// Reads the chunks of one file up to the samples.
 class ExtentReader {
 public:
     ExtentReader(Container container, bool big_endian, std::int64_t file_size)
         : container_(container), big_endian_(big_endian), file_size_(file_size) {}
 
-    // False where nothing of interest can follow.
+    // False if no relevant chunk can follow.
     bool take(const Chunk& chunk) {
         if (chunk.id == "fmt ") {
             take_wav_format(chunk);
@@ -120,7 +119,7 @@ public:
         return true;
     }
 
-    // The samples of a file whose recorder died before it could write their length.
+    // Samples of a file without a final length, because the recorder stopped.
     void take_unfinished(const Chunk& chunk) {
         constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
         const std::int64_t frame = std::max<std::int64_t>(frame_bytes_, 1);
@@ -157,7 +156,7 @@ private:
             extent_.patches.push_back({chunk.payload_at - 8, store(present, true)});
         }
         if (container_ == Container::caf && size >= 0) {
-            size -= 4;  // an edit count stands before the samples
+            size -= 4;  // an edit count precedes the samples
         }
         const bool not_filled_in = size == std::numeric_limits<std::uint32_t>::max();
         if (container_ == Container::rf64 && not_filled_in) {

@@ -11,34 +11,34 @@
 
 namespace vybeg {
 
-// True where the first bytes of a file (16 or more, where it has them) are those of a container
-// that the audio reader knows: WAV (RIFF, RIFX), RF64, W64, AIFF, AIFF-C, CAF, AU or FLAC.
+// Whether the first bytes of a file (16 or more, if present) are those of a supported container:
+// WAV (RIFF, RIFX), RF64, W64, AIFF, AIFF-C, CAF, AU or FLAC.
 bool is_audio(std::string_view head);
 
-// Bytes that the decoder is to see instead of the file's, because it refuses those.
+// Bytes passed to the decoder instead of those of the file, which it rejects.
 struct HeaderPatch {
     std::int64_t at = 0;
     std::string bytes;
 };
 
-// What the chunks of an audio file say before anybody decodes it.
+// Contents of the chunks of an audio file, without decoding.
 struct AudioExtent {
-    // Frames that the header promises, whatever the file really holds; nothing where it does not
-    // tell (a streamed file whose length was never filled in, a packed format, AU, FLAC).
+    // Number of frames by the header, independent of the real length; empty if the header has none
+    // (a streamed file without final length, a packed format, AU, FLAC).
     std::optional<std::int64_t> promised_frames;
-    // Of the first sample in a WAV, RF64 or W64 file, in bytes; 0 where there is none.
+    // Position of the first sample in a WAV, RF64 or W64 file, bytes; 0 without one.
     std::int64_t samples_at = 0;
     bool rate_is_zero = false;  // in a WAV, RF64 or W64 file; patched to 1 Hz
-    // The length of the samples of a WAV file is still zero, and they reach to the file's end: its
-    // recorder died. Patched.
+    // The sample length of a WAV file is still zero and the samples reach to the end of the file,
+    // because the recorder stopped. Patched.
     bool never_closed = false;
-    // Also a CAF file's length, where the file ends before; and the names of WAV and RF64 chunks
-    // that the decoder need not see, some of which make it go round for ever.
+    // Also the length of a truncated CAF file, and the names of WAV and RF64 chunks that the
+    // decoder does not need, some of which make it loop for ever.
     std::vector<HeaderPatch> patches;
 };
 
-// Walks the chunks, in WAV and RF64 files also those behind the samples. Never fails on what the
-// chunks say: that is the decoder's task. Errors: file_read_failed.
+// Reads the chunks, in WAV and RF64 files also those after the samples. Contents of chunks cause no
+// error; the decoder checks them. Errors: file_read_failed.
 Result<AudioExtent> audio_extent(const FileBytes& file);
 
 }  // namespace vybeg

@@ -83,8 +83,8 @@ private:
     mutable std::unique_ptr<AudioDecoder> decoder_;
 };
 
-// Frames that can be decoded from the start on: where the last one of the header's cannot be had,
-// nothing but decoding tells how many there are.
+// Number of frames that can be decoded from the start. If the last frame of the header cannot be
+// decoded, only decoding shows the number.
 Result<std::int64_t> count_frames(const std::shared_ptr<const FileBytes>& file,
                                   const std::vector<HeaderPatch>& patches, const JobControl& job) {
     std::int64_t frames = 0;
@@ -151,7 +151,7 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
     }
     const SampleRate own{header->rate_is_zero ? 0.0 : static_cast<double>(info.samplerate),
                          RateOrigin::file};
-    // Before the work of counting frames.
+    // Checked before frames are counted.
     if (const auto rate = choose_rate(*file, own, options); !rate) {
         return rate.error();
     }

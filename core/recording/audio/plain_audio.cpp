@@ -40,7 +40,7 @@ bool same_sample(double plain, double decoded) {
     return plain == decoded || (std::isnan(plain) && !std::isfinite(decoded));
 }
 
-// Whether the frame is the decoder's.
+// Whether the frame equals that of the decoder.
 bool agrees(const SampleSource& source, AudioDecoder& decoder, std::int64_t frame,
             const OpenOptions& options) {
     std::vector<double> decoded(static_cast<std::size_t>(decoder.info().channels));

@@ -9,7 +9,7 @@
 
 namespace vybeg {
 
-// The number that stands at `bytes` in the given byte order, wherever it is aligned.
+// Number at `bytes` in the given byte order, for any alignment.
 template <class Number>
 Number load(const char* bytes, bool big_endian) {
     std::array<char, sizeof(Number)> copy;

@@ -9,8 +9,8 @@
 
 namespace vybeg {
 
-// A run of bytes that can be read at any position: part of a file, or what is unpacked from it.
-// Immutable; may be read from several threads at once.
+// Bytes with random access: part of a file, or unpacked from it. Immutable; may be read from
+// several threads at once.
 class ByteSource {
 public:
     ByteSource() = default;
@@ -20,7 +20,7 @@ public:
 
     virtual std::int64_t size() const = 0;
 
-    // Whether any bytes can be read without going through those before them first.
+    // Whether bytes can be read without reading those before them.
     virtual bool seeks() const { return true; }
 
     // Fills `out` with the bytes from `offset` on. Precondition: they lie in [0, size()). Errors:

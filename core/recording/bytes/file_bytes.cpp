@@ -27,7 +27,7 @@ Error failure(const std::filesystem::path& path, int number) {
 }  // namespace
 
 Result<std::shared_ptr<const FileBytes>> FileBytes::open(const std::filesystem::path& path) {
-    // Without O_NONBLOCK a named pipe would make us wait for its writer.
+    // Without O_NONBLOCK, opening a named pipe would block until it has a writer.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) {
         return failure(path, errno);

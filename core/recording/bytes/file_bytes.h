@@ -10,8 +10,8 @@
 
 namespace vybeg {
 
-// A regular file that is open for reading at any position, from several threads at once. What the
-// path later names does not matter: a file that is replaced meanwhile is still read as it was.
+// A regular file open for reading at any position, from several threads at once. A file replaced
+// under the same path later does not affect it.
 class FileBytes {
 public:
     // Errors: file_missing, file_permission, file_is_directory, file_empty, file_read_failed.
@@ -22,18 +22,19 @@ public:
     ~FileBytes();
 
     const std::filesystem::path& path() const { return path_; }
-    std::int64_t size() const { return size_; }     // bytes, when it was opened
-    int descriptor() const { return descriptor_; }  // to lend to another process; stays ours
+    std::int64_t size() const { return size_; }  // bytes, at the time of opening
+    // For another process; this object keeps ownership.
+    int descriptor() const { return descriptor_; }
 
-    // Whether the file is still what was opened: its size and the time of its last change. Errors:
+    // Checks that size and modification time are those at the time of opening. Errors:
     // file_changed, file_read_failed.
     Status unchanged() const;
 
     // An error about this file.
     Error error(ErrorCode code, std::vector<MessageArg> args = {}) const;
 
-    // Fills `out` with the bytes from `offset` on and returns how many there were: fewer than asked
-    // for only at the end of the file. Errors: file_read_failed.
+    // Fills `out` with the bytes from `offset` on and returns their number, which is smaller than
+    // out.size() only at the end of the file. Errors: file_read_failed.
     Result<std::int64_t> read(std::int64_t offset, std::span<char> out) const;
 
 private:

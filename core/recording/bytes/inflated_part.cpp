@@ -17,8 +17,8 @@ constexpr std::int64_t recent_spacing = std::int64_t{1} << 20;
 constexpr std::size_t recent_states = 8;   // for windows that overlap
 constexpr std::size_t spread_states = 64;  // for jumps
 
-// zlib's decoder at one place of the stream. It owns no packed bytes: `packed` of the part's have
-// been taken in.
+// zlib's decoder at one position of the stream. It owns no packed bytes; `packed` counts those
+// consumed.
 class Inflater {
 public:
     Inflater() { inflateInit2(&stream_, -MAX_WBITS); }  // raw: ZIP has no zlib header
@@ -34,8 +34,8 @@ public:
     std::int64_t position() const { return position_; }
     std::uint32_t crc() const { return crc_; }
 
-    // Unpacks the next bytes and returns how many there were: fewer than asked for only at the end
-    // of the stream or, with `damaged`, where it is broken.
+    // Unpacks the next bytes and returns their number, smaller than out.size() only at the end of
+    // the stream or, with `damaged`, at a fault.
     Result<std::int64_t> next(const FileBytes& file, const DeflatedPart& part, std::span<char> out,
                               bool& damaged) {
         stream_.next_out = reinterpret_cast<Bytef*>(out.data());
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    // At the end there is nothing to take in, and inflate() tells that it needs more.
+    // At the end of the file there is no input, and inflate() reports that it needs more.
     Status refill(const FileBytes& file, const DeflatedPart& part) {
         const std::int64_t size = std::min(part.packed_size - packed_, packed_at_once);
         buffer_.resize(static_cast<std::size_t>(size));
@@ -115,7 +115,7 @@ public:
     }
 
 private:
-    // Makes the decoder stand at the offset or before it, at the nearest state that is remembered.
+    // Moves the decoder to the nearest stored state at or before the offset.
     void go_near(std::int64_t offset) const {
         const Inflater* best =
             now_ && !failed_ && now_->position() <= offset ? now_.get() : nullptr;
@@ -135,12 +135,12 @@ private:
         failed_ = false;
     }
 
-    // Exactly so many bytes, and the checksum where they are the last ones.
+    // Unpacks out.size() bytes and verifies the checksum after the last ones.
     Status unpack(std::span<char> out) const {
         remember();
         bool damaged = false;
         const auto got = now_->next(*file_, part_, out, damaged);
-        failed_ = true;  // until it is known that all is well
+        failed_ = true;  // until success is known
         if (!got) {
             return got.error();
         }
@@ -175,7 +175,7 @@ private:
 
     std::shared_ptr<const FileBytes> file_;
     DeflatedPart part_;
-    std::int64_t spacing_;  // of the states that are spread over the whole
+    std::int64_t spacing_;  // bytes between the states spread over the whole part
     mutable std::mutex mutex_;
     mutable std::unique_ptr<Inflater> now_;
     mutable bool failed_ = false;

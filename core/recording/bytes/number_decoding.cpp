@@ -11,7 +11,7 @@
 namespace vybeg {
 namespace {
 
-// A number as it stands, and scaled. value - value is 0, or NaN where the value is NaN or infinite:
+// A number, and the scaled number. value - value is 0, or NaN where the value is NaN or infinite:
 // no branch, twice the speed.
 template <class Number, bool big_endian>
 double plain_sample(const char* bytes) {
@@ -26,7 +26,7 @@ double scaled_sample(const char* bytes, const Scale& scale) {
     return value - (value - value);
 }
 
-// 24 bits as WAV files keep them.
+// 24 bits as in WAV files.
 struct Int24 {
     std::array<unsigned char, 3> low_first;
 

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-// Beyond it a whole number of 32 bits could become infinite.
+// Above this gain an integer of 32 bits could become infinite.
 constexpr double largest_gain = 1e290;
 
 using Bytes16 = std::int8_t __attribute__((vector_size(16)));

@@ -4,7 +4,7 @@
 
 namespace vybeg {
 
-// The numbers that binary files are made of.
+// Number types of binary files.
 enum class NumberType { i8, u8, i16, u16, i24, i32, u32, i64, u64, f16, f32, f64 };
 
 int bytes_of(NumberType type);

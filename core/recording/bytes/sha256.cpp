@@ -9,7 +9,7 @@
 namespace vybeg {
 namespace {
 
-// `file`: none for an empty one, which has a hash too.
+// `file`: null for an empty file, which has a hash too.
 Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path& path,
                               const JobControl& job) {
     const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),

@@ -12,11 +12,11 @@ namespace vybeg {
 // Lower-case hexadecimal SHA-256 of a file's bytes.
 Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job);
 
-// The same of an open file, which its path need not name any more.
+// The same of an open file, independent of its path.
 Result<std::string> file_sha256(const FileBytes& file, const JobControl& job);
 
-// Loads what OpenSSL loads when it is used first, so that a hash can be made beside other work: a
-// thread that loads it while another one runs out of memory may end the program.
+// Loads what OpenSSL loads on first use. Call it before parallel hashing, because loading in one
+// thread while another runs out of memory may terminate the program.
 void prepare_sha256();
 
 }  // namespace vybeg

@@ -30,7 +30,7 @@ void append_code(std::uint32_t code, std::string& utf8) {
     }
 }
 
-// Length of the UTF-8 sequence at the start of text, 0 where there is none.
+// Length of the UTF-8 sequence at the start of text, 0 without one.
 std::size_t sequence_length(std::string_view text) {
     const auto first = static_cast<unsigned char>(text[0]);
     const std::size_t length = first < 0x80                    ? 1

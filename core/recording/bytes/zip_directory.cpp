@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// The records, each with its signature and the bytes that it has at least.
+// Signatures and least sizes of the records.
 constexpr std::string_view end_signature = "PK\x05\x06"sv;
 constexpr std::int64_t end_size = 22;
 constexpr std::string_view locator64_signature = "PK\x06\x07"sv;
@@ -28,7 +28,7 @@ constexpr std::int64_t local_size = 30;
 constexpr std::size_t most_members = 10000;
 constexpr std::int64_t longest_comment = 65535;
 constexpr std::uint16_t zip64_extra = 1;
-constexpr std::uint32_t in_extra = 0xFFFFFFFF;  // the number stands in the ZIP64 extra field
+constexpr std::uint32_t in_extra = 0xFFFFFFFF;  // the number is in the ZIP64 extra field
 constexpr std::int64_t best_ratio = 1032;       // that deflate can pack
 
 Error damaged(const FileBytes& file, const char* text, std::vector<MessageArg> args = {}) {
@@ -40,14 +40,14 @@ Number number_at(std::string_view bytes, std::size_t at) {
     return load<Number>(bytes.data() + at, false);
 }
 
-// A 64 bit length or place; beyond what a file can have it becomes -1.
+// A 64 bit length or position; -1 beyond the largest file size.
 std::int64_t length_at(std::string_view bytes, std::size_t at) {
     const auto number = number_at<std::uint64_t>(bytes, at);
     constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max() / 2;
     return number > most ? -1 : static_cast<std::int64_t>(number);
 }
 
-// The bytes of the file from `offset` on, as far as it has them.
+// Bytes of the file from `offset` on, up to its end.
 Result<std::string> bytes_at(const FileBytes& file, std::int64_t offset, std::int64_t size) {
     std::string bytes(static_cast<std::size_t>(size), '\0');
     const auto got = file.read(offset, bytes);
@@ -63,7 +63,7 @@ struct Directory {
     std::int64_t size = 0;
 };
 
-// Where a ZIP64 archive has its directory; nothing where it is none.
+// Position of the directory of a ZIP64 archive; empty for other archives.
 Result<std::optional<Directory>> find_directory64(const FileBytes& file, std::int64_t end_offset) {
     if (end_offset < locator64_size) {
         return std::optional<Directory>{};
@@ -117,8 +117,7 @@ Result<Directory> find_directory(const FileBytes& file) {
     return directory;
 }
 
-// Takes the numbers that did not fit into 32 bits from the extra field, where they stand in this
-// order. False where they are not there.
+// Reads the numbers beyond 32 bits from the extra field, in this order. False if they are missing.
 bool take_extra(std::string_view extra, ZipMember& member) {
     while (extra.size() >= 4) {
         const auto id = number_at<std::uint16_t>(extra, 0);

@@ -12,10 +12,10 @@
 
 namespace vybeg {
 
-// True where the first bytes of a file are those of a ZIP archive.
+// Whether the first bytes of a file are those of a ZIP archive.
 bool is_zip(std::string_view head);
 
-// A file in a ZIP archive, as the archive's directory describes it.
+// A file in a ZIP archive, from the directory of the archive.
 struct ZipMember {
     std::string name;
     int method = 0;  // of packing: 0 stored, 8 deflated
@@ -27,11 +27,11 @@ struct ZipMember {
 };
 
 // The members in the directory's order (ZIP and ZIP64), without folders. Errors: file_read_failed;
-// format_damaged, where there is no directory (the archive is cut off) or it lies outside of the
-// file; format_unsupported for more than 10000 members.
+// format_damaged without a directory (truncated archive) or with one outside the file;
+// format_unsupported for more than 10000 members.
 Result<std::vector<ZipMember>> zip_members(const FileBytes& file);
 
-// A member's content: a stored one where it stands, a deflated one inflated on demand. Errors:
+// Content of a member: stored members in place, deflated members inflated on demand. Errors:
 // file_read_failed; format_damaged; format_unsupported for encrypted members and other methods.
 Result<std::shared_ptr<const ByteSource>> zip_content(std::shared_ptr<const FileBytes> file,
                                                       const ZipMember& member);

@@ -12,8 +12,8 @@ namespace {
 // Frames: hundreds of periods of a carrier, a tenth of what carrier and rate usually have in
 // common.
 constexpr std::int64_t neighbourhood = 4096;
-// Frames: meetings at multiples of more than this are the pattern of a noiseless carrier that
-// almost divides the rate (355 frames in 113 half-periods), not a rail.
+// Frames: occurrences at multiples of more than this are the pattern of a noiseless carrier that
+// nearly divides the rate (355 frames in 113 half-periods), not a rail.
 constexpr std::int64_t longest_pattern = 64;
 
 }  // namespace
@@ -50,7 +50,7 @@ void ClippingCheck::Extreme::add(std::int64_t frame, double value) {
     }
 }
 
-// Where there are too many places, those near each other become one, until half of them are gone.
+// Merges neighbouring places beyond the limit until half of them remain.
 void ClippingCheck::Extreme::draw_together() {
     while (places.size() > most_places / 2) {
         drawn_together = std::max<std::int64_t>(2 * drawn_together, 8);
@@ -68,10 +68,10 @@ void ClippingCheck::Extreme::draw_together() {
 }
 
 bool ClippingCheck::Extreme::is_rail() const {
-    // A sinusoid that just reaches its top level spends (sqrt(2) - 1) = 0.41 of that time on the
-    // next one; noise only evens them out. Continuous samples never meet the same extreme five
-    // times by chance, but a noiseless simulation does, once in each common period of carrier and
-    // rate: never in clusters.
+    // A sinusoid that just reaches its top level stays (sqrt(2) - 1) = 0.41 times as long on the
+    // next one; noise only equalises them. Continuous samples never repeat the same extreme five
+    // times by chance. A noiseless simulation does, once in each common period of carrier and rate,
+    // but never in clusters.
     return count >= 5 && count > 5 * next_count && 2 * neighbours >= count &&
            common < longest_pattern;
 }
@@ -85,7 +85,7 @@ void ClippingCheck::add(std::int64_t first_frame, std::span<const double> x) {
                 upper_.level = upper_.next = lower_.level = lower_.next = lowest;
             }
             ++count_;
-            // Most samples lie far inside: two comparisons decide.
+            // Most samples lie far inside, where two comparisons are enough.
             if (value >= upper_.next) {
                 upper_.add(frame, value);
             }

@@ -17,46 +17,46 @@ struct FrameRange {
     friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
-// Finds the samples of one channel that lie at the rail of the converter, as the samples come by.
+// Finds the samples of one channel at the rail of the converter, in one pass.
 //
-// A rail shows in the samples themselves: the extreme value is met again and again, far more often
-// than the next one inward, and in clusters. A clean sinusoid of a coarse converter also meets its
-// top level often, but then the next level nearly half as often.
+// Criterion of a rail: the extreme value occurs repeatedly, in clusters, and far more often than
+// the next one inward. A clean sinusoid of a coarse converter also repeats its top level, but then
+// the next level occurs nearly half as often.
 class ClippingCheck {
 public:
-    // The next samples, in order; first_frame is the place of x[0]. NaN does not count.
+    // Adds the next samples, in order; first_frame is the frame of x[0]. NaN is ignored.
     void add(std::int64_t first_frame, std::span<const double> x);
 
-    // Whether samples between these would only be counted; then count them without a look at each.
+    // Whether samples between these values only need counting, without a test of each.
     bool are_inside(double lowest, double highest) const;
     void pass_over(std::size_t count) { count_ += static_cast<std::int64_t>(count); }
 
     struct Rail {
         double level = 0;
         std::int64_t count = 0;
-        std::vector<FrameRange> places;  // in order; near ones drawn together beyond `most_places`
+        std::vector<FrameRange> places;  // in order; neighbours are merged beyond `most_places`
     };
-    // The rails that were met, none to two: the upper, the lower.
+    // Detected rails, none to two: the upper, the lower.
     std::vector<Rail> rails() const;
 
-    // How many levels the channel takes: 1 (constant), 2, or 3 for more; 0 without a sample. One or
+    // Number of levels of the channel: 1 (constant), 2, or 3 for more; 0 without a sample. One or
     // two are no rail: the signal is below one bit of the converter.
     int levels() const;
 
     static constexpr std::size_t most_places = 1 << 16;
 
 private:
-    // The extreme of one side, seen as a maximum.
+    // Extreme of one side, as a maximum.
     struct Extreme {
         double level = 0;
         double next = 0;  // the highest level below
         std::int64_t count = 0;
         std::int64_t next_count = 0;
         std::int64_t last_frame = 0;
-        std::int64_t neighbours = 0;  // meetings soon after the one before
-        std::int64_t common = 0;      // divisor of all distances between meetings
+        std::int64_t neighbours = 0;  // occurrences soon after the previous one
+        std::int64_t common = 0;      // divisor of all distances between occurrences
         std::vector<FrameRange> places;
-        std::int64_t drawn_together = 0;  // frames between places that count as one
+        std::int64_t drawn_together = 0;  // frames between merged places
 
         void add(std::int64_t frame, double value);
         void draw_together();

@@ -29,7 +29,7 @@ std::size_t terms(std::size_t lines) {
     return 2 * lines + 1;
 }
 
-// Adds the power spectrum of both channels' residuals behind a Hann window, bins 0 to size/2.
+// Adds the power spectrum of both channels' Hann-windowed residuals, bins 0 to size/2.
 void add_spectrum(const Eigen::MatrixX2d& residual, const Fft& fft, std::vector<double>& spectrum) {
     const Eigen::Index length = residual.rows();
     std::vector<Complex> data(fft.size());
@@ -57,7 +57,7 @@ struct Peak {
     double power = 0;
 };
 
-// The highest peak of the spectrum that is far enough from the lines known and from both ends.
+// The highest peak of the spectrum with enough distance from the known lines and from both ends.
 std::optional<Peak> highest_peak(const std::vector<double>& spectrum, const std::vector<double>& w,
                                  double apart) {
     const double bin = std::numbers::pi / static_cast<double>(spectrum.size() - 1);

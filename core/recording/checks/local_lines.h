@@ -9,16 +9,16 @@
 
 namespace vybeg {
 
-// Samples of both channels without a missing one.
+// Samples of both channels, none missing.
 struct TwoChannels {
     std::span<const double> c;
     std::span<const double> d;
 };
 
-// The lines of a short stretch as slowly varying waves, one least-squares fit for both channels:
+// Lines of a short segment as slowly varying waves, one least-squares fit for both channels:
 //     x[j] = sum over lines of Re(P_i(u) e^{i w_i j}) + P_0(u),  u = (j - middle) / (length / 2),
 // P polynomials of the order that the length allows, 1 from 48 samples on, 2 from 192. j counts
-// from the start of the stretch.
+// from the start of the segment.
 class LocalLines {
 public:
     // Precondition: stretch.c.size() >= least_samples(w.size()).
@@ -30,13 +30,13 @@ public:
     Eigen::Vector2cd phasor(std::size_t line, double j) const;
     // Variance of the real part of a channel's phasor; the imaginary one has the same.
     double variance(std::size_t line, double j) const;
-    // Of a sample, the mean of both channels.
+    // Noise variance of a sample, mean of both channels.
     double noise_variance() const { return noise_variance_; }
-    // Mean of |P_i|^2 over the stretch, both channels summed.
+    // Mean of |P_i|^2 over the segment, both channels summed.
     double power(std::size_t line) const;
     // Sum of all lines and the offset at j.
     Eigen::Vector2d sample(double j) const;
-    // What the fit leaves, samples x channels.
+    // Residual of the fit, samples x channels.
     const Eigen::MatrixX2d& residual() const { return residual_; }
 
 private:
@@ -52,10 +52,10 @@ private:
     Eigen::MatrixX2d residual_;
 };
 
-// The frequencies (rad per sample, ascending in no order, strongest first) of the lines that stand
-// out of two stretches of about the same length: down to a hundredth of the strongest one's
-// amplitude, to the noise, and at most eight. Lines closer than 1.5 bins of the shorter stretch
-// count as one, whose amplitude varies.
+// The frequencies (rad per sample, ascending in no order, strongest first) of the strong lines of
+// two segments of about the same length: above the noise and a hundredth of the amplitude of the
+// strongest one, at most eight. Lines closer than 1.5 bins of the shorter segment count as one with
+// varying amplitude.
 std::vector<double> strong_lines(const TwoChannels& before, const TwoChannels& after);
 
 }  // namespace vybeg

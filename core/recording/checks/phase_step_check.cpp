@@ -14,14 +14,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Blocks between two suspicions, at least, for both to be judged alone.
+// Least number of blocks between two suspicions that are judged separately.
 constexpr std::size_t least_between = 4;
 // Half a second at 33333 Hz, and at most eight megabytes of a slow carrier.
 constexpr std::size_t most_segment_blocks = 512;
 constexpr std::size_t most_segment_frames = std::size_t{1} << 19;
-// The mean of a prediction's errors in a block, relative to the median, that is unforeseen.
+// Threshold of the mean prediction error of a block, relative to the median.
 constexpr double unforeseen = 5;
-// Suspicions of a segment that are judged, the largest first: where there are more, the phase
+// Largest number of judged suspicions of a segment, in the order of size; with more, the phase
 // cannot be followed.
 constexpr std::size_t most_judged = 16;
 
@@ -31,13 +31,13 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-// The smallest move of the phase that one to three lost samples make.
+// Smallest phase step of one to three lost samples.
 double smallest_step(double w) {
     return std::min({std::abs(wrap(w)), std::abs(wrap(2 * w)), std::abs(wrap(3 * w))});
 }
 
 // Two periods at least. Of lengths up to half as long again, the one nearest to whole half-periods:
-// there a block's sum is least moved by the image at -w, which hides small steps.
+// there the image at -w, which hides small steps, affects the sum of a block least.
 std::size_t block_of(double w) {
     const double two_periods = 4 * std::numbers::pi / w;
     const auto least = static_cast<std::size_t>(std::clamp(std::ceil(two_periods), 32.0, 4096.0));
@@ -53,7 +53,7 @@ std::size_t block_of(double w) {
     return best;
 }
 
-// Twelve periods tell neighbouring modes apart; eight blocks, so that a step has room inside.
+// Twelve periods resolve neighbouring modes; eight blocks leave room for a step.
 std::size_t reach_of(double w, std::size_t block) {
     const double frames = std::clamp(24 * std::numbers::pi / w, 512.0, 16384.0);
     return std::max<std::size_t>(8, (static_cast<std::size_t>(frames) + block - 1) / block);
@@ -121,19 +121,19 @@ void PhaseStepCheck::close_block() {
         d_cos += d_[begin + j] * basis_[j].real();
         d_sin += d_[begin + j] * basis_[j].imag();
     }
-    // Whole turns are taken off first, so that the phase keeps its digits through hours.
+    // Whole turns are subtracted first, so that the phase keeps its digits over hours.
     const double turns = w_ / (2 * std::numbers::pi) *
                          static_cast<double>(first_frame_ + static_cast<std::int64_t>(begin));
     const Complex start = std::polar(1.0, -2 * std::numbers::pi * std::remainder(turns, 1.0));
     block.c = start * Complex(c_cos, c_sin);
     block.d = start * Complex(d_cos, d_sin);
-    // A missing sample makes its whole sum one.
+    // A missing sample makes the whole sum NaN.
     block.missing = !std::isfinite(c_cos) || !std::isfinite(d_cos);
     blocks_.push_back(block);
 }
 
-// The blocks across which the phase moves from the block before to the block after by more than a
-// threshold, which is set.
+// Blocks across which the phase changes, from the block before to the block after, by more than a
+// threshold; sets `threshold`.
 std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::moving_phases(double& threshold) const {
     std::vector<double> moves;
     std::vector<std::size_t> places;
@@ -170,7 +170,7 @@ std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::moving_phases(double& thres
     return suspects;
 }
 
-// The blocks whose samples do not follow from those before.
+// Blocks whose samples do not follow from those before (large prediction error).
 std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::unforeseen_blocks() const {
     const std::vector<double> errors = prediction_errors(c_, d_, block_frames_);
     std::vector<double> known;
@@ -190,7 +190,7 @@ std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::unforeseen_blocks() const {
     return suspects;
 }
 
-// Suspicions so close to each other that neither can be judged alone become one.
+// Merges suspicions too close to each other for separate judgement.
 void PhaseStepCheck::draw_together(std::vector<Suspect>& suspects) {
     std::ranges::sort(suspects, {}, &Suspect::first);
     std::vector<Suspect> fewer;
@@ -229,9 +229,9 @@ void PhaseStepCheck::evaluate(bool is_end) {
     first_block_ = end;
 }
 
-// Around a suspicion, as far as it reaches and no other one nor a missing sample stands.
+// Judges the range around a suspicion, limited by its reach, other suspicions and missing samples.
 void PhaseStepCheck::judge(const std::vector<Suspect>& suspects, std::size_t suspect) {
-    // A step shows in the blocks beside its own, too.
+    // A step affects adjacent blocks, too.
     const std::size_t first =
         suspects[suspect].first - std::min<std::size_t>(1, suspects[suspect].first);
     const std::size_t end = std::min(suspects[suspect].last + 2, blocks_.size());

@@ -10,24 +10,24 @@
 
 namespace vybeg {
 
-// Finds phase steps common to both channels, as the samples come by: one lost sample of a 5300 Hz
-// carrier at 33333 Hz is a step of 57 degrees.
+// Finds phase steps common to both channels, in one pass: one lost sample of a 5300 Hz carrier at
+// 33333 Hz is a step of 57 degrees.
 //
-// A step is suspected in two ways, in blocks of 32 to 48 frames, two periods at least. The phase of
-// the carrier, demodulated in blocks, moves between the block before and the block after by more
-// than 0.25 rad and eight times the scatter around it. Where that scatter hides a step
-// (neighbouring modes, noise) the error of a linear prediction of the samples stands out of that of
-// the other blocks, as no sum of decaying modes makes it. A suspicion is believed only where
-// judge_step() finds that the samples go on with a number of them lost or doubled, in every strong
-// line, as they do not as they are. Blocks with missing samples are left out.
+// Two criteria raise a suspicion, in blocks of 32 to 48 frames, two periods at least. (1) The phase
+// of the carrier, demodulated in blocks, changes between the block before and the block after by
+// more than 0.25 rad and eight times the scatter around it. (2) Where that scatter hides a step
+// (neighbouring modes, noise), the error of a linear prediction of the samples exceeds that of the
+// other blocks, which no sum of decaying modes causes. A suspicion is confirmed only if
+// judge_step() finds a number of lost or doubled samples with which every strong line is
+// continuous, while it is not without. Blocks with missing samples are ignored.
 class PhaseStepCheck {
 public:
     PhaseStepCheck(double f0_hz, double rate_hz);
 
-    // The next frames, in order, of both channels. Where frames were passed over, what comes is
-    // looked at by itself.
+    // Adds the next frames of both channels, in order. After a gap in the frames the check starts
+    // anew.
     void add(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
-    // Everything found; ends the check.
+    // All steps found; ends the check.
     std::vector<PhaseStep> finish();
 
 private:
@@ -54,8 +54,8 @@ private:
 
     double w_;  // carrier, radians per sample
     std::size_t block_frames_;
-    std::size_t reach_blocks_;                 // that are looked at on each side of a suspicion
-    std::size_t segment_frames_;               // and those around it that the next one sees again
+    std::size_t reach_blocks_;                 // used on each side of a suspicion
+    std::size_t segment_frames_;               // and those around it that the next segment repeats
     std::vector<std::complex<double>> basis_;  // of one block
     std::int64_t first_frame_ = 0;             // of c_ and d_
     std::size_t first_block_ = 0;              // not judged yet

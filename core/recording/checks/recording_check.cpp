@@ -13,9 +13,9 @@ namespace vybeg {
 namespace {
 
 constexpr std::int64_t chunk_frames = std::int64_t{1} << 16;
-constexpr double start_s = 4;             // what is looked at for mains and transient
+constexpr double start_s = 4;             // part checked for mains and transient
 constexpr double small_offset = 5e-3;     // of the amplitude
-constexpr std::size_t most_listed = 100;  // places of lost samples that are told one by one
+constexpr std::size_t most_listed = 100;  // places of lost samples listed one by one
 
 const std::array<std::string, 2> channel_names{"C", "D"};
 
@@ -32,7 +32,7 @@ void report_rails(const ClippingCheck& clipping, const std::string& channel, Sam
     }
 }
 
-// Numbers of samples, e.g. "1, 7, ..."; larger ones are always possible.
+// Text of numbers of samples, e.g. "1, 7, ..."; larger ones are always possible.
 std::string list_of(const std::vector<int>& candidates, int sign) {
     constexpr int most = 6;
     std::string list;
@@ -100,7 +100,7 @@ Status read_through(const SampleSource& source, const JobControl& job, Look look
     return {};
 }
 
-// What a portion of a channel's samples has in common.
+// Extremes and sums of a portion of a channel's samples.
 struct Extent {
     double sum = 0;
     double squares = 0;
@@ -112,7 +112,7 @@ struct Extent {
 
 using Eight = double __attribute__((vector_size(64)));
 
-// Eight sums side by side, which the compiler may not make of one by itself.
+// Eight parallel sums, into which the compiler must not split a single sum.
 VYBEG_DISPATCHED
 Extent extent_of(std::span<const double> x) {
     constexpr std::size_t lanes = 8;
@@ -184,7 +184,7 @@ void FaultCheck::add(std::int64_t first_frame, std::span<const double> c,
     }
 }
 
-// Most portions miss nothing and come near no rail: what they have in common decides.
+// Most portions have no missing samples and lie far from the rails; their extent is enough.
 void FaultCheck::add_portion(std::int64_t first_frame, std::span<const double> c,
                              std::span<const double> d) {
     const std::array<Extent, 2> extents{extent_of(c), extent_of(d)};

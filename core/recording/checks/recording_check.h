@@ -15,24 +15,24 @@
 
 namespace vybeg {
 
-// Faults of the samples themselves, as they are in the file: before calibration and filter.
+// Faults of the samples in the file, before calibration and filter.
 struct SampleFaults {
     std::vector<Diagnostic> findings;  // missing samples, clipping, lost and doubled samples
-    std::vector<FrameRange> clipped;   // stretches at a rail in either channel, in order
+    std::vector<FrameRange> clipped;   // ranges at a rail in either channel, in order
     std::vector<PhaseStep> steps;      // lost and doubled samples, in order
 };
 
-// Looks for missing samples, clipping and lost samples as the samples come by.
+// Finds missing samples, clipping and lost samples in one pass.
 class FaultCheck {
 public:
-    // Without a carrier, lost samples are not looked for.
+    // Without a carrier it does not search for lost samples.
     FaultCheck(std::optional<double> f0_hz, double rate_hz);
 
-    // The next frames, in order.
+    // Adds the next frames, in order.
     void add(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
     // Ends the check.
     SampleFaults finish();
-    // Channels whose mean is above 0.5 % of the amplitude, so far.
+    // Channels with a mean above 0.5 % of the amplitude so far.
     std::vector<Diagnostic> offsets() const;
 
 private:
@@ -57,19 +57,19 @@ private:
     std::optional<PhaseStepCheck> steps_;
 };
 
-// The faults alone. Reads the source once, front to back. Errors: those of the source, interrupted.
+// Finds the faults only. Reads the source once, front to back. Errors: those of the source,
+// interrupted.
 Result<SampleFaults> find_faults(const SampleSource& source, double rate_hz,
                                  std::optional<double> f0_hz, const JobControl& job);
 
-// What the first four seconds show: lines of the mains, and a start that does not decay as what
-// follows. Errors: those of the source.
+// Findings of the first four seconds: lines of the mains, and a start with another decay than the
+// rest. Errors: those of the source.
 Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, double rate_hz,
                                                std::optional<double> f0_hz);
 
-// What the samples tell about how they were recorded (METHOD section 7): their faults, offsets
-// above 0.5 % of the amplitude, lines of the mains and a start that does not decay as what follows.
-// Reads the source once, front to back; reports and repairs nothing. Errors: those of the source,
-// interrupted.
+// Recording check (METHOD section 7): faults of the samples, offsets above 0.5 % of the amplitude,
+// lines of the mains and a start with another decay than the rest. Reads the source once, front to
+// back; repairs nothing. Errors: those of the source, interrupted.
 Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
                                      std::optional<double> f0_hz, const JobControl& job);
 

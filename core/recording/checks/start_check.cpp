@@ -64,7 +64,7 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
     const double bin_hz = rate_hz / static_cast<double>(size);
     std::vector<MainsLine> lines;
     if (bin_hz > 5) {
-        return lines;  // too short to tell a line at 50 Hz
+        return lines;  // too short to resolve a line at 50 Hz
     }
     std::vector<std::complex<double>> data(size);
     const double turn = 2 * std::numbers::pi / static_cast<double>(size);
@@ -88,7 +88,7 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
     const double carrier = carrier_at > 0 ? amplitude(carrier_at) : 0;
     const double carrier_hz = bin_hz * static_cast<double>(carrier_at);
     for (const double f : {50.0, 100.0, 150.0, 60.0, 120.0, 180.0, 400.0, 800.0}) {
-        // The carrier's own skirts, where it decays fast.
+        // Skirts of a fast decaying carrier.
         if (f >= least_carrier_hz && std::abs(carrier_hz - f) < skirts_hz) {
             continue;
         }
@@ -135,7 +135,7 @@ double start_transient_s(std::span<const double> c, std::span<const double> d, d
     constexpr std::size_t half = blocks / 2;
     if (std::any_of(logarithms.begin() + half, logarithms.end(),
                     [](double x) { return std::isnan(x); })) {
-        return 0;  // nothing but noise
+        return 0;  // noise only
     }
     const LineFit line =
         fit_line(std::span(places).subspan(half), std::span(logarithms).subspan(half));
@@ -147,21 +147,21 @@ double start_transient_s(std::span<const double> c, std::span<const double> d, d
     for (std::size_t b = half; b < blocks; ++b) {
         scatter.push_back(std::abs(off[b]));
     }
-    // Two per cent of the power: below that a slow change of the decay is no transient. A half that
-    // is itself no exponential (beats, a decay that has come down to the noise) says nothing.
+    // Two per cent of the power: a smaller change of the decay is no transient. A second half
+    // without exponential decay (beats, decay down to the noise) is inconclusive.
     const double usual = 8 * median(scatter);
     if (usual > 0.2) {
         return 0;
     }
     const double threshold = std::max(0.02, usual);
-    // The transient ends at the first block from which on three in a row decay as they should.
+    // The transient ends at the first of three consecutive blocks with the usual decay.
     std::size_t end = 0;
     while (end + 3 < half &&
            !(std::abs(off[end]) < threshold && std::abs(off[end + 1]) < threshold &&
              std::abs(off[end + 2]) < threshold)) {
         ++end;
     }
-    // Where nothing of the first half fits, the decay is no exponential, and nothing can be said.
+    // If no part of the first half fits, the decay is not exponential and the check inconclusive.
     return end + 3 < half ? static_cast<double>(end * length) / rate_hz : 0;
 }
 

@@ -10,29 +10,30 @@
 namespace vybeg {
 namespace {
 
-// Samples that a step may have lost or doubled: a buffer of a fast converter is longer, but more
-// would fit any phase.
+// Largest number of samples lost or doubled at a step. Buffers of fast converters are longer, but
+// larger numbers would agree with any phase.
 constexpr int most_samples = 100;
-// The phase that the slow change of a line inside a stretch may add to that of the noise, rad.
+// Phase error from the slow change of a line inside a segment, in addition to that of the noise,
+// rad.
 constexpr double model_phase = 0.005;
-// A phase that is known less well goes with any number of samples.
+// Largest sd of the phase; a less precise phase agrees with any number of samples.
 constexpr double most_phase_sd = least_phase_step / 4;
-// Of the power of both channels, what noise may leave unexplained.
+// Largest unexplained part of the power of both channels.
 constexpr double most_unexplained = 0.1;
-// Noise variance of the samples without a step, relative to that with it.
+// Least ratio of the noise variance without a step to that with it.
 constexpr double least_gain = 1.5;
-// That a number so small or smaller goes with a random phase, for it to be certain.
+// Largest probability, for a certain number, that one as small agrees with a random phase.
 constexpr double most_chance = 0.05;
-// Of the squares on both sides, what may differ where a line goes on.
+// Largest difference across the step of a continuous line, relative to the squares on both sides.
 constexpr double most_difference = 0.1;
-// Beside that, in variances: what the noise makes differ.
+// In addition: difference by noise, in variances.
 constexpr double noise_difference = 16;
 
 TwoChannels part(const TwoChannels& x, std::size_t begin, std::size_t end) {
     return {x.c.subspan(begin, end - begin), x.d.subspan(begin, end - begin)};
 }
 
-// The lines on both sides of a frame. Times are indices into the samples.
+// Lines on both sides of a frame. Times are indices into the samples.
 class TwoSides {
 public:
     TwoSides(const TwoChannels& samples, std::size_t begin, std::size_t last, std::size_t first,
@@ -42,8 +43,8 @@ public:
           before_begin_(static_cast<double>(begin)),
           after_begin_(static_cast<double>(first)) {}
 
-    // How a line goes on across `frame` where so many samples are lost there, compared some samples
-    // aside of it.
+    // Continuity of a line across `frame` with `lost` samples lost there, compared `aside` samples
+    // beside it.
     struct Continuation {
         double phase = 0;       // rad, after less before
         double phase_sd = 0;    // rad
@@ -53,7 +54,7 @@ public:
     };
 
     Continuation continuation(std::size_t line, double frame, int lost, double aside = 0) const {
-        // The middle of the gap, so that neither side is run far beyond its end.
+        // The middle of the gap, so that neither side is extrapolated far.
         const double half = 0.5 * lost;
         const Eigen::Vector2cd before = before_.phasor(line, frame + half + aside - before_begin_);
         const Eigen::Vector2cd after = after_.phasor(line, frame - half + aside - after_begin_);
@@ -87,10 +88,11 @@ private:
     double after_begin_;
 };
 
-// The frame of [from, to] at which the lines before and after change over with the least squares.
+// Frame in [from, to] of the change from the lines before to those after, with the least sum of
+// squares.
 std::size_t change_over(const TwoSides& sides, const TwoChannels& samples, std::size_t from,
                         std::size_t to) {
-    double squares = 0;  // less those of the change over at `from`
+    double squares = 0;  // less those of the change at `from`
     double least = 0;
     std::size_t best = from;
     for (std::size_t j = from; j < to; ++j) {
@@ -105,8 +107,8 @@ std::size_t change_over(const TwoSides& sides, const TwoChannels& samples, std::
     return best;
 }
 
-// Samples [begin, end) around a frame that the lines on its side do not foretell: one at least, and
-// more where several steps lie close together. What is outside follows from before or from after.
+// Samples [begin, end) around a frame that the lines on their side do not predict: one at least,
+// more for several close steps. Samples outside follow from the lines before or after.
 struct Unforeseen {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -136,8 +138,8 @@ bool is_same(const TwoSides::Continuation& on) {
     return on.difference <= most_difference * on.size + noise_difference * on.variance;
 }
 
-// Whether a line goes on in its phase, amplitude and direction, and in their slopes: in the node of
-// a beat the amplitude turns back.
+// Whether a line is continuous in phase, amplitude and direction and in their slopes; in the node
+// of a beat the amplitude reverses.
 bool goes_on(const TwoSides& sides, std::size_t line, double frame, int lost, double aside) {
     const TwoSides::Continuation on = sides.continuation(line, frame, lost);
     return std::abs(on.phase) <= phase_tolerance(on) && is_same(on) &&
@@ -145,7 +147,7 @@ bool goes_on(const TwoSides& sides, std::size_t line, double frame, int lost, do
            is_same(sides.continuation(line, frame, lost, -aside));
 }
 
-// Noise variance of the whole reach as lines without a step explain it.
+// Noise variance of the whole reach for lines without a step.
 double variance_without_step(const TwoChannels& samples, const Suspicion& where) {
     const std::size_t middle = (where.reach_begin + where.reach_end) / 2;
     const std::vector<double> lines = strong_lines(part(samples, where.reach_begin, middle),
@@ -164,7 +166,7 @@ std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion&
     const std::vector<double> lines = strong_lines(before, after);
     const auto nearest =
         std::ranges::min_element(lines, {}, [w](double line) { return std::abs(line - w); });
-    // The analysed mode: a carrier that is given a percent off is still itself.
+    // The analysed mode; a carrier stated with an error of one per cent still identifies it.
     if (nearest == lines.end() ||
         std::abs(*nearest - w) >
             std::max(0.1 * w, 2 * std::numbers::pi / static_cast<double>(before.c.size()))) {
@@ -177,7 +179,7 @@ std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion&
     const TwoSides sides(samples, where.begin, between.begin, between.end, where.end, lines);
     const auto at = static_cast<double>(frame);
     const TwoSides::Continuation step = sides.continuation(carrier, at, 0);
-    // A step of a wave that goes on: one in the node of a beat is none, nor is what spreads.
+    // A step needs a continuous wave; steps in nodes of beats and spreading changes are excluded.
     double power = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         power += sides.power(i);
@@ -214,7 +216,7 @@ std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion&
         return std::nullopt;
     }
     found.lost = found.candidates.front();
-    // The share of random phases that a number of samples goes with.
+    // Share of random phases that agree with a number of samples.
     double chance = 1;
     for (const std::size_t i : strong) {
         chance *= std::min(1.0, phase_tolerance(sides.continuation(i, at, 0)) / std::numbers::pi);

@@ -9,8 +9,8 @@
 
 namespace vybeg {
 
-// A suspected step: it lies in [zone_begin, zone_end), and no other one in [begin, end); in
-// [reach_begin, reach_end) no sample is missing. Indices into the samples.
+// A suspected step in [zone_begin, zone_end), the only one in [begin, end). No sample of
+// [reach_begin, reach_end) is missing. Indices into the samples.
 struct Suspicion {
     std::size_t reach_begin = 0;
     std::size_t begin = 0;
@@ -22,14 +22,14 @@ struct Suspicion {
 
 constexpr double least_phase_step = 0.25;  // rad
 
-// Whether the samples of both channels lost some inside the zone, and how many: the step that moves
-// every strong line of the two stretches by one time, or nothing. The lines before the zone are run
-// on and those after it run back (LocalLines); the frame is the one where they change over with the
-// least squares. A number of lost samples is a candidate where, with the time moved by it, every
-// line goes on with its amplitude, direction and phase, within four deviations. The mode at w
-// (rad per sample) must step by least_phase_step at least, with a constant amplitude before and
-// after, and lines without a step must leave half as much again of the whole reach unexplained: the
-// node of a beat, a strike and noise are no step. PhaseStep::frame is an index here.
+// Number of samples lost or doubled inside the zone: the step that shifts every strong line of the
+// two segments by one time; empty without such a step. The lines before the zone are extrapolated
+// forwards and those after it backwards (LocalLines); the frame is that of the change between them
+// with the least sum of squares. A number of lost samples is a candidate if, with the time shifted
+// by it, every line is continuous in amplitude, direction and phase, within four deviations. The
+// mode at w (rad per sample) must step by at least least_phase_step, with a constant amplitude
+// before and after, and lines without a step must leave half as much again of the whole reach
+// unexplained; this excludes nodes of beats, strikes and noise. PhaseStep::frame is an index here.
 std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion& where, double w);
 
 }  // namespace vybeg

@@ -8,14 +8,14 @@
 
 namespace vybeg {
 
-// A recording as minima and maxima, whatever its length: what a raw view draws from. Immutable.
-// While the recording is being read an envelope is a picture of how far that has come
-// (envelope_builder.h); pictures share what they have in common.
+// Minima and maxima of a recording of any length, the data of a raw view. Immutable. During reading
+// an envelope is a snapshot of the part read so far (envelope_builder.h); snapshots share their
+// common blocks.
 class Envelope {
 public:
-    // `blocks`: from the recording's start on, none where it has not been read yet. `samples`: what
-    // was looked at in advance, as buckets of equal parts of the recording; a part that was not has
-    // the coverage `none`. Precondition: as many blocks as the frames fill.
+    // `blocks`: from the start of the recording on, null if not read yet. `samples`: buckets
+    // sampled in advance, of equal parts of the recording; other parts have the coverage `none`.
+    // Precondition: as many blocks as the frames fill.
     Envelope(std::int64_t frames, std::vector<std::shared_ptr<const EnvelopeBlock>> blocks,
              std::shared_ptr<const std::vector<EnvelopeBucket>> samples);
 
@@ -24,16 +24,16 @@ public:
     bool whole() const { return whole_; }
 
     // The frames [first, end), cut into `count` buckets of equal length, whose edges are moved
-    // outwards to whole multiples of the finest level's 16 frames. A bucket's coverage tells
-    // whether all of its frames have been read, or only samples were looked at, or nothing; a
-    // channel's two values are NaN where nothing of it is known. Cost grows with count, not with
-    // the length. Preconditions: 0 <= first < end <= frames(), count >= 1.
+    // outwards to whole multiples of the finest level's 16 frames. The coverage of a bucket states
+    // whether all, some or none of its frames have been read; both values of a channel without
+    // known samples are NaN. Cost grows with count, not with the length. Preconditions: 0 <= first
+    // < end <= frames(), count >= 1.
     std::vector<EnvelopeBucket> buckets(std::int64_t first, std::int64_t end, int count) const;
 
 private:
     // The buckets [from, to) of the finest level in one.
     EnvelopeBucket between(std::int64_t from, std::int64_t to) const;
-    // What was looked at in advance of these; whether there is anything.
+    // Merges the samples taken in advance from these buckets; returns whether there are any.
     bool merge_samples(std::int64_t from, std::int64_t to, EnvelopeBucket& into) const;
 
     std::int64_t frames_;

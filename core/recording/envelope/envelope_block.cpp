@@ -19,7 +19,7 @@ struct Extent {
 
 Extent extent_of(std::span<const double> samples) {
     Extent extent;
-    double zero = 0;  // a NaN or infinite sample minus itself is NaN, which stays in the sum
+    double zero = 0;  // a NaN or infinite sample minus itself is NaN, which the sum keeps
     for (const double value : samples) {
         extent.min = std::min(extent.min, value);
         extent.max = std::max(extent.max, value);
@@ -100,8 +100,8 @@ EnvelopeBlock::EnvelopeBlock(std::span<const double> c, std::span<const double> 
 }
 
 void EnvelopeBlock::merge_leaves(std::int64_t from, std::int64_t to, EnvelopeBucket& into) const {
-    // Buckets that do not fill one of the next level are taken on the level at hand, at most 15 at
-    // either end; the rest is left to the coarser levels.
+    // Buckets that do not fill one of the next level are merged on this level, at most 15 at either
+    // end; the coarser levels cover the rest.
     for (const std::vector<EnvelopeBucket>& level : levels_) {
         for (; from < to && from % fan != 0; ++from) {
             merge(into, level[static_cast<std::size_t>(from)]);

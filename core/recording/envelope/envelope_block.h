@@ -6,11 +6,11 @@
 
 namespace vybeg {
 
-// How many of a bucket's frames its extremes were taken from.
+// Part of a bucket's frames from which its extremes come.
 enum class Coverage : std::uint8_t { none, some, all };
 
-// Lowest and highest sample of both channels in a bucket of frames, recording units. `missing`
-// where the bucket holds a NaN or an infinite sample.
+// Lowest and highest sample of both channels in a bucket of frames, recording units. `missing`: the
+// bucket contains a NaN or an infinite sample.
 struct EnvelopeBucket {
     float c_min = 0;
     float c_max = 0;
@@ -20,21 +20,21 @@ struct EnvelopeBucket {
     Coverage coverage = Coverage::all;
 };
 
-// While buckets are put together, a channel without samples has its minimum above its maximum, so
-// that plain comparisons merge it.
+// Start value for merging: minimum above maximum, so that plain comparisons merge it.
 extern const EnvelopeBucket empty_bucket;
 
-// The samples of both channels in one. Precondition: equal lengths.
+// One bucket of the samples of both channels. Precondition: equal lengths.
 EnvelopeBucket bucket_of(std::span<const double> c, std::span<const double> d);
 
-// Takes the extremes of another bucket in; the coverage stays.
+// Merges the extremes of another bucket; keeps the coverage.
 void merge(EnvelopeBucket& into, const EnvelopeBucket& other);
 
 // A piece of a recording as a pyramid of minima and maxima, 16 times coarser per level. Immutable.
 class EnvelopeBlock {
 public:
-    static constexpr std::int64_t leaf = 16;          // frames in a bucket of the finest level
-    static constexpr std::int64_t frames = 16 << 12;  // in a block, but for a recording's last one
+    static constexpr std::int64_t leaf = 16;  // frames in a bucket of the finest level
+    // In a block, except the last one of a recording.
+    static constexpr std::int64_t frames = 16 << 12;
     static constexpr std::int64_t leaves = frames / leaf;
 
     // Precondition: equal lengths, 1 to `frames`.

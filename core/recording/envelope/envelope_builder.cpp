@@ -13,8 +13,8 @@ using Samples = std::vector<EnvelopeBucket>;
 
 constexpr double picture_interval_s = 0.1;
 constexpr std::int64_t most_looks = 2048;  // about the pixels of a window's width
-// A look is long enough to see the crests of any carrier above 1/256 of the sample rate, and all
-// looks together are no more than a sixteenth of the recording.
+// A look contains the crests of any carrier above 1/256 of the sample rate; all looks together are
+// at most a sixteenth of the recording.
 constexpr std::int64_t frames_per_look = 256;
 constexpr std::int64_t frames_per_part = 16 * frames_per_look;
 

@@ -7,16 +7,16 @@
 namespace vybeg {
 namespace {
 
-constexpr double look_s = 0.3;  // a disk that has to move its head is not asked longer
+constexpr double look_s = 0.3;  // limit of time for slow disks
 constexpr std::int64_t least_parts = 64;
 
-// The looks in buckets of equal parts.
+// Looks as buckets of equal parts.
 std::vector<EnvelopeBucket> in_parts(const std::vector<Look>& looks, std::int64_t parts) {
     EnvelopeBucket unseen = empty_bucket;
     unseen.coverage = Coverage::none;
     std::vector<EnvelopeBucket> buckets(static_cast<std::size_t>(parts), unseen);
     for (const Look& look : looks) {
-        // Places come from times in a file, which may be any.
+        // Places follow from times of a file and may have any value.
         if (look.place >= 0 && look.place <= 1) {
             const auto at = static_cast<std::int64_t>(look.place * static_cast<double>(parts));
             EnvelopeBucket& bucket = buckets[static_cast<std::size_t>(std::min(at, parts - 1))];
@@ -36,7 +36,7 @@ Result<std::vector<EnvelopeBucket>> look_around(
     std::vector<Look> looks;
     std::int64_t complete = 0;
     for (std::int64_t parts = least_parts; parts <= most; parts *= 2) {
-        // The even ones are those of half as many parts.
+        // Even parts were read with half as many parts.
         const std::int64_t step = parts > least_parts ? 2 : 1;
         for (std::int64_t part = step - 1; part < parts; part += step) {
             if (job.cancelled()) {

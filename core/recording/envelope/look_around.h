@@ -10,17 +10,16 @@
 
 namespace vybeg {
 
-// What was seen at one place of a recording; the place counts from 0 to 1 over its length.
+// Samples at one place of a recording; the place runs from 0 to 1 over its length.
 struct Look {
     double place = 0;
     EnvelopeBucket seen;
 };
 
-// Looks at places spread over a whole recording: at each of 64 equal parts, then of 128, and so on,
-// each part once, until there are `most` parts or 0.3 s of the job's clock are over. `look` is
-// given a part's number and how many there are. The result is one bucket per part, of as many parts
-// as have all been looked at in time; empty where these are not 64. Errors: those of `look`,
-// interrupted.
+// Samples places spread over a whole recording: each of 64 equal parts, then of 128, and so on,
+// each part once, up to `most` parts or 0.3 s of the job's clock. Arguments of `look`: number of
+// the part, number of parts. The result has one bucket per part, for the largest number of parts
+// completed in time; empty if fewer than 64. Errors: those of `look`, interrupted.
 Result<std::vector<EnvelopeBucket>> look_around(
     std::int64_t most, const JobControl& job,
     const std::function<Result<Look>(std::int64_t part, std::int64_t parts)>& look);

@@ -11,7 +11,8 @@
 namespace vybeg {
 namespace {
 
-constexpr std::size_t head_bytes = std::size_t{1} << 16;  // what decides between text and binary
+// Basis of the decision between text and binary.
+constexpr std::size_t head_bytes = std::size_t{1} << 16;
 
 }  // namespace
 

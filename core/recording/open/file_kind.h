@@ -10,11 +10,10 @@ namespace vybeg {
 
 enum class FileKind { audio, npy, npz, tdms, library, uff, text, unknown };
 
-// The first bytes of a file, what decides about its kind. Errors: file_read_failed.
+// First bytes of a file, which determine its kind. Errors: file_read_failed.
 Result<std::string> file_head(const FileBytes& file);
 
-// What a file with this head is by its content, never by its name; `library` stands for MAT and
-// HDF5.
+// Kind of a file by its content, never by its name; `library`: MAT and HDF5.
 FileKind file_kind(std::string_view head, const FileBytes& file);
 
 }  // namespace vybeg

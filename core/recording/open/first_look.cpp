@@ -17,7 +17,7 @@ namespace vybeg {
 namespace {
 
 constexpr std::int64_t most_text_parts = 1024;
-// A shorter text file is open in less time than it takes to see that it is not.
+// Shorter text files open so fast that a first look is useless.
 constexpr std::int64_t blocks_to_look_at = 256;
 constexpr std::size_t rows_per_look = 256;
 
@@ -28,7 +28,7 @@ struct Rows {
     std::vector<double> d;
 };
 
-// The first rows of a block, at most so many; nothing where there is a fault or no row.
+// The first rows of a block, at most `most`; empty for a fault or no row.
 std::optional<Rows> rows_of(const TextTable& table, std::int64_t index, std::size_t most) {
     TextBlock block;
     if (!table.blocks.read(index, block)) {
@@ -44,7 +44,7 @@ std::optional<Rows> rows_of(const TextTable& table, std::int64_t index, std::siz
     return rows.fault() || read.c.empty() ? std::nullopt : std::optional(std::move(read));
 }
 
-// How long a table is, from its ends.
+// Extent of a table, from its ends.
 struct Extent {
     double rate_hz = 0;
     double frames = 0;
@@ -86,7 +86,7 @@ std::optional<FirstLook> look_at_table(const TextTable& table, const OpenOptions
         return {};
     }
     const auto extent = extent_of(table, options);
-    // Far more frames than characters are no uniform time.
+    // More frames than characters are impossible for uniform times.
     const double most_frames = static_cast<double>(table.blocks.file().size());
     if (!extent || !(extent->rate_hz > 0) || !(extent->frames >= 1) ||
         extent->frames > most_frames) {

@@ -10,15 +10,15 @@
 
 namespace vybeg {
 
-// A recording as it looks before it is open.
+// Approximate picture of a recording before it is open.
 struct FirstLook {
     double rate_hz = 0;  // about
     std::shared_ptr<const Envelope> envelope;
 };
 
-// What can be seen at once of a long text file, whose opening goes through all of it. Its length is
-// that of the time column, else about that of the rows. Nothing where opening takes no time, or
-// where the file cannot be opened: open_recording() says why.
+// First look at a long text file, because opening reads all of it. Its length is that of the time
+// column, otherwise approximately that of the rows. Empty for files that open fast or cannot be
+// opened; open_recording() reports the reason.
 std::optional<FirstLook> first_look(const std::filesystem::path& path, const OpenOptions& options,
                                     const JobControl& job);
 

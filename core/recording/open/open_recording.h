@@ -9,9 +9,9 @@
 
 namespace vybeg {
 
-// Opens a recording by its content, never by its name. What its file says about it is plain_text().
-// Text is looked through whole (progress and cancellation through `job`); samples are read on
-// demand. Errors: every ErrorCode of the input group, setting_invalid, interrupted.
+// Opens a recording by its content, never by its name. Texts from the file are converted by
+// plain_text(). Text files are read completely (progress and cancellation through `job`); samples
+// are read on demand. Errors: every ErrorCode of the input group, setting_invalid, interrupted.
 Result<Recording> open_recording(const std::filesystem::path& path, const OpenOptions& options,
                                  const JobControl& job);
 

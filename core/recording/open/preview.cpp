@@ -18,7 +18,7 @@ namespace {
 constexpr int most_columns = 64;  // of a raw file, in the table
 constexpr int cell_digits = 9;
 
-// The first frames of a recording that is open.
+// Reads the first frames of an open recording.
 Status take_samples(const Recording& recording, RecordingPreview& preview) {
     const auto frames = std::min(static_cast<std::size_t>(recording.frames()), preview_frames);
     preview.c.resize(frames);
@@ -26,7 +26,7 @@ Status take_samples(const Recording& recording, RecordingPreview& preview) {
     return recording.source->read(0, preview.c, preview.d);
 }
 
-// The table of every channel, from the bytes.
+// Fills the table with every channel, from the bytes.
 Status take_raw_cells(const FileBytes& file, const RawLayout& layout, RecordingPreview& preview) {
     const NumberType type = number_type(layout.type);
     const auto width = static_cast<std::size_t>(bytes_of(type));
@@ -53,7 +53,7 @@ Status take_raw_cells(const FileBytes& file, const RawLayout& layout, RecordingP
     return {};
 }
 
-// The table of C and D alone.
+// Fills the table with C and D only.
 void take_cells(RecordingPreview& preview) {
     preview.c_column = 0;
     preview.d_column = 1;
@@ -65,8 +65,8 @@ void take_cells(RecordingPreview& preview) {
     }
 }
 
-// What is not text, through its reader. Without a rate it is opened with any, so that its samples
-// are seen all the same.
+// Preview of other files, through their reader. A file without rate is opened with an arbitrary
+// one, so that its samples are visible.
 Status preview_opened(const FileBytes& file, const OpenOptions& options, const JobControl& job,
                       RecordingPreview& preview) {
     OpenOptions rated = options;

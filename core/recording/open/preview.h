@@ -9,9 +9,9 @@
 
 namespace vybeg {
 
-// Reads the beginning of a text or raw file alone, whatever its size; other files are opened. The
-// samples are those that open_recording() gives, but for uneven times, which are left as they are.
-// Errors: those of a file that cannot be read whatever the options; setting_invalid, interrupted.
+// Reads only the beginning of a text or raw file; opens other files. The samples equal those of
+// open_recording(), except that uneven times are not resampled. Errors: those of a file that no
+// options can open; setting_invalid, interrupted.
 Result<RecordingPreview> preview_recording(const std::filesystem::path& path,
                                            const OpenOptions& options, const JobControl& job);
 

@@ -17,16 +17,16 @@ namespace vybeg {
 // A line of a text file, or a frame of any other.
 struct PreviewLine {
     std::int64_t number = 0;         // line of the file, from 1; frame, from 0
-    bool is_row = true;              // else a line that is skipped or that is no row of the table
-    std::vector<std::string> cells;  // of a row; else the whole line as one
+    bool is_row = true;              // otherwise a skipped line or no row of the table
+    std::vector<std::string> cells;  // of a row; otherwise the whole line as one cell
 };
 
-// How a recording begins when it is opened with certain options, and what its file suggests.
+// Beginning of a recording under given options, and guesses from its file.
 struct RecordingPreview {
-    FileKind kind = FileKind::unknown;   // by content, whatever the options say
-    std::optional<TextFormat> guessed;   // of text, by content alone
-    std::optional<RawLayout> raw_guess;  // of a file that is no other kind
-    std::optional<TextFormat> used;      // of what is read as text
+    FileKind kind = FileKind::unknown;   // by content, independent of the options
+    std::optional<TextFormat> guessed;   // of text, by content only
+    std::optional<RawLayout> raw_guess;  // of a file of no other kind
+    std::optional<TextFormat> used;      // of a file read as text
     std::string format;                  // as Recording::format
     std::vector<Channel> channels;       // as Recording::channels
     std::vector<Channel> columns;        // of the cells
@@ -34,11 +34,11 @@ struct RecordingPreview {
     int c_column = -1;
     int d_column = -1;
     std::vector<PreviewLine> lines;
-    std::vector<double> time_s;  // of the frames; empty where there is no time column
+    std::vector<double> time_s;  // of the frames; empty without a time column
     std::vector<double> c;       // first frames, recording units
     std::vector<double> d;
-    std::optional<double> rate_hz;  // of a time column: as far as the first rows tell
-    // Why the recording cannot be opened like this, as far as its beginning tells.
+    std::optional<double> rate_hz;  // of a time column, from the first rows
+    // Error of opening with these options, from the beginning of the file.
     std::optional<Error> problem;
 };
 

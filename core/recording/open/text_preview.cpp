@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::int64_t skipped_shown = 6;  // lines above the first row
 constexpr std::size_t longest_cell = 200;  // bytes
-constexpr std::int64_t most_blocks = 16;   // of 128 KiB, in which the first rows are looked for
+constexpr std::int64_t most_blocks = 16;   // of 128 KiB, searched for the first rows
 
 std::string shown(std::string_view text) {
     return to_utf8(text.substr(0, longest_cell));
 }
 
-// The lines around the first row; all are plain where there is no format.
+// Lines around the first row; without a format none is a row.
 std::vector<PreviewLine> lines_of(const TextHead& head, const TextFormat* format) {
     const std::int64_t first_row = format ? format->lines_to_skip - head.dropped : 0;
     std::vector<PreviewLine> lines;
@@ -47,7 +47,7 @@ std::vector<PreviewLine> lines_of(const TextHead& head, const TextFormat* format
     return lines;
 }
 
-// Reads the first rows; a fault in them is the problem.
+// Reads the first rows; a fault in them becomes the problem.
 Status read_rows(const TextTable& table, RecordingPreview& preview) {
     const FileBytes& file = table.blocks.file();
     std::int64_t lines = table.format.lines_to_skip;
@@ -66,7 +66,7 @@ Status read_rows(const TextTable& table, RecordingPreview& preview) {
             }
             const double before = preview.time_s.empty() ? 0 : preview.time_s.back();
             preview.time_s.push_back(rows.time() * table.format.time_unit_s);
-            // Equal times may be written more coarsely than they step.
+            // Equal times are possible if their digits are coarser than the step.
             if (preview.time_s.size() > 1 && preview.time_s.back() < before) {
                 preview.problem =
                     file.error(ErrorCode::text_time_backwards,
@@ -134,7 +134,7 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
     const auto head =
         choice.lines_to_skip ? read_text_head(file, choice.lines_to_skip, job) : start;
     if (!start || !head) {
-        // A line too long to be one of a table.
+        // The line is too long for a table.
         const Error error = start ? head.error() : start.error();
         if (error.code != ErrorCode::format_damaged) {
             return error;

@@ -8,8 +8,8 @@
 
 namespace vybeg {
 
-// Fills `preview` with what the beginning of a text file becomes under options.text. Errors:
-// file_read_failed, interrupted; whatever is wrong with the text is preview.problem.
+// Fills `preview` from the beginning of a text file under options.text. Errors: file_read_failed,
+// interrupted; faults of the text are in preview.problem.
 Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
                     const JobControl& job, RecordingPreview& preview);
 

@@ -8,10 +8,10 @@
 namespace vybeg {
 namespace {
 
-// Bytes that are fetched at once: large for the disk, small for the processor's cache.
+// Bytes per read: large for the disk, small for the processor's cache.
 constexpr std::int64_t block_bytes = std::int64_t{1} << 18;
 
-// Room for the bytes of a block, which need not be zeroed before they are read.
+// Memory for the bytes of a block, not initialised.
 class Scratch {
 public:
     std::span<char> room(std::size_t size) {
@@ -48,7 +48,7 @@ std::int64_t place(const SampleRun& run, std::int64_t frame) {
     return run.offset + at / run.per_chunk * run.chunk_stride + at % run.per_chunk * run.stride;
 }
 
-// How many samples from the frame on lie in one run and, but for the first, in a block.
+// Number of samples from the frame on within one range and, except the first, within a block.
 std::int64_t samples_in_block(const SampleColumn& column, std::int64_t frame) {
     const SampleRun& run = run_at(column, frame);
     const std::int64_t left = run.end() - frame;
@@ -60,13 +60,13 @@ std::int64_t samples_in_block(const SampleColumn& column, std::int64_t frame) {
     return std::min(left, in_chunk + rest / run.chunk_stride * run.per_chunk);
 }
 
-// The bytes of `count` samples of one run.
+// The bytes of `count` samples of one range.
 ByteRange range_of(const SampleColumn& column, std::int64_t frame, std::int64_t count) {
     const SampleRun& run = run_at(column, frame);
     return {place(run, frame), place(run, frame + count - 1) + bytes_of(column.type)};
 }
 
-// Decodes samples of one run from bytes that begin at `begin` in the source.
+// Decodes samples of one range from bytes that begin at `begin` in the source.
 void decode_block(const SampleColumn& column, std::int64_t frame, const char* bytes,
                   std::int64_t begin, std::span<double> out) {
     const SampleRun& run = run_at(column, frame);
@@ -82,7 +82,7 @@ void decode_block(const SampleColumn& column, std::int64_t frame, const char* by
     }
 }
 
-// Whether each of the samples of `left` from a frame on is followed at once by that of `right`.
+// Whether the samples of `left` and `right` from a frame on are interleaved without gaps.
 bool are_pairs(const SampleColumn& left, const SampleColumn& right, std::int64_t frame,
                std::int64_t count) {
     const SampleRun& run = run_at(left, frame);

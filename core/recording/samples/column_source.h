@@ -10,10 +10,10 @@
 
 namespace vybeg {
 
-// A stretch of one channel: chunks of equally many samples, all distances in bytes.
+// Range of samples of one channel: chunks of equal numbers of samples; distances in bytes.
 struct SampleRun {
     std::int64_t first = 0;         // frame of its first sample
-    std::int64_t count = 0;         // samples in all; the last chunk may be shorter
+    std::int64_t count = 0;         // total samples; the last chunk may be shorter
     std::int64_t per_chunk = 0;     // samples in a chunk
     std::int64_t offset = 0;        // of the first sample
     std::int64_t stride = 0;        // from sample to sample within a chunk
@@ -26,19 +26,19 @@ struct SampleRun {
 // Samples at equal distances, all in one chunk.
 SampleRun even_run(std::int64_t count, std::int64_t offset, std::int64_t stride, bool big_endian);
 
-// Where the samples of one channel stand in a binary file.
+// Positions of the samples of one channel in a binary file.
 struct SampleColumn {
     std::shared_ptr<const ByteSource> bytes;
     NumberType type = NumberType::f64;
-    std::vector<SampleRun> runs;  // one after the other, without gaps between their frames
+    std::vector<SampleRun> runs;  // consecutive, without gaps between their frames
     Scale scale{};
 
     std::int64_t frames() const { return runs.empty() ? 0 : runs.back().end(); }
 };
 
-// Two channels read on demand; as many frames as the shorter one has. Columns with the same `bytes`
-// that lie side by side are read together. Precondition: every sample of the runs lies inside of
-// the bytes, and offsets rise within a run.
+// Source of two channels, read on demand, with as many frames as the shorter one. Adjacent columns
+// with the same `bytes` are read together. Precondition: every sample lies inside the bytes, with
+// ascending offsets within a range.
 std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d);
 
 }  // namespace vybeg

@@ -127,7 +127,7 @@ std::vector<std::string> header_fields(std::string_view line, char delimiter) {
 
 namespace {
 
-// Names of LTspice and its kin are no names with a unit: V(c) is the voltage of node c.
+// Names of SPICE programs are no names with a unit: V(c) is the voltage of node c.
 std::optional<Channel> node_quantity(std::string_view name, std::string_view inside) {
     if (name != "V" && name != "I") {
         return std::nullopt;
@@ -240,7 +240,7 @@ std::optional<double> seconds_per(std::string_view unit) {
 
 namespace {
 
-// Where the last word of a name begins: behind a blank, '_' or '-', or "TimeMs".
+// Start of the last word of a name: after a blank, '_' or '-', or as in "TimeMs".
 std::size_t last_word(std::string_view name) {
     const auto cut = name.find_last_of(" _-");
     if (cut != std::string_view::npos) {
@@ -260,7 +260,7 @@ std::size_t last_word(std::string_view name) {
 
 bool is_time_name(std::string_view name) {
     if (name == "T" || name == "Т") {
-        return false;  // a temperature, as likely as not
+        return false;  // probably a temperature
     }
     const std::string small = lower_text(name);
     if (among(time_names, small)) {

@@ -13,8 +13,8 @@ namespace vybeg {
 // The name and unit in one field of a header: "S_C [V]", "C (V)", "Time, s", "CH1 in V", "C/V".
 Channel name_and_unit(std::string_view field);
 
-// The fields of a line above the table. A field with the bracket of its unit is one field also
-// where blanks separate: "S_C [V]".
+// The fields of a line above the table. A name with its unit in brackets is one field even if
+// blanks separate fields: "S_C [V]".
 std::vector<std::string> header_fields(std::string_view line, char delimiter);
 
 std::string_view without_comment_mark(std::string_view line);
@@ -31,14 +31,14 @@ bool begins_as_time_name(std::string_view name);
 // Whether a column of this name may number the rows: it has no name, or n, i, #, No, index, ...
 bool is_counter_name(std::string_view name);
 
-// Whether a field behind the last column may stand without numbers below it: a comment, a marker.
+// Whether a field after the last column may have no numbers below it: a comment, a marker.
 bool is_remark_name(std::string_view name);
 
-// Seconds per unit of time ("ms", "us", "мкс", ...), or nothing where it is none.
+// Seconds per unit of time ("ms", "us", "мкс", ...); empty for other texts.
 std::optional<double> seconds_per(std::string_view unit);
 
-// The unit of a time column, from the header's unit or the end of the name ("t_ms"); empty where
-// neither has one.
+// Unit of a time column, from the header's unit or the end of the name ("t_ms"); empty without
+// either.
 std::string time_unit(const Channel& column);
 
 }  // namespace vybeg

@@ -6,7 +6,7 @@
 
 namespace vybeg {
 
-// Samples that are held in memory.
+// Samples in memory.
 class MemorySource : public SampleSource {
 public:
     // Precondition: equal lengths.

@@ -9,7 +9,7 @@
 namespace vybeg {
 namespace {
 
-// As --raw takes it.
+// Text of --raw.
 std::string type_text(const RawLayout& layout) {
     constexpr std::array names = {"i16", "i32", "f32", "f64"};
     return std::string(names[static_cast<std::size_t>(layout.type)]) +

@@ -24,25 +24,26 @@ struct RawLayout {
 };
 
 struct OpenOptions {
-    std::optional<double> rate_hz;  // used where the file has no rate
+    std::optional<double> rate_hz;  // used if the file has no rate
     int channel_c = 1;              // from 1; a time column does not count
     int channel_d = 2;
-    std::optional<RawLayout> raw;  // read the file as raw samples, whatever it looks like
-    // Names of the variables that hold C and D and, third, the rate, in a file of several (NPZ,
-    // MAT, HDF5). D's is left out, or empty before a rate, where C's holds both channels. None: the
-    // reader's own choice.
+    std::optional<RawLayout> raw;  // read the file as raw samples in any case
+    // Names of the variables of C, D and, third, the rate in a file of several variables (NPZ, MAT,
+    // HDF5). D's name is omitted, or empty before a rate, if the variable of C contains both
+    // channels. Empty: chosen by the reader.
     std::vector<std::string> variables{};
-    std::optional<TextChoice> text{};  // read the file as text, whatever it looks like
-    std::string unit{};                // of the samples; empty: the file's
+    std::optional<TextChoice> text{};  // read the file as text in any case
+    std::string unit{};                // of the samples; empty: that of the file
 
     friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
 };
 
-// What `options` say beside the rate and the channels, as on the command line; empty where they say
-// nothing.
+// Text of `options` other than rate and channels, as on the command line; empty without such
+// options.
 std::string options_text(const OpenOptions& options);
 
-// The options by themselves: a positive rate, two different channels. Errors: setting_invalid.
+// Checks the options without a file: a positive rate, two different channels. Errors:
+// setting_invalid.
 Status check_options(const OpenOptions& options);
 
 }  // namespace vybeg

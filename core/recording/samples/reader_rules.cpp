@@ -14,7 +14,7 @@ namespace {
 constexpr int channels_needed = 2;
 constexpr std::int64_t frames_needed = 5;
 
-// Where the file ends before the frames that it promises.
+// Adds file_ends_early if the file has fewer frames than it states.
 void note_early_end(std::int64_t promised_frames, Recording& recording) {
     const std::int64_t present = recording.frames();
     if (present < promised_frames) {
@@ -25,7 +25,7 @@ void note_early_end(std::int64_t promised_frames, Recording& recording) {
     }
 }
 
-// Where nothing in the file says how many frames there were to be.
+// Adds file_not_closed, for a file without a stated number of frames.
 void note_not_closed(Recording& recording) {
     recording.diagnostics.push_back(
         {DiagnosticKind::file_not_closed, {count_arg(recording.frames())}, recording.frames(), 0});

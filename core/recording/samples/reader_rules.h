@@ -15,48 +15,48 @@
 
 namespace vybeg {
 
-// What every reader asks of a file, and the one way from what it finds to a recording.
+// Rules common to all readers, and the conversion of their results to a recording.
 
-// Both chosen channels exist among the file's `found`. Errors: too_few_channels,
-// channel_out_of_range.
+// Checks that both chosen channels exist among the `found` channels of the file. Errors:
+// too_few_channels, channel_out_of_range.
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options);
 
-// At least 5 frames: the least that five parameters can be identified from. Errors: too_few_frames.
+// Checks for at least 5 frames, the least for five parameters. Errors: too_few_frames.
 Status check_frames(const FileBytes& file, std::int64_t frames);
 
-// Channels that have no names in the file: named "1", "2", ...
+// Channels without names in the file, named "1", "2", ...
 std::vector<Channel> numbered_channels(int count);
 
-// Adds channels_unequal for C's and D's samples. Precondition: source and channels are there.
+// Adds channels_unequal for C's and D's samples. Precondition: source and channels are set.
 void note_unequal(std::int64_t samples_c, std::int64_t samples_d, Recording& recording);
 
 struct SampleRate {
     double hz = 0;
     RateOrigin from = RateOrigin::file;
-    double relative_sd = 0;  // what the digits of the file leave open
+    double relative_sd = 0;  // due to the number of digits in the file
 };
 
-// The file's own rate where it has one (> 0), else the option's. Errors: rate_unknown.
+// The rate of the file if it has one (> 0), otherwise that of the option. Errors: rate_unknown.
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options);
 
-// What a reader finds in a file.
+// Result of a reader.
 struct FoundSamples {
-    std::string format;                          // as Recording::format
-    std::vector<Channel> channels;               // as Recording::channels
-    std::optional<SampleRate> own_rate;          // of the file
-    std::string start;                           // as Recording::start
-    std::int64_t frames = 0;                     // in the file; a grid of times may have others
-    std::int64_t promised_frames = 0;            // by the file, which may end before
-    bool never_closed = false;                   // nothing promises a number of frames
-    bool one_unit = false;                       // the reader has brought D to the unit of C
-    std::vector<Diagnostic> diagnostics;         // of the reader
-    std::shared_ptr<const SampleSource> source;  // channels C and D; none without frames
+    std::string format;                   // as Recording::format
+    std::vector<Channel> channels;        // as Recording::channels
+    std::optional<SampleRate> own_rate;   // of the file
+    std::string start;                    // as Recording::start
+    std::int64_t frames = 0;              // in the file; a resampled grid may have another number
+    std::int64_t promised_frames = 0;     // stated by the file, which may be shorter
+    bool never_closed = false;            // the file states no number of frames
+    bool one_unit = false;                // the reader has converted D to the unit of C
+    std::vector<Diagnostic> diagnostics;  // of the reader
+    std::shared_ptr<const SampleSource> source;  // channels C and D; null without frames
 };
 
-// The recording with its rate, after the checks above. Adds file_ends_early where it has fewer
-// frames than promised, and file_not_closed; brings D to the unit of C (match_units()). Errors:
-// those of check_channels(), choose_rate() and check_frames(), in this order; channel_is_time.
+// Makes the recording after the checks above. Adds file_ends_early if it has fewer frames than
+// stated, and file_not_closed; converts D to the unit of C (match_units()). Errors: those of
+// check_channels(), choose_rate() and check_frames(), in this order; channel_is_time.
 Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
                                      const OpenOptions& options);
 

@@ -18,30 +18,29 @@ enum class RateOrigin { file, time_column, option };
 std::string rate_origin_name(RateOrigin origin);
 
 struct Channel {
-    std::string name;  // as the file calls it, else "1", "2", ...
-    std::string unit;  // empty where the file does not tell
+    std::string name;  // from the file, otherwise "1", "2", ...
+    std::string unit;  // empty if the file has none
 
     friend bool operator==(const Channel&, const Channel&) = default;
 };
 
-// A recording that has been opened: what the file tells about itself, and its samples on demand.
-// Copies share the samples.
+// An open recording: properties from its file, and samples on demand. Copies share the samples.
 struct Recording {
     std::filesystem::path path;
     std::string format;  // e.g. "WAV, 64 bit float, 2 channels", "text, 3 columns, comma"
     double rate_hz = 0;
-    // Standard deviation of rate_hz relative to it, as far as the digits of the file leave the rate
-    // open; 0 where it is exact.
+    // Relative standard deviation of rate_hz due to the number of digits in the file; 0 for an
+    // exact rate.
     double rate_relative_sd = 0;
     RateOrigin rate_from = RateOrigin::file;
     std::vector<Channel> channels;  // all of the file's, in its order; a time column does not count
-    int channel_c = 1;              // which of them is C and which is D, from 1
+    int channel_c = 1;              // numbers of C and D among them, from 1
     int channel_d = 2;
-    std::string start;      // date and time of the recording as the file gives it, or empty
-    std::string read_with;  // options_text() of what it was opened with
+    std::string start;      // date and time of the recording from the file, or empty
+    std::string read_with;  // options_text() of the options of opening
     std::vector<Diagnostic> diagnostics;
     std::shared_ptr<const SampleSource> source;
-    std::shared_ptr<const FileBytes> file{};  // where the samples come from; none: not from a file
+    std::shared_ptr<const FileBytes> file{};  // file of the samples; null: not from a file
 
     std::int64_t frames() const { return source->frames(); }
     double seconds() const { return static_cast<double>(frames()) / rate_hz; }

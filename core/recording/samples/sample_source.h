@@ -9,8 +9,8 @@ namespace vybeg {
 
 // The two pick-off signals S_C and S_D, frame by frame on demand.
 //
-// Sources are immutable and may be read from several threads at once. They stack: a file's source,
-// calibration on it, a band-pass on that.
+// Sources are immutable and may be read from several threads at once. They can be stacked: source
+// of a file, calibration, band-pass.
 class SampleSource {
 public:
     SampleSource() = default;
@@ -20,7 +20,7 @@ public:
 
     virtual std::int64_t frames() const = 0;
 
-    // Whether any frames can be read without going through those before them first.
+    // Whether frames can be read without reading those before them.
     virtual bool seeks() const { return true; }
 
     // Fills c and d, which have equal length, with the frames [first, first + length), in recording

@@ -7,7 +7,7 @@
 
 namespace vybeg {
 
-// Multiplies samples; what is infinite then is NaN, a missing sample.
+// Multiplies samples; infinite products become NaN, a missing sample.
 void scale_samples(std::span<double> values, double scale);
 
 // The channels of `source` times their scales.

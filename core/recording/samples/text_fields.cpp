@@ -48,7 +48,7 @@ std::optional<double> usual_value(std::string_view field, bool decimal_comma) {
     if (field.front() == '+' && field.size() > 1 && field[1] != '-') {
         field.remove_prefix(1);
     }
-    // "1, 2" cut at the blank is no pair of numbers with decimal commas.
+    // "1, 2", split at the blank, is no pair of numbers with decimal commas.
     if (decimal_comma && field.back() == ',') {
         return std::nullopt;
     }
@@ -159,7 +159,7 @@ std::optional<double> parse_field(std::string_view field, bool decimal_comma) {
 NumberDigits digits_of(std::string_view field) {
     std::size_t end = 0;  // of the digits, where the exponent begins
     std::size_t sign = std::string_view::npos;
-    std::size_t first = std::string_view::npos;  // digit that is not 0
+    std::size_t first = std::string_view::npos;  // position of the first digit other than 0
     for (; end < field.size() && field[end] != 'e' && field[end] != 'E'; ++end) {
         if (field[end] == '.' || field[end] == ',') {
             sign = end;

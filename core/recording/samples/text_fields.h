@@ -10,32 +10,32 @@ namespace vybeg {
 // Without spaces and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 
-// True for lines that begin with #, %, // or, where fields are not separated by it, ';'.
+// Whether a line begins with #, %, // or, if it is not the delimiter, ';'.
 bool is_comment(std::string_view line, char delimiter);
 
-// Cuts a line at the delimiter into `fields`, each without the spaces and the double quotes round
-// it; a delimiter inside of quotes does not cut. ' ' stands for any run of spaces and tabs. A
-// delimiter behind the last field, or a '|' at both ends, makes no field.
+// Splits a line at the delimiter into `fields`, without surrounding spaces and double quotes; a
+// delimiter inside quotes does not split. ' ' means any number of spaces and tabs. A delimiter
+// after the last field, or a '|' at both ends, adds no field.
 void split_fields(std::string_view line, char delimiter, std::vector<std::string_view>& fields);
 
-// A whole field as a number; NaN where it is empty or says that there is none ("nan", "NA"),
-// infinite where the sample lies beyond the range ("inf", U+221E, "OVLD", 9.9E37 to 3.5E38);
-// nothing where it is anything else. The locale plays no part. With a decimal comma a point is no
-// part of a number. Fortran's D is read as E, the sign U+2212 as a minus.
+// Number of a whole field: NaN for an empty field or a mark of a missing value ("nan", "NA"),
+// infinite for an overload ("inf", U+221E, "OVLD", 9.9E37 to 3.5E38); empty for other texts.
+// Independent of the locale. With a decimal comma a point is no part of a number. Fortran's D is
+// read as E, the sign U+2212 as a minus.
 std::optional<double> parse_field(std::string_view field, bool decimal_comma);
 
-// From this magnitude on a number may be a mark of parse_field().
+// Least magnitude of a number that may be a mark of overload.
 inline constexpr double least_mark = 9.9e37;
 
-// The text of a number with Fortran's exponent or the sign U+2212 as others write it.
+// Usual text of a number with Fortran's exponent or the sign U+2212.
 std::string usual_number(std::string_view field);
 
-// How finely the text of a number is written: 12.50e-3 has 5 decimals and 4 significant digits.
+// Resolution of the text of a number: 12.50e-3 has 5 decimals and 4 significant digits.
 struct NumberDigits {
-    int decimals = 0;     // digits behind the decimal sign, less the exponent
-    int significant = 0;  // digits from the first that is not 0 on
+    int decimals = 0;     // digits after the decimal sign, less the exponent
+    int significant = 0;  // digits from the first nonzero one on
 };
-// Precondition: parse_field() takes the field for a number.
+// Precondition: parse_field() reads the field as a number.
 NumberDigits digits_of(std::string_view field);
 
 }  // namespace vybeg

@@ -44,7 +44,7 @@ std::optional<char> quantity_of(std::string_view text) {
     return std::nullopt;
 }
 
-// "V DC": the coupling says nothing of the size.
+// Removes the coupling of a unit such as "V DC".
 std::string_view without_coupling(std::string_view text) {
     for (const std::string_view coupling : {" DC", " AC", " dc", " ac"}) {
         if (text.ends_with(coupling)) {

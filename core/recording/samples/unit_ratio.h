@@ -5,9 +5,8 @@
 
 namespace vybeg {
 
-// What a value in the unit `from` is multiplied by to be in the unit `to`: 1e-3 from "mV" to "V",
-// 1 from "Volt" to "В". Nothing where they measure different quantities or one of them is not
-// known; 1 where both are the same text.
+// Factor from the unit `from` to the unit `to`: 1e-3 from "mV" to "V", 1 from "Volt" to "В", 1 for
+// equal texts. Empty for units of different quantities and for unknown units.
 std::optional<double> unit_ratio(std::string_view from, std::string_view to);
 
 // Whether the text is a unit with or without a prefix ("V", "мВ", "m/s").

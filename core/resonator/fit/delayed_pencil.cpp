@@ -13,11 +13,11 @@ using Complex = std::complex<double>;
 using Eigen::Vector2cd;
 using Matrix = Eigen::Matrix2cd;
 
-// Phasors in one stacked vector: enough for the noise to average out between them.
+// Phasors in one stacked vector, enough to average the noise.
 constexpr std::size_t stack = 8;
 using Stacked = Eigen::Matrix<Complex, 2 * stack, 1>;
 
-// Which window stands at each step from the start; -1 where there is a gap.
+// Index of the window at each step from the start; -1 in a gap.
 std::vector<std::ptrdiff_t> windows_by_step(const ScaledRun& run) {
     std::vector<std::ptrdiff_t> window;
     for (std::size_t k = 0; k < run.size(); ++k) {

@@ -8,12 +8,12 @@
 
 namespace vybeg {
 
-// The rates of a resolved pair from one run whose two channels may see nearly the same mixture of
-// its modes, as two microphones do: z(t), z(t + delay), z(t + 2 delay), ... stacked into one vector
-// lie in the plane of two modes, found as the two largest principal directions; there the step by
-// one window is a 2x2 matrix, and its eigenvalues are the modes' (Roy and Kailath's ESPRIT). Their
-// shapes follow in least squares. `z`: the run's phasors without the mean turn; `delay` in windows.
-// Nothing where the windows are too few or both modes have one shape.
+// Rates of a resolved pair from one run whose channels may contain nearly the same mixture of its
+// modes, such as two microphones (ESPRIT, Roy and Kailath). The stacked vectors z(t), z(t + delay),
+// z(t + 2 delay), ... lie in the plane of two modes, the two largest principal directions. There
+// the step by one window is a 2x2 matrix with the eigenvalues of the modes; their shapes follow by
+// least squares. `z`: the run's phasors without the mean rotation; `delay` in windows. Empty for
+// too few windows or two modes of one shape.
 std::optional<SlowRates> delayed_pencil(const ScaledRun& run,
                                         const std::vector<Eigen::Vector2cd>& z, std::size_t delay);
 

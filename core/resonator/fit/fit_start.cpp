@@ -22,7 +22,8 @@ constexpr int all_steps = 60;
 constexpr int polish_steps = 200;  // of the best fit, where it did not converge
 constexpr double same_cost = 1e-6;
 constexpr double close_behind = 1.2;
-constexpr double hopeless = 100;  // chi^2 over the number of residuals that is not polished
+// Chi^2 over the number of residuals above which a fit is not polished.
+constexpr double hopeless = 100;
 
 // 1/tau from the envelope: a straight line through log |z|, weighted with |z|.
 double envelope_decay(const ScaledRun& run) {
@@ -48,7 +49,7 @@ double envelope_decay(const ScaledRun& run) {
     return -moment / spread;
 }
 
-// A still wave: frequency and start from the first windows.
+// Sets a still wave: frequency and start from the first windows.
 void set_still_wave(const FitProblem& problem, std::size_t index, Eigen::VectorXd& p) {
     const ScaledRun& run = problem.runs[index];
     const std::size_t count = std::min(first_windows, run.size());
@@ -88,10 +89,10 @@ bool above_noise(const FitProblem& problem, const MapFit& fit) {
     return fit.cost > problem.noise_ratio * residuals(problem, longest(problem));
 }
 
-// The fit to the first windows, and to more and more of them.
+// Fit to the first windows, then to increasing numbers of windows.
 struct Lengthened {
     Eigen::VectorXd p;
-    bool at_noise = true;  // the last of those fits left no more than twice the noise
+    bool at_noise = true;  // the residual of the last of those fits is at most twice the noise
 };
 
 Lengthened fit_lengthening(FitProblem problem, FirstFit kind, const JobControl& job) {
@@ -115,11 +116,11 @@ Lengthened fit_lengthening(FitProblem problem, FirstFit kind, const JobControl& 
 
 constexpr double no_fit = std::numeric_limits<double>::infinity();
 
-// The cost of the fit from `start`, which becomes the best where it is lower.
+// Cost of the fit from `start`; a lower one replaces `best`.
 double try_start(const FitProblem& problem, const Eigen::VectorXd& start, const JobControl& job,
                  MapFit& best) {
     MapFit fit = minimise(problem, start, all_steps, job);
-    // Close behind the best, and still on its way.
+    // Close to the best and not converged.
     if (!fit.converged && fit.cost > best.cost && fit.cost < close_behind * best.cost) {
         fit = minimise(problem, fit.p, polish_steps, job);
     }
@@ -130,7 +131,8 @@ double try_start(const FitProblem& problem, const Eigen::VectorXd& start, const 
     return cost;
 }
 
-// From the fit of each run alone: its shared parameters for all, everyone's own ones.
+// Starts from the fit of each run alone: its shared parameters for all runs, the own parameters of
+// each.
 void try_alone(FitProblem& problem, const JobControl& job, MapFit& best) {
     struct Alone {
         double residual = 0;
@@ -190,8 +192,8 @@ WaveFit fit_waves(FitProblem& problem, const JobControl& job) {
     } else {
         wave.far = lengthened.p;
     }
-    // What a drift does to a still wave, rates that it does not see can do as well: from there the
-    // fit would not come back.
+    // Rates that a still wave does not show can imitate a drift, and the fit would not return from
+    // there.
     const Lengthened drifting = fit_lengthening(problem, FirstFit::drifting_wave, job);
     if (drifting.at_noise) {
         try_start(problem, drifting.p, job, wave.best);
@@ -203,13 +205,13 @@ WaveFit fit_waves(FitProblem& problem, const JobControl& job) {
 
 MapFit fit_modes(FitProblem& problem, const WaveFit& wave, const JobControl& job) {
     MapFit best = wave.best;
-    // A small split keeps the start of a drifting wave above the noise, too.
+    // A small split also keeps the residual of the drifting start above the noise.
     const double count = residuals(problem, longest(problem));
     if (wave.drifting.size() > 0 && best.cost > noise_bound(count) * count) {
         try_start(problem, wave.drifting, job, best);
     }
-    // A noise that is not white leaves the best start above the windows' noise: where two ways of
-    // their own come down to the same place, it is taken.
+    // Noise that is not white keeps the best start above the windows' noise. A minimum reached from
+    // two independent starts is accepted.
     bool confirmed = false;
     for (const Pencil kind : {Pencil::two_channels, Pencil::delayed}) {
         if (confirmed || !above_noise(problem, best)) {
@@ -221,7 +223,8 @@ MapFit fit_modes(FitProblem& problem, const WaveFit& wave, const JobControl& job
             confirmed = std::abs(found - before) < same_cost * before;
         }
     }
-    // Lengthening that never came down to the noise is the last resort: it ends far from a minimum.
+    // A lengthening that never reached the noise is the last resort, because it ends far from a
+    // minimum.
     if (!confirmed && wave.far.size() > 0 && above_noise(problem, best)) {
         try_start(problem, wave.far, job, best);
     }

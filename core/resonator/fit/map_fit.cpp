@@ -46,7 +46,7 @@ Cost cost_of(const FitProblem& problem, const Eigen::VectorXd& p, std::size_t wi
             chi_square(run, shared, own_of(problem.layout, p, k), std::min(windows, run.size()));
     }
     cost.all = cost.data + prior_cost(problem, p);
-    // A motion that grows beyond all numbers is no candidate.
+    // A motion that overflows is no candidate.
     if (!std::isfinite(cost.all)) {
         cost.all = no_cost;
     }
@@ -135,7 +135,7 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
     double damping = first_damping;
     for (int step = 0; step < steps && !fit.converged && !job.cancelled(); ++step) {
         const Normal normal = normal_of(problem, active, fit.p, windows);
-        // Unit diagonal: the parameters' units differ by many powers of ten.
+        // Unit diagonal, because the units of the parameters differ by many powers of ten.
         const Eigen::VectorXd unit =
             normal.matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
         const Eigen::VectorXd inverse = unit.cwiseInverse();

@@ -15,21 +15,22 @@
 
 namespace vybeg {
 
-// A row (direction . p - value)/sd beside the priors, which holds a direction of the parameters.
+// A row (direction . p - value)/sd in addition to the priors, which holds a direction of the
+// parameters.
 struct HeldDirection {
     Eigen::VectorXd direction;
     double value = 0;
     double sd = 1;
 };
 
-// The sum of squares whose minimum is the maximum of the posterior: weighted residuals of the
-// windows, priors, and a held direction where one is set.
+// Sum of squares whose minimum is the maximum of the posterior: weighted residuals of the windows,
+// priors, and a held direction if set.
 struct FitProblem {
     std::span<const ScaledRun> runs;
     ParameterLayout layout;
     Priors priors;
     double noise_ratio =
-        2;  // of chi^2 to the residuals' number, above which other starts are tried
+        2;  // ratio of chi^2 to the number of residuals above which other starts are tried
     double damping_share = 1;  // width of the damping anisotropy's prior, in units of 1/tau
     std::optional<HeldDirection> held = {};
 };
@@ -57,17 +58,17 @@ struct MapFit {
 };
 
 // Levenberg and Marquardt from p, the normal matrix scaled to a unit diagonal, at most `steps` of
-// them; ends where a step lowers the cost by less than 1e-5, a three-hundredth of a standard
-// deviation. With `windows`, only so many of the first windows of each run count. One thread, the
-// same bits every time. A cancelled job ends it early. Precondition: the cost at p is finite.
+// them; ends when a step lowers the cost by less than 1e-5, a three-hundredth of a standard
+// deviation. `windows`: uses only as many first windows of each run. One thread, reproducible bits.
+// A cancelled job ends it early. Precondition: the cost at p is finite.
 MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& p, int steps,
                 const JobControl& job,
                 std::size_t windows = std::numeric_limits<std::size_t>::max());
 
-// Number of residuals less that of the parameters that no prior describes.
+// Number of residuals less that of the parameters without a prior.
 double degrees_of_freedom(const FitProblem& problem);
 
-// The largest chi^2 per degree of freedom that white noise leaves: six deviations above one.
+// Largest chi^2 per degree of freedom of white noise: six deviations above one.
 inline double noise_bound(double dof) {
     return 1 + 6 * std::sqrt(2 / dof);
 }

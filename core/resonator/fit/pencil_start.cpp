@@ -40,8 +40,8 @@ std::size_t steps(const ScaledRun& run) {
         std::lround((run.time_s.back() - run.time_s.front()) / run.step_s));
 }
 
-// Mean frequency of vectors w_k, Hz: from the turn over one step, then over longer and longer lags,
-// each resolving the whole turns of the next.
+// Mean frequency of vectors w_k, Hz: from the rotation over one step, then over increasing lags,
+// each of which resolves the whole turns of the next.
 double mean_frequency(const ScaledRun& run, const std::vector<Vector2cd>& w) {
     double f = 0;
     for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, steps(run) / 2); lag *= 2) {
@@ -68,7 +68,7 @@ std::vector<Vector2cd> aligned(const ScaledRun& run, double f) {
 struct PencilSums {
     Matrix late = Matrix::Zero();
     Matrix early = Matrix::Zero();
-    double noise = 0;  // what noise alone adds to each diagonal entry of `early`
+    double noise = 0;  // contribution of noise to each diagonal entry of `early`
 };
 
 void add(PencilSums& pencil, const ScaledRun& run, const std::vector<Vector2cd>& z,
@@ -80,7 +80,7 @@ void add(PencilSums& pencil, const ScaledRun& run, const std::vector<Vector2cd>&
     });
 }
 
-// log(E)/lag; nothing where the phasors show one direction only, or a mode grows or turns too far.
+// log(E)/lag; empty if the phasors show one direction only, or a mode grows or turns too far.
 std::optional<SlowRates> rates_of(const PencilSums& pencil, double seconds) {
     const Eigen::SelfAdjointEigenSolver<Matrix> seen(pencil.early, Eigen::EigenvaluesOnly);
     if (!(seen.eigenvalues()[0] > 4 * pencil.noise)) {
@@ -96,8 +96,8 @@ std::optional<SlowRates> rates_of(const PencilSums& pencil, double seconds) {
     return vybeg::rates_of(Matrix(v * logs.asDiagonal() * v.inverse()));
 }
 
-// Every run's frequency and start under given rates: the phasors are carried back by exp(-N t), the
-// frequency is the mean turn of what remains over lags that grow, the start is linear.
+// Frequency and start of every run under given rates: the phasors are propagated back by exp(-N t);
+// the frequency is their mean rotation over increasing lags; the start is linear.
 Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rates) {
     Eigen::VectorXd p = problem.priors.mean;
     for (int k = 0; k < rate_count; ++k) {

@@ -9,12 +9,12 @@
 namespace vybeg {
 
 // two_channels: z(t + lag) = E z(t) in least squares over one run or over all, M = log(E)/lag;
-// delayed: delayed_pencil.h, for channels that see nearly the same mixture, at ten times the cost.
+// delayed: delayed_pencil.h, for channels with nearly the same mixture, at ten times the cost.
 enum class Pencil { two_channels, delayed };
 
 // Start values from the best matrix pencil of a kind, for lags from one window to a third of the
-// run. They find resolved pairs; where the wave hardly moves, there is none, or it is no good.
-// Parameters that the problem holds stand at their means.
+// run. They find resolved pairs; for a nearly still wave they are missing or useless. Held
+// parameters are at their means.
 std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind);
 
 }  // namespace vybeg

@@ -19,8 +19,8 @@ constexpr double least_share = 0.3;
 constexpr double least_fall = 100;
 constexpr std::size_t least_windows = 1;  // on each side
 
-// Steps between all windows of a run: a step's effect on the windows after it is a sum from the
-// end.
+// Tries steps between all windows of a run; the effect of a step on the windows after it is a sum
+// from the end.
 void best_step(const FitProblem& problem, const Posterior& at, std::size_t k, PhaseBreak& best) {
     const ScaledRun& run = problem.runs[k];
     const Linearised& here = at.runs[k];
@@ -73,7 +73,7 @@ std::optional<PhaseBreak> phase_break(const FitProblem& problem, const Posterior
 
 std::vector<int> possible_samples(const PhaseBreak& step, double f_hz, double rate_hz) {
     constexpr int most_samples = 64;
-    constexpr double close_rad = 0.05;  // of a step whose size is not fitted yet
+    constexpr double close_rad = 0.05;  // tolerance of a step whose size is not fitted yet
     std::vector<int> possible;
     for (int k = -most_samples; rate_hz > 0 && k <= most_samples; ++k) {
         const double phase = 2 * std::numbers::pi * f_hz * k / rate_hz;

@@ -10,7 +10,8 @@ namespace vybeg {
 namespace {
 
 // R with R R^T the inverse of a positive matrix whose rows have units that differ by many powers of
-// ten. What rounding leaves below 1e-14 of the matrix is taken as that: huge, not infinite.
+// ten. Eigenvalues below 1e-14 of the matrix are raised to that value, so that the inverse is huge,
+// not infinite.
 Eigen::MatrixXd inverse_root(const Eigen::MatrixXd& matrix) {
     const Eigen::VectorXd unit =
         matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
@@ -20,8 +21,8 @@ Eigen::MatrixXd inverse_root(const Eigen::MatrixXd& matrix) {
            eigen.eigenvalues().cwiseMax(1e-14).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-// Of one run what the correlation of neighbouring windows' noise adds to J^T J. Windows count as
-// neighbours by their order.
+// Contribution of one run to J^T J by the noise correlation of neighbouring windows, neighbours by
+// their order.
 Eigen::MatrixXd correlated_part(const ScaledRun& run, const RowMajor& by_parameter) {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(by_parameter.cols(), by_parameter.cols());
     for (std::size_t lag = 1; lag < std::min(run.correlation.size(), run.size()); ++lag) {
@@ -33,7 +34,7 @@ Eigen::MatrixXd correlated_part(const ScaledRun& run, const RowMajor& by_paramet
     return sum;
 }
 
-// J^T V J of all parameters, V the correlation of the windows' own noise.
+// J^T V J of all parameters, V the noise correlation of the windows.
 Eigen::MatrixXd score_covariance(const FitProblem& problem, const Posterior& posterior) {
     Eigen::MatrixXd sum = posterior.information;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {

@@ -8,9 +8,10 @@
 
 namespace vybeg {
 
-// The Gaussian about the maximum of the posterior, in the parameters that are not held. With F the
-// data's information, L the priors' precision and S = (F + L)^-1, the covariance S has three parts:
-// what the data leave, what is known of the channels, and what rests on priors that state nothing.
+// Gaussian approximation about the maximum of the posterior, in the parameters that are not held.
+// With F the information of the data, L the precision of the priors and S = (F + L)^-1, the
+// covariance S has three parts: from the data, from known channels, and from priors without
+// information.
 struct Posterior {
     Eigen::VectorXd p;                 // all parameters, at the maximum
     std::vector<Eigen::Index> active;  // rows and columns of the matrices below
@@ -20,13 +21,13 @@ struct Posterior {
     Eigen::MatrixXd root;              // R, S = R R^T
     Eigen::VectorXd toward;            // R^T J^T r, r the residuals
     Eigen::VectorXd alone_sd;          // of each parameter with all others known
-    // The parts in the basis of R, a part P standing for R P R^T: parameters that are hardly told
-    // apart leave no digit of P R^T.
+    // The parts in the basis of R, a part P meaning R P R^T, because nearly degenerate parameters
+    // leave no digit of P R^T.
     Eigen::MatrixXd data;     // S F S, or S (sum X' V X) S where the residual is coloured
     Eigen::MatrixXd known;    // S L S of the channels
     Eigen::MatrixXd nothing;  // S L S of the physical priors
 
-    // Of the data.
+    // chi^2 of the data.
     double chi2() const {
         double sum = 0;
         for (const Linearised& run : runs) {

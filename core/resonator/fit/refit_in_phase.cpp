@@ -15,12 +15,12 @@ constexpr int steps = 60;
 
 struct Turned {
     std::vector<ScaledRun> runs;
-    double mean_square = 0;  // of the phases, in units of the windows' noise
+    double mean_square = 0;  // mean square of the phases, in units of the windows' noise
 };
 
-// The runs with their phasors turned to the phases that a fit expects.
+// The runs with their phasors rotated to the phases predicted by a fit.
 Turned turned_by(const FitProblem& problem, const MapFit& fit) {
-    constexpr double clear = 0.2;  // of a wave: largest share that all is left of it
+    constexpr double clear = 0.2;  // largest residual share of a wave
     Turned turned{{problem.runs.begin(), problem.runs.end()}, 0};
     const Eigen::VectorXd shared = fit.p.head(shared_count);
     double count = 0;
@@ -47,7 +47,7 @@ Turned turned_by(const FitProblem& problem, const MapFit& fit) {
     return turned;
 }
 
-// chi^2 of the runs as they are.
+// chi^2 of the runs as measured.
 double chi2_of(const FitProblem& problem, const Eigen::VectorXd& p) {
     double sum = 0;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
@@ -57,7 +57,7 @@ double chi2_of(const FitProblem& problem, const Eigen::VectorXd& p) {
     return sum;
 }
 
-// The fit of the turned runs, from p; its chi2 is theirs.
+// Fit of the rotated runs, from p, with their chi2.
 MapFit fit_turned(const FitProblem& problem, const Turned& turned, const Eigen::VectorXd& p,
                   const JobControl& job) {
     FitProblem in_phase = problem;
@@ -96,12 +96,12 @@ std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit
     still.priors = first_priors(problem.priors, problem.layout, FirstFit::drifting_wave);
     const MapFit wave = minimise(still, still_waves(problem), steps, job);
     MapFit fit = fit_turned(problem, turned_by(problem, wave), wave.p, job);
-    // Of the four numbers of a window the phase is gone.
+    // One of the four numbers of a window, the phase, is not used.
     if (above_noise(fit.chi2, 0.75 * dof)) {
         return {};
     }
     fit.chi2 = chi2_of(problem, fit.p);
-    // Rates that leave nothing but noise give way only to a settling that does as well.
+    // Rates that leave only noise are replaced only by a settling that fits as well.
     constexpr double as_well = 25;
     if (fine) {
         const double left =

@@ -6,16 +6,16 @@
 
 namespace vybeg {
 
-// The fit once more to the phasors turned back by what is left of their phases, where that stands
-// above the windows' noise. A phase that no motion explains (a frequency that settles, phase noise)
-// takes its square from the amplitude, which spoils decay and anisotropy; to first order the second
-// fit changes nothing. chi2 stays that of the measured phasors.
+// Repeats the fit with the phasors rotated back by the residual of their phases, if that residual
+// exceeds the windows' noise. A phase that no motion explains (a frequency that settles, phase
+// noise) reduces the amplitude by its square, which biases decay and anisotropy; to first order the
+// second fit changes nothing. chi2 remains that of the measured phasors.
 MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobControl& job);
 
-// Where `main` stays above the noise or has strange rates: the fit of the phasors
-// turned back by what still waves of steady drift leave of the phase, if it explains angles,
-// quadratures and amplitudes down to the noise. What a still wave shows in its phase alone tells
-// nothing of the rates, which could follow any phase at all. Else none.
+// For a `main` above the noise or with improbable rates: the fit of the phasors rotated back by the
+// phase residual of still waves of steady drift, if it explains angles, quadratures and amplitudes
+// down to the noise; otherwise none. The phase of a still wave determines no rates, because rates
+// could follow any phase.
 std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit& main,
                                          const JobControl& job);
 

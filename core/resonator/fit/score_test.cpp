@@ -22,9 +22,10 @@ using std::numbers::pi;
 constexpr Complex i{0, 1};
 
 constexpr std::array settling_shares{0.03, 0.05, 0.07, 0.1,
-                                     0.14, 0.2,  0.28, 0.4};  // of the longest run
+                                     0.14, 0.2,  0.28, 0.4};  // in units of the longest run
 
-// A frequency that begins a Hz off in each run and settles with a time constant common to all.
+// A frequency that begins with an offset of `a` Hz in each run and settles with a common time
+// constant.
 Effect settling_effect(const FitProblem& problem, const Posterior& at, double settling_s) {
     Effect effect;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {

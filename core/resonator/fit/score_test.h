@@ -9,21 +9,20 @@
 
 namespace vybeg {
 
-// What the residual says about effects that the model does not hold (Rao's score test): by how much
-// chi^2 would fall, and the sizes they would have, were they fitted along with the parameters.
-// Exact where they are small.
+// Rao's score test of effects that the model omits: fall of chi^2 and sizes of the effects if they
+// were fitted together with the parameters. Exact for small effects.
 
 // Derivatives of the weighted phasors by the sizes of an effect: a matrix for each run, rows as its
 // residuals.
 using Effect = std::vector<Eigen::MatrixXd>;
 
-// Columns of which the parameters leave less than this share show nothing of their own.
+// Share of a column that the parameters do not absorb, below which the column is not distinct.
 inline constexpr double own_share = 1e-6;
 
 struct Score {
     double fall = 0;          // of chi^2
-    Eigen::VectorXd size;     // of each column
-    Eigen::MatrixXd inverse;  // covariance of the sizes where noise is that of the windows
+    Eigen::VectorXd size;     // size of each column
+    Eigen::MatrixXd inverse;  // covariance of the sizes for the noise of the windows
 };
 Score score(const FitProblem& problem, const Posterior& posterior, const Effect& effect);
 
@@ -37,7 +36,7 @@ Effect damping_effect(const FitProblem& problem, const Posterior& posterior);
 // Pick-offs whose gain follows the amplitude: of C by the power of C, of D by that of D.
 Effect pickoff_effect(const FitProblem& problem, const Posterior& posterior);
 
-// What the model expects in a window of a run.
+// Predicted phasors in a window of a run.
 Eigen::Vector2cd expected_phasor(const ScaledRun& run, const Linearised& at, std::size_t window);
 
 // Writes a window's weighted change into a column.

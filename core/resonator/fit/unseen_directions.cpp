@@ -10,14 +10,14 @@
 namespace vybeg {
 namespace {
 
-// From here on a prior holds the direction: it is refused without a profile.
+// Share of the prior's sd above which a direction is refused without a profile.
 constexpr double seen_share = 0.1;
 // A direction whose five deviations turn the wave by less than this, rad, is linear.
 constexpr double linear_turn = 0.05;
 constexpr double first_step = 2.5;  // standard deviations
-// A well that the noise has dug is never as deep as this.
+// Depth beyond any local minimum due to noise.
 constexpr double deep = 100;
-// One rise may be a refit that stuck.
+// A single rise may be a refit without convergence.
 constexpr int deep_twice = 2;
 constexpr int refit_steps = 25;
 
@@ -74,7 +74,7 @@ private:
     }
 
     void walk(const Eigen::VectorXd& direction, double sd, double side, double prior_sd) {
-        // How all parameters follow a move of one deviation.
+        // Response of all parameters to a step of one deviation.
         Eigen::VectorXd response = Eigen::VectorXd::Zero(fit_.p.size());
         response(posterior_.active) = posterior_.covariance * direction(posterior_.active) / sd;
         FitProblem problem = problem_;

@@ -2,8 +2,8 @@
 
 namespace vybeg {
 
-// How well the channels are known: standard deviations about the ideal pair, over a whole run where
-// they drift. Zero: known exactly.
+// Tolerances of the channels: standard deviations about the ideal pair, of drifts over a whole run.
+// Zero: known exactly.
 struct ChannelTolerance {
     double kappa = 0.01;     // relative
     double skew_rad = 0;     // non-orthogonality of the pick-offs

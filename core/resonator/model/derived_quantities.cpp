@@ -25,8 +25,8 @@ void add_modes(const Eigen::VectorXd& p, ModeOrder order, Eigen::VectorXd& q) {
     }
 }
 
-// The frequency of a run at the power of the wave itself. The fit has it at that of the recorded
-// channels (phasor_model.h), which a gain ratio changes.
+// Frequency of a run at the power of the wave. The fit has it at that of the recorded channels
+// (phasor_model.h), which depends on the gain ratio.
 double frequency_of(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& context) {
     const PowerSums& power = context.power[run];
     const double more = power.at(p[kappa_at]) - power.at(1);
@@ -73,7 +73,7 @@ Eigen::VectorXd quantities(const Eigen::VectorXd& p, const QuantityContext& cont
     const std::size_t runs = context.layout->runs();
     Eigen::VectorXd q(quantity_of_run(runs, 0));
     const auto share = 1 / static_cast<double>(runs);
-    // References are kept apart: differences of frequencies shall not lose digits to them.
+    // References are kept separate, so that differences of frequencies keep their digits.
     double f_mean = 0;
     double f_ref = 0;
     for (std::size_t run = 0; run < runs; ++run) {

@@ -10,7 +10,7 @@
 
 namespace vybeg {
 
-// What is reported, as functions of the fitted parameters, in one vector: those of the resonator,
+// Reported quantities, functions of the fitted parameters, in one vector: those of the resonator,
 // then those of each run. Amplitudes in scaled units, frequencies in Hz without the reference.
 enum SharedQuantity : int {
     f_mean_of,  // mean of the runs' frequencies, from the mean of their references
@@ -44,7 +44,7 @@ enum RunQuantity : int {
 // Modes by falling frequency, or by falling decay rate where the frequencies do not differ.
 enum class ModeOrder { frequency, decay };
 
-// What the quantities need besides the parameters.
+// Input of the quantities besides the parameters.
 struct QuantityContext {
     const ParameterLayout* layout = nullptr;
     std::vector<double> f_ref_hz;  // of each run
@@ -58,8 +58,8 @@ inline Eigen::Index quantity_of_run(std::size_t run, int quantity) {
     return shared_quantities + run_quantities * static_cast<Eigen::Index>(run) + quantity;
 }
 
-// Values at p. A wave's amplitudes and angle are those at t = 0, what the windows' length takes
-// from the start given back.
+// Values at p. Amplitudes and angle of a wave are those at t = 0, corrected for the mean over a
+// window.
 Eigen::VectorXd quantities(const Eigen::VectorXd& p, const QuantityContext& context);
 
 // The period of each quantity that is an angle, rad; 0 for the others.

@@ -11,8 +11,7 @@
 
 namespace vybeg {
 
-// The motion that a fit found, to draw it, to compare it with the phasors, and to derive curves
-// from M.
+// Fitted motion, for drawing, for comparison with the phasors, and for curves derived from M.
 struct FittedMotion {
     struct Run {
         double f_ref_hz = 0;  // as of the run's phasors
@@ -28,13 +27,12 @@ struct FittedMotion {
     SlowRates rates() const;
 };
 
-// What the fit expects of windows of the run at the given instants, in rising order: c and d as the
-// pick-offs give them relative to the run's f_ref_hz, recording units. Precondition: run <
-// runs.size().
+// Predicted phasors of windows of the run at the given instants, ascending: c and d of the
+// pick-offs relative to the run's f_ref_hz, recording units. Precondition: run < runs.size().
 std::vector<Phasors> predicted_phasors(const FittedMotion& motion, std::size_t run,
                                        const std::vector<double>& time_s);
 
-// The wave itself at those instants, free of the channels' errors.
+// Wave at those instants, without the errors of the channels.
 std::vector<Phasors> predicted_waves(const FittedMotion& motion, std::size_t run,
                                      const std::vector<double>& time_s);
 

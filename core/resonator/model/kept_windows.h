@@ -6,7 +6,7 @@
 
 namespace vybeg {
 
-// The run with those of its windows alone for which keep(index) holds.
+// The run with only those windows for which keep(index) is true.
 template <class Keep>
 PhasorRun kept_windows(const PhasorRun& run, const Keep& keep) {
     PhasorRun kept = run;

@@ -10,9 +10,9 @@
 
 namespace vybeg {
 
-// The parameters of a set of runs in one vector (FIT model): those of the resonator and of the
-// channels, which all runs share, then each run's own. All are always there; one that is held has a
-// prior of width zero.
+// Parameters of a set of runs in one vector (FIT section 1): those of the resonator and of the
+// channels, common to all runs, then each run's own. The vector always has all parameters; a held
+// one has a prior of width zero.
 
 // Shared parameters. The first rate_count are the rates in M, in the order of all_rates.
 enum SharedParameter : int {
@@ -21,10 +21,10 @@ enum SharedParameter : int {
     damping_cos_at,    // g cos 4theta_tau, 1/s
     damping_sin_at,    // g sin 4theta_tau, 1/s
     rotation_at,       // r, 1/s; d theta_A/dt = -r/2
-    free_rotation_at,  // imaginary part of r: zero but in the free model
+    free_rotation_at,  // imaginary part of r: zero except in the free model
     decay_at,          // 1/tau, 1/s
     kappa_at,          // gain ratio, D = kappa S_D
-    skew_at,           // non-orthogonality, rad: D's pick-off sees sin(skew) C
+    skew_at,           // non-orthogonality, rad: the pick-off of D records sin(skew) C in addition
     phase_at,          // of D against C, rad; a delay of D is -2 pi f delay
     crosstalk_at,      // of C into D in quadrature
     phase_drift_at,    // of D over the run, rad
@@ -41,7 +41,7 @@ enum OwnParameter : int {
     own_count
 };
 
-// Where each run's own parameters begin, and how many there are in all.
+// Start of each run's own parameters, and total number.
 class ParameterLayout {
 public:
     // `breaks[k]` phase breaks in run k.

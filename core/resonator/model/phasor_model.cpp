@@ -20,7 +20,7 @@ constexpr int own_column(int own) {
     return int{shared_count} + own;
 }
 
-// Derivatives that the motion itself has: by the rates, by the start, by the cubic term.
+// Derivatives of the motion: by the rates, by the start, by the cubic term.
 constexpr int start_column = rate_count;
 constexpr int cubic_column = rate_count + 4;
 constexpr int motion_columns = rate_count + 5;
@@ -40,9 +40,9 @@ Motion propagated(const SlowDynamics::Propagation& step, const Motion& from) {
     return to;
 }
 
-// The phases that the cubic term gives u+ and u- in the time t.
+// Phases of u+ and u- by the cubic term in the time t.
 Motion kicked(const Motion& from, double cubic, double t, const ScaledRun& run) {
-    // The spring feels the whole amplitude, of which a window's mean has lost a part.
+    // The spring depends on the whole amplitude, of which the mean over a window loses a part.
     const double g = 2 * pi / 3 * t / run.power_kept;
     const Complex plus = from.z[0] + i * from.z[1];
     const Complex minus = from.z[0] - i * from.z[1];
@@ -72,8 +72,8 @@ Motion kicked(const Motion& from, double cubic, double t, const ScaledRun& run) 
     return to;
 }
 
-// Where a product with exp(M h) leads from one window to the next: not over gaps, nor so often that
-// rounding adds up.
+// Decides where a product with exp(M h) leads from one window to the next: not over gaps, and
+// limited in number because of rounding.
 class Walk {
 public:
     bool step_to(double time_s, double step_s) {
@@ -89,7 +89,7 @@ private:
     int steps_ = 0;
 };
 
-// The motion z at the windows, without the run's own phase.
+// Motion z at the windows, without the run's own phase.
 class MotionSteps {
 public:
     MotionSteps(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
@@ -104,11 +104,11 @@ public:
         begin_ = now_;
     }
 
-    // For windows in their order.
+    // Precondition: windows in order.
     Motion at(std::size_t window) {
         const double t = run_.time_s[window];
         if (!steps_) {
-            // Whole steps from the window before, exactly from the start now and then.
+            // Whole steps from the window before; at intervals exactly from the start.
             if (walk_.step_to(t, run_.step_s)) {
                 if (!step_) {
                     step_ = dynamics_.propagation(run_.step_s);
@@ -148,7 +148,7 @@ private:
     std::optional<SlowDynamics::Propagation> step_;
 };
 
-// What a window's time, the channels and the run's frequency make of the motion.
+// Factors from the motion to the channels at a window's time.
 struct Channels {
     Complex phase;  // e^{i phi}
     Complex gain;   // e^{i phi} g/kappa of D

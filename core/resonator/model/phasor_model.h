@@ -20,20 +20,21 @@ namespace vybeg {
 //
 // M without imaginary trace (slow_dynamics.h). In u+- = z_1 +- i z_2 the cubic term is a phase
 // rate, (2 pi b/3)(|u+|^2 + 2 |u-|^2 - 3 P) for u+ and likewise for u-; P, the run's power, makes f
-// hardly depend on b. With b = 0 the motion is exp(M t) z0; else it takes Strang steps from window
-// to window, half of the cubic phase on each side of exp(M h). The mean over a window commutes with
-// exp(M t): z0 is the start as a window sees it, and no window is too long for the linear model.
+// nearly independent of b. With b = 0 the motion is exp(M t) z0; otherwise it takes Strang steps
+// from window to window, half of the cubic phase on each side of exp(M h). The mean over a window
+// commutes with exp(M t): z0 is the start averaged over a window, and the linear model allows any
+// window length.
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// The phasors that the model expects in the first `windows` windows of a run. `own`: the run's own
-// parameters, own_count and one for each break.
+// Predicted phasors in the first `windows` windows of a run. `own`: the run's own parameters,
+// own_count and one for each break.
 std::vector<Eigen::Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
                                                const Eigen::VectorXd& own, std::size_t windows);
 
-// Weighted residuals (measured less expected) of the first `windows` windows, Re c, Im c, Re d, Im
-// d of each; and the derivatives of the expected ones, weighted alike: a row for each residual, the
-// shared parameters before the own ones. The derivative by the cubic term is there only where
+// Weighted residuals (measured less predicted) of the first `windows` windows, Re c, Im c, Re d, Im
+// d of each, and derivatives of the predicted ones with the same weights: a row for each residual,
+// the shared parameters before the own ones. The derivative by the cubic term is computed only if
 // `with_cubic`.
 struct Linearised {
     Eigen::VectorXd residual;

@@ -77,7 +77,7 @@ Priors structured_priors(std::span<const ScaledRun> runs, const ParameterLayout&
 
 Priors free_priors(std::span<const ScaledRun> runs, const ParameterLayout& layout) {
     Priors priors = flat_priors(runs, layout);
-    // In units of what turns by a radian, or falls by e, from one window to the next.
+    // In units of one radian, or of a decay by e, from one window to the next.
     double fastest = 0;
     for (const ScaledRun& run : runs) {
         fastest = std::max(fastest, 1 / run.step_s);

@@ -8,28 +8,29 @@
 
 namespace vybeg {
 
-// Why a number of the resonator is not given.
+// Reasons for which a number of the resonator is not given.
 enum class ReasonCode {
-    none,                 // it is given
-    one_direction,        // args: another start angle (deg), seconds. The wave hardly moves.
-    within_noise,         // args: greatest value, unit. The difference between the modes.
-    confounded_rotation,  // args: another start angle (deg), seconds. Seen only with the damping.
-    free_model,           // the free model knows modes, no axes
-    modes_not_apart,      // the modes' difference is within its noise
-    no_decay,             // args: least tau (s)
-    circular_wave,        // no angle where a_A = |a_B|
-    few_angles,           // no drift function: the waves stand at too few angles
-    kappa_like_damping,   // gain ratio and damping anisotropy look the same
-    as_given,             // the recordings narrow the tolerance of the channels by less than ten
-    held,                 // a channel error without a tolerance: taken as zero
-    not_nonlinear,        // args: limit, unit. The phasors need no dependence on the amplitude.
-    drift_not_seen,       // within this recording a drift looks like something else
-    decay_limits,         // args: least and greatest tau (s)
-    grows,                // args: rate of growth, its sd (1/s)
-    amplitude_or_time,    // a settling frequency explains the phasors as well
-    rests_on_unseen,      // more than half of its variance is of parameters that are not seen
-    too_few_windows,      // not enough windows for it in this run
-    not_converged,        // the fit stopped early
+    none,           // it is given
+    one_direction,  // args: another start angle (deg), seconds. The wave hardly moves.
+    within_noise,   // args: greatest value, unit. The difference between the modes.
+    // Args: another start angle (deg), seconds. Only determined together with the damping.
+    confounded_rotation,
+    free_model,          // the free model has modes, but no axes
+    modes_not_apart,     // the modes' difference is within its noise
+    no_decay,            // args: least tau (s)
+    circular_wave,       // no angle where a_A = |a_B|
+    few_angles,          // no drift function: too few angles of the waves
+    kappa_like_damping,  // gain ratio and damping anisotropy are indistinguishable
+    as_given,            // the recordings narrow the tolerance of the channels by less than ten
+    held,                // a channel error without a tolerance: taken as zero
+    not_nonlinear,       // args: limit, unit. The phasors need no dependence on the amplitude.
+    drift_not_seen,      // a drift is indistinguishable from the motion in this recording
+    decay_limits,        // args: least and greatest tau (s)
+    grows,               // args: rate of growth, its sd (1/s)
+    amplitude_or_time,   // a settling frequency explains the phasors as well
+    rests_on_unseen,     // more than half of its variance is due to undetermined parameters
+    too_few_windows,     // not enough windows for it in this run
+    not_converged,       // the fit stopped early
 };
 
 struct Reason {
@@ -39,20 +40,20 @@ struct Reason {
     friend bool operator==(const Reason&, const Reason&) = default;
 };
 
-// A number with its standard deviation, or the reason why there is none; then both are NaN.
+// A number with its standard deviation, or the reason for its absence with NaN for both.
 struct Estimate {
     double value = std::numeric_limits<double>::quiet_NaN();
     double sd = std::numeric_limits<double>::quiet_NaN();  // statistical
     Reason reason;
-    // Combined standard uncertainty: sd and what the channels' tolerances add. NaN where there are
-    // none.
+    // Combined standard uncertainty: sd and the contribution of the channels' tolerances. NaN
+    // without tolerances.
     double u = std::numeric_limits<double>::quiet_NaN();
 
     bool given() const { return reason.code == ReasonCode::none; }
     double uncertainty() const { return u >= sd ? u : sd; }
 };
 
-// The name of a reason as it stands in JSON, e.g. "one-direction".
+// Name of a reason in JSON, e.g. "one-direction".
 std::string reason_name(ReasonCode code);
 
 // Its name in JSON and its English sentence, %1, %2, ... are the arguments; translated like those

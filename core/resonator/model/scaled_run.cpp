@@ -22,10 +22,11 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
     for (std::size_t k = 0; k < n; ++k) {
         scaled.z.emplace_back(run.c[k] / scale, run.d[k] / scale);
         scaled.weight.push_back(scale / run.sd[k]);
-        // The noise's own power, 4 variances, is no power of the wave.
+        // The power of the noise, 4 variances, is subtracted from that of the wave.
         const double variance = 1 / (scaled.weight[k] * scaled.weight[k]);
         const double at = std::max(scaled.z[k].squaredNorm() - 4 * variance, 0.0);
-        // Likewise of each channel; negative where a channel is noise, so that means stay true.
+        // Likewise for each channel; negative values are kept, so that means of pure noise are
+        // unbiased.
         const double c = std::norm(scaled.z[k][0]) - 2 * variance;
         const double d = std::norm(scaled.z[k][1]) - 2 * variance;
         PowerSums& sums = scaled.power_sums;
@@ -39,7 +40,7 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
         square += at * at;
         if (k > 0) {
             steps.push_back(run.time_s[k] - run.time_s[k - 1]);
-            // Across a gap the turn is ambiguous.
+            // The rotation across a gap is ambiguous.
             if (steps.back() < 1.5 * run.window_s) {
                 turn += scaled.z[k - 1].dot(scaled.z[k]);
             }

@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 constexpr Complex i{0, 1};
 
-// dM/d(rate), but for the decay, whose is -I.
+// dM/d(rate), except for the decay, where it is -I.
 const std::array<Matrix, rate_count>& directions() {
     static const std::array<Matrix, rate_count> all = [] {
         Matrix along;
@@ -42,7 +42,8 @@ Series series(double decay, Complex square, double t) {
     const Complex x2 = square * (t * t);
     Series out;
     if (std::abs(x2) < 1) {
-        // Powers of s^2 t^2 over factorials: eleven terms leave 1/23! of the first.
+        // Powers of s^2 t^2 over factorials: the truncation error of eleven terms is 1/23! of the
+        // first.
         Complex even = 0;
         Complex odd = 0;
         Complex odd_by = 0;
@@ -58,7 +59,7 @@ Series series(double decay, Complex square, double t) {
         out.odd = fall * t * odd;
         out.odd_by_square = fall * t * t * t / 6 * odd_by;
     } else {
-        // The decay goes into each exponential: cosh alone would overflow in a long record.
+        // Each exponential contains the decay, because cosh alone would overflow in a long record.
         const Complex s = std::sqrt(square);
         const Complex plus = std::exp(-decay * t + s * t);
         const Complex minus = std::exp(-decay * t - s * t);
@@ -126,7 +127,8 @@ SlowDynamics::Propagation SlowDynamics::propagation(double t) const {
 Matrix SlowDynamics::window_mean(double length, double offset_hz) const {
     const Matrix x = (matrix() + 2 * pi * offset_hz * i * Matrix::Identity()) * (length / 2);
     const Matrix x2 = x * x;
-    // sum x^2k/(2k+1)!: x stays within half a turn (phasor_run.h), where 15 terms leave 1e-17.
+    // sum x^2k/(2k+1)!: x stays within half a turn (phasor_run.h), where the truncation error of 15
+    // terms is 1e-17.
     Matrix sum = Matrix::Identity();
     for (int k = 15; k >= 1; --k) {
         sum = Matrix::Identity() + sum * x2 / ((2.0 * k) * (2 * k + 1));

@@ -12,8 +12,8 @@ namespace vybeg {
 //     M = -decay I + i pi Sigma(split) - 1/2 Sigma(damping) + (rotation + i skew) J
 //     Sigma(v) = [[v_cos, v_sin], [v_sin, -v_cos]]        J = [[0, 1], [-1, 0]]
 // A calibrated cos/sin pair of pick-offs has no skew; with it the traceless part is any complex
-// matrix, and M that of the free model. The imaginary part of the trace is each run's own
-// frequency and stands with the run.
+// matrix, and M that of the free model. The imaginary part of the trace is each run's own frequency
+// and belongs to the run.
 struct SlowRates {
     double split_cos_hz = 0;       // split * cos 4theta_w
     double split_sin_hz = 0;       // split * sin 4theta_w
@@ -64,8 +64,8 @@ public:
     };
     Propagation propagation(double t) const;
 
-    // The mean of exp(M u) over |u| < length/2, sinhc(M length/2): what a window of that length
-    // makes of the motion at its centre. `offset_hz` is the run's own frequency offset.
+    // The mean of exp(M u) over |u| < length/2, sinhc(M length/2): factor from the motion at the
+    // centre of a window of that length to its mean. `offset_hz` is the run's own frequency offset.
     Eigen::Matrix2cd window_mean(double length, double offset_hz) const;
 
 private:

@@ -8,29 +8,28 @@
 
 namespace vybeg {
 
-// The shape of a part of the noise about the carrier: a line of Lorentz with a half width, 1/f, or
-// white.
+// Shape of a part of the noise about the carrier: a Lorentz line with a half width, 1/f, or white.
 struct NoiseShape {
     double half_width_hz = 0;  // 0: 1/f; infinite: white
-    bool of_phase = false;     // in the phase alone, in proportion to the amplitude
+    bool of_phase = false;     // in the phase only, in proportion to the amplitude
 };
 
-// What the residual holds beside white noise. Variances in units of the white noise of a window.
+// Parts of the residual besides white noise. Variances in units of the white noise of a window.
 struct ResidualNoise {
     struct Part {
         NoiseShape shape;
         double variance = 0;
     };
-    // Each part as the mean over widths and variances, weighted with their likelihood: no single
-    // recording tells them sharply. Empty where the residual is white.
+    // Each part is the mean over widths and variances, weighted with their likelihood, because a
+    // single recording does not determine them sharply. Empty for a white residual.
     std::vector<Part> parts;
-    // The narrowest line of the grid fits best: noise narrower than that is one more phasor,
-    // constant over the run, which no residual shows.
+    // The narrowest line of the grid fits best: narrower noise is one more phasor, constant over
+    // the run, which no residual shows.
     bool narrowest = false;
 
-    // Nothing beside the noise of the windows.
+    // Whether the residual is the noise of the windows only.
     bool as_expected() const { return parts.empty(); }
-    // Beside it, more white noise at most.
+    // Whether all further parts are white.
     bool white() const {
         return std::ranges::all_of(
             parts, [](const Part& part) { return std::isinf(part.shape.half_width_hz); });

@@ -17,11 +17,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Points of a series: the cost grows with their cube, and the widest line has half a point's width.
+// Points of a series: the cost grows with their cube, and the widest line has the width of half a
+// point.
 constexpr std::size_t most_points = 110;
 constexpr int widths = 8;
 constexpr double narrowest_width = 0.28;  // half width times duration
-// A direction of the residual is absorbed by the fit where it holds this share of its variance.
+// Share of the variance above which the fit absorbs a direction of the residual.
 constexpr double absorbed_share = 0.02;
 constexpr double least_rise = 4;
 constexpr double negligible_weight = 1e-4;
@@ -29,15 +30,15 @@ constexpr double negligible_weight = 1e-4;
 constexpr double first_decade = -3;
 constexpr double last_decade = 8;
 constexpr double decade_step = 0.2;
-constexpr std::size_t coarse_step = 3;  // of decade_step, for a first look
-// What lies so far below the best has no weight.
+constexpr std::size_t coarse_step = 3;  // of decade_step, for the coarse grid
+// Distance below the best from which on a point has no weight.
 constexpr double hopeless = 13;
 
 // One series of one run, ready for the likelihood.
 struct Block {
     const ResidualSeries* run = nullptr;
     std::size_t series = 0;
-    MatrixXd residual_and_absorbed;  // x, then an orthonormal basis of what the fit absorbs
+    MatrixXd residual_and_absorbed;  // x, then an orthonormal basis of the part absorbed by the fit
 };
 
 // V0 + a K with V0 = L L': the columns of L^-1 [x, U] in the eigenvectors of L^-1 K L^-T.
@@ -47,8 +48,8 @@ struct Spectrum {
     double log_determinant = 0;  // of V0
 };
 
-// log likelihood of V = V0 + a K, up to a constant: with U orthonormal,
-// ln|Q'VQ| = ln|V| + ln|U'V^-1 U|, and x'Q(Q'VQ)^-1 Q'x = x'V^-1 x less what U explains of it.
+// log likelihood of V = V0 + a K, up to a constant: with U orthonormal, ln|Q'VQ| = ln|V| +
+// ln|U'V^-1 U|, and x'Q(Q'VQ)^-1 Q'x = x'V^-1 x less the part explained by U.
 double log_likelihood(const Spectrum& at, double a) {
     const VectorXd weight = (1 + a * at.eigenvalues.array()).inverse();
     const MatrixXd square = at.rotated.transpose() * weight.asDiagonal() * at.rotated;
@@ -97,8 +98,8 @@ bool same_grid(const ResidualSeries& a, const ResidualSeries& b) {
 
 using Decomposition = Eigen::SelfAdjointEigenSolver<MatrixXd>;
 
-// The eigenvectors of one shape beside white noise: series on the same grid share them, but for
-// the phase, whose noise follows the wave's size.
+// The eigenvectors of one shape beside white noise: series on the same grid share them, except for
+// the phase, whose noise depends on the wave's size.
 class WhiteSpectra {
 public:
     const Decomposition& of(const NoiseShape& shape, const ResidualSeries& run) {
@@ -120,7 +121,7 @@ private:
     std::vector<Known> known_;
 };
 
-// A shape that a part of the noise may have.
+// Possible shape of a part of the noise.
 struct Candidate {
     NoiseShape shape;
     WhiteSpectra white;
@@ -186,7 +187,7 @@ private:
         std::vector<Row> table;
     };
 
-    // V of the windows' own noise and the given parts in a block.
+    // V of the windows' noise and the given parts in a block.
     MatrixXd covariance(const Block& block, const std::vector<ResidualNoise::Part>& given) const {
         const Index n = block.residual_and_absorbed.rows();
         MatrixXd v =
@@ -199,7 +200,7 @@ private:
         return v;
     }
 
-    // The spectrum of V0 alone: a K of zero.
+    // Spectrum of V0 only: K = 0.
     Spectrum plain(const Block& block, const std::vector<ResidualNoise::Part>& given) const {
         Spectrum at;
         at.rotated = block.residual_and_absorbed;
@@ -288,7 +289,7 @@ private:
             row(k, step) = {sum, {shapes[k].shape, a}};
             return sum;
         };
-        // A first look at some variances, then those around the best of them, as far as they count.
+        // A coarse grid of variances first, then those around the best with a weight.
         tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
             const std::vector<Spectrum> all = spectra(shapes[k], given);
             double best = -std::numeric_limits<double>::infinity();

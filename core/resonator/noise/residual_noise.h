@@ -9,10 +9,9 @@
 
 namespace vybeg {
 
-// The noise of the residual by restricted maximum likelihood: what the fit has absorbed is taken
-// out of the likelihood (FIT section 4). A line of one of eight widths common to all series, and a
-// line or 1/f in the phase alone, each taken in where it raises the logarithm of the likelihood by
-// four.
+// Noise of the residual by restricted maximum likelihood: the part absorbed by the fit is projected
+// out (FIT section 4). A line of one of eight widths common to all series, and a line or 1/f in the
+// phase only, are each included if they raise the logarithm of the likelihood by four.
 class NoiseEstimate {
 public:
     NoiseEstimate(const FitProblem& problem, const Posterior& posterior);
@@ -20,7 +19,7 @@ public:
     const ResidualNoise& noise() const { return noise_; }
 
     // The data's part of the covariance under this noise, in the basis of the posterior's root:
-    // that of the windows' own noise as it stands there, and R' (sum X'VX) R.
+    // that of the windows' noise as in the posterior, and R' (sum X'VX) R.
     Eigen::MatrixXd covariance(const Posterior& posterior) const;
 
 private:

@@ -12,7 +12,7 @@ using Eigen::Vector2cd;
 
 constexpr Complex i{0, 1};
 
-// Below this many deviations the logarithm of the phasor is no phase, and its linear part is used.
+// Amplitude in deviations below which the linear part replaces the logarithm of the phasor.
 constexpr double clear_amplitude = 10;
 
 double median(std::vector<double> values) {

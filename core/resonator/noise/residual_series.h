@@ -9,11 +9,11 @@
 
 namespace vybeg {
 
-// The residual of a run in the frame of its fitted wave, and how the parameters enter it: four real
-// series in units of the windows' noise. Along the wave: amplitude and phase, log(<z, y>/|z|^2)
-// |z|; across it: <z_perp, y>, z_perp = (-conj d, conj c)/|z|, turned back by the residual's phase.
-// The axes of the ellipse would not do: through the quadrature wave, noise of the phase leaks into
-// them.
+// Residual of a run in the frame of its fitted wave, and its derivatives: four real series in units
+// of the windows' noise. Along the wave: amplitude and phase, log(<z, y>/|z|^2) |z|; across it:
+// <z_perp, y>, z_perp = (-conj d, conj c)/|z|, rotated back by the residual's phase. The axes of
+// the ellipse are unsuitable, because noise of the phase leaks into them through the quadrature
+// wave.
 struct ResidualSeries {
     enum Series { amplitude, phase, across_real, across_imaginary };
 
@@ -21,13 +21,13 @@ struct ResidualSeries {
     double window_s = 0;
     Eigen::VectorXd size;         // |z|, in units of the noise
     Eigen::VectorXd noise;        // of the windows' noise: that of the median over it
-    Eigen::MatrixXd correlation;  // of the windows' own noise; empty: white
+    Eigen::MatrixXd correlation;  // of the windows' noise; empty: white
     std::array<Eigen::VectorXd, 4> residual;
     std::array<Eigen::MatrixXd, 4> by_parameter;  // columns as posterior.active
 };
 
-// The series of a run, `merge` consecutive windows averaged into one; what is left over at the end
-// does not count. Averages keep unit white noise, and less of a correlated one.
+// The series of a run, `merge` consecutive windows averaged into one; a remainder at the end is
+// ignored. Averages keep unit white noise and reduce correlated noise.
 ResidualSeries residual_series(const FitProblem& problem, const Posterior& posterior,
                                std::size_t run, std::size_t merge);
 

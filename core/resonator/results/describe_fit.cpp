@@ -19,10 +19,10 @@
 namespace vybeg {
 namespace {
 
-// Of the last step: a tenth of a standard deviation. Parameters that the data do not show go on
-// changing in steps that gain less.
+// Gain of the last step: a tenth of a standard deviation. Undetermined parameters continue to
+// change in steps of smaller gain.
 constexpr double unfinished_gain = 0.01;
-// Size of split and anisotropy from which on they are given, standard deviations.
+// Least size of a given split or anisotropy, standard deviations.
 constexpr double vector_needs = 3;
 constexpr double vector_needs_coloured = 5;
 
@@ -105,7 +105,7 @@ private:
         }
     }
 
-    // Modes are named by frequency where the frequencies differ, else by their decay.
+    // Order of the modes: by frequency if the frequencies differ, otherwise by decay.
     ModeOrder mode_order(const FittedSet& set) const {
         const Posterior& at = set.posterior;
         const std::complex<double> s = std::sqrt(square_half_difference(at.p));

@@ -8,7 +8,7 @@
 
 namespace vybeg {
 
-// A set of runs whose most likely parameters are found.
+// A set of runs with its most likely parameters.
 struct SolvedSet {
     std::span<const PhasorRun> runs;  // as fitted
     std::span<const PhasorRun> fine;  // before their windows were merged
@@ -22,8 +22,8 @@ struct SolvedSet {
 
 FittedMotion motion_of(const SolvedSet& set);
 
-// What the parameters say of the resonator and of each run, with deviations and warnings. A fit
-// that has not converged gives no number, but its motion and the warning.
+// Results for the resonator and for each run, with deviations and warnings. A fit that has not
+// converged yields no number, only its motion and the warning.
 ResonatorFit describe(const SolvedSet& set, const JobControl& job);
 
 }  // namespace vybeg

@@ -22,13 +22,13 @@ using TermMatrix = Eigen::Matrix<double, terms, terms>;
 
 constexpr double angle_needs_sd = 6;
 // Least eigenvalue of the information in units of that of a constant drift: six starts 15 degrees
-// apart have more, four starts 22.5 degrees apart see no eighth harmonic at all.
+// apart have more; four starts 22.5 degrees apart do not show the eighth harmonic.
 constexpr double least_information = 0.02;
 constexpr double point_reach = 5 * std::numbers::pi / 180;
-// A point is a straight line through so many windows at least.
+// Least number of windows of the straight line of a point.
 constexpr std::size_t least_windows = 8;
 
-// A window with an angle.
+// Window with an angle.
 struct Place {
     double time_s = 0;
     double theta = 0;     // of the fitted wave, unwrapped along the run
@@ -39,7 +39,7 @@ struct Place {
 // Consecutive windows without a gap.
 using Segment = std::vector<Place>;
 
-// Angles are those that the pick-offs show, measured and fitted alike: the channels' errors cancel
+// Measured and fitted angles are those of the pick-offs, so that the errors of the channels cancel
 // in the difference.
 std::vector<Segment> segments_of(const PhasorRun& run, const FittedMotion& motion,
                                  std::size_t index) {
@@ -130,7 +130,7 @@ void take_fourth(const DriftTerms& terms_of_fit, DriftFunction& found) {
     found.covariance = of_terms * covariance * of_terms.transpose();
 }
 
-// Adds what the residual angles say of all five terms, where they tell them apart.
+// Adds the information of the residual angles on all five terms, if they separate them.
 void add_eighth(const Normal& normal, DriftFunction& found) {
     const double unit = normal.information(0, 0);
     if (!(unit > 0)) {
@@ -143,8 +143,8 @@ void add_eighth(const Normal& normal, DriftFunction& found) {
     }
     const TermMatrix all = normal.information.inverse();
     const Eigen::Matrix3d three = normal.information.topLeftCorner<3, 3>().inverse();
-    // By so much the fit's covariance, which knows the channels and the colour of the noise,
-    // exceeds that of these angles alone.
+    // Excess of the fit's covariance, which includes channels and coloured noise, over that of
+    // these angles alone.
     const double wider =
         (found.covariance.diagonal().array() / three.diagonal().array()).maxCoeff();
     const Terms change = all * normal.moment;
@@ -155,8 +155,8 @@ void add_eighth(const Normal& normal, DriftFunction& found) {
     found.covariance = std::max(1.0, wider) * all;
 }
 
-// The straight line through the residual in the places [first, end) of a segment, beside the drift
-// of a linear wave at their mean angle.
+// Point of the places [first, end) of a segment: slope of their residual plus the drift of a linear
+// wave at their mean angle.
 DriftPoint point_of(std::size_t run, const Segment& segment, std::size_t first, std::size_t end,
                     const Eigen::Matrix2cd& m) {
     double weight = 0;

@@ -12,17 +12,17 @@
 namespace vybeg {
 
 // The drift function: d theta_A/dt of a linear wave against theta_A (rad/s, rad). Angles that
-// differ by pi/2 are the same motion, so that its harmonics are those of 4 theta, 8 theta, ...
+// differ by pi/2 are the same motion, so its harmonics are those of 4 theta, 8 theta, ...
 //
 //     d theta_A/dt = m + c4 cos 4 theta + s4 sin 4 theta + c8 cos 8 theta + s8 sin 8 theta
 //
 // By METHOD section 8, m = -k Omega = -r/2 and the fourth harmonic is (g/4) sin 4(theta -
-// theta_tau): these come from the resonator's fit, with its covariance. The eighth, which no linear
-// resonator has, comes from the angles that the fit leaves.
+// theta_tau): these follow from the resonator's fit, with its covariance. The eighth, which no
+// linear resonator has, follows from the residual angles of the fit.
 
-// The mean drift over a segment of one run, along which the angle moves by 5 degrees at most: the
-// fitted resonator's drift of a linear wave at this angle, and the slope of what the measured angle
-// leaves beside the fitted motion. What the quadrature turns is in the motion, not in the point.
+// Mean drift over a segment of one run, along which the angle moves by at most 5 degrees: drift of
+// a linear wave at this angle by the fitted resonator, plus the slope of the measured angle less
+// the fitted motion. The effect of the quadrature is in the motion, not in the point.
 struct DriftPoint {
     std::size_t run = 0;
     double theta = 0;  // in (-pi/4, pi/4]
@@ -32,25 +32,24 @@ struct DriftPoint {
 
 struct DriftFunction {
     std::vector<DriftPoint> points;
-    // Highest harmonic that the set can tell: 0 (none: the curve is not known), 4, 8.
+    // Highest harmonic determined by the set: 0 (none, unknown curve), 4, 8.
     int order = 0;
-    // m, c4, s4, c8, s8 as far as `order` goes, rad/s; empty where it is 0.
+    // m, c4, s4, c8, s8 up to `order`, rad/s; empty for order 0.
     Eigen::VectorXd coefficients;
     Eigen::MatrixXd covariance;
     double chi2_per_freedom = 0;  // of the measured angles about the fitted ones
 
-    // The curve, where it is known.
+    // Curve and its standard deviation at an angle. Precondition: order > 0.
     double rate(double theta) const;
     double sd_rate(double theta) const;
 };
 
-// `fit`: the structured fit of the runs. The eighth harmonic is there where the angles tell all
-// five terms apart; its regressors are integrals along the fitted motion, never along the noisy
-// track. Windows whose smaller travelling wave lies within six standard deviations of zero have no
-// angle.
+// `fit`: the structured fit of the runs. The eighth harmonic is present if the angles separate all
+// five terms; its regressors are integrals along the fitted motion, never along the noisy track.
+// Windows whose smaller travelling wave lies within six standard deviations of zero have no angle.
 DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit& fit);
 
-// The same curve as the slow dynamics dz/dt = M z have it (METHOD section 8), for a linear wave.
+// The same curve from the slow dynamics dz/dt = M z (METHOD section 8), for a linear wave.
 double drift_of_dynamics(const Eigen::Matrix2cd& m, double theta);
 
 }  // namespace vybeg

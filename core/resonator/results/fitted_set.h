@@ -7,7 +7,7 @@
 
 namespace vybeg {
 
-// A fit and what is known of it.
+// A fit and its properties.
 struct FittedSet {
     ResonatorModel model{};
     const FitProblem* problem = nullptr;
@@ -16,8 +16,8 @@ struct FittedSet {
     QuantityContext context;
     ReportedVariances variances;
     double scale = 1;        // recording units of a scaled unit
-    double split_needs = 3;  // standard deviations, from which on a split or anisotropy is given
-    Estimate cubic_limit;    // b and its sd where a fit with it was no better; scaled units
+    double split_needs = 3;  // least size of a given split or anisotropy, standard deviations
+    Estimate cubic_limit;    // b and its sd if a fit with it was no better; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
 };
 

@@ -23,12 +23,12 @@ using std::numbers::pi;
 
 constexpr Complex i{0, 1};
 
-// Share of chi^2 beyond the noise that a cause takes away. A line is never only a line: its decay
-// and its neighbours stay.
+// Share of the excess chi^2 that a cause must explain. The decay and the neighbours of a line
+// remain in the residual.
 constexpr double most_of_it = 0.8;
 constexpr double most_by_line = 0.5;
 constexpr double least_fall = 25;
-constexpr double least_cycles = 3;  // of a line's distance from the wave, over a run
+constexpr double least_cycles = 3;  // least distance of a line from the wave, cycles over a run
 constexpr double lines_per_cycle = 3;
 
 Effect channel_effect(const Posterior& at, int error) {
@@ -64,7 +64,7 @@ Effect line_effect(const FitProblem& problem, const Posterior& at, std::span<con
     return effect;
 }
 
-// A run's residual, weighted as a mode that decays like the wave shows in it.
+// Residual of a run, weighted for a mode that decays like the wave.
 struct DampedResidual {
     double f_ref_hz = 0;
     double step_s = 0;
@@ -92,8 +92,8 @@ std::vector<DampedResidual> damped_residuals(const FitProblem& problem, const Po
     return all;
 }
 
-// The part of the residual's square that a line at `f_hz` takes in all runs, without what the
-// parameters follow of it.
+// Power of a line at `f_hz` in the squared residual of all runs, without the part absorbed by the
+// parameters.
 double line_power(const std::vector<DampedResidual>& runs, double f_hz) {
     double sum = 0;
     for (const DampedResidual& run : runs) {
@@ -114,8 +114,8 @@ double line_power(const std::vector<DampedResidual>& runs, double f_hz) {
     return sum;
 }
 
-// Which of the frequencies `spacing_hz` apart, alike in merged windows, a line has in the fine
-// ones.
+// Frequency of a line in the fine windows, among those `spacing_hz` apart that merged windows do
+// not distinguish.
 double unaliased(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
                  double scale, double f_hz, double spacing_hz) {
     std::vector<DampedResidual> residuals;
@@ -197,7 +197,7 @@ Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<co
 
 struct ChannelError {
     int parameter;
-    const char* name;  // as --tolerance names it
+    const char* name;  // name in --tolerance
     double unit;       // of the printed size
     const char* unit_name;
 };
@@ -226,7 +226,7 @@ std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterio
          {phase_drift_at, "phase-drift", 1, "rad"},
          {gain_drift_at, "gain-drift", 1, ""}}};
     for (const ChannelError& error : errors) {
-        // The free model takes the channels as any two views.
+        // In the free model the channels are any two projections.
         if (problem.priors.sd[free_rotation_at] == 0 && problem.priors.sd[error.parameter] == 0) {
             const Score found =
                 score(problem, posterior, channel_effect(posterior, error.parameter));
@@ -237,7 +237,7 @@ std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterio
     const Score damping = score(problem, posterior, damping_effect(problem, posterior));
     consider(damping.fall, DiagnosticKind::misfit_damping,
              {number_arg(damping.size[0] / (scale * scale), 2)});
-    // The gain follows |c|^2: at the largest amplitude the scaled one is 1.
+    // The gain depends on |c|^2; the largest scaled amplitude is 1.
     const Score pickoff = score(problem, posterior, pickoff_effect(problem, posterior));
     consider(pickoff.fall, DiagnosticKind::misfit_pickoff,
              {number_arg(100 * pickoff.size[0], 2), number_arg(100 * pickoff.size[1], 2)});

@@ -15,13 +15,13 @@ constexpr double single_changed_from = 3;  // deviations
 constexpr double same_direction = 0.1;     // rad of 2theta_A
 constexpr double unseen_split_hz = 3;      // prior deviation of the split in the fit
 
-// Chance of a normal number beyond z deviations, to both sides.
+// Probability of a normal number beyond z deviations, both sides.
 double chance_beyond(double z) {
     return std::erfc(z / std::numbers::sqrt2);
 }
 
-// Scatter of the frequency from run to run: what it does without any change of the gyro. Zero for
-// less than two runs.
+// Scatter of the frequency between runs, which needs no change of the gyro. Zero for fewer than two
+// runs.
 double frequency_spread(const std::vector<RunEstimate>& runs) {
     double squares = 0;
     double count = 0;
@@ -39,7 +39,7 @@ double apart(const Estimate& one, const Estimate& other) {
     return std::abs(std::remainder(one.value - other.value, std::numbers::pi));
 }
 
-// Differences as they are found; the verdicts come when all are there.
+// Collects the differences; the verdicts follow when all are known.
 class Comparison {
 public:
     Comparison(const Passport& passport, const ResonatorFit& now, const CompareOptions& options)
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    // `besides`: a part of u of its own.
+    // `besides`: an additional part of u.
     void add(Difference difference, bool is_frequency, double period = 0,
              Incomparable why = Incomparable::none, double besides = 0) {
         const Estimate& then = difference.then;
@@ -90,7 +90,7 @@ private:
             difference.u = std::hypot(difference.u, spread_hz_);
             difference.limit = options_.f_limit_ppm * 1e-6 * std::abs(then.value);
         }
-        // A part of what is hardly above its noise says nothing.
+        // A relative change of a value near its noise is meaningless.
         if (period == 0 && std::abs(then.value) > single_changed_from * then.uncertainty()) {
             difference.relative = change / then.value;
         }
@@ -147,8 +147,8 @@ private:
             const RunEstimate* then = run_at(run.two_theta_A_rad);
             const double apart_rad =
                 then != nullptr ? apart(then->two_theta_A_rad, run.two_theta_A_rad) : 0;
-            // d f / d 2theta_A is up to the split, d tau / d 2theta_A up to g tau^2: unseen here,
-            // so that their priors of the fit stand for them.
+            // d f / d 2theta_A is up to the split, d tau / d 2theta_A up to g tau^2: undetermined
+            // here, so their priors of the fit replace them.
             const double slope = is_frequency ? unseen_split_hz : std::abs((run.*member).value);
             add({"runs[" + std::to_string(k) + "].direction." + name, unit,
                  then != nullptr ? then->*member : none, now_.runs[k].*member},
@@ -217,7 +217,7 @@ std::string incomparable_text(const Difference& difference) {
 }
 
 double Difference::deviations() const {
-    // Two values without any deviation, such as those given by hand, differ or do not.
+    // Values without deviation, such as those given by hand, are compared exactly.
     return change == 0 ? 0 : std::abs(change) / u;
 }
 
@@ -225,7 +225,7 @@ double changed_from(std::size_t count) {
     if (count <= 1) {
         return single_changed_from;
     }
-    // 1 - (1 - p)^(1/count), solved by halving: the chance falls with the deviations.
+    // 1 - (1 - p)^(1/count), solved by halving: the probability falls with the deviations.
     const double alone = chance_beyond(single_changed_from);
     const double each = -std::expm1(std::log1p(-alone) / static_cast<double>(count));
     double low = single_changed_from;

@@ -11,11 +11,11 @@
 
 namespace vybeg {
 
-// What a file of an identification was.
+// Input file of an identification.
 struct IdentifiedInput {
     std::string name;
     std::string sha256;
-    std::string start;  // date and time as the recording gives it, or empty
+    std::string start;  // date and time from the recording, or empty
     double seconds = 0;
     double rate_hz = 0;
     double f0_hz = 0;
@@ -23,10 +23,9 @@ struct IdentifiedInput {
     friend bool operator==(const IdentifiedInput&, const IdentifiedInput&) = default;
 };
 
-// The individual wave pattern of a gyro: its resonator with covariance, what its waves did, and
-// where all this comes from.
+// Individual wave pattern of a gyro: resonator with covariance, motion of its waves, and sources.
 struct Passport {
-    // Of its file. 2 adds the uncertainties u, modes_by and runs.
+    // Schema of its file. 2 adds the uncertainties u, modes_by and runs.
     static constexpr int schema = 2;
 
     std::string program;
@@ -35,7 +34,7 @@ struct Passport {
     ResonatorModel model{};
     ResonatorEstimate resonator;
     std::vector<ModeEstimate> modes;
-    // What the modes are named by; none: not known, in an old file.
+    // Order of the modes; empty: unknown, in an old file.
     std::optional<ModeOrder> mode_order = ModeOrder::frequency;
     std::vector<RunEstimate> runs;  // one for each input; none in an old file
     RawParameters raw;
@@ -47,16 +46,16 @@ enum class Verdict { unchanged, changed, not_comparable };
 // "unchanged", "changed", "not comparable".
 const char* verdict_name(Verdict verdict);
 
-// Why a parameter is not comparable.
+// Reasons for which a parameter is not comparable.
 enum class Incomparable {
     none,
     now_unknown,       // for the reason of `now`
     then_unknown,      // for the reason of `then`
-    other_direction,   // no wave of the passport stands in this direction
-    other_mode_order,  // the modes of both sides are named by different things
+    other_direction,   // the passport has no wave in this direction
+    other_mode_order,  // the modes of both sides are ordered by different quantities
 };
 
-// One parameter, then and now.
+// One parameter of the passport and now.
 struct Difference {
     std::string name;  // as in identify JSON: "split_hz", "modes[0].f_hz", "runs[0].direction.f_hz"
     const char* unit = "";
@@ -65,7 +64,7 @@ struct Difference {
     double change = 0;    // now - then, axes by the shorter way; NaN: not comparable
     double sd = 0;        // of the change: statistical
     double u = 0;         // with the channels' tolerances and, of a frequency, the runs' spread
-    double relative = 0;  // change / then; NaN: an axis, or nothing to relate to
+    double relative = 0;  // change / then; NaN: an axis, or no reference
     double limit = 0;     // smaller changes count as none; unit of the change
     Verdict verdict{};
     Incomparable why{};  // of not_comparable
@@ -75,7 +74,7 @@ struct Difference {
 
 struct CompareOptions {
     // Frequencies follow the temperature (some 20 ppm per 0.1 Hz at 5 kHz): smaller changes of them
-    // are no change of the gyro.
+    // do not count.
     double f_limit_ppm = 30;
 };
 
@@ -85,18 +84,17 @@ const char* incomparable_sentence(Incomparable why);
 // The whole English sentence of a difference that is not comparable.
 std::string incomparable_text(const Difference& difference);
 
-// The size, in deviations, from which on one of `count` independent normal numbers is called
-// changed: by chance as rarely as one number alone goes beyond three (0.27 %).
+// Threshold, in deviations, for any of `count` independent normal numbers, with the false alarm
+// rate of three deviations of one number (0.27 %).
 double changed_from(std::size_t count);
 
-// Every parameter of a resonator and of its modes that at least one of both sides knows: changed
-// where it has moved by changed_from(number of parameters compared) combined deviations of the
-// difference, both sides counted as independent, and a frequency also by the limit; not comparable
-// where one of them has no value, for its reason.
-// Modes are compared where both sides name them alike. Where the mean frequency or the decay time
-// of the resonator cannot be compared, those of the runs' directions are, each with the run of the
-// passport whose 2theta_A is nearest: within 0.1 rad modulo pi, with what the
-// unseen split and anisotropy may make of the rest in u.
+// Compares every parameter of a resonator and of its modes with a value on at least one side.
+// Changed: the difference exceeds changed_from(number of compared parameters) combined deviations,
+// both sides independent, and for a frequency also the limit. Not comparable: one side has no
+// value, with its reason. Modes are compared if both sides name them alike. If the mean frequency
+// or the decay time of the resonator is not comparable, those of the runs' directions are compared,
+// each with the run of the passport of the nearest 2theta_A, within 0.1 rad modulo pi; u then
+// includes the effect of the undetermined split and anisotropy on the remaining angle.
 std::vector<Difference> compare(const Passport& passport, const ResonatorFit& now,
                                 const CompareOptions& options = {});
 

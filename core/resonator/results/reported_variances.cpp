@@ -6,11 +6,11 @@
 namespace vybeg {
 namespace {
 
-// Central differences over this share of a parameter's deviation with all others known: alone, a
-// parameter that depends on others would leave what is linear within its whole deviation.
+// Step of central differences, as a share of a parameter's deviation with all others known. Within
+// its full deviation a parameter that depends on others would leave the linear range.
 constexpr double difference_share = 0.03;
 
-// Of a variance: what a profile must add for the direction to count as unseen.
+// Share of a variance that a profile must add for the direction to count as undetermined.
 constexpr double unseen_share = 0.25;
 
 double by_shorter_way(double difference, double period) {
@@ -21,7 +21,7 @@ double by_shorter_way(double difference, double period) {
 struct Neighbours {
     Eigen::VectorXd up;
     Eigen::VectorXd down;
-    double step = 0;  // between them, as rounding has left it
+    double step = 0;  // between them, after rounding
 };
 
 Neighbours neighbours(const Posterior& posterior, Eigen::Index k) {
@@ -81,7 +81,7 @@ ReportedVariances reported_variances(const Posterior& posterior, const QuantityC
             const double off = by_shorter_way(there[q] - out.value[q], period[q]);
             const double missing = off * off / point.rise - out.total(q);
             if (missing > 0) {
-                // A little is the quantity's own bend along a direction that is seen.
+                // A small part is the curvature of the quantity along a determined direction.
                 (missing > unseen_share * out.total(q) ? out.nothing : out.data)[q] += missing;
             }
         }

@@ -19,7 +19,7 @@ struct ReportedVariances {
     Eigen::VectorXd known;
     Eigen::VectorXd nothing;
 
-    double sd(Eigen::Index quantity) const;  // of data and unseen parameters
+    double sd(Eigen::Index quantity) const;  // of data and undetermined parameters
     double u(Eigen::Index quantity) const;   // with the channels
     double total(Eigen::Index quantity) const {
         return data[quantity] + known[quantity] + nothing[quantity];
@@ -29,7 +29,7 @@ struct ReportedVariances {
 // d(s^2)/d(active parameter), s of derived_quantities.h.
 Eigen::VectorXcd square_gradient(const Posterior& posterior);
 
-// By central differences; `beside` widens `nothing` to what equally likely parameters reach.
+// By central differences; `beside` widens `nothing` to the values of equally likely parameters.
 ReportedVariances reported_variances(const Posterior& posterior, const QuantityContext& context,
                                      const std::vector<ProfilePoint>& beside);
 

@@ -19,8 +19,8 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
-// Shares of a variance that priors which state nothing may have: of a parameter of its own (its
-// deviation is a tenth of the prior's), and of a derived quantity.
+// Largest shares of a variance due to priors without information: of a parameter (its deviation is
+// then a tenth of the prior's), and of a derived quantity.
 constexpr double own_share = 0.01;
 constexpr double derived_share = 0.5;
 constexpr double axis_needs = 5;  // standard deviations of the vector
@@ -55,7 +55,7 @@ private:
         return at_.nothing[quantity] > share * at_.total(quantity);
     }
 
-    // A rotation that is many times what an anisotropy allowed by passivity could feign is seen.
+    // Whether a rotation is many times larger than an anisotropy within passivity could imitate.
     bool known_against_itself(Index quantity) const {
         return std::abs(at_.value[quantity]) > clear_value * at_.u(quantity);
     }
@@ -84,7 +84,7 @@ private:
         return p.covariance_of(k, 2);
     }
 
-    // How far the wave of any run turns, degrees of theta_A.
+    // Largest turn of the wave of any run, degrees of theta_A.
     double turned_deg() const {
         double most = 0;
         for (std::size_t run = 0; run < runs_.size(); ++run) {
@@ -107,7 +107,7 @@ private:
         return most;
     }
 
-    // What would show the rest: the start angle halfway between those that show the same.
+    // Start angle of a recording that would show the rest: halfway between equivalent ones.
     Reason other_direction(ReasonCode code) const {
         const double theta = at_.value[of_run(0, two_theta_of)] / 2;
         const double other = std::remainder(theta * 180 / pi + 22.5, 90.0);
@@ -152,7 +152,7 @@ private:
         if (!tau.given()) {
             return tau;
         }
-        // The frequency's part is below 1e-9 of Q wherever the decay is seen at all.
+        // The contribution of the frequency is below 1e-9 of Q for any determined decay.
         const double q = pi * f_hz / at_.value[decay];
         return {q, q * tau.sd / tau.value, {}, q * tau.u / tau.value};
     }
@@ -165,8 +165,9 @@ private:
         return decay_time(rate.value, rate.sd, rate.u);
     }
 
-    // Where no run shows the anisotropy, a decay known far less well than that of a run's own
-    // direction is a guess about it: what seems to narrow it is the noise of the second order.
+    // Whether the decay only reflects an undetermined anisotropy: no run shows the anisotropy, and
+    // the decay is far less precise than that of a run's own direction. Its apparent precision is
+    // noise of the second order.
     bool leans_on_unseen_damping() const {
         constexpr double far_less = 300;
         double own = std::numeric_limits<double>::infinity();
@@ -252,8 +253,8 @@ private:
         }
     }
 
-    // Largest statistical deviations of the travelling waves u+- = c +- i d of a run's start, but
-    // for the phase common to both: it turns along with frequencies that are not seen.
+    // Largest statistical deviations of the travelling waves u+- = c +- i d of a run's start,
+    // without the phase common to both, which depends on undetermined frequencies.
     struct TravellingSd {
         double plus = 0;
         double minus = 0;
@@ -309,7 +310,7 @@ private:
     void add_drift_terms() {
         const ResonatorEstimate& out = fit_.resonator;
         DriftTerms& terms = fit_.drift_terms;
-        // An anisotropy within its noise is a drift known to be small.
+        // An anisotropy within its noise still bounds the drift.
         const auto seen = [](const Estimate& estimate) {
             return estimate.given() || estimate.reason.code == ReasonCode::within_noise;
         };

@@ -7,12 +7,12 @@
 
 namespace vybeg {
 
-// Fills in the modes, the resonator and the runs: each number with its deviation, or the reason why
-// it is not given (FIT section 5). `runs`: as fitted.
+// Adds modes, resonator and runs: each number with its deviation, or the reason for its absence
+// (FIT section 5). `runs`: as fitted.
 void add_estimates(const FittedSet& set, std::span<const PhasorRun> runs, ResonatorFit& fit);
 
-// Takes all numbers back, of modes, resonator and runs, but Q of the envelope, which rests on the
-// recorded power alone.
+// Removes all numbers of modes, resonator and runs, except Q of the envelope, which follows from
+// the recorded power only.
 void refuse_all(const Reason& reason, ResonatorFit& fit);
 
 }  // namespace vybeg

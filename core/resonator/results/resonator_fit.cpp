@@ -21,15 +21,16 @@
 namespace vybeg {
 namespace {
 
-// Each run has four to six parameters of its own; eight windows are 32 numbers.
+// Least number of windows of a run: 32 numbers for its four to six own parameters.
 constexpr std::size_t least_windows = 8;
-// Of one run, where its motion within a window allows: the fit's time grows with their number.
+// Windows of a run after merging, if its motion within a window allows; the time of the fit grows
+// with their number.
 constexpr std::size_t enough_windows = 150;
-// Fall of chi^2 from which on a dependence of the frequency on the amplitude is fitted.
+// Least fall of chi^2 for which a dependence of the frequency on the amplitude is fitted.
 constexpr double cubic_fall = 25;
 constexpr int cubic_steps = 200;
-// After the first steps a fit is given up that leaves so many times as much as a frequency that
-// settles, or falls so slowly that the other steps would not show the term.
+// A fit is abandoned after the first steps if its chi^2 is this many times that of a settling
+// frequency, or if it falls so slowly that the remaining steps would not show the term.
 constexpr int first_cubic_steps = 8;
 constexpr int later_cubic_steps = 60;
 constexpr double hopeless = 100;
@@ -55,7 +56,7 @@ std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale
 // The whole fit of one set, step by step.
 class SetFit {
 public:
-    // `fine`: the runs before their windows were merged.
+    // `fine`: the runs before merging of windows.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
            const FitOptions& options, const JobControl& job)
         : runs_(std::move(runs)),
@@ -68,7 +69,7 @@ public:
         problem_.priors = structured_priors(scaled_, problem_.layout, options.tolerance);
     }
 
-    // Finds the most likely parameters; the number of windows of a run that they ask for.
+    // Finds the most likely parameters; returns the number of windows of a run that they need.
     NeededWindows solve() {
         find_main();
         try_cubic();
@@ -77,7 +78,7 @@ public:
         return needed_windows(motion_of(solved()), fine_);
     }
 
-    // Whether these windows are explained about as well as those of another solution.
+    // Whether this solution explains its windows about as well as `other`.
     bool explains_as_much_as(const SetFit& other) const {
         const double dof = degrees_of_freedom(problem_);
         const bool structured = model_ == other.model_ || other.model_ == ResonatorModel::free;
@@ -89,8 +90,7 @@ public:
     double chi2_per_dof() const { return main_.chi2 / degrees_of_freedom(problem_); }
     bool at_noise() const { return chi2_per_dof() < noise_bound(degrees_of_freedom(problem_)); }
 
-    // A step of a run's phase that would explain more of the residual than a frequency that
-    // settles.
+    // Step of a run's phase that explains more of the residual than a settling frequency.
     std::optional<PhaseBreak> unexplained_break() const {
         if (at_noise()) {
             return {};
@@ -108,8 +108,8 @@ public:
         return settles ? std::nullopt : found;
     }
 
-    // How far a run's phase steps at the break at `time_s`, rad in (-pi, pi]; none where no window
-    // lies beyond it.
+    // Step of a run's phase at the break at `time_s`, rad in (-pi, pi]; none if no window lies
+    // after it.
     std::optional<double> step_at(std::size_t run, double time_s) const {
         const std::vector<double>& breaks = scaled_[run].breaks_s;
         const auto found = std::ranges::find(breaks, time_s);
@@ -121,7 +121,7 @@ public:
                               2 * std::numbers::pi);
     }
 
-    // What the parameters say of the resonator.
+    // Results of the present parameters.
     ResonatorFit described() const {
         ResonatorFit fit = describe(solved(), job_);
         fit.free_over_structured = free_over_structured_;
@@ -149,8 +149,8 @@ private:
         main_ = still ? *std::move(still) : fit_modes(problem_, wave, job_);
     }
 
-    // A dependence of the frequency on the amplitude is opened where the data ask for it: always
-    // open it would cost elliptic waves their rotation.
+    // Opens a dependence of the frequency on the amplitude only if the data require it, because
+    // elliptic waves would otherwise lose their rotation.
     void try_cubic() {
         const Posterior at = posterior(problem_, main_);
         const Score score = cubic_score(problem_, at);
@@ -185,8 +185,8 @@ private:
         polish_cubic();
     }
 
-    // Without the cubic term the other parameters have stood in for it, far from where they belong:
-    // the way back is long, or begins anew at still waves.
+    // Without the cubic term the other parameters compensated for it and are far from their values.
+    // The fit needs many steps, or a new start at still waves.
     void polish_cubic() {
         if (main_.converged) {
             return;
@@ -229,7 +229,7 @@ private:
         main_ = std::move(free_fit);
     }
 
-    // |z|^2 of channels of unknown scale beats, so that the free model has no cubic term.
+    // The free model has no cubic term, because |z|^2 of channels of unknown scale beats.
     MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
         MapFit near = minimise(problem, start, 60, job_);
         const double dof = degrees_of_freedom(problem);
@@ -237,7 +237,7 @@ private:
         if (phase_left_ || near.chi2 < ratio * dof) {
             return near;
         }
-        // Channels that see nearly one mixture hide the second mode in a chi^2 of two.
+        // Channels with nearly one mixture hide the second mode in a chi^2 of two.
         FitProblem anew = problem;
         anew.noise_ratio = ratio;
         anew.damping_share = std::numeric_limits<double>::infinity();
@@ -253,7 +253,7 @@ private:
     const JobControl& job_;
     FitProblem problem_;
     MapFit main_;
-    bool phase_left_ = false;  // still waves explain all but the phase
+    bool phase_left_ = false;  // still waves explain everything except the phase
     Estimate cubic_limit_;
     bool amplitude_or_time_ = false;
     ResonatorModel model_{};
@@ -270,7 +270,7 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
     return merged;
 }
 
-// The set with as many windows of a run as its solution asks for.
+// The set with as many windows of a run as its solution needs.
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double scale,
                                    const FitOptions& options, const JobControl& job) {
     auto set = std::make_unique<SetFit>(merged(good, enough_windows), good, scale, options, job);
@@ -280,7 +280,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double sc
         auto finer = std::make_unique<SetFit>(merged(good, static_cast<std::size_t>(windows) + 1),
                                               good, scale, options, job);
         finer->solve();
-        // A line may be a disturbance far from the carrier, which longer windows average out.
+        // A line may be a disturbance far from the carrier, which longer windows suppress.
         if (needed.by_motion > static_cast<double>(enough_windows) ||
             finer->explains_as_much_as(*set)) {
             return finer;
@@ -292,11 +292,11 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double sc
 struct OpenedPhases {
     std::vector<PhasorRun> runs;
     std::vector<PhaseBreak> breaks;
-    std::unique_ptr<SetFit> set;  // of the runs; none where no break explains the residual
+    std::unique_ptr<SetFit> set;  // of the runs; null if no break explains the residual
 };
 
-// Opens the phase at a step. Where modes turn against each other the number of samples shows, too:
-// those that have the step's phase are tried.
+// Opens the phase at a step. Beating modes also determine the number of samples; numbers with the
+// phase of the step are tried.
 void open_phase(OpenedPhases& opened, PhaseBreak step, double scale, const FitOptions& options,
                 const JobControl& job) {
     constexpr double clear_fall = 9;
@@ -306,7 +306,7 @@ void open_phase(OpenedPhases& opened, PhaseBreak step, double scale, const FitOp
     OpenedPhases best;
     for (const int samples : numbers) {
         step.shift_s = samples == 0 ? 0 : samples / before.rate_hz;
-        // A set refers to the runs that it is made of.
+        // A set keeps references to its runs.
         OpenedPhases next{opened.runs, opened.breaks, {}};
         next.runs[step.run] = with_break(before, step);
         next.set = solved_set(next.runs, scale, options, job);
@@ -319,8 +319,8 @@ void open_phase(OpenedPhases& opened, PhaseBreak step, double scale, const FitOp
     opened = std::move(best);
 }
 
-// The set with its phases left open where they step. One step takes nearly all of the residual
-// away, several leave nothing but noise: less would find steps in any phase that wanders.
+// The set with open phases at steps. One step must explain nearly all of the residual, several must
+// leave only noise; a weaker condition would find steps in any wandering phase.
 OpenedPhases with_open_phases(const std::vector<PhasorRun>& good, const SetFit& closed,
                               double scale, const FitOptions& options, const JobControl& job) {
     constexpr std::size_t most_breaks = 4;

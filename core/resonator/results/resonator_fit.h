@@ -16,11 +16,11 @@ struct FitOptions {
     ChannelTolerance tolerance{};
 };
 
-// Fits one resonator to all runs together (METHOD section 8): one M; each run its own start,
-// frequency and drift. One model with all its parameters and priors, everything reported from one
-// covariance; a parameter is given where the data narrow its prior. Standard deviations follow the
-// residual as it is, coloured or white. The same bits for any number of threads.
-// Errors: fit_too_few_windows, fit_failed, interrupted.
+// Fits one resonator to all runs together (METHOD section 8): one M, and a start, frequency and
+// drift of each run. One model with all its parameters and priors, all results from one covariance;
+// a parameter is given if the data narrow its prior. Standard deviations follow the actual
+// residual, coloured or white. The same bits for any number of threads. Errors:
+// fit_too_few_windows, fit_failed, interrupted.
 Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& options,
                                    const JobControl& job);
 

@@ -7,13 +7,13 @@
 
 namespace vybeg {
 
-// The parameters of a resonator that are told, compared and kept: the single list that the files
-// and the comparison go through, names as in INTERFACE.md, section identify JSON.
+// Parameters of a resonator, with their names in identify JSON. Files and comparison iterate over
+// this list.
 struct ResonatorParameter {
     const char* name;
     const char* unit;  // "" for a ratio
     Estimate ResonatorEstimate::*member;
-    double period;  // of an axis, rad; 0 where the values are no angles
+    double period;  // of an axis, rad; 0 for values that are no angles
 };
 
 inline constexpr std::array<ResonatorParameter, 12> resonator_parameters{{

@@ -14,7 +14,7 @@
 namespace vybeg {
 
 // structured: the pick-offs are a calibrated cos/sin pair, M has the form of METHOD section 8;
-// free: M is any complex 2x2 matrix, and only its modes are told.
+// free: M is any complex 2x2 matrix, and only its modes are given.
 enum class ResonatorModel { structured, free };
 
 // A normal mode: an eigenvalue i 2 pi f - 1/tau of M.
@@ -35,12 +35,12 @@ struct ResonatorEstimate {
     Estimate angle_rate_rad_s;          // d theta_A/dt = -k Omega = -r/2
     Estimate kappa;                     // D = kappa S_D
     Estimate non_orthogonality_rad;     // of the pick-offs
-    Estimate delay_s;                   // of D behind C
+    Estimate delay_s;                   // of D relative to C
     Estimate frequency_per_power;       // Hz per squared recording unit of |z|^2 = a_A^2 + a_B^2
 };
 
 // Change of a parameter per unit of an assumed error of the channels, or of an effect of the
-// amplitude that the model holds at zero; all others as they are.
+// amplitude that the model holds at zero; all others unchanged.
 struct ChannelSensitivity {
     double kappa = 0;
     double skew_deg = 0;
@@ -49,35 +49,34 @@ struct ChannelSensitivity {
     double phase_drift_rad = 0;
     double gain_drift = 0;
     double cubic_hz = 0;       // cubic spring: Hz at the set's largest amplitude
-    double pickoff_share = 0;  // of the gain of both channels, grown at the largest amplitude
-    double damping_share = 0;  // of 1/tau that the damping grows by at the largest amplitude
+    double pickoff_share = 0;  // relative increase of both gains at the largest amplitude
+    double damping_share = 0;  // relative increase of 1/tau at the largest amplitude
 
     friend bool operator==(const ChannelSensitivity&, const ChannelSensitivity&) = default;
 };
 
-// Frequencies of a run that drifts are those of its reference instant, the mean time weighted with
-// the power.
+// Frequencies of a drifting run refer to its reference instant, the mean time weighted with the
+// power.
 struct RunEstimate {
     Estimate f_offset_hz;  // of this run from f_mean_hz; the runs' offsets have mean zero
-    Estimate a_A;          // at the start of the recording, as the next two, recording units
+    Estimate a_A;          // at the start of the recording, like the next two, recording units
     Estimate a_B;
     Estimate two_theta_A_rad;
-    Estimate split_sin_hz;    // split * sin 4(theta_A - theta_w) at the start
-    Estimate direction_f_hz;  // of a wave that stays in the direction in which this one starts
-    Estimate
-        direction_tau_s;  // likewise: what a still wave shows where f_mean and tau are not seen
-    Estimate q_envelope;  // pi f tau, tau of the power |z|^2 alone
+    Estimate split_sin_hz;     // split * sin 4(theta_A - theta_w) at the start
+    Estimate direction_f_hz;   // of a wave that stays in the start direction of this one
+    Estimate direction_tau_s;  // likewise: known for a still wave if f_mean and tau are not
+    Estimate q_envelope;       // pi f tau, tau of the power |z|^2 alone
     Estimate drift_hz_per_s;
 };
 
-// The fitted numbers themselves, for a passport: named, with their whole covariance.
+// Fitted parameters for a passport, with names and full covariance.
 struct RawParameters {
     std::vector<std::string> names;
     std::vector<double> values;
     std::vector<double> covariance;  // row by row, names.size() squared
 };
 
-// What the recordings can tell at all.
+// Quantities that the recordings determine.
 struct Identifiable {
     bool split = false;
     bool theta_w = false;
@@ -88,8 +87,8 @@ struct Identifiable {
     bool kappa = false;
 };
 
-// Rotation and damping anisotropy, what the drift of the angle is made of, with their covariance:
-// r, g cos 4theta_tau, g sin 4theta_tau.
+// Rotation and damping anisotropy, the terms of the drift of the angle, with their covariance: r, g
+// cos 4theta_tau, g sin 4theta_tau.
 struct DriftTerms {
     std::array<double, 3> value{};
     std::array<double, 9> covariance{};  // row by row
@@ -100,12 +99,12 @@ struct ResonatorFit {
     ResonatorModel model{};
     std::vector<ModeEstimate> modes;  // two in mode_order, or none
     ModeOrder mode_order{};
-    Reason no_modes;              // why, where there are none
+    Reason no_modes;              // reason for their absence
     ResonatorEstimate resonator;  // each with reason free_model for the free model
-    // Of the resonator's parameters, in the order of resonator_parameters.h; NaN where one is not
+    // Of the resonator's parameters, in the order of resonator_parameters.h; NaN if one is not
     // given.
     std::vector<ChannelSensitivity> sensitivities;
-    std::vector<RunEstimate> runs;  // as the runs given
+    std::vector<RunEstimate> runs;  // in the order of the given runs
     Identifiable identifiable;
     DriftTerms drift_terms;
     double residual_rms = 0;          // of the windows' phasors per signal, recording units

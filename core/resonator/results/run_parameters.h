@@ -7,12 +7,12 @@
 
 namespace vybeg {
 
-// What the modes are named by, as in the files.
+// Name of the order of modes, as in the files.
 inline const char* mode_order_name(ModeOrder order) {
     return order == ModeOrder::decay ? "decay" : "frequency";
 }
 
-// Of each run. The direction's belong to the angle at which the wave starts.
+// Parameters of each run. Those of the direction refer to the start angle of the wave.
 struct RunParameter {
     const char* name;
     const char* unit;
@@ -31,7 +31,7 @@ inline constexpr std::array<RunParameter, 9> run_parameters{{
     {"drift_hz_per_s", "Hz/s", &RunEstimate::drift_hz_per_s},
 }};
 
-// What the wave of a recording did: of each run, without a model.
+// Model-free parameters of the wave of each run.
 struct WaveParameter {
     const char* name;
     const char* unit;
@@ -46,7 +46,7 @@ inline constexpr std::array<WaveParameter, 4> wave_parameters{{
 }};
 
 // An error of the channels, or an effect of the amplitude (of frequency and damping, at the largest
-// amplitude), of a usual size, beside which the parameters are shown.
+// amplitude), of a usual size, for the table of sensitivities.
 struct UsualError {
     const char* name;
     const char* amount;  // as text, with its unit

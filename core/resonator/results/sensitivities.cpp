@@ -14,8 +14,8 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
-// How the parameters follow a unit of a channel error that is held at its value, others as they
-// are: -S F_re, or, where the error is fitted along, the regression on it.
+// Response of the parameters to a unit of a channel error, others unchanged: -S F_re for a held
+// error, or the regression on a fitted one.
 Eigen::VectorXd follow(const Posterior& p, int error) {
     const auto found = std::ranges::find(p.active, Index{error});
     if (found != p.active.end()) {
@@ -31,7 +31,7 @@ Eigen::VectorXd follow(const Posterior& p, int error) {
 std::vector<ChannelSensitivity> sensitivities(const FittedSet& set, const ResonatorEstimate& out,
                                               double f_ref_hz) {
     const ReportedVariances& at = set.variances;
-    // Where each parameter stands among the quantities, in the order of resonator_parameters.
+    // Position of each parameter among the quantities, in the order of resonator_parameters.
     struct Place {
         Estimate ResonatorEstimate::*member;
         SharedQuantity quantity;

@@ -20,9 +20,9 @@ constexpr double kappa_width = 0.01;
 constexpr double skew_width = 0.7 * std::numbers::pi / 180;
 constexpr double damping_width = 0.1;   // of 1/tau
 constexpr double rotation_width = 0.3;  // rad/s
-// Of 300 gyros one has more, of 800 mixtures none has less (FIT section 6).
+// One of 300 gyros exceeds this, none of 800 mixtures is below it (FIT section 6).
 constexpr double most_penalty = 16;
-// Of chi^2 over that of the free fit, in units of its chi^2/dof.
+// Largest rise of chi^2 over that of the free fit, in units of its chi^2/dof.
 constexpr double most_rise = 25;
 constexpr double fits_noise = 6;  // standard deviations of chi^2/dof
 
@@ -39,7 +39,7 @@ constexpr std::array<Term, 5> terms{{{kappa_at, "kappa", 1, ""},
                                      {damping_sin_at, "g sin 4theta_tau", 1, "1/s"},
                                      {rotation_at, "r", 1, "rad/s"}}};
 
-// By how much the colour of the free fit's residual widens the variances of its rates, at most.
+// Largest factor by which the colour of the free fit's residual widens the variances of its rates.
 double widening(const FitProblem& free_problem, const MapFit& free) {
     const Posterior white = posterior(free_problem, free);
     const Eigen::MatrixXd coloured = NoiseEstimate(free_problem, white).covariance(white);
@@ -52,7 +52,7 @@ double widening(const FitProblem& free_problem, const MapFit& free) {
     return most;
 }
 
-// The runs with their noise `scale` times as large in variance.
+// The runs with `scale` times the noise variance.
 std::vector<ScaledRun> with_noise(std::span<const ScaledRun> runs, double scale) {
     std::vector<ScaledRun> noisier(runs.begin(), runs.end());
     for (ScaledRun& run : noisier) {
@@ -87,7 +87,7 @@ StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const Map
         FitProblem trial = narrow;
         MapFit fit = main;
         fit.chi2 /= scale;
-        // The main fit itself may stand away from the minimum, where a phase that settles is left.
+        // The main fit may lie away from the minimum if a settling phase remains.
         if (candidate == Candidate::from_main) {
             fit = minimise(trial, main.p, 60, job);
         } else if (candidate == Candidate::from_nothing) {
@@ -97,8 +97,8 @@ StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const Map
         verdict.penalty = std::max(fit.chi2 - main.chi2 / scale, 0.0);
         verdict.free_over_structured = fit.chi2 - free.chi2 / scale;
         if (verdict.penalty >= most_penalty || verdict.free_over_structured >= most_rise) {
-            // A frequency that settles is no sign of the channels, but the free model and rates
-            // without bounds follow it better.
+            // A settling frequency does not characterise the channels, but the free model and
+            // unbounded rates follow it better.
             const double settling = settling_score(trial, posterior(trial, fit)).fall;
             verdict.free_over_structured -= settling;
             verdict.penalty =

@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 constexpr double band = 0.25;  // cycles per window
 constexpr int frequencies = 64;
-// Weight of the noise that passes, so small that it costs 1e-6 of the signal.
+// Weight of the noise gain, so small that it costs 1e-6 of the signal.
 constexpr double regularisation = 1e-6;
 
 }  // namespace
@@ -65,7 +65,7 @@ double BetweenWindows::phase(std::span<const Complex> c, std::span<const Complex
         }
         return phase;
     };
-    // A step counts unequal modes by their power but for its cube.
+    // A step weights unequal modes by their power, with an error of third order.
     return (4 * sum(1) - sum(2)) / 3;
 }
 

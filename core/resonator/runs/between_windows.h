@@ -9,9 +9,9 @@
 
 namespace vybeg {
 
-// Phasors between the middles of windows, from the means of 2 reach windows in a row: the weights
-// of least squares for which every frequency up to a quarter of a cycle per window (a beat of four
-// windows and more) passes unchanged, to 1e-6.
+// Phasors between the centres of windows, from the means of 2 reach consecutive windows: the
+// weights of least squares for which every frequency up to a quarter of a cycle per window (a beat
+// of four windows and more) passes unchanged within 1e-6.
 class BetweenWindows {
 public:
     static constexpr std::size_t reach = 8;   // windows on each side
@@ -19,15 +19,15 @@ public:
 
     BetweenWindows();
 
-    // The phasor `part` parts behind the middle of the window before the last `reach` means.
+    // The phasor `part` parts after the centre of the window before the last `reach` means.
     std::complex<double> at(std::size_t part, std::span<const std::complex<double>> means) const;
 
-    // The phase from that middle to the next one: of the power of both channels, the sum over steps
-    // so short that unequal modes count by their power.
+    // Phase from that centre to the next one, weighted by the power of both channels; summed over
+    // steps so short that unequal modes are weighted by their power.
     double phase(std::span<const std::complex<double>> c,
                  std::span<const std::complex<double>> d) const;
 
-    // Of a window's noise variance, at a middle.
+    // Noise gain at a centre, in units of a window's noise variance.
     double noise_gain() const { return weights_.row(0).squaredNorm(); }
 
 private:

@@ -9,9 +9,9 @@
 namespace vybeg {
 
 // Condition (30) along one run: <S_A S_B> / (<S_A^2> + <S_B^2>) in the axes of the fitted motion,
-// at a few points. It is zero within its deviation where the channels are balanced as the fit has
-// them, and leaves zero where a pick-off's gain or direction changes on the way or depends on the
-// amplitude. A constant error of them looks like a damping anisotropy, and the fit takes it in.
+// at a few points. It is zero within its deviation if the channels are balanced as in the fit. It
+// deviates if the gain or direction of a pick-off changes during the run or depends on the
+// amplitude. A constant error looks like a damping anisotropy and is absorbed by the fit.
 struct ChannelBalance {
     std::vector<double> time_s;
     std::vector<double> orthogonality;
@@ -19,8 +19,8 @@ struct ChannelBalance {
 };
 
 // At most `most_points` means over consecutive windows. `motion` is that of the structured model;
-// `index` is the run's place in it. Windows whose fitted wave is circular have no axes and do not
-// count.
+// `index` is the run's place in it. Windows with a circular fitted wave have no axes and are
+// ignored.
 ChannelBalance channel_balance(const PhasorRun& run, const FittedMotion& motion, std::size_t index,
                                std::size_t most_points);
 

@@ -4,9 +4,9 @@
 
 namespace vybeg {
 
-// The decay time of a decay rate (1/s) with its standard deviation and combined uncertainty: given
-// from five deviations on, because 1/x is biased below. Else limits of two deviations, or that the
-// motion grows.
+// Decay time of a decay rate (1/s) with its standard deviation and combined uncertainty, given from
+// five deviations on, because 1/x is biased below. Otherwise the reason: limits of two deviations,
+// or a growing motion.
 Estimate decay_time(double per_s, double sd, double u);
 
 }  // namespace vybeg

@@ -10,8 +10,8 @@ EnvelopeDecay envelope_decay(const ScaledRun& run, std::span<const Eigen::Vector
     double weights = 0;
     double mean_t = 0;
     int used = 0;
-    // Both sums over the same windows and weights, so that a decay that is no straight line bends
-    // both alike.
+    // Both sums use the same windows and weights, so that a decay other than a straight line
+    // affects both alike.
     const auto for_windows = [&](const auto& use) {
         for (std::size_t k = 0; k < run.size(); ++k) {
             const double power = run.z[k].squaredNorm();
@@ -46,7 +46,8 @@ EnvelopeDecay envelope_decay(const ScaledRun& run, std::span<const Eigen::Vector
         difference += weight * off;
         square += weight * off * off;
     });
-    // A motion that is no line bends both alike: the scatter is that about the expected one.
+    // The scatter refers to the predicted line, because a motion other than a line bends both
+    // alike.
     const double slope = (seen - fitted) / spread;
     const double scatter =
         (square - difference * difference / weights - slope * slope * spread) / (used - 2);

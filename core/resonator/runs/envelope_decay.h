@@ -8,12 +8,13 @@
 
 namespace vybeg {
 
-// The decay of the power |z|^2 of a run, free of phase and frequency: a weighted straight line
+// Decay of the power |z|^2 of a run, independent of phase and frequency: a weighted straight line
 // through log |z|^2, down to a power of 100 noise variances.
 struct EnvelopeDecay {
-    double per_s = 0;        // 1/tau, half the slope
-    double sd = 0;           // from the scatter about the line, no less than that of the noise;
-                             // infinite for fewer than three usable windows
+    double per_s = 0;  // 1/tau, half the slope
+    // From the scatter about the line, at least that of the noise; infinite for fewer than three
+    // usable windows.
+    double sd = 0;
     double model_per_s = 0;  // the same line through the power of `expected`
 };
 

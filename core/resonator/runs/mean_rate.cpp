@@ -36,7 +36,7 @@ Eigen::Map<const Eigen::VectorXd> view(const std::vector<double>& values) {
     return {values.data(), std::ssize(values)};
 }
 
-// A trend of least squares, and its last coefficient over that one's deviation in white noise.
+// Least-squares trend, and its last coefficient over its deviation in white noise.
 struct Trend {
     Eigen::VectorXd value;
     double last_over_sd = 0;
@@ -56,8 +56,8 @@ Trend fitted_trend(const RateSeries& series, Eigen::Index order) {
         rotated[last]};
 }
 
-// A bend that noise about the carrier may have made is left to be judged as noise; one beyond this
-// many deviations is the wave's own.
+// Least curvature, in deviations, attributed to the wave; a smaller one may be noise about the
+// carrier and counts as noise.
 constexpr double own_bend = 8;
 
 Eigen::Index order_of(const RateSeries& series) {
@@ -141,8 +141,8 @@ std::vector<double> widths(const Blocks& blocks) {
     return tried;
 }
 
-// For each width and amount: by how much the logarithm of the likelihood rises above that of white
-// noise, and what the coloured noise adds to the variance of the slope.
+// For each width and amount: rise of the logarithm of the likelihood over that of white noise, and
+// contribution of the coloured noise to the variance of the slope.
 struct Evidence {
     std::vector<double> rise;
     std::vector<double> added;
@@ -175,10 +175,10 @@ Evidence evidence_of(const Blocks& blocks, const std::vector<double>& tried_widt
     return evidence;
 }
 
-// What coloured noise adds to the variance of one slope, by the likelihood of all.
+// Contribution of coloured noise to the variance of one slope, by the likelihood of all series.
 double added_by_colour(const std::vector<Evidence>& all, std::size_t own) {
     constexpr double least_rise = 3;
-    // A series that shows this much by itself may bend instead, and says nothing of the others.
+    // A series with more evidence than this may be curved instead and does not affect the others.
     constexpr double most_shared = 30;
     std::vector<double> rise = all[own].rise;
     for (std::size_t j = 0; j < all.size(); ++j) {

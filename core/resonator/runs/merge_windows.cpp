@@ -13,7 +13,7 @@ namespace {
 
 constexpr double most_turn = 0.3;  // rad
 
-// Whether window k + 1 follows window k with nothing between them.
+// Whether window k + 1 follows window k without a gap.
 bool touch(const PhasorRun& run, std::size_t k) {
     const auto between = [&](double at) { return at > run.time_s[k] && at < run.time_s[k + 1]; };
     return std::abs((run.time_s[k + 1] - run.time_s[k]) / run.window_s - 1) < 0.01 &&
@@ -65,14 +65,14 @@ double turn_per_window(const PhasorRun& run) {
     return power > 0 ? std::sqrt(std::max(change, 0.0) / power) : most_turn;
 }
 
-// `count` windows at a time; those that do not touch begin anew.
+// Merges `count` windows at a time; a gap begins a new group.
 PhasorRun merged_by(const PhasorRun& run, std::size_t count) {
     PhasorRun merged;
     merged.f_ref_hz = run.f_ref_hz;
     merged.window_s = run.window_s * static_cast<double>(count);
     merged.noise_correlation = merged_correlation(run, count);
     merged.phase_breaks_s = run.phase_breaks_s;
-    // Of correlated noise less averages out.
+    // Correlated noise averages less.
     const double noise_left = merged_covariance(run, count, 0) * static_cast<double>(count);
     const double share = 1 / static_cast<double>(count);
     std::size_t first = 0;

@@ -6,13 +6,13 @@
 
 namespace vybeg {
 
-// The run with neighbouring windows averaged into longer ones, so that it has about `most` of them:
-// the fit's time grows with their number, its answer does not. Windows that touch are one window of
-// the sum of their lengths, exactly (phasor_run.h); those before a gap that fill no whole one are
-// left out, at most a tenth of all. Not merged where the phasors would turn by more than 0.3 rad.
+// The run with neighbouring windows averaged to about `most` longer ones, because the time of the
+// fit grows with their number, its precision does not. Adjacent windows form exactly one window of
+// the sum of their lengths (phasor_run.h); a remainder before a gap is excluded, at most a tenth of
+// all. No merging if the phasors would turn by more than 0.3 rad.
 PhasorRun merge_windows(const PhasorRun& run, std::size_t most);
 
-// The windows that are numbers with a deviation.
+// The windows with finite values and a deviation.
 PhasorRun usable_windows(const PhasorRun& run);
 
 }  // namespace vybeg

@@ -17,11 +17,11 @@ namespace {
 
 // Power over that of the noise around, of both channels: noise of a million bins reaches 20.
 constexpr double stands_out = 30;
-// Bins that a line may have itself, and those beyond them that are noise.
+// Bins of a line, and those of noise around it.
 constexpr std::ptrdiff_t own_bins = 10;
 constexpr std::ptrdiff_t around_bins = 40;
 constexpr std::size_t least_points = 128;
-// Side lobes below -90 dB: what merged windows leave of the wave itself stays near it.
+// Side lobes below -90 dB: the residual of the wave in merged windows stays near it.
 constexpr double beta = 12;
 
 // Power of both channels' residual by frequency bin, windows on the grid of their times.
@@ -66,8 +66,8 @@ double noise_around(const std::vector<double>& power, std::ptrdiff_t bin) {
     return *middle / median_over_mean;
 }
 
-// By how much more a window turns at one end of a run than at the other, rad: a mean loses
-// (turn)^2/24 of the amplitude.
+// Difference of the turn of a window between the ends of a run, rad; a mean loses (turn)^2/24 of
+// the amplitude.
 double uneven_turn(const FittedMotion& motion) {
     const Eigen::VectorXd& shared = motion.shared;
     double most = 0;
@@ -82,9 +82,9 @@ double uneven_turn(const FittedMotion& motion) {
     return most;
 }
 
-// Distance from the reference frequency, Hz, of the strongest line that the residual of the
-// unmerged windows holds beyond the band of the merged ones, where it counts at the frequency of
-// its alias. Zero where none stands out of the noise.
+// Distance from the reference frequency, Hz, of the strongest line in the residual of the unmerged
+// windows beyond the band of the merged ones, where it acts at its alias. Zero if no line exceeds
+// the noise.
 double line_beyond(const FittedMotion& motion, std::span<const PhasorRun> fine) {
     double best_hz = 0;
     double most = 0;
@@ -119,7 +119,7 @@ NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorR
     constexpr double whole_turn = 0.02;
     constexpr double most_for_turn = 1000;
     constexpr double per_cycle = 4;
-    // Lines so far off that they would need more are left to alias: the fit's time would grow
+    // Lines that would need more windows are left aliased, because the time of the fit would grow
     // tenfold.
     constexpr double most_for_line = 700;
     const double beyond_hz = line_beyond(motion, fine);
@@ -131,7 +131,7 @@ NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorR
         const double now = run.frame.duration_s / run.frame.window_s;
         double for_turn = now * uneven;
         if (motion.shared[cubic_at] != 0) {
-            // The spring feels the whole amplitude of both modes, of which means lose a part.
+            // The spring depends on the whole amplitude of both modes, of which means lose a part.
             const double turn = 2 * std::numbers::pi * mode_hz * run.frame.window_s;
             for_turn = std::max(for_turn, now * turn / whole_turn);
         }

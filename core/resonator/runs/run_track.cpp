@@ -40,7 +40,7 @@ void append(const Sums& sums, double f_ref_hz, RunTrack& track) {
     track.sd_a.push_back(std::sqrt(sums.variance) / n);
     track.two_theta_A.push_back(sums.two_theta_A / n);
     track.sd_two_theta_A.push_back(std::sqrt(sums.angle_variance) / n);
-    // The steps of phase add up to the difference of its ends, whose noise is all that is left.
+    // The sum of the phase steps is the difference of the ends, so only their noise remains.
     const double sd_phase = std::sqrt(2 * sums.variance / sums.power);
     const bool any = sums.seconds > 0;
     constexpr double none = std::numeric_limits<double>::quiet_NaN();

@@ -7,9 +7,9 @@
 
 namespace vybeg {
 
-// The slow variables of one run at a few points, for pictures and passports: means over stretches
-// of consecutive windows, with their standard deviations. Times in s from the start of the
-// recording, amplitudes in recording units, angles in rad, frequency in Hz.
+// Slow variables of one run at a few points, for plots and passports: means over groups of
+// consecutive windows, with their standard deviations. Times in s from the start of the recording,
+// amplitudes in recording units, angles in rad, frequency in Hz.
 struct RunTrack {
     std::vector<double> time_s;
     std::vector<double> a_A;
@@ -23,7 +23,7 @@ struct RunTrack {
     friend bool operator==(const RunTrack&, const RunTrack&) = default;
 };
 
-// At most `most_points` of them; the windows are shared out evenly. Precondition: most_points >= 1.
+// At most `most_points` points with equal numbers of windows. Precondition: most_points >= 1.
 RunTrack run_track(const PhasorRun& run, std::size_t most_points);
 
 }  // namespace vybeg

@@ -23,9 +23,10 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr std::size_t least_windows = 8;
-// A wave, and the smaller of its travelling waves, below this many deviations is left out.
+// Least size of a wave and of its smaller travelling wave, deviations; below it a window is
+// excluded.
 constexpr double seen = 5;
-// An outlier stands this many deviations (robust ones of the scatter, at least the noise's) off.
+// Distance of an outlier in robust deviations of the scatter, at least those of the noise.
 constexpr double outlier = 6;
 
 template <class Windows>
@@ -39,7 +40,7 @@ Complex product(const Windows& run, std::size_t j, std::size_t k) {
     return std::conj(run.c[j]) * run.c[k] + std::conj(run.d[j]) * run.d[k];
 }
 
-// Series of the windows listed, and which windows those of the angle are.
+// Series of the listed windows, and the windows of the angle.
 struct Motion {
     RateSeries phase;      // rad
     RateSeries amplitude;  // logarithm
@@ -59,7 +60,7 @@ std::size_t breaks_before(const PhasorRun& run, double time_s) {
     return static_cast<std::size_t>(behind - run.phase_breaks_s.begin());
 }
 
-// Whether three windows touch, without a break of the phase.
+// Whether three windows are adjacent, without a break of the phase.
 bool in_a_row(const PhasorRun& run, std::size_t before, std::size_t at, std::size_t behind) {
     constexpr double even = 0.01;
     const auto touch = [&](std::size_t j, std::size_t k) {
@@ -69,13 +70,13 @@ bool in_a_row(const PhasorRun& run, std::size_t before, std::size_t at, std::siz
            breaks_before(run, run.time_s[before]) == breaks_before(run, run.time_s[behind]);
 }
 
-// Phasors at the middles of windows. A mean over w is z + (w^2/24) z'', which counts the mode that
-// lies further from the reference less than the other one: z'' by the neighbours is taken away. A
-// slope keeps its variance, because what is slow passes with a gain of one.
+// Phasors at the centres of windows. A mean over w is z + (w^2/24) z'', which weights the mode
+// farther from the reference less; z'' from the neighbours is subtracted. A slope keeps its
+// variance, because slow changes pass with a gain of one.
 struct Middles {
     std::vector<Complex> c;
     std::vector<Complex> d;
-    std::vector<double> noise_gain;  // of the variance of one window
+    std::vector<double> noise_gain;  // in units of the variance of one window
 };
 
 Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
@@ -100,10 +101,10 @@ Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows
     return out;
 }
 
-// What the noise of a window adds to the phase of all windows behind it: the wave moves on from z
-// by a part v across it (the phase does not count that part, but the noise turns z towards it),
-// which gives |v| sd / |z|^2. Without the mean of what noise makes of |v|^2 itself; with the
-// product of the noises of two windows.
+// Variance of the phase noise that a window adds to all later windows: the wave moves from z by a
+// transverse part v, which does not count as phase, but noise rotates z towards it, by |v| sd /
+// |z|^2. Without the mean contribution of noise to |v|^2; with the product of the noises of two
+// windows.
 double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, std::size_t behind) {
     const double power = power_of(run, k);
     const auto across = [&](std::size_t j) {
@@ -116,7 +117,7 @@ double step_variance(const PhasorRun& run, std::size_t before, std::size_t k, st
     return ((v - noise) * variance + 4 * variance * variance) / (power * power);
 }
 
-// Phase per second between windows that follow each other at the usual distance.
+// Phase per second between consecutive windows at the usual distance.
 double usual_rate(const PhasorRun& run, const std::vector<std::size_t>& windows) {
     Complex sum = 0;
     for (std::size_t i = 1; i < windows.size(); ++i) {
@@ -127,8 +128,7 @@ double usual_rate(const PhasorRun& run, const std::vector<std::size_t>& windows)
     return std::arg(sum) / run.window_s;
 }
 
-// Whether modes turn against each other by so much from window to window that differences of three
-// windows do not follow them.
+// Whether modes beat so fast that differences of three windows do not follow them.
 bool beats_fast(const PhasorRun& run, const std::vector<std::size_t>& windows, double rate) {
     constexpr double fast = 0.15;  // rad, root mean square
     const Complex back = std::polar(1.0, -rate * run.window_s);
@@ -147,15 +147,15 @@ bool beats_fast(const PhasorRun& run, const std::vector<std::size_t>& windows, d
     return change > fast * fast * power;
 }
 
-// The windows of a fast beat: those with enough others in a row on both sides have their phasors,
-// and the phase from the one before, by interpolation.
+// Windows of a fast beat: with enough consecutive windows on both sides, phasors and phase steps
+// follow by interpolation.
 class FastBeat {
 public:
     FastBeat(const PhasorRun& run, const std::vector<std::size_t>& windows, Middles& z)
         : phases_(windows.size(), std::numeric_limits<double>::quiet_NaN()) {
         constexpr std::size_t reach = BetweenWindows::reach;
         const BetweenWindows between;
-        std::size_t in_row = 0;  // windows that end with this one
+        std::size_t in_row = 0;  // consecutive windows up to this one
         for (std::size_t last = 0; last < windows.size(); ++last) {
             const bool follows =
                 last > 1 && in_a_row(run, windows[last - 2], windows[last - 1], windows[last]);
@@ -164,7 +164,7 @@ public:
                 continue;
             }
             const std::size_t first = windows[last + 1 - 2 * reach];
-            const std::size_t k = last + 1 - reach;  // in the list, behind the middle
+            const std::size_t k = last + 1 - reach;  // in the list, after the centre
             const auto means = [first](const std::vector<Complex>& all) {
                 return std::span(all).subspan(first, 2 * reach);
             };
@@ -198,7 +198,7 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
         const double t = run.time_s[k];
         const std::size_t own = breaks_before(run, t);
         if (i > 0) {
-            // Beyond the usual rate, so that gaps are bridged on the right turn.
+            // Relative to the usual rate, so that gaps are bridged with the right number of turns.
             const double usual = rate * (t - run.time_s[windows[i - 1]]);
             const double beyond = std::arg(product(z, windows[i - 1], k) * std::polar(1.0, -usual));
             phase += usual + (part == own ? beyond : 0);
@@ -206,8 +206,8 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
         if (beat && i > 0 && !std::isnan(beat->phase(i))) {
             phase = motion.phase.value.back() + beat->phase(i);
         } else if (i > 1 && in_a_row(run, windows[i - 2], windows[i - 1], k)) {
-            // A step counts the mean rate less a sixth of what its cube makes of unequal modes; two
-            // steps at once show that eightfold.
+            // A step underestimates the mean rate of unequal modes by a term of third order; a
+            // double step shows that term eightfold.
             phase +=
                 std::arg(product(z, windows[i - 2], windows[i - 1]) *
                          product(z, windows[i - 1], k) * std::conj(product(z, windows[i - 2], k))) /
@@ -239,7 +239,7 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
     return motion;
 }
 
-// Marks the windows (those of the series, in their order) that stand out of a series' scatter.
+// Marks the windows of a series outside its scatter.
 void mark_outliers(const RateSeries& series, const std::vector<std::size_t>& windows,
                    std::vector<bool>& out) {
     if (series.value.size() < least_windows) {
@@ -283,7 +283,7 @@ Motion motion_without_outliers(const PhasorRun& run) {
     return motion_of(run, windows);
 }
 
-// What correlation from window to window makes of the variance of a mean over many of them.
+// Factor of the variance of a mean over many windows due to their correlation.
 double inflation_of(const PhasorRun& run) {
     if (run.noise_correlation.empty()) {
         return 1;
@@ -295,8 +295,8 @@ double inflation_of(const PhasorRun& run) {
         2 * std::accumulate(run.noise_correlation.begin(), run.noise_correlation.end(), 0.0) - 1);
 }
 
-// Windows so long that the products of their noise from one to the next add up to far less than
-// that noise itself: of N phasors' steps, 4 N (sd/|z|)^4 against (sd/|z|)^2.
+// Merges windows until the summed products of neighbouring noise are far below that noise: for N
+// steps 4 N (sd/|z|)^4 against (sd/|z|)^2.
 PhasorRun clear_windows(const PhasorRun& run) {
     constexpr double least = 0.008;
     double noise = 0;

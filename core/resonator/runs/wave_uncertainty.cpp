@@ -11,7 +11,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// The members in which the channel errors show; tau follows from the decay rate.
+// Members affected by channel errors; tau follows from the decay rate.
 constexpr std::array numbers{&WaveMotion::f_hz, &WaveMotion::theta_rate_rad_s,
                              &WaveMotion::quadrature_rate_per_s, &WaveMotion::decay_per_s};
 

@@ -5,8 +5,8 @@
 
 namespace vybeg {
 
-// wave_motion() with `u` beside each sd: it holds also what one deviation of each channel error
-// changes the number by (TRUTH principle 2), errors independent. Preconditions: as there.
+// wave_motion() with `u` for each number: sd combined with the change by one deviation of each
+// channel error, errors independent. Preconditions: as there.
 WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance);
 
 }  // namespace vybeg
