@@ -12,7 +12,7 @@
 
 namespace vybeg {
 
-// What vybeg-reader is to be told about a file.
+// A file of MATLAB's or HDF5's; vybeg-reader knows the kinds "mat73" and "hdf5".
 struct LibraryFormat {
     std::string kind;  // "mat", "mat73", "hdf5"
     std::string name;  // "MAT 5", ...
