@@ -1,9 +1,9 @@
 #include "core/recording/variables/array_variables.h"
 
+#include "core/base/guarded.h"
 #include "core/recording/variables/variable_recording.h"
 
 #include <map>
-#include <mutex>
 #include <utility>
 
 namespace vybeg {
@@ -25,8 +25,8 @@ public:
 
     Status read(const ChannelPlace& place, std::int64_t first,
                 std::span<double> out) const override {
-        const std::lock_guard lock(mutex_);
-        auto& source = opened_[{place.variable, place.channel}];
+        const auto opened = opened_.hold();
+        auto& source = (*opened)[{place.variable, place.channel}];
         if (!source) {
             const auto column = column_of(array(place), place.channel);
             if (!column) {
@@ -59,10 +59,10 @@ private:
     }
 
     std::vector<StoredArray> arrays_;  // as in the catalogue
-    mutable std::mutex mutex_;
     // One per channel that was read, to be read on: no more than the times, C and D.
-    mutable std::map<std::pair<std::int64_t, std::int64_t>, std::shared_ptr<const SampleSource>>
-        opened_;
+    using ByChannel =
+        std::map<std::pair<std::int64_t, std::int64_t>, std::shared_ptr<const SampleSource>>;
+    Guarded<ByChannel> opened_;
 };
 
 // The value of an array that is a single number.

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "core/base/guarded.h"
 #include "core/base/job_control.h"
 #include "core/recording/variables/reader_process.h"
 #include "core/recording/variables/variable_choice.h"
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <string>
 
@@ -44,8 +44,7 @@ public:
 private:
     std::shared_ptr<const FileBytes> file_;
     LibraryFormat format_;
-    mutable std::mutex mutex_;
-    mutable std::unique_ptr<ReaderProcess> process_;
+    Guarded<std::unique_ptr<ReaderProcess>> process_;
 };
 
 inline constexpr std::int64_t frames_per_request = std::int64_t{1} << 16;
