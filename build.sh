@@ -9,11 +9,12 @@ packages=(
     qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev libqcustomplot-dev # window, plots
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n # Russian
     libeigen3-dev libtbb-dev libfftw3-dev   # numerics
-    libsndfile1-dev libmatio-dev libhdf5-dev libssl-dev libfast-float-dev nlohmann-json3-dev # files
+    libsndfile1-dev libhdf5-dev libssl-dev libfast-float-dev nlohmann-json3-dev # files
     zlib1g-dev                              # files that are packed
     libcli11-dev                            # command line
     fonts-dejavu-core                       # text without a display
     python3-numpy python3-scipy python3-h5py # write files for the tests of readers
+    libmatio-dev                            # reads those of the program in a test
     libbenchmark-dev libceres-dev           # speed, and a peer to measure it by, tests/benchmarks
 )
 developer_packages=(clang-format clang-tidy)
@@ -148,7 +149,7 @@ run_tidy() {
         xargs -0 -n 1 -P 2 clang-tidy --quiet -p build/release
 }
 
-# Of MAT and HDF5 it is libmatio and libhdf5 that fall, which vybeg-reader is there for.
+# Of MAT 7.3 and HDF5 it is libhdf5 that falls, which vybeg-reader is there for.
 run_fuzzer() {
     local format=$1 seconds=$2 corpus=build/fuzz/corpus-$1
     install_packages "${fuzz_packages[@]}"

@@ -32,9 +32,6 @@ bool answer(ReplyKind kind, std::span<const char> bytes) {
 
 Result<std::unique_ptr<LibraryFile>> open_file(std::string_view kind) {
     const std::string path = "/proc/self/fd/" + std::to_string(reader_file);
-    if (kind == "mat") {
-        return open_mat_file(path);
-    }
     return open_hdf5_file(path, kind == "mat73" ? Naming::matlab : Naming::hdf5);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/output/wav_writer.h"
+#include "core/recording/variables/mat_format.h"
 
 #include <algorithm>
 #include <array>
@@ -65,33 +66,30 @@ Status write_npy(OutputFile& file, const SampleStream& stream) {
     });
 }
 
-// Type numbers of the MAT level 5 format (MathWorks, "MAT-File Format", tables 1-1 and 1-3).
-enum MatType : std::uint32_t { int8 = 1, int32 = 5, uint32 = 6, float64 = 9, matrix = 14 };
-constexpr std::uint32_t mat_class_double = 6;
-// Its lengths, 32 bit counts of bytes, include the head of the column.
+// The lengths of MAT level 5, 32 bit counts of bytes, include the head of the column.
 constexpr std::int64_t most_mat_rows = (std::int64_t{1} << 29) - 16;
 
-void append_tag(std::string& bytes, MatType type, std::size_t size) {
+void append_tag(std::string& bytes, mat5::ElementType type, std::size_t size) {
     append_bytes(bytes, static_cast<std::uint32_t>(type));
     append_bytes(bytes, static_cast<std::uint32_t>(size));
 }
 
-// The head of a column of doubles, up to its first byte of data. libmatio writes a column in one
-// piece and so ignores the stop token and a full disk.
+// The head of a column of doubles, up to its first byte of data. libmatio would write a column in
+// one piece and ignore the stop token and a full disk.
 std::string mat_column_head(const std::string& name, std::int64_t rows) {
     const std::size_t padded = (name.size() + 7) / 8 * 8;
     const std::size_t bytes = static_cast<std::size_t>(rows) * sizeof(double);
     std::string head;
-    append_tag(head, matrix, 16 + 16 + 8 + padded + 8 + bytes);
-    append_tag(head, uint32, 8);
-    append_bytes(head, mat_class_double);
+    append_tag(head, mat5::matrix, 16 + 16 + 8 + padded + 8 + bytes);
+    append_tag(head, mat5::uint32, 8);
+    append_bytes(head, static_cast<std::uint32_t>(mat5::double_class));
     append_bytes(head, std::uint32_t{0});
-    append_tag(head, int32, 8);
+    append_tag(head, mat5::int32, 8);
     append_bytes(head, static_cast<std::int32_t>(rows));
     append_bytes(head, std::int32_t{1});
-    append_tag(head, int8, name.size());
+    append_tag(head, mat5::int8, name.size());
     head += name + std::string(padded - name.size(), '\0');
-    append_tag(head, float64, bytes);
+    append_tag(head, mat5::float64, bytes);
     return head;
 }
 

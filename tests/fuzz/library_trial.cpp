@@ -47,11 +47,6 @@ Verdict judge(Result<std::unique_ptr<LibraryFile>> opened) {
 
 }  // namespace
 
-Verdict try_mat(std::string_view bytes) {
-    const MemoryFile memory(bytes);
-    return judge(open_mat_file(memory.path()));
-}
-
 Verdict try_mat73(std::string_view bytes) {
     const NamedFile file(bytes);
     return judge(open_hdf5_file(file.path(), Naming::matlab));

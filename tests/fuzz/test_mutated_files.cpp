@@ -47,8 +47,8 @@ Q_DECLARE_METATYPE(TryFile)
 void TestMutatedFiles::readers() {
     QTest::addColumn<TryFile>("try_file");
     const std::map<const char*, TryFile> all{
-        {"audio", try_audio}, {"text", try_text}, {"npy", try_npy}, {"npz", try_npz},
-        {"uff", try_uff},     {"tdms", try_tdms}, {"raw", try_raw}};
+        {"audio", try_audio}, {"text", try_text}, {"npy", try_npy},   {"npz", try_npz},
+        {"mat", try_mat},     {"uff", try_uff},   {"tdms", try_tdms}, {"raw", try_raw}};
     for (const auto& [name, try_file] : all) {
         QTest::newRow(name) << try_file;
     }

@@ -8,6 +8,7 @@
 #include "core/recording/bytes/byte_order.h"
 #include "core/recording/text/text_recording.h"
 #include "core/recording/text/uff_reader.h"
+#include "core/recording/variables/mat_reader.h"
 #include "core/recording/variables/npz_reader.h"
 #include "tests/fuzz/memory_file.h"
 
@@ -107,6 +108,12 @@ Verdict try_npz(std::string_view bytes) {
     const double most = 1e7 + 20 * 1032.0 * static_cast<double>(bytes.size());
     return try_opening(bytes, most,
                        [](const File& file) { return open_npz(file, some_rate(), {}); });
+}
+
+Verdict try_mat(std::string_view bytes) {
+    const double most = 1e7 + 20 * 1032.0 * static_cast<double>(bytes.size());
+    return try_opening(bytes, most,
+                       [](const File& file) { return open_mat(file, some_rate(), {}); });
 }
 
 Verdict try_uff(std::string_view bytes) {

@@ -22,18 +22,19 @@ struct Verdict {
 
 using TryFile = Verdict (*)(std::string_view bytes);
 
-// WAV and the like, text, NPY, NPZ, UFF, TDMS, raw. A raw file's first 24 bytes choose its layout.
+// WAV and the like, text, NPY, NPZ, MAT of level 4 and 5, UFF, TDMS, raw. A raw file's first 24
+// bytes choose its layout.
 Verdict try_audio(std::string_view bytes);
 Verdict try_text(std::string_view bytes);
 Verdict try_npy(std::string_view bytes);
 Verdict try_npz(std::string_view bytes);
+Verdict try_mat(std::string_view bytes);
 Verdict try_uff(std::string_view bytes);
 Verdict try_tdms(std::string_view bytes);
 Verdict try_raw(std::string_view bytes);
 
-// MAT of level 4 and 5, MAT 7.3, HDF5, as vybeg-reader reads them, but in this process: where the
-// library falls, so does the caller.
-Verdict try_mat(std::string_view bytes);
+// MAT 7.3 and HDF5 as vybeg-reader reads them, but in this process: where the library falls, so
+// does the caller.
 Verdict try_mat73(std::string_view bytes);
 Verdict try_hdf5(std::string_view bytes);
 

@@ -1,5 +1,6 @@
 #include "core/recording/audio/audio_reader.h"
 
+#include "core/base/guarded.h"
 #include "core/base/number_text.h"
 #include "core/recording/audio/audio_decoder.h"
 #include "core/recording/audio/audio_extent.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -58,17 +58,17 @@ private:
     }
 
     Status decode(std::int64_t first, std::span<double> samples) const {
-        const std::lock_guard lock(mutex_);
-        if (!decoder_) {
+        const auto decoder = decoder_.hold();
+        if (!*decoder) {
             auto opened = AudioDecoder::open(file_, patches_);
             if (!opened) {
                 return opened.error();
             }
-            decoder_ = std::move(*opened);
+            *decoder = std::move(*opened);
         }
-        const Status status = decoder_->read(first, samples);
+        const Status status = (*decoder)->read(first, samples);
         if (!status) {
-            decoder_.reset();  // libFLAC never recovers from a failed seek
+            decoder->reset();  // libFLAC never recovers from a failed seek
         }
         return status;
     }
@@ -79,8 +79,7 @@ private:
     int channel_c_;
     int channel_d_;
     std::int64_t frames_;
-    mutable std::mutex mutex_;
-    mutable std::unique_ptr<AudioDecoder> decoder_;
+    Guarded<std::unique_ptr<AudioDecoder>> decoder_;
 };
 
 // Number of frames that can be decoded from the start. If the last frame of the header cannot be

@@ -1,9 +1,10 @@
 #include "core/recording/bytes/inflated_part.h"
 
+#include "core/base/guarded.h"
+
 #include <algorithm>
 #include <deque>
 #include <limits>
-#include <mutex>
 #include <utility>
 #include <vector>
 #include <zlib.h>
@@ -79,19 +80,16 @@ private:
     std::uint32_t crc_ = 0;
 };
 
-class InflatedPart final : public ByteSource {
+// The part's decoder, and copies of it at places that it has passed.
+class Decoders {
 public:
-    InflatedPart(std::shared_ptr<const FileBytes> file, DeflatedPart part)
+    Decoders(std::shared_ptr<const FileBytes> file, DeflatedPart part)
         : file_(std::move(file)),
           part_(std::move(part)),
           spacing_(std::max(recent_spacing,
                             part_.size / static_cast<std::int64_t>(spread_states) + 1)) {}
 
-    std::int64_t size() const override { return part_.size; }
-    bool seeks() const override { return false; }
-
-    Status read(std::int64_t offset, std::span<char> out) const override {
-        const std::lock_guard lock(mutex_);
+    Status read(std::int64_t offset, std::span<char> out) {
         go_near(offset);
         std::vector<char> skipped(
             static_cast<std::size_t>(std::min(offset - now_->position(), skipped_at_once)));
@@ -116,7 +114,7 @@ public:
 
 private:
     // Moves the decoder to the nearest stored state at or before the offset.
-    void go_near(std::int64_t offset) const {
+    void go_near(std::int64_t offset) {
         const Inflater* best =
             now_ && !failed_ && now_->position() <= offset ? now_.get() : nullptr;
         for (const auto* states : {&recent_, &spread_}) {
@@ -136,7 +134,7 @@ private:
     }
 
     // Unpacks out.size() bytes and verifies the checksum after the last ones.
-    Status unpack(std::span<char> out) const {
+    Status unpack(std::span<char> out) {
         remember();
         bool damaged = false;
         const auto got = now_->next(*file_, part_, out, damaged);
@@ -154,7 +152,7 @@ private:
         return {};
     }
 
-    void remember() const {
+    void remember() {
         const std::int64_t position = now_->position();
         if (recent_.empty() || position >= recent_.back()->position() + recent_spacing ||
             position + recent_spacing <= recent_.front()->position()) {
@@ -176,11 +174,27 @@ private:
     std::shared_ptr<const FileBytes> file_;
     DeflatedPart part_;
     std::int64_t spacing_;  // bytes between the states spread over the whole part
-    mutable std::mutex mutex_;
-    mutable std::unique_ptr<Inflater> now_;
-    mutable bool failed_ = false;
-    mutable std::deque<std::unique_ptr<const Inflater>> recent_;
-    mutable std::deque<std::unique_ptr<const Inflater>> spread_;  // positions rise
+    std::unique_ptr<Inflater> now_;
+    bool failed_ = false;
+    std::deque<std::unique_ptr<const Inflater>> recent_;
+    std::deque<std::unique_ptr<const Inflater>> spread_;  // positions rise
+};
+
+class InflatedPart final : public ByteSource {
+public:
+    InflatedPart(std::shared_ptr<const FileBytes> file, DeflatedPart part)
+        : size_(part.size), decoders_(std::move(file), std::move(part)) {}
+
+    std::int64_t size() const override { return size_; }
+    bool seeks() const override { return false; }
+
+    Status read(std::int64_t offset, std::span<char> out) const override {
+        return decoders_.hold()->read(offset, out);
+    }
+
+private:
+    std::int64_t size_;
+    Guarded<Decoders> decoders_;
 };
 
 }  // namespace

@@ -3,13 +3,13 @@
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
+#include "core/recording/samples/recent_blocks.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <mutex>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -46,12 +46,6 @@ double gain_at(const std::vector<double>& taps, double frequency) {
 }
 
 // Frames of output, from index * length on.
-struct Block {
-    std::int64_t index = 0;
-    std::vector<double> c;
-    std::vector<double> d;
-};
-
 // out[i] becomes NaN where one of in[i] .. in[i + 2 reach] is missing.
 void spread_missing(std::span<const double> in, std::int64_t reach, std::span<double> out) {
     std::int64_t marked = 0;
@@ -92,50 +86,35 @@ public:
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
         const std::int64_t end = first + std::ssize(c);
-        for (std::int64_t at = first; at < end;) {
-            const std::int64_t index = at / block_length_;
-            auto block = find_or_compute(index);
+        for (std::int64_t index = first / block_length_; index * block_length_ < end; ++index) {
+            const auto block = find_or_compute(index);
             if (!block) {
                 return block.error();
             }
-            const std::int64_t from = at - index * block_length_;
-            const std::int64_t count = std::min(block_length_ - from, end - at);
-            std::copy_n((*block)->c.begin() + from, count, c.begin() + (at - first));
-            std::copy_n((*block)->d.begin() + from, count, d.begin() + (at - first));
-            at += count;
+            (*block)->copy_to(first, c, d);
         }
         return {};
     }
 
 private:
-    using BlockPointer = std::shared_ptr<const Block>;
-
     // Eight half-lengths or more: at most a quarter of a transform is overlap.
     static std::size_t fft_size(std::int64_t reach) {
         return std::bit_ceil(std::max<std::size_t>(4096, 8 * static_cast<std::size_t>(reach)));
     }
 
-    Result<BlockPointer> find_or_compute(std::int64_t index) const {
-        {
-            const std::lock_guard lock(recent_mutex_);
-            const auto found =
-                std::ranges::find_if(recent_, [&](const auto& b) { return b->index == index; });
-            if (found != recent_.end()) {
-                std::rotate(recent_.begin(), found, found + 1);
-                return recent_.front();
-            }
+    // Several threads compute at once, at worst the same block.
+    Result<SampleBlockPointer> find_or_compute(std::int64_t index) const {
+        if (auto block = recent_.find(index)) {
+            return block;
         }
-        // Outside of the lock: several threads compute at once, at worst the same block.
         auto block = compute(index);
         if (block) {
-            const std::lock_guard lock(recent_mutex_);
-            recent_.insert(recent_.begin(), *block);
-            recent_.resize(std::min(recent_.size(), recent_blocks));
+            recent_.keep(*block);
         }
         return block;
     }
 
-    Result<BlockPointer> compute(std::int64_t index) const {
+    Result<SampleBlockPointer> compute(std::int64_t index) const {
         const std::size_t size = fft_.size();
         std::vector<double> in_c(size, std::numeric_limits<double>::quiet_NaN());
         std::vector<double> in_d(in_c);
@@ -161,8 +140,9 @@ private:
         }
         fft_.inverse(both);
 
-        auto block = std::make_shared<Block>();
+        auto block = std::make_shared<SampleBlock>();
         block->index = index;
+        block->first = index * block_length_;
         block->c.reserve(static_cast<std::size_t>(block_length_));
         block->d.reserve(static_cast<std::size_t>(block_length_));
         for (std::int64_t j = reach_; j < reach_ + block_length_; ++j) {
@@ -171,7 +151,7 @@ private:
         }
         spread_missing(in_c, reach_, block->c);
         spread_missing(in_d, reach_, block->d);
-        return BlockPointer(std::move(block));
+        return SampleBlockPointer(std::move(block));
     }
 
     // Reads of a few threads, each going on where its last one ended inside a block.
@@ -182,8 +162,7 @@ private:
     Fft fft_;
     std::int64_t block_length_;
     std::vector<double> response_;  // divided by the size, which Fft leaves to its callers
-    mutable std::mutex recent_mutex_;
-    mutable std::vector<BlockPointer> recent_;  // the last one used first
+    RecentBlocks recent_{recent_blocks};
 };
 
 }  // namespace

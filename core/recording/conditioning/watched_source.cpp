@@ -7,19 +7,20 @@ namespace vybeg {
 
 WatchedSource::WatchedSource(std::shared_ptr<const SampleSource> source,
                              std::shared_ptr<FaultCheck> check)
-    : source_(std::move(source)), check_(std::move(check)) {}
+    : source_(std::move(source)), watch_(Watch{std::move(check)}) {}
 
 Status WatchedSource::read(std::int64_t first, std::span<double> c, std::span<double> d) const {
     Status status = source_->read(first, c, d);
     if (!status) {
         return status;
     }
-    const std::lock_guard lock(mutex_);
+    const auto watch = watch_.hold();
     const auto end = first + static_cast<std::int64_t>(c.size());
-    if (end > next_) {
-        const auto seen = static_cast<std::size_t>(std::max<std::int64_t>(next_ - first, 0));
-        check_->add(first + static_cast<std::int64_t>(seen), c.subspan(seen), d.subspan(seen));
-        next_ = end;
+    if (end > watch->next) {
+        const auto seen = static_cast<std::size_t>(std::max<std::int64_t>(watch->next - first, 0));
+        watch->check->add(first + static_cast<std::int64_t>(seen), c.subspan(seen),
+                          d.subspan(seen));
+        watch->next = end;
     }
     return status;
 }

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/base/guarded.h"
 #include "core/recording/checks/recording_check.h"
 #include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 
 namespace vybeg {
 
@@ -22,9 +22,11 @@ public:
 
 private:
     std::shared_ptr<const SampleSource> source_;
-    std::shared_ptr<FaultCheck> check_;
-    mutable std::mutex mutex_;  // for what follows, and what check_ points to
-    mutable std::int64_t next_ = 0;
+    struct Watch {
+        std::shared_ptr<FaultCheck> check;
+        std::int64_t next = 0;  // frame that the check has not seen
+    };
+    Guarded<Watch> watch_;
 };
 
 }  // namespace vybeg

@@ -26,10 +26,6 @@ public:
     virtual Status read(const SampleRequest& request, std::span<double> out) = 0;
 };
 
-// A MAT file of level 4 or 5, through libmatio: arrays of real numbers and, by "name.field", those
-// in single structs.
-Result<std::unique_ptr<LibraryFile>> open_mat_file(const std::string& path);
-
 enum class Naming { hdf5, matlab };  // "/run/C" or "run.C"
 
 // An HDF5 file, through libhdf5: datasets of one or two dimensions in any group, and the fields of
@@ -37,11 +33,5 @@ enum class Naming { hdf5, matlab };  // "/run/C" or "run.C"
 // it is there. External links, soft links and samples in other files are not followed; no plug-in
 // is loaded.
 Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Naming naming);
-
-// Why an array of more than two dimensions is not read: "an array of 3 dimensions".
-std::string dimensions_text(int dimensions);
-
-// "16 bit integer", "64 bit float"
-std::string number_type_text(int bits, bool is_float);
 
 }  // namespace vybeg

@@ -1,11 +1,12 @@
 #include "core/recording/text/text_source.h"
 
+#include "core/recording/samples/recent_blocks.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <limits>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -26,12 +27,6 @@ Error changed(const TextTable& table) {
     return table.blocks.file().error(ErrorCode::file_read_failed,
                                      {"the file was changed while it was read"});
 }
-
-struct BlockSamples {
-    std::int64_t index = -1;
-    std::vector<double> c;
-    std::vector<double> d;
-};
 
 class TextSource final : public SampleSource {
 public:
@@ -83,21 +78,11 @@ private:
         std::vector<Status> read(static_cast<std::size_t>(last_block - first_block + 1));
         const auto read_block = [&](std::int64_t index) {
             const auto samples = block_samples(index, index == last_block);
-            read[static_cast<std::size_t>(index - first_block)] =
-                samples ? Status{} : Status(samples.error());
-            if (!samples) {
-                return;
+            if (samples) {
+                (*samples)->copy_to(first, c, d);
+            } else {
+                read[static_cast<std::size_t>(index - first_block)] = samples.error();
             }
-            const std::int64_t begin = first_rows_[static_cast<std::size_t>(index)];
-            const std::int64_t from = std::max(begin, first);
-            const std::int64_t to =
-                std::min(begin + static_cast<std::int64_t>((*samples)->c.size()), end);
-            const auto copy = [&](const std::vector<double>& values, std::span<double> out) {
-                std::copy_n(values.begin() + (from - begin), to - from,
-                            out.begin() + (from - first));
-            };
-            copy((*samples)->c, c);
-            copy((*samples)->d, d);
         };
         if (end - first < rows_for_threads) {
             for (std::int64_t index = first_block; index <= last_block; ++index) {
@@ -113,12 +98,9 @@ private:
     }
 
     // A block's samples; they are kept until another block's are.
-    Result<std::shared_ptr<const BlockSamples>> block_samples(std::int64_t index, bool keep) const {
-        {
-            const std::lock_guard lock(mutex_);
-            if (kept_ && kept_->index == index) {
-                return kept_;
-            }
+    Result<SampleBlockPointer> block_samples(std::int64_t index, bool keep) const {
+        if (auto kept = kept_.find(index)) {
+            return kept;
         }
         TextBlock block;
         if (const Status status = table_.blocks.read(index, block); !status) {
@@ -126,8 +108,9 @@ private:
         }
         const auto at = static_cast<std::size_t>(index);
         const auto count = static_cast<std::size_t>(first_rows_[at + 1] - first_rows_[at]);
-        auto samples = std::make_shared<BlockSamples>();
+        auto samples = std::make_shared<SampleBlock>();
         samples->index = index;
+        samples->first = first_rows_[at];
         samples->c.reserve(count);
         samples->d.reserve(count);
         TextRows rows(table_.format, table_.columns, block, SampleUse::read);
@@ -139,17 +122,15 @@ private:
             return changed(table_);
         }
         if (keep) {
-            const std::lock_guard lock(mutex_);
-            kept_ = samples;
+            kept_.keep(samples);
         }
-        return std::shared_ptr<const BlockSamples>(std::move(samples));
+        return SampleBlockPointer(std::move(samples));
     }
 
     TextTable table_;
     std::vector<std::int64_t> first_rows_;
     std::vector<RowStretch> stretches_;
-    mutable std::mutex mutex_;
-    mutable std::shared_ptr<const BlockSamples> kept_;
+    RecentBlocks kept_{1};
 };
 
 }  // namespace

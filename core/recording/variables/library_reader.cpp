@@ -1,6 +1,7 @@
 #include "core/recording/variables/library_reader.h"
 
-#include "core/recording/variables/mat_header.h"
+#include "core/recording/variables/mat_format.h"
+#include "core/recording/variables/mat_reader.h"
 #include "core/recording/variables/variable_recording.h"
 
 #include <array>
@@ -9,6 +10,7 @@
 namespace vybeg {
 namespace {
 
+constexpr const char* mat_kind = "mat";  // of level 4 and 5
 constexpr std::string_view hdf5_signature("\x89HDF\r\n\x1a\n", 8);
 
 bool is_hdf5(const FileBytes& file) {
@@ -26,7 +28,7 @@ bool is_hdf5(const FileBytes& file) {
 
 std::optional<LibraryFormat> library_format(std::string_view head, const FileBytes& file) {
     if (is_mat5(head)) {
-        return LibraryFormat{"mat", "MAT 5"};
+        return LibraryFormat{mat_kind, "MAT 5"};
     }
     if (head.starts_with("MATLAB 7.3 MAT-file")) {
         return LibraryFormat{"mat73", "MAT 7.3"};
@@ -35,7 +37,7 @@ std::optional<LibraryFormat> library_format(std::string_view head, const FileByt
         return LibraryFormat{"hdf5", "HDF5"};
     }
     if (is_mat4(head, file.size())) {
-        return LibraryFormat{"mat", "MAT 4"};
+        return LibraryFormat{mat_kind, "MAT 4"};
     }
     return {};
 }
@@ -43,6 +45,9 @@ std::optional<LibraryFormat> library_format(std::string_view head, const FileByt
 Result<Recording> open_with_library(std::shared_ptr<const FileBytes> file,
                                     const LibraryFormat& format, const OpenOptions& options,
                                     const JobControl& job) {
+    if (format.kind == mat_kind) {
+        return open_mat(std::move(file), options, job);
+    }
     auto process = ReaderProcess::start(file, format.kind, format.name);
     if (!process) {
         return process.error();

@@ -18,8 +18,8 @@ namespace vybeg {
 // other binary formats are to be asked for first.
 std::optional<LibraryFormat> library_format(std::string_view head, const FileBytes& file);
 
-// A MAT or HDF5 file, read on demand by vybeg-reader. Errors: those of open_variables() and
-// ReaderProcess.
+// A MAT or HDF5 file, read on demand: level 4 and 5 of MAT in place, the others by vybeg-reader.
+// Errors: those of open_mat(), open_variables() and ReaderProcess.
 Result<Recording> open_with_library(std::shared_ptr<const FileBytes> file,
                                     const LibraryFormat& format, const OpenOptions& options,
                                     const JobControl& job);

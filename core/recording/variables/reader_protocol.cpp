@@ -98,6 +98,14 @@ private:
 
 }  // namespace
 
+std::string number_type_text(int bits, bool is_float) {
+    return std::to_string(bits) + " bit " + (is_float ? "float" : "integer");
+}
+
+std::string dimensions_text(std::int64_t dimensions) {
+    return "an array of " + std::to_string(dimensions) + " dimensions";
+}
+
 bool fits(const SampleRequest& request, const Catalogue& catalogue) {
     if (request.variable < 0 ||
         request.variable >= static_cast<std::int64_t>(catalogue.variables.size())) {

@@ -29,6 +29,12 @@ struct FileVariable {
     friend bool operator==(const FileVariable&, const FileVariable&) = default;
 };
 
+// FileVariable::type: "16 bit integer", "64 bit float".
+std::string number_type_text(int bits, bool is_float);
+
+// FileVariable::unsupported of more than two dimensions: "an array of 3 dimensions".
+std::string dimensions_text(std::int64_t dimensions);
+
 struct Catalogue {
     std::string format;  // e.g. "MAT 5"
     std::vector<FileVariable> variables;

@@ -8,7 +8,6 @@
 namespace vybeg {
 namespace {
 
-constexpr double even_tolerance = 1e-3;  // of a sample period, as for times in a text
 constexpr double longest_step_s = 1;
 
 }  // namespace
@@ -59,8 +58,7 @@ Result<TimeSteps> scan_times(const FileBytes& file, const VariableReader& reader
         }
         for (std::size_t i = 0; i < times.size(); ++i) {
             const double expected = first + steps.step_s * static_cast<double>(at + i);
-            const double allowed =
-                even_tolerance * steps.step_s + 0.75 * time.resolution.at(times[i]);
+            const double allowed = allowed_deviation(steps.step_s, time.resolution, times[i]);
             steps.even = steps.even && std::abs(times[i] - expected) <= allowed;
             steps.is_time = steps.is_time && times[i] > before;
             before = times[i];

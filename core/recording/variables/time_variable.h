@@ -11,7 +11,7 @@ namespace vybeg {
 // How a vector of times runs.
 struct TimeSteps {
     bool is_time = false;  // rises, in steps below a second: else it counts something
-    bool even = false;     // no time further from the line than its digits and a thousandth step
+    bool even = false;     // no time further from the line than allowed_deviation()
     double step_s = 0;     // mean
 };
 

@@ -48,22 +48,22 @@ LibraryVariables::LibraryVariables(std::shared_ptr<const FileBytes> file, Librar
 
 Status LibraryVariables::read(const ChannelPlace& place, std::int64_t first,
                               std::span<double> out) const {
-    const std::lock_guard lock(mutex_);
-    if (!process_) {
+    const auto process = process_.hold();
+    if (!*process) {
         auto started = ReaderProcess::start(file_, format_.kind, format_.name);
         if (!started) {
             return started.error();
         }
-        process_ = std::move(*started);
+        *process = std::move(*started);
     }
     const SampleRequest request{place.variable, place.channel, first,
                                 static_cast<std::int64_t>(out.size())};
-    if (!fits(request, process_->catalogue())) {
-        process_.reset();
+    if (!fits(request, (*process)->catalogue())) {
+        process->reset();
         return file_->error(ErrorCode::file_read_failed, {"the file changed while it was read"});
     }
-    if (const Status status = process_->read(request, out); !status) {
-        process_.reset();
+    if (const Status status = (*process)->read(request, out); !status) {
+        process->reset();
         return status;
     }
     std::replace_if(

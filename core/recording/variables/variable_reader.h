@@ -1,18 +1,18 @@
 #pragma once
 
+#include "core/base/guarded.h"
 #include "core/base/job_control.h"
 #include "core/recording/variables/reader_process.h"
 #include "core/recording/variables/variable_choice.h"
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <string>
 
 namespace vybeg {
 
-// What vybeg-reader is to be told about a file.
+// A file of MATLAB's or HDF5's; vybeg-reader knows the kinds "mat73" and "hdf5".
 struct LibraryFormat {
     std::string kind;  // "mat", "mat73", "hdf5"
     std::string name;  // "MAT 5", ...
@@ -44,8 +44,7 @@ public:
 private:
     std::shared_ptr<const FileBytes> file_;
     LibraryFormat format_;
-    mutable std::mutex mutex_;
-    mutable std::unique_ptr<ReaderProcess> process_;
+    Guarded<std::unique_ptr<ReaderProcess>> process_;
 };
 
 inline constexpr std::int64_t frames_per_request = std::int64_t{1} << 16;

@@ -1,6 +1,6 @@
-// vybeg-reader as it would be with a library that a file has taken over: its kind is "mat:open" and
-// the like. Once the file is open, it does what it is told to, and ends with status 40 where that
-// succeeds. "open" and the like without "mat:": the same before anything is given up.
+// vybeg-reader as it would be with a library that a file has taken over: its kind is "hdf5:open"
+// and the like. Once the file is open, it does what it is told to, and ends with status 40 where
+// that succeeds. "open" and the like without "hdf5:": the same before anything is given up.
 #include "app/reader_service.h"
 
 #include <cerrno>
@@ -80,9 +80,9 @@ void misbehave(std::string_view deed) {
 
 int main(int argc, char** argv) {
     const std::string_view kind = argc == 2 ? argv[1] : "";
-    if (!kind.starts_with("mat:")) {
+    if (!kind.starts_with("hdf5:")) {
         misbehave(kind);
         return 1;
     }
-    return vybeg::serve_file("mat", [deed = kind.substr(4)] { misbehave(deed); });
+    return vybeg::serve_file("hdf5", [deed = kind.substr(5)] { misbehave(deed); });
 }

@@ -1,4 +1,4 @@
-// Damaged MAT and HDF5 files: whatever libmatio and HDF5 do on them, the program gets an error or a
+// Damaged MAT and HDF5 files: whatever libhdf5 does on them, the program gets an error or a
 // recording.
 #include "core/recording/bytes/byte_order.h"
 #include "tests/core/recording/damaged_files.h"

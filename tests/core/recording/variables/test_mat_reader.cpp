@@ -1,4 +1,4 @@
-#include "core/recording/variables/mat_header.h"
+#include "core/recording/variables/mat_format.h"
 #include "tests/core/recording/demo_files.h"
 
 using namespace vybeg;
@@ -82,6 +82,7 @@ private slots:
     void any_part_of_a_file_is_the_same_part_of_its_samples_data();
     void any_part_of_a_file_is_the_same_part_of_its_samples();
     void blocks_of_a_long_compressed_variable_join_without_a_seam();
+    void a_file_that_is_replaced_is_read_as_it_was();
     void a_file_without_a_recording_is_refused_by_name();
     void a_file_of_level_4_is_known_by_a_header_that_is_possible();
 
@@ -204,7 +205,7 @@ void TestMatReader::any_part_of_a_file_is_the_same_part_of_its_samples() {
 void TestMatReader::blocks_of_a_long_compressed_variable_join_without_a_seam() {
     const Recording recording = opened(folder_.file("long.mat"));
     QCOMPARE(recording.frames(), 5000000);
-    // Forward, back and across the places where the helper's blocks of 2^21 meet.
+    // Forward, back and across the places where an inflater's state is remembered.
     for (const std::int64_t first : {2097000, 4194200, 100, 2097151, 4999000}) {
         const Samples part = read(*recording.source, first, 1000);
         QCOMPARE(part.c.size(), 1000u);
@@ -214,6 +215,14 @@ void TestMatReader::blocks_of_a_long_compressed_variable_join_without_a_seam() {
             QCOMPARE(part.d[i], static_cast<double>(frame % 32719));
         }
     }
+}
+
+void TestMatReader::a_file_that_is_replaced_is_read_as_it_was() {
+    const auto path = folder_.write("replaced.mat", bytes_of(folder_.file("v7.mat")));
+    const Recording recording = opened(path);
+    std::filesystem::remove(path);
+    folder_.write("replaced.mat", "other");
+    QCOMPARE(read(*recording.source, 0, 10).c[9], demo_.c[9]);
 }
 
 void TestMatReader::a_file_without_a_recording_is_refused_by_name() {

@@ -17,9 +17,12 @@ using namespace vybeg::test;
 namespace {
 
 const char* const script = R"(
-import scipy.io as sio
-sio.savemat('run.mat', {'C': c, 'D': d, 'fs': fs})
-sio.savemat('packed.mat', {'C': c, 'D': d, 'fs': fs}, do_compression=True)
+import h5py
+with h5py.File('run.h5', 'w') as plain, h5py.File('packed.h5', 'w') as packed:
+    for name, x in (('C', c), ('D', d)):
+        plain.create_dataset(name, data=x)
+        packed.create_dataset(name, data=x, chunks=(1000,), compression='gzip')
+    plain.attrs['fs'] = packed.attrs['fs'] = fs
 )";
 
 std::shared_ptr<const FileBytes> file_at(const std::filesystem::path& path) {
@@ -57,7 +60,6 @@ private slots:
     void a_recording_outlives_its_helper();
     void no_helper_outlives_its_recording();
     void a_recording_is_read_from_several_threads();
-    void a_file_that_is_replaced_is_read_as_it_was();
     void the_helper_alone_does_nothing();
 
 private:
@@ -80,11 +82,11 @@ void TestReaderProcess::a_catalogue_and_an_error_survive_the_wire() {
     QVERIFY(decoded);
     QVERIFY(*decoded == catalogue);
 
-    const Error error{ErrorCode::format_damaged, "", {"MAT 5", "a reason"}};
+    const Error error{ErrorCode::format_damaged, "", {"HDF5", "a reason"}};
     QVERIFY(decode_error(encode(error)) == error);
     // The helper has no say in what else is wrong with the program.
     QVERIFY(!decode_error(encode(Error{ErrorCode::interrupted, "", {}})));
-    QVERIFY(!decode_error(encode(Error{ErrorCode::format_damaged, "", {"MAT 5"}})));
+    QVERIFY(!decode_error(encode(Error{ErrorCode::format_damaged, "", {"HDF5"}})));
 }
 
 void TestReaderProcess::a_message_cut_anywhere_is_no_message() {
@@ -119,8 +121,8 @@ void TestReaderProcess::only_requests_for_what_is_there_fit() {
 }
 
 void TestReaderProcess::a_helper_that_dies_is_damage_and_nothing_more() {
-    const auto file = file_at(folder_.file("run.mat"));
-    auto process = ReaderProcess::start(file, "mat", "MAT 5");
+    const auto file = file_at(folder_.file("run.h5"));
+    auto process = ReaderProcess::start(file, "hdf5", "HDF5");
     QVERIFY(process);
     std::vector<double> samples(100);
     QVERIFY((*process)->read({0, 0, 0, 100}, samples));
@@ -130,13 +132,13 @@ void TestReaderProcess::a_helper_that_dies_is_damage_and_nothing_more() {
     const Status status = (*process)->read({0, 0, 0, 100}, samples);
     QVERIFY(!status);
     QCOMPARE(status.error().code, ErrorCode::format_damaged);
-    QCOMPARE(status.error().args, (std::vector<MessageArg>{"MAT 5", "its library failed on it"}));
+    QCOMPARE(status.error().args, (std::vector<MessageArg>{"HDF5", "its library failed on it"}));
     QCOMPARE(exit_status(status.error().code), 3);
 }
 
 void TestReaderProcess::a_helper_that_stops_working_is_given_up_after_twenty_seconds() {
-    const auto file = file_at(folder_.file("run.mat"));
-    auto process = ReaderProcess::start(file, "mat", "MAT 5");
+    const auto file = file_at(folder_.file("run.h5"));
+    auto process = ReaderProcess::start(file, "hdf5", "HDF5");
     QVERIFY(process);
     const pid_t id = (*process)->id();
     QCOMPARE(::kill(id, SIGSTOP), 0);
@@ -148,12 +150,12 @@ void TestReaderProcess::a_helper_that_stops_working_is_given_up_after_twenty_sec
     QVERIFY2(timer.elapsed() >= 19000 && timer.elapsed() < 60000,
              qPrintable(QString::number(timer.elapsed())));
     QCOMPARE(status.error().args,
-             (std::vector<MessageArg>{"MAT 5", "its library stopped working on it for 20 s"}));
+             (std::vector<MessageArg>{"HDF5", "its library stopped working on it for 20 s"}));
     QCOMPARE(::kill(id, 0), -1);  // a stopped one is ended, too
 }
 
 void TestReaderProcess::a_recording_outlives_its_helper() {
-    const Recording recording = opened(folder_.file("packed.mat"));
+    const Recording recording = opened(folder_.file("packed.h5"));
     QCOMPARE(helpers().size(), 1u);
     QCOMPARE(::kill(helpers()[0], SIGKILL), 0);
     std::vector<double> c(10), d(10);
@@ -166,19 +168,19 @@ void TestReaderProcess::a_recording_outlives_its_helper() {
 
 void TestReaderProcess::no_helper_outlives_its_recording() {
     {
-        const Recording first = opened(folder_.file("run.mat"));
-        const Recording second = opened(folder_.file("packed.mat"));
+        const Recording first = opened(folder_.file("run.h5"));
+        const Recording second = opened(folder_.file("packed.h5"));
         QCOMPARE(helpers().size(), 2u);
     }
     QVERIFY(helpers().empty());
     OpenOptions options;
     options.variables = {"none"};
-    QVERIFY(!open(folder_.file("run.mat"), options));
+    QVERIFY(!open(folder_.file("run.h5"), options));
     QVERIFY(helpers().empty());
 }
 
 void TestReaderProcess::a_recording_is_read_from_several_threads() {
-    const Recording recording = opened(folder_.file("packed.mat"));
+    const Recording recording = opened(folder_.file("packed.h5"));
     std::atomic<int> wrong = 0;
     std::vector<std::thread> threads;
     for (int thread = 0; thread < 4; ++thread) {
@@ -197,18 +199,6 @@ void TestReaderProcess::a_recording_is_read_from_several_threads() {
         thread.join();
     }
     QCOMPARE(wrong.load(), 0);
-}
-
-void TestReaderProcess::a_file_that_is_replaced_is_read_as_it_was() {
-    const auto path = folder_.write("replaced.mat", bytes_of(folder_.file("run.mat")));
-    const Recording recording = opened(path);
-    std::filesystem::remove(path);
-    folder_.write("replaced.mat", "other");
-    QCOMPARE(::kill(helpers().at(0), SIGKILL), 0);  // so that the file is opened once more
-    std::vector<double> c(10), d(10);
-    QVERIFY(!recording.source->read(0, c, d));
-    QVERIFY(recording.source->read(0, c, d));
-    QCOMPARE(c[9], demo_.c[9]);
 }
 
 void TestReaderProcess::the_helper_alone_does_nothing() {

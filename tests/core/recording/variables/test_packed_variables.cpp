@@ -1,10 +1,7 @@
 // Compressed variables of MAT 5 are unpacked once on the way from start to end: counted in bytes
 // that are read of the file, not in time.
-#include "core/recording/mat_hdf5/library_file.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"
-
-#include <map>
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -21,6 +18,12 @@ std::int64_t bytes_read() {
     std::int64_t count = 0;
     stream >> name >> count;
     return name == "rchar:" ? count : -1;
+}
+
+OpenOptions at_any_rate() {
+    OpenOptions options;
+    options.rate_hz = 1000;
+    return options;
 }
 
 }  // namespace
@@ -58,37 +61,30 @@ void TestPackedVariables::a_pass_unpacks_each_byte_once_data() {
     // D stands behind C in the same packed bytes, and is read with a decoder of its own.
     QTest::newRow("columns") << 1.5;
     QTest::newRow("struct") << 1.5;
-    QTest::newRow("rows") << 2.0;
+    // Side by side, and read together.
+    QTest::newRow("rows") << 1.0;
 }
 
 void TestPackedVariables::a_pass_unpacks_each_byte_once() {
     QFETCH(double, passes);
     const auto path = folder_.file(QTest::currentDataTag());
-    const auto file = open_mat_file(path.string());
-    QVERIFY(file);
-    const auto& variables = (*file)->catalogue().variables;
-    const std::int64_t variable_d = variables.size() == 2 ? 1 : 0;
-    QCOMPARE(variables[0].frames, frames);
-    const std::map<std::string, SampleRequest> places{{"c", {0, 0, 0, 0}},
-                                                      {"d", {variable_d, 1 - variable_d, 0, 0}}};
-    std::map<std::string, std::vector<double>> samples;
+    const Recording recording = opened(path, at_any_rate());
+    QCOMPARE(recording.frames(), frames);
+    Samples samples;
     const std::int64_t before = bytes_read();
     for (std::int64_t at = 0; at < frames; at += at_once) {
-        for (const auto& [name, place] : places) {
-            const std::int64_t count = std::min(at_once, frames - at);
-            std::vector<double> part(static_cast<std::size_t>(count));
-            QVERIFY((*file)->read({place.variable, place.channel, at, count}, part));
-            samples[name].insert(samples[name].end(), part.begin(), part.end());
-        }
+        const Samples part = read(*recording.source, at, std::min(at_once, frames - at));
+        samples.c.insert(samples.c.end(), part.c.begin(), part.c.end());
+        samples.d.insert(samples.d.end(), part.d.begin(), part.d.end());
     }
     const auto read = static_cast<double>(bytes_read() - before);
     const auto size = static_cast<double>(std::filesystem::file_size(path));
     QVERIFY2(read > 0.9 * passes * size && read < 1.15 * passes * size,
              qPrintable(QString::number(read / size)));
-    for (const auto& [name, found] : samples) {
+    for (const auto& [name, found] : {std::pair("c", &samples.c), {"d", &samples.d}}) {
         const std::string bytes = bytes_of(folder_.file(name));
-        QCOMPARE(bytes.size(), found.size() * sizeof(double));
-        QVERIFY(std::memcmp(bytes.data(), found.data(), bytes.size()) == 0);
+        QCOMPARE(bytes.size(), found->size() * sizeof(double));
+        QVERIFY(std::memcmp(bytes.data(), found->data(), bytes.size()) == 0);
     }
 }
 
@@ -97,14 +93,16 @@ void TestPackedVariables::packed_bytes_that_are_wrong_are_an_error() {
     // In the middle of C: its beginning can still be read, and D.
     std::string damaged = bytes;
     damaged.replace(bytes.size() / 4, 4096, 4096, '\xFF');
-    const auto file = open_mat_file(folder_.write("damaged", damaged).string());
-    QVERIFY(file);
-    std::vector<double> part(1000);
-    QVERIFY((*file)->read({0, 0, 0, 1000}, part));
-    const Status end = (*file)->read({0, 0, frames - 1000, 1000}, part);
+    const auto path = folder_.write("damaged", damaged);
+    OpenOptions options = at_any_rate();
+    const Recording recording = opened(path, options);
+    std::vector<double> c(1000), d(1000);
+    QVERIFY(recording.source->read(0, c, d));
+    const Status end = recording.source->read(frames - 1000, c, d);
     QVERIFY(!end);
     QCOMPARE(end.error().code, ErrorCode::format_damaged);
-    QVERIFY((*file)->read({1, 0, frames - 1000, 1000}, part));
+    options.variables = {"D", "D"};
+    QVERIFY(opened(path, options).source->read(frames - 1000, c, d));
 }
 
 QTEST_GUILESS_MAIN(TestPackedVariables)

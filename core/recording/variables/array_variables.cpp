@@ -1,0 +1,112 @@
+#include "core/recording/variables/array_variables.h"
+
+#include "core/base/guarded.h"
+#include "core/recording/variables/variable_recording.h"
+
+#include <map>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// The samples of a channel, through decoders of its own: two channels that stand one after the
+// other would send one decoder back and forth.
+Result<SampleColumn> column_of(const StoredArray& stored, std::int64_t channel) {
+    auto content = stored.content();
+    if (!content) {
+        return content.error();
+    }
+    return npy_column(stored.array, std::move(*content), channel);
+}
+
+class ArrayVariables final : public VariableReader {
+public:
+    explicit ArrayVariables(std::vector<StoredArray> arrays) : arrays_(std::move(arrays)) {}
+
+    Status read(const ChannelPlace& place, std::int64_t first,
+                std::span<double> out) const override {
+        const auto opened = opened_.hold();
+        auto& source = (*opened)[{place.variable, place.channel}];
+        if (!source) {
+            const auto column = column_of(array(place), place.channel);
+            if (!column) {
+                return column.error();
+            }
+            source = column_source(*column, *column);
+        }
+        std::vector<double> again(out.size());
+        return source->read(first, out, again);
+    }
+
+    // Errors: those of the contents.
+    Result<std::shared_ptr<const SampleSource>> source(const ChannelPlace& c,
+                                                       const ChannelPlace& d) const {
+        auto column_c = column_of(array(c), c.channel);
+        auto column_d = column_of(array(d), d.channel);
+        if (!column_c || !column_d) {
+            return (column_c ? column_d : column_c).error();
+        }
+        const bool side_by_side = column_c->runs[0].stride > bytes_of(column_c->type);
+        if (c.variable == d.variable && side_by_side) {
+            column_d->bytes = column_c->bytes;
+        }
+        return column_source(std::move(*column_c), std::move(*column_d));
+    }
+
+private:
+    const StoredArray& array(const ChannelPlace& place) const {
+        return arrays_[static_cast<std::size_t>(place.variable)];
+    }
+
+    std::vector<StoredArray> arrays_;  // as in the catalogue
+    // One per channel that was read, to be read on: no more than the times, C and D.
+    using ByChannel =
+        std::map<std::pair<std::int64_t, std::int64_t>, std::shared_ptr<const SampleSource>>;
+    Guarded<ByChannel> opened_;
+};
+
+// The value of an array that is a single number.
+Result<std::optional<double>> value_of(const StoredArray& stored) {
+    const FileVariable& variable = stored.variable;
+    if (variable.frames != 1 || variable.channels != 1 || !variable.unsupported.empty()) {
+        return std::optional<double>();
+    }
+    const auto column = column_of(stored, 0);
+    if (!column) {
+        return column.error();
+    }
+    double value = 0;
+    double again = 0;
+    const Status status = column_source(*column, *column)->read(0, {&value, 1}, {&again, 1});
+    return status ? Result(std::optional(value)) : status.error();
+}
+
+}  // namespace
+
+Result<Recording> open_arrays(std::shared_ptr<const FileBytes> file, const std::string& format,
+                              std::vector<StoredArray> arrays, const OpenOptions& options,
+                              const JobControl& job) {
+    VariableFile variables;
+    variables.file = file;
+    variables.format = format;
+    variables.catalogue.format = format;
+    for (const StoredArray& stored : arrays) {
+        if (job.cancelled()) {
+            return file->error(ErrorCode::interrupted);
+        }
+        const auto value = value_of(stored);
+        if (!value) {
+            return value.error();
+        }
+        variables.catalogue.variables.push_back(stored.variable);
+        variables.catalogue.variables.back().value = *value;
+    }
+    const auto reader = std::make_shared<ArrayVariables>(std::move(arrays));
+    variables.reader = reader;
+    variables.source = [reader](const ChannelPlace& c, const ChannelPlace& d, std::int64_t) {
+        return reader->source(c, d);
+    };
+    return open_variables(variables, options, job);
+}
+
+}  // namespace vybeg

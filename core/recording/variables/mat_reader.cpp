@@ -1,0 +1,301 @@
+#include "core/recording/variables/mat_reader.h"
+
+#include "core/recording/bytes/inflated_part.h"
+#include "core/recording/variables/array_variables.h"
+#include "core/recording/variables/mat_format.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+
+using namespace mat5;
+
+namespace {
+
+constexpr int most_struct_depth = 8;
+constexpr std::size_t most_matrices = 10000;
+constexpr std::int64_t longest_name = 4096;
+constexpr std::int64_t zlib_head_bytes = 2;  // before what is deflated, and four behind it
+constexpr std::int64_t zlib_bytes = zlib_head_bytes + 4;
+constexpr std::int64_t best_ratio = 1032;  // that deflate can pack
+
+using Arrays = std::vector<StoredArray>;
+
+Error damaged(const FileBytes& file, const std::string& reason) {
+    return file.error(ErrorCode::format_damaged, {"MAT", reason});
+}
+
+Error cut_off(const FileBytes& file) {
+    return damaged(file,
+                   "it ends at byte " + std::to_string(file.size()) + ", inside of a variable");
+}
+
+// A matrix of numbers, column after column. `shown`: the type that MATLAB shows.
+StoredArray stored_matrix(std::string name, std::int64_t rows, std::int64_t columns,
+                          NumberType shown, bool is_complex) {
+    StoredArray stored;
+    FileVariable& variable = stored.variable;
+    variable.name = std::move(name);
+    variable.frames = std::max(rows, columns);
+    variable.channels = std::min(rows, columns);
+    const bool is_float = shown == NumberType::f64 || shown == NumberType::f32;
+    variable.type = number_type_text(8 * bytes_of(shown), is_float);
+    variable.unsupported = is_complex ? "complex numbers" : "";
+    stored.array.fortran_order = true;
+    stored.array.shape = {rows, columns};
+    return stored;
+}
+
+Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
+    Arrays arrays;
+    const auto whole = file_part(file, 0, file->size());
+    for (std::int64_t at = 0; at < file->size() && arrays.size() <= most_matrices;) {
+        std::array<char, mat4_header_bytes> bytes{};
+        const auto got = file->read(at, bytes);
+        if (!got) {
+            return got.error();
+        }
+        const auto header = mat4_header({bytes.data(), static_cast<std::size_t>(*got)});
+        if (!header) {
+            return damaged(*file, "there is no variable at byte " + std::to_string(at));
+        }
+        const std::int64_t data = at + mat4_header_bytes + header->name_bytes;
+        std::string name(static_cast<std::size_t>(header->name_bytes), '\0');
+        if (data + header->data_bytes > file->size()) {
+            return cut_off(*file);
+        }
+        if (const Status status = whole->read(at + mat4_header_bytes, name); !status) {
+            return status.error();
+        }
+        if (header->is_full) {
+            // Level 4 knows doubles alone, however few bytes they are stored in.
+            StoredArray stored =
+                stored_matrix(name.substr(0, name.find('\0')), header->rows, header->columns,
+                              NumberType::f64, header->is_complex);
+            stored.array.type = header->type;
+            stored.array.big_endian = header->big_endian;
+            stored.array.data_offset = data;
+            stored.content = [whole] { return whole; };
+            arrays.push_back(std::move(stored));
+        }
+        at = data + header->data_bytes;
+    }
+    return arrays;
+}
+
+// What elements stand in: the file, or one unpacked variable.
+struct Content {
+    std::shared_ptr<const ByteSource> bytes;
+    std::function<Result<std::shared_ptr<const ByteSource>>()> again;  // with a decoder of its own
+};
+
+// The arrays of a file of level 5. A size that leads out of what encloses it is damage: no sample
+// is read from what stands behind its array. After the first failure, all else is empty.
+class Level5 {
+public:
+    Level5(std::shared_ptr<const FileBytes> file, bool big_endian)
+        : file_(std::move(file)), big_endian_(big_endian) {}
+
+    Result<Arrays> arrays(const JobControl& job) {
+        const std::int64_t size = file_->size();
+        const auto whole = file_part(file_, 0, size);
+        const Content plain{whole, [whole] { return whole; }};
+        for (top_ = header_bytes; top_ < size && status_;) {
+            // The last one need not be padded.
+            const Element element =
+                top_ + tag_bytes > size
+                    ? Element{0, top_, size, size}
+                    : element_of(text(*whole, top_, tag_bytes), top_, big_endian_);
+            if (element.end() > size) {
+                fail(cut_off(*file_));
+            } else if (element.type == matrix) {
+                add(plain, element, "", 0);
+            } else if (element.type == compressed) {
+                add_packed(element);
+            }
+            if (job.cancelled()) {
+                fail(file_->error(ErrorCode::interrupted));
+            }
+            top_ = element.next;
+        }
+        return status_ ? Result(std::move(arrays_)) : status_.error();
+    }
+
+private:
+    void fail(Error error) {
+        if (status_) {
+            status_ = std::move(error);
+        }
+    }
+
+    void misfit() {
+        fail(damaged(*file_, "the size of the variable at byte " + std::to_string(top_) +
+                                 " does not fit its numbers"));
+    }
+
+    // As many zeros after a failure.
+    std::string text(const ByteSource& bytes, std::int64_t at, std::int64_t size) {
+        if (size > longest_name || at + size > bytes.size()) {
+            misfit();
+            size = std::min(size, longest_name);
+        }
+        std::string text(static_cast<std::size_t>(size), '\0');
+        if (status_) {
+            if (const Status status = bytes.read(at, text); !status) {
+                fail(status.error());
+            }
+        }
+        return text;
+    }
+
+    template <class Number>
+    Number number(const ByteSource& bytes, std::int64_t at) {
+        return load<Number>(text(bytes, at, sizeof(Number)).data(), big_endian_);
+    }
+
+    // One that lies before `end`.
+    Element element(const ByteSource& bytes, std::int64_t at, std::int64_t end) {
+        const Element found = element_of(text(bytes, at, tag_bytes), at, big_endian_);
+        if (at + tag_bytes > end || found.end() > end) {
+            misfit();
+        }
+        return found;
+    }
+
+    void add_packed(const Element& packed) {
+        DeflatedPart part{packed.data + zlib_head_bytes,
+                          packed.size - zlib_bytes,
+                          tag_bytes,
+                          std::nullopt,
+                          "MAT 5",
+                          "the variable at byte " + std::to_string(top_)};
+        if (part.packed_size <= 0) {
+            return misfit();
+        }
+        // Its own tag says how long it is.
+        const Element inner =
+            element_of(text(*inflated_part(file_, part), 0, tag_bytes), 0, big_endian_);
+        part.size = inner.end();
+        if (inner.type != matrix || part.size / best_ratio > part.packed_size) {
+            return misfit();
+        }
+        const auto again = [file = file_, part] { return inflated_part(file, part); };
+        add({again(), again}, inner, "", 0);
+    }
+
+    // The array, or those in a struct. `path`: of the struct or field that it is, with a point.
+    void add(const Content& content, const Element& whole, std::string path, int depth) {
+        if (whole.size == 0 || !status_) {  // a field without a value
+            return;
+        }
+        if (++matrices_ > most_matrices) {
+            return fail(damaged(
+                *file_, "it has more than " + std::to_string(most_matrices) + " variables"));
+        }
+        const ByteSource& bytes = *content.bytes;
+        const Element flags = element(bytes, whole.data, whole.end());
+        const auto bits = number<std::uint32_t>(bytes, flags.data);
+        const auto shown = class_type(bits & class_mask);
+        const bool is_struct = (bits & class_mask) == struct_class && depth < most_struct_depth;
+        if ((!shown && !is_struct) || (bits & logical_flag) != 0) {
+            return;
+        }
+        const Element size = element(bytes, flags.next, whole.end());
+        const Element name = element(bytes, size.next, whole.end());
+        path += text(bytes, name.data, name.size);
+        constexpr std::int64_t width = sizeof(std::int32_t);
+        if (size.size != 2 * width) {
+            return add_unsupported(path, shown ? size.size / width : 0);
+        }
+        const std::int64_t rows = number<std::int32_t>(bytes, size.data);
+        const std::int64_t columns = number<std::int32_t>(bytes, size.data + width);
+        if (is_struct && rows == 1 && columns == 1) {
+            add_fields(content, {0, name.next, whole.end() - name.next, 0}, path + ".", depth);
+        }
+        if (is_struct || !status_) {
+            return;
+        }
+        const Element data = element(bytes, name.next, whole.end());
+        const auto type = number_type(data.type);
+        if (!type || rows < 0 || columns < 0 ||
+            rows > (std::int64_t{1} << 60) / (8 * columns + 1) ||
+            rows * columns * bytes_of(*type) != data.size) {
+            return misfit();
+        }
+        StoredArray stored = stored_matrix(path, rows, columns, *shown, (bits & complex_flag) != 0);
+        stored.array.type = *type;
+        stored.array.big_endian = big_endian_;
+        stored.array.data_offset = data.data;
+        stored.content = content.again;
+        arrays_.push_back(std::move(stored));
+    }
+
+    void add_unsupported(const std::string& name, std::int64_t dimensions) {
+        if (dimensions > 2) {
+            StoredArray stored;
+            stored.variable.name = name;
+            stored.variable.unsupported = dimensions_text(dimensions);
+            arrays_.push_back(std::move(stored));
+        }
+    }
+
+    // `fields`: the length of their names, the names, then the fields.
+    void add_fields(const Content& content, const Element& fields, const std::string& path,
+                    int depth) {
+        const ByteSource& bytes = *content.bytes;
+        const Element length = element(bytes, fields.data, fields.end());
+        const Element names = element(bytes, length.next, fields.end());
+        const std::int64_t width = number<std::int32_t>(bytes, length.data);
+        if (width <= 0) {
+            return misfit();
+        }
+        std::int64_t at = names.next;
+        for (std::int64_t i = 0; i < names.size / width && status_; ++i) {
+            const std::string padded = text(bytes, names.data + i * width, width);
+            const Element field = element(bytes, at, fields.end());
+            if (field.type != matrix) {
+                misfit();
+            }
+            add(content, field, path + padded.substr(0, padded.find('\0')), depth + 1);
+            at = field.next;
+        }
+    }
+
+    std::shared_ptr<const FileBytes> file_;
+    bool big_endian_;
+    std::int64_t top_ = 0;  // where the variable begins
+    std::size_t matrices_ = 0;
+    Status status_;
+    Arrays arrays_;
+};
+
+}  // namespace
+
+Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
+                           const JobControl& job) {
+    std::array<char, header_bytes> head{};
+    const auto got = file->read(0, head);
+    if (!got) {
+        return got.error();
+    }
+    const bool is_level5 = is_mat5({head.data(), head.size()});
+    if (is_level5 && *got < header_bytes) {
+        return damaged(*file, "it ends in its header");
+    }
+    auto arrays =
+        is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job) : level4_arrays(file);
+    if (!arrays) {
+        return arrays.error();
+    }
+    if (arrays->size() > most_matrices) {
+        return damaged(*file, "it has more than " + std::to_string(most_matrices) + " variables");
+    }
+    return open_arrays(std::move(file), is_level5 ? "MAT 5" : "MAT 4", std::move(*arrays), options,
+                       job);
+}
+
+}  // namespace vybeg
