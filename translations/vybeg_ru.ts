@@ -1845,6 +1845,230 @@
         <source>chi^2 of the free model - %1</source>
         <translation>хи² свободной модели − %1</translation>
     </message>
+    <message>
+        <source>rows of %1 numbers (a column is a channel, a row a time)</source>
+        <translation>строки из %1 чисел (столбец — канал, строка — момент времени)</translation>
+    </message>
+    <message>
+        <source>its root group cannot be read</source>
+        <translation>корневая группа не читается</translation>
+    </message>
+    <message>
+        <source>samples of %1 cannot be decoded</source>
+        <translation>отсчёты %1 не декодируются</translation>
+    </message>
+    <message>
+        <source>the samples of %1 cannot be found</source>
+        <translation>отсчёты %1 не найдены</translation>
+    </message>
+    <message>
+        <source>its groups lie more than %1 deep</source>
+        <translation>вложенность групп больше %1</translation>
+    </message>
+    <message>
+        <source>the group %1 cannot be read</source>
+        <translation>группа %1 не читается</translation>
+    </message>
+    <message>
+        <source>it has more than %1 objects</source>
+        <translation>в нём больше %1 объектов</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation>%1 не читается</translation>
+    </message>
+    <message>
+        <source>values for scale_factor and add_offset</source>
+        <translation>значения с scale_factor и add_offset</translation>
+    </message>
+    <message>
+        <source>%1 promises more samples than the file can hold</source>
+        <translation>в %1 обещано больше отсчётов, чем вместит файл</translation>
+    </message>
+    <message>
+        <source>complex numbers</source>
+        <translation>комплексные числа</translation>
+    </message>
+    <message>
+        <source>it is shorter than its header says: cut off, or never closed</source>
+        <translation>он короче, чем сказано в заголовке: обрезан или не был закрыт</translation>
+    </message>
+    <message>
+        <source>its header does not fit the file</source>
+        <translation>заголовок не соответствует файлу</translation>
+    </message>
+    <message>
+        <source>samples in other files</source>
+        <translation>отсчёты в других файлах</translation>
+    </message>
+    <message>
+        <source>samples packed by the filter number %1</source>
+        <translation>отсчёты, сжатые фильтром номер %1</translation>
+    </message>
+    <message>
+        <source>samples packed by the filter %1, number %2</source>
+        <translation>отсчёты, сжатые фильтром %1, номер %2</translation>
+    </message>
+    <message>
+        <source>line %1 is longer than 1 MiB</source>
+        <translation>строка %1 длиннее 1 МиБ</translation>
+    </message>
+    <message>
+        <source>columns %1 and %2 of different times</source>
+        <translation>столбцы %1 и %2 с разным временем</translation>
+    </message>
+    <message>
+        <source>a line is longer than 1 MiB</source>
+        <translation>строка длиннее 1 МиБ</translation>
+    </message>
+    <message>
+        <source>no time response (dataset 58)</source>
+        <translation>что угодно, кроме временных реализаций (набор 58)</translation>
+    </message>
+    <message>
+        <source>a dataset 58 ends within its header</source>
+        <translation>набор 58 обрывается в заголовке</translation>
+    </message>
+    <message>
+        <source>a dataset 58 has %1 values, and its header says %2</source>
+        <translation>в наборе 58 значений %1, а по заголовку %2</translation>
+    </message>
+    <message>
+        <source>binary data of another dataset than 58 (%1)</source>
+        <translation>двоичные данные другого набора, не 58 (%1)</translation>
+    </message>
+    <message>
+        <source>the first line of a dataset 58b cannot be understood</source>
+        <translation>первую строку набора 58b не разобрать</translation>
+    </message>
+    <message>
+        <source>the header of a dataset 58 cannot be understood</source>
+        <translation>заголовок набора 58 не разобрать</translation>
+    </message>
+    <message>
+        <source>complex values</source>
+        <translation>комплексные значения</translation>
+    </message>
+    <message>
+        <source>unevenly spaced values</source>
+        <translation>неравномерные значения</translation>
+    </message>
+    <message>
+        <source>more than %1 channels</source>
+        <translation>больше %1 каналов</translation>
+    </message>
+    <message>
+        <source>floats of DEC VMS</source>
+        <translation>числа с плавающей точкой DEC VMS</translation>
+    </message>
+    <message>
+        <source>floats of IBM 5/370</source>
+        <translation>числа с плавающей точкой IBM 5/370</translation>
+    </message>
+    <message>
+        <source>binary numbers of an unknown format</source>
+        <translation>двоичные числа неизвестного формата</translation>
+    </message>
+    <message>
+        <source>binary values of the type %1</source>
+        <translation>двоичные значения типа %1</translation>
+    </message>
+    <message>
+        <source>the byte order of a dataset 58b is neither 1 nor 2</source>
+        <translation>порядок байтов набора 58b не 1 и не 2</translation>
+    </message>
+    <message>
+        <source>a dataset 58b has %1 bytes, and its header says %2 values of %3</source>
+        <translation>в наборе 58b байтов %1, а по заголовку %2 значений по %3</translation>
+    </message>
+    <message>
+        <source>line %1 is not a row of numbers</source>
+        <translation>строка %1 — не строка чисел</translation>
+    </message>
+    <message>
+        <source>line %1 has more values than the header says</source>
+        <translation>в строке %1 значений больше, чем сказано в заголовке</translation>
+    </message>
+    <message>
+        <source>its %1 times reach over %2 sample periods</source>
+        <translation>%1 моментов времени занимают %2 периодов дискретизации</translation>
+    </message>
+    <message>
+        <source>it ends at byte %1, inside of a variable</source>
+        <translation>он кончается на байте %1, внутри переменной</translation>
+    </message>
+    <message>
+        <source>there is no variable at byte %1</source>
+        <translation>на байте %1 нет переменной</translation>
+    </message>
+    <message>
+        <source>the size of the variable at byte %1 does not fit its numbers</source>
+        <translation>размер переменной на байте %1 не соответствует её числам</translation>
+    </message>
+    <message>
+        <source>it has more than %1 variables</source>
+        <translation>в нём больше %1 переменных</translation>
+    </message>
+    <message>
+        <source>it ends in its header</source>
+        <translation>он кончается в заголовке</translation>
+    </message>
+    <message>
+        <source>%1 is shorter than its header says</source>
+        <translation>%1 короче, чем сказано в заголовке</translation>
+    </message>
+    <message>
+        <source>members other than NumPy arrays (.npy)</source>
+        <translation>файлы, которые не массивы NumPy (.npy)</translation>
+    </message>
+    <message>
+        <source>the helper program %1 cannot be started (%2)</source>
+        <translation>вспомогательная программа %1 не запускается (%2)</translation>
+    </message>
+    <message>
+        <source>its library returned no sensible list of variables</source>
+        <translation>библиотека не вернула разумного списка переменных</translation>
+    </message>
+    <message>
+        <source>its library returned nonsense</source>
+        <translation>библиотека вернула бессмыслицу</translation>
+    </message>
+    <message>
+        <source>its library did not come to an end within %1 s of processor time</source>
+        <translation>библиотека не закончила за %1 с процессорного времени</translation>
+    </message>
+    <message>
+        <source>its library stopped working on it for %1 s</source>
+        <translation>библиотека не отвечала %1 с</translation>
+    </message>
+    <message>
+        <source>its library did not come to an end</source>
+        <translation>библиотека не закончила работу</translation>
+    </message>
+    <message>
+        <source>its library was stopped when it tried to do more than read</source>
+        <translation>библиотека остановлена при попытке не только читать</translation>
+    </message>
+    <message>
+        <source>its library failed on it</source>
+        <translation>библиотека завершилась на нём аварийно</translation>
+    </message>
+    <message>
+        <source>%1 has %2 channels and stands alone</source>
+        <translation>в %1 каналов %2, она указывается одна</translation>
+    </message>
+    <message>
+        <source>they have %1 and %2 samples</source>
+        <translation>в них %1 и %2 отсчётов</translation>
+    </message>
+    <message>
+        <source>two sample rates, %1 and %2 Hz</source>
+        <translation>две частоты дискретизации, %1 и %2 Гц</translation>
+    </message>
+    <message>
+        <source>columns %1 and %2 of different sample rates</source>
+        <translation>столбцы %1 и %2 с разными частотами дискретизации</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::CalibrationFields</name>

@@ -174,13 +174,13 @@ Result<std::shared_ptr<const SampleSource>> band_passed(std::shared_ptr<const Sa
     if (!possible(low_hz, high_hz, rate_hz)) {
         return Error{.code = ErrorCode::band_invalid,
                      .where = "",
-                     .args = {short_text(low_hz), short_text(high_hz), short_text(rate_hz / 2)}};
+                     .args = {number_arg(low_hz), number_arg(high_hz), number_arg(rate_hz / 2)}};
     }
     const KaiserDesign kaiser = design(low_hz, high_hz, rate_hz);
     if (2 * kaiser.half_length >= source->frames()) {
         return Error{.code = ErrorCode::filter_too_long,
                      .where = "",
-                     .args = {integer_text(kaiser.half_length), integer_text(source->frames())}};
+                     .args = {count_arg(kaiser.half_length), count_arg(source->frames())}};
     }
     std::vector<double> taps = band_pass_response(low_hz, high_hz, rate_hz);
     if (unit_hz && low_hz <= *unit_hz && *unit_hz <= high_hz) {

@@ -47,7 +47,8 @@ public:
 
     Status list() {
         const Hdf5Handle root(H5Oopen(file_.get(), "/", H5P_DEFAULT));
-        return root ? list_object(root.get(), "", {}, 0) : damaged("its root group cannot be read");
+        return root ? list_object(root.get(), "", {}, 0)
+                    : damaged(VYBEG_MESSAGE("Words", "its root group cannot be read"));
     }
 
     const Catalogue& catalogue() const override { return catalogue_; }
@@ -64,7 +65,8 @@ public:
         if (dataset.field) {
             return read_field(handle.get(), *dataset.field, request.channel, request.first, out)
                        ? Status()
-                       : damaged("samples of " + dataset.path + " cannot be decoded");
+                       : damaged(VYBEG_MESSAGE("Words", "samples of %1 cannot be decoded"),
+                                 {dataset.path});
         }
         const Hdf5Handle space(H5Dget_space(handle.get()));
         const bool upright = dataset.extent[0] >= dataset.extent[1];
@@ -78,11 +80,13 @@ public:
         const Hdf5Handle memory(H5Screate_simple(1, &length, nullptr));
         if (dataset.rank > 0 && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(),
                                                     nullptr, count.data(), nullptr) < 0) {
-            return damaged("the samples of " + dataset.path + " cannot be found");
+            return damaged(VYBEG_MESSAGE("Words", "the samples of %1 cannot be found"),
+                           {dataset.path});
         }
         if (H5Dread(handle.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT,
                     out.data()) < 0) {
-            return damaged("samples of " + dataset.path + " cannot be decoded");
+            return damaged(VYBEG_MESSAGE("Words", "samples of %1 cannot be decoded"),
+                           {dataset.path});
         }
         return {};
     }
@@ -91,7 +95,8 @@ private:
     // The attributes around a group hold for what is in it.
     Status list_group(hid_t group, const std::string& path, Hdf5Attributes around, int depth) {
         if (depth > most_depth) {
-            return damaged("its groups lie more than " + std::to_string(most_depth) + " deep");
+            return damaged(VYBEG_MESSAGE("Words", "its groups lie more than %1 deep"),
+                           {count_arg(most_depth)});
         }
         if (const Hdf5Attributes own = read_attributes(group); own.rate_hz) {
             around.rate_hz = own.rate_hz;
@@ -99,11 +104,12 @@ private:
         std::vector<std::string> names;
         hsize_t index = 0;
         if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &index, collect_hard_link, &names) < 0) {
-            return damaged("the group " + path + "/ cannot be read");
+            return damaged(VYBEG_MESSAGE("Words", "the group %1 cannot be read"), {path + "/"});
         }
         for (const std::string& name : names) {
             if (++objects_ > most_objects) {
-                return damaged("it has more than " + std::to_string(most_objects) + " objects");
+                return damaged(VYBEG_MESSAGE("Words", "it has more than %1 objects"),
+                               {count_arg(most_objects)});
             }
             // MATLAB's own: the cells of cell arrays, and objects; PyTables' indices.
             if (naming_ == Naming::matlab ? name.starts_with('#') : name.starts_with("_i_")) {
@@ -112,7 +118,7 @@ private:
             const std::string full = path + "/" + name;
             const Hdf5Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT));
             if (!object) {
-                return damaged(full + " cannot be read");
+                return damaged(VYBEG_MESSAGE("Words", "%1 cannot be read"), {full});
             }
             if (const Status status = list_object(object.get(), full, around, depth); !status) {
                 return status;
@@ -142,7 +148,7 @@ private:
         const Hdf5Handle type(H5Dget_type(object));
         const Hdf5Handle space(H5Dget_space(object));
         if (!type || !space) {
-            return damaged(path + " cannot be read");
+            return damaged(VYBEG_MESSAGE("Words", "%1 cannot be read"), {path});
         }
         const H5T_class_t kind = H5Tget_class(type.get());
         const Hdf5Attributes own = read_attributes(object);
@@ -162,8 +168,9 @@ private:
         entry.unit = own.unit;
         entry.rate_hz = own.rate_hz ? own.rate_hz : around.rate_hz;
         if (dataset.rank > 2 || own.scaled) {
-            entry.unsupported = own.scaled ? "values for scale_factor and add_offset"
-                                           : dimensions_text(dataset.rank);
+            entry.unsupported =
+                own.scaled ? words(VYBEG_MESSAGE("Words", "values for scale_factor and add_offset"))
+                           : dimensions_text(dataset.rank);
             return add(std::move(entry), std::move(dataset));
         }
         H5Sget_simple_extent_dims(space.get(), dataset.extent.data(), nullptr);
@@ -172,7 +179,8 @@ private:
         if (static_cast<double>(longer) * static_cast<double>(shorter) *
                 static_cast<double>(bytes) >
             most_expansion * static_cast<double>(file_bytes_)) {
-            return damaged(path + " promises more samples than the file can hold");
+            return damaged(
+                VYBEG_MESSAGE("Words", "%1 promises more samples than the file can hold"), {path});
         }
         entry.unsupported = unsupported_storage(object);
         if (is_record) {
@@ -182,7 +190,7 @@ private:
         entry.channels = static_cast<std::int64_t>(shorter);
         entry.type = number_type_text(static_cast<int>(8 * bytes), kind == H5T_FLOAT);
         if (!is_number) {
-            entry.unsupported = "complex numbers";
+            entry.unsupported = words(VYBEG_MESSAGE("Words", "complex numbers"));
         }
         return add(std::move(entry), std::move(dataset));
     }
@@ -191,7 +199,8 @@ private:
     Status list_fields(hid_t type, const FileVariable& table, const Dataset& dataset) {
         for (Hdf5Field& field : number_fields(type)) {
             if (++objects_ > most_objects) {
-                return damaged("it has more than " + std::to_string(most_objects) + " objects");
+                return damaged(VYBEG_MESSAGE("Words", "it has more than %1 objects"),
+                               {count_arg(most_objects)});
             }
             FileVariable entry = table;
             entry.name += (naming_ == Naming::matlab ? "." : "/") + field.name;
@@ -238,8 +247,8 @@ private:
         return name;
     }
 
-    Error damaged(const std::string& reason) const {
-        return {ErrorCode::format_damaged, "", {catalogue_.format, reason}};
+    Error damaged(const char* text, std::vector<MessageArg> args = {}) const {
+        return {ErrorCode::format_damaged, "", {catalogue_.format, words(text, std::move(args))}};
     }
 
     Hdf5Handle file_;
@@ -261,8 +270,11 @@ Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Nam
             ErrorCode::format_damaged,
             "",
             {naming == Naming::matlab ? "MAT 7.3" : "HDF5",
-             opened.truncated ? "it is shorter than its header says: cut off, or never closed"
-                              : "its header does not fit the file"}};
+             words(
+                 opened.truncated
+                     ? VYBEG_MESSAGE("Words",
+                                     "it is shorter than its header says: cut off, or never closed")
+                     : VYBEG_MESSAGE("Words", "its header does not fit the file"))}};
     }
     auto file = std::make_unique<Hdf5File>(std::move(opened), naming);
     if (const Status status = file->list(); !status) {

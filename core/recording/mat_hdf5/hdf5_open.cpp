@@ -54,11 +54,11 @@ OpenedHdf5 open_hdf5(const std::string& path) {
     return opened;
 }
 
-std::string unsupported_storage(hid_t dataset) {
+MessageArg unsupported_storage(hid_t dataset) {
     const Hdf5Handle creation(H5Dget_create_plist(dataset));
     if (!creation || H5Pget_layout(creation.get()) == H5D_VIRTUAL ||
         H5Pget_external_count(creation.get()) > 0) {
-        return "samples in other files";
+        return words(VYBEG_MESSAGE("Words", "samples in other files"));
     }
     const int filters = H5Pget_nfilters(creation.get());
     for (int i = 0; i < filters; ++i) {
@@ -69,12 +69,14 @@ std::string unsupported_storage(hid_t dataset) {
             H5Pget_filter2(creation.get(), static_cast<unsigned>(i), &flags, &values, nullptr,
                            name.size() - 1, name.data(), nullptr);
         if (number > 0 && H5Zfilter_avail(number) <= 0) {
-            const std::string words = name.data();
-            return "samples packed by the filter " + (words.empty() ? "" : words + ", ") +
-                   "number " + std::to_string(number);
+            return name[0] == '\0'
+                       ? words(VYBEG_MESSAGE("Words", "samples packed by the filter number %1"),
+                               {count_arg(number)})
+                       : words(VYBEG_MESSAGE("Words", "samples packed by the filter %1, number %2"),
+                               {name.data(), count_arg(number)});
         }
     }
-    return "";
+    return {};
 }
 
 }  // namespace vybeg

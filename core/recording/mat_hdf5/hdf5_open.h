@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message_arg.h"
 #include "core/recording/mat_hdf5/hdf5_handle.h"
 
 #include <string>
@@ -17,6 +18,6 @@ OpenedHdf5 open_hdf5(const std::string& path);
 
 // Why the samples of a dataset cannot be read however sound the file is: they lie in other files,
 // or are packed by a filter that this libhdf5 does not have. Empty where they can.
-std::string unsupported_storage(hid_t dataset);
+MessageArg unsupported_storage(hid_t dataset);
 
 }  // namespace vybeg

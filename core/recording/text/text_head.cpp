@@ -53,7 +53,7 @@ Error no_table(const FileBytes& file, const TextHead& head, const TextChoice& ch
                              [](const std::string& text) { return !trimmed(text).empty(); });
     line = line == head.lines.end() ? begin : line;
     const std::int64_t number = head.dropped + (line - head.lines.begin()) + 1;
-    return file.error(ErrorCode::text_no_table, {said, integer_text(number), short_quote(*line)});
+    return file.error(ErrorCode::text_no_table, {said, count_arg(number), short_quote(*line)});
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ Result<TextFormat> find_text_format(const FileBytes& file, const TextHead& head,
     const std::int64_t count = head.dropped + std::ssize(head.lines);
     if (choice.lines_to_skip && *choice.lines_to_skip >= count) {
         return file.error(ErrorCode::text_lines_missing,
-                          {integer_text(*choice.lines_to_skip), integer_text(count)});
+                          {count_arg(*choice.lines_to_skip), count_arg(count)});
     }
     TextChoice here = choice;
     if (here.lines_to_skip) {
@@ -107,9 +107,11 @@ Result<TextFormat> find_text_format(const FileBytes& file, const TextHead& head,
         return no_table(file, head, choice);
     }
     if (format->columns > most_columns) {
-        return file.error(ErrorCode::format_unsupported,
-                          {"text", "rows of " + std::to_string(format->columns) +
-                                       " numbers (a column is a channel, a row a time)"});
+        return file.error(
+            ErrorCode::format_unsupported,
+            {"text", words(VYBEG_MESSAGE(
+                               "Words", "rows of %1 numbers (a column is a channel, a row a time)"),
+                           {count_arg(format->columns)})});
     }
     if (!choice.delimiter && has_decimal_commas(head.lines, *format)) {
         return file.error(
@@ -119,7 +121,7 @@ Result<TextFormat> find_text_format(const FileBytes& file, const TextHead& head,
     format->lines_to_skip += head.dropped;
     if (choice.time_column && *choice.time_column > format->columns) {
         return file.error(ErrorCode::column_out_of_range,
-                          {std::to_string(*choice.time_column), std::to_string(format->columns)});
+                          {count_arg(*choice.time_column), count_arg(format->columns)});
     }
     return std::move(*format);
 }

@@ -65,7 +65,8 @@ Result<std::optional<std::string_view>> TextLines::next() {
         if (end - begin_ > longest_line) {
             return file_->error(
                 ErrorCode::format_damaged,
-                {"text", "line " + std::to_string(number_ + 1) + " is longer than 1 MiB"});
+                {"text", words(VYBEG_MESSAGE("Words", "line %1 is longer than 1 MiB"),
+                               {count_arg(number_ + 1)})});
         }
         end -= begin_;
         if (const Status status = fill(); !status) {

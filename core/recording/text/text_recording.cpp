@@ -122,7 +122,7 @@ void note_disagreement(const std::optional<SampleRate>& of_times, const TextTabl
     const double stated_hz = format.rates[static_cast<std::size_t>(table.columns.c)].hz;
     if (std::abs(stated_hz / of_times->hz - 1) > rounding + 5 * of_times->relative_sd) {
         found.diagnostics.push_back({DiagnosticKind::rates_disagree,
-                                     {short_text(stated_hz), short_text(of_times->hz)},
+                                     {number_arg(stated_hz), number_arg(of_times->hz)},
                                      -1,
                                      0});
     }
@@ -138,7 +138,7 @@ void report_over_range(const std::array<std::int64_t, 2>& counts, const OpenOpti
         const int number = i == 0 ? options.channel_c : options.channel_d;
         if (counts[i] > 0) {
             found.diagnostics.push_back({DiagnosticKind::over_range,
-                                         {channel_of(found, number).name, integer_text(counts[i])},
+                                         {channel_of(found, number).name, count_arg(counts[i])},
                                          -1,
                                          0});
         }
@@ -188,14 +188,14 @@ Status take_table(const FileBytes& file, TextTable table, const OpenOptions& opt
                              samples->diagnostics.end());
     if (missing > 0) {
         found.diagnostics.push_back({DiagnosticKind::missing_samples,
-                                     {integer_text(missing)},
+                                     {count_arg(missing)},
                                      samples->first_missing,
                                      rows_with_missing});
     }
     report_over_range(over_range, options, found);
     if (lines_ignored > 0) {
         found.diagnostics.push_back(
-            {DiagnosticKind::text_lines_ignored, {integer_text(lines_ignored)}, -1, 0});
+            {DiagnosticKind::text_lines_ignored, {count_arg(lines_ignored)}, -1, 0});
     }
     found.source = std::move(samples->source);
     return {};
@@ -211,21 +211,21 @@ Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
                        .d = columns[static_cast<std::size_t>(options.channel_d - 1)]};
     const auto c = static_cast<std::size_t>(chosen.c);
     const auto d = static_cast<std::size_t>(chosen.d);
-    const auto differ = [&](const std::string& what) {
-        return file.error(ErrorCode::format_unsupported,
-                          {"text", "columns " + std::to_string(chosen.c + 1) + " and " +
-                                       std::to_string(chosen.d + 1) + " of different " + what});
+    const auto differ = [&](const char* text) {
+        return file.error(
+            ErrorCode::format_unsupported,
+            {"text", words(text, {count_arg(chosen.c + 1), count_arg(chosen.d + 1)})});
     };
     if (!format.own_times.empty()) {
         if (format.own_times[c] != format.own_times[d]) {
-            return differ("times");
+            return differ(VYBEG_MESSAGE("Words", "columns %1 and %2 of different times"));
         }
         chosen.time = format.own_times[c];
     }
     constexpr double same_rate = 1e-9;
     if (!format.rates.empty() &&
         std::abs(format.rates[c].hz / format.rates[d].hz - 1) > same_rate) {
-        return differ("sample rates");
+        return differ(VYBEG_MESSAGE("Words", "columns %1 and %2 of different sample rates"));
     }
     chosen.d_factor = unit_ratio(format.units[d], format.units[c]).value_or(1);
     return chosen;

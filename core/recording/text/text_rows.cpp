@@ -90,10 +90,10 @@ TextRows::TextRows(const TextFormat& format, const TextColumns& columns, const T
 Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault) {
     if (fault.code == ErrorCode::format_damaged) {
         return file.error(fault.code,
-                          {"text", "line " + integer_text(line) + " is longer than 1 MiB"});
+                          {"text", words(VYBEG_MESSAGE("Words", "line %1 is longer than 1 MiB"),
+                                         {count_arg(line)})});
     }
-    return file.error(fault.code,
-                      {integer_text(line), std::to_string(fault.column + 1), fault.text});
+    return file.error(fault.code, {count_arg(line), count_arg(fault.column + 1), fault.text});
 }
 
 bool TextRows::next() {

@@ -194,7 +194,7 @@ private:
     Error backwards(std::int64_t in_block, double time, double before) const {
         return table_.blocks.file().error(
             ErrorCode::text_time_backwards,
-            {integer_text(line(in_block)), round_trip_text(time), round_trip_text(before)});
+            {count_arg(line(in_block)), exact_arg(time), exact_arg(before)});
     }
 
     const TextTable& table_;

@@ -25,7 +25,9 @@ Result<std::optional<std::string_view>> UffLines::next() {
         }
         looked = std::min(end, rest().size());
         if (looked > longest_line) {
-            return file_->error(ErrorCode::format_damaged, {"UFF", "a line is longer than 1 MiB"});
+            return file_->error(
+                ErrorCode::format_damaged,
+                {"UFF", words(VYBEG_MESSAGE("Words", "a line is longer than 1 MiB"))});
         }
         const auto more = fill();
         if (!more) {

@@ -97,7 +97,7 @@ public:
 
     Result<Recording> finish() {
         if (channels_.empty()) {
-            return unsupported("no time response (dataset 58)");
+            return unsupported(VYBEG_MESSAGE("Words", "no time response (dataset 58)"));
         }
         const UffFunction& first = channels_.front();
         FoundSamples found;
@@ -123,21 +123,22 @@ public:
 private:
     enum class Place { outside, number, header, data };
 
-    Error damaged(const std::string& reason) const {
-        return file_.error(ErrorCode::format_damaged, {"UFF", reason});
+    Error damaged(const char* text, std::vector<MessageArg> args = {}) const {
+        return file_.error(ErrorCode::format_damaged, {"UFF", words(text, std::move(args))});
     }
 
-    Error unsupported(const std::string& what) const {
-        return file_.error(ErrorCode::format_unsupported, {"UFF", what});
+    Error unsupported(const char* text, std::vector<MessageArg> args = {}) const {
+        return file_.error(ErrorCode::format_unsupported, {"UFF", words(text, std::move(args))});
     }
 
     Status take_separator() {
         if (place_ == Place::header) {
-            return damaged("a dataset 58 ends within its header");
+            return damaged(VYBEG_MESSAGE("Words", "a dataset 58 ends within its header"));
         }
         if (place_ == Place::data && is_channel_ && taken_ < channels_.back().count) {
-            return damaged("a dataset 58 has " + integer_text(taken_) +
-                           " values, and its header says " + integer_text(channels_.back().count));
+            return damaged(
+                VYBEG_MESSAGE("Words", "a dataset 58 has %1 values, and its header says %2"),
+                {count_arg(taken_), count_arg(channels_.back().count)});
         }
         // Datasets of other kinds, too, end with a separator.
         const bool begins = place_ == Place::number || (place_ == Place::outside && !skipping_);
@@ -150,12 +151,14 @@ private:
         binary_.reset();
         if (is_binary_dataset(line)) {
             if (line.substr(0, line.find_first_of("bB")) != time_history) {
-                return unsupported("binary data of another dataset than 58 (" +
-                                   std::string(line.substr(0, 6)) + ")");
+                return unsupported(
+                    VYBEG_MESSAGE("Words", "binary data of another dataset than 58 (%1)"),
+                    {std::string(line.substr(0, 6))});
             }
             binary_ = parse_uff_binary(line);
             if (!binary_ || binary_->header_lines != uff_header_lines) {
-                return damaged("the first line of a dataset 58b cannot be understood");
+                return damaged(
+                    VYBEG_MESSAGE("Words", "the first line of a dataset 58b cannot be understood"));
             }
         }
         place_ = line == time_history || binary_ ? Place::header : Place::outside;
@@ -171,7 +174,8 @@ private:
         }
         auto function = parse_uff_header(header_);
         if (!function) {
-            return damaged("the header of a dataset 58 cannot be understood");
+            return damaged(
+                VYBEG_MESSAGE("Words", "the header of a dataset 58 cannot be understood"));
         }
         place_ = Place::data;
         taken_ = 0;
@@ -181,13 +185,14 @@ private:
             return {};
         }
         if (function->is_complex) {
-            return unsupported("complex values");
+            return unsupported(VYBEG_MESSAGE("Words", "complex values"));
         }
         if (!function->is_even) {
-            return unsupported("unevenly spaced values");
+            return unsupported(VYBEG_MESSAGE("Words", "unevenly spaced values"));
         }
         if (channels_.size() == most_channels) {
-            return unsupported("more than " + std::to_string(most_channels) + " channels");
+            return unsupported(VYBEG_MESSAGE("Words", "more than %1 channels"),
+                               {count_arg(most_channels)});
         }
         is_channel_ = channels_.empty() || (channels_.front().count == function->count &&
                                             channels_.front().step_s == function->step_s);
@@ -204,24 +209,28 @@ private:
         constexpr int ieee = 2, single_precision = 2, double_precision = 4;
         constexpr int little_endian = 1, of_big_endian = 2;
         if (binary_->float_format != ieee) {
-            return unsupported(binary_->float_format == 1 ? "floats of DEC VMS"
+            return unsupported(binary_->float_format == 1
+                                   ? VYBEG_MESSAGE("Words", "floats of DEC VMS")
                                : binary_->float_format == 3
-                                   ? "floats of IBM 5/370"
-                                   : "binary numbers of an unknown format");
+                                   ? VYBEG_MESSAGE("Words", "floats of IBM 5/370")
+                                   : VYBEG_MESSAGE("Words", "binary numbers of an unknown format"));
         }
         if (function.data_type != single_precision && function.data_type != double_precision) {
-            return unsupported("binary values of the type " + std::to_string(function.data_type));
+            return unsupported(VYBEG_MESSAGE("Words", "binary values of the type %1"),
+                               {count_arg(function.data_type)});
         }
         if (binary_->byte_order != little_endian && binary_->byte_order != of_big_endian) {
-            return damaged("the byte order of a dataset 58b is neither 1 nor 2");
+            return damaged(
+                VYBEG_MESSAGE("Words", "the byte order of a dataset 58b is neither 1 nor 2"));
         }
         const NumberType type =
             function.data_type == single_precision ? NumberType::f32 : NumberType::f64;
         const std::int64_t width = bytes_of(type);
         if (function.count > binary_->bytes / width || function.count * width != binary_->bytes) {
-            return damaged("a dataset 58b has " + integer_text(binary_->bytes) +
-                           " bytes, and its header says " + integer_text(function.count) +
-                           " values of " + std::to_string(width));
+            return damaged(
+                VYBEG_MESSAGE("Words",
+                              "a dataset 58b has %1 bytes, and its header says %2 values of %3"),
+                {count_arg(binary_->bytes), count_arg(function.count), count_arg(width)});
         }
         any_binary_ = true;
         taken_ = function.count;
@@ -247,12 +256,13 @@ private:
         const auto channel = static_cast<int>(channels_.size());
         values_.clear();
         if (!parse_uff_values(line, values_)) {
-            return damaged("line " + integer_text(number) + " is not a row of numbers");
+            return damaged(VYBEG_MESSAGE("Words", "line %1 is not a row of numbers"),
+                           {count_arg(number)});
         }
         taken_ += static_cast<std::int64_t>(values_.size());
         if (taken_ > channels_.back().count) {
-            return damaged("line " + integer_text(number) +
-                           " has more values than the header says");
+            return damaged(VYBEG_MESSAGE("Words", "line %1 has more values than the header says"),
+                           {count_arg(number)});
         }
         if (channel == options_.channel_c) {
             c_.values.insert(c_.values.end(), values_.begin(), values_.end());

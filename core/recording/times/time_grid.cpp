@@ -185,7 +185,7 @@ UniformSamples interpolate(const TimedSamples& samples, std::span<const Stretch>
 
 Diagnostic gap_diagnostic(std::int64_t first, std::int64_t count, double rate_hz) {
     return {DiagnosticKind::time_gap,
-            {integer_text(count), short_text(static_cast<double>(first) / rate_hz, 9)},
+            {count_arg(count), number_arg(static_cast<double>(first) / rate_hz, 9)},
             first,
             count};
 }
@@ -246,10 +246,11 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
     const auto rows = static_cast<double>(time.size());
     if (!is_plausible_grid(frames, rows) ||
         frames > most_frames_per_row * rows + frames_always_held) {
-        return Error{ErrorCode::format_damaged,
-                     where,
-                     {"text", "its " + std::to_string(time.size()) + " times reach over " +
-                                  short_text(frames) + " sample periods"}};
+        return Error{
+            ErrorCode::format_damaged,
+            where,
+            {"text", words(VYBEG_MESSAGE("Words", "its %1 times reach over %2 sample periods"),
+                           {count_arg(std::ssize(time)), number_arg(frames)})}};
     }
     const std::vector<std::int64_t> numbers = number_rows(time, stretches, step);
     const Line line = fit_line(time, numbers);
@@ -269,7 +270,7 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
         grid.rate_hz = 1 / step;
         grid.diagnostics.push_back(
             {DiagnosticKind::time_uneven,
-             {short_text(uneven.largest_s, 3), short_text(uneven.largest_s / step, 3)},
+             {number_arg(uneven.largest_s, 3), number_arg(uneven.largest_s / step, 3)},
              static_cast<std::int64_t>((time[uneven.row] - time[0]) / step),
              1});
         for (std::size_t s = 1; s < stretches.size(); ++s) {

@@ -68,7 +68,7 @@ private:
 // The value of an array that is a single number.
 Result<std::optional<double>> value_of(const StoredArray& stored) {
     const FileVariable& variable = stored.variable;
-    if (variable.frames != 1 || variable.channels != 1 || !variable.unsupported.empty()) {
+    if (variable.frames != 1 || variable.channels != 1 || !variable.unsupported.text.empty()) {
         return std::optional<double>();
     }
     const auto column = column_of(stored, 0);

@@ -25,13 +25,13 @@ constexpr std::int64_t best_ratio = 1032;  // that deflate can pack
 
 using Arrays = std::vector<StoredArray>;
 
-Error damaged(const FileBytes& file, const std::string& reason) {
-    return file.error(ErrorCode::format_damaged, {"MAT", reason});
+Error damaged(const FileBytes& file, const char* text, std::vector<MessageArg> args = {}) {
+    return file.error(ErrorCode::format_damaged, {"MAT", words(text, std::move(args))});
 }
 
 Error cut_off(const FileBytes& file) {
-    return damaged(file,
-                   "it ends at byte " + std::to_string(file.size()) + ", inside of a variable");
+    return damaged(file, VYBEG_MESSAGE("Words", "it ends at byte %1, inside of a variable"),
+                   {count_arg(file.size())});
 }
 
 // A matrix of numbers, column after column. `shown`: the type that MATLAB shows.
@@ -44,7 +44,9 @@ StoredArray stored_matrix(std::string name, std::int64_t rows, std::int64_t colu
     variable.channels = std::min(rows, columns);
     const bool is_float = shown == NumberType::f64 || shown == NumberType::f32;
     variable.type = number_type_text(8 * bytes_of(shown), is_float);
-    variable.unsupported = is_complex ? "complex numbers" : "";
+    if (is_complex) {
+        variable.unsupported = words(VYBEG_MESSAGE("Words", "complex numbers"));
+    }
     stored.array.fortran_order = true;
     stored.array.shape = {rows, columns};
     return stored;
@@ -61,7 +63,8 @@ Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
         }
         const auto header = mat4_header({bytes.data(), static_cast<std::size_t>(*got)});
         if (!header) {
-            return damaged(*file, "there is no variable at byte " + std::to_string(at));
+            return damaged(*file, VYBEG_MESSAGE("Words", "there is no variable at byte %1"),
+                           {count_arg(at)});
         }
         const std::int64_t data = at + mat4_header_bytes + header->name_bytes;
         std::string name(static_cast<std::size_t>(header->name_bytes), '\0');
@@ -133,8 +136,10 @@ private:
     }
 
     void misfit() {
-        fail(damaged(*file_, "the size of the variable at byte " + std::to_string(top_) +
-                                 " does not fit its numbers"));
+        fail(damaged(
+            *file_,
+            VYBEG_MESSAGE("Words", "the size of the variable at byte %1 does not fit its numbers"),
+            {count_arg(top_)}));
     }
 
     // As many zeros after a failure.
@@ -193,8 +198,8 @@ private:
             return;
         }
         if (++matrices_ > most_matrices) {
-            return fail(damaged(
-                *file_, "it has more than " + std::to_string(most_matrices) + " variables"));
+            return fail(damaged(*file_, VYBEG_MESSAGE("Words", "it has more than %1 variables"),
+                                {count_arg(most_matrices)}));
         }
         const ByteSource& bytes = *content.bytes;
         const Element flags = element(bytes, whole.data, whole.end());
@@ -284,7 +289,7 @@ Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOpti
     }
     const bool is_level5 = is_mat5({head.data(), head.size()});
     if (is_level5 && *got < header_bytes) {
-        return damaged(*file, "it ends in its header");
+        return damaged(*file, VYBEG_MESSAGE("Words", "it ends in its header"));
     }
     auto arrays =
         is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job) : level4_arrays(file);
@@ -292,7 +297,8 @@ Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOpti
         return arrays.error();
     }
     if (arrays->size() > most_matrices) {
-        return damaged(*file, "it has more than " + std::to_string(most_matrices) + " variables");
+        return damaged(*file, VYBEG_MESSAGE("Words", "it has more than %1 variables"),
+                       {count_arg(most_matrices)});
     }
     return open_arrays(std::move(file), is_level5 ? "MAT 5" : "MAT 4", std::move(*arrays), options,
                        job);

@@ -33,8 +33,10 @@ Result<StoredArray> array_in(const std::shared_ptr<const FileBytes>& file, const
         stored.variable.type = name_of(array->type);
         const std::int64_t channels = array->channels();
         if (channels > 0 && npy_column(*array, *content, channels - 1).frames() < array->frames()) {
-            return file->error(ErrorCode::format_damaged,
-                               {"NPZ", zip.name + " is shorter than its header says"});
+            return file->error(
+                ErrorCode::format_damaged,
+                {"NPZ",
+                 words(VYBEG_MESSAGE("Words", "%1 is shorter than its header says"), {zip.name})});
         }
     }
     return stored;
@@ -62,8 +64,9 @@ Result<Recording> open_npz(std::shared_ptr<const FileBytes> file, const OpenOpti
         }
     }
     if (arrays.empty()) {
-        return file->error(ErrorCode::format_unsupported,
-                           {"ZIP", "members other than NumPy arrays (.npy)"});
+        return file->error(
+            ErrorCode::format_unsupported,
+            {"ZIP", words(VYBEG_MESSAGE("Words", "members other than NumPy arrays (.npy)"))});
     }
     return open_arrays(std::move(file), "NPZ", std::move(arrays), options, job);
 }

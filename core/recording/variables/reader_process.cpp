@@ -1,5 +1,7 @@
 #include "core/recording/variables/reader_process.h"
 
+#include "core/base/system_reason.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -89,10 +91,9 @@ private:
 };
 
 Error no_helper(const FileBytes& file, const std::string& program, int number) {
-    const char* reason = strerrordesc_np(number);
     return file.error(ErrorCode::file_read_failed,
-                      {"the helper program " + program + " cannot be started (" +
-                       (reason ? reason : "unknown error") + ")"});
+                      {words(VYBEG_MESSAGE("Words", "the helper program %1 cannot be started (%2)"),
+                             {program, system_reason(number)})});
 }
 
 struct Started {
@@ -167,7 +168,8 @@ Status ReaderProcess::take_catalogue() {
     }
     auto catalogue = decode_catalogue(*bytes);
     if (!catalogue) {
-        return damaged("its library returned no sensible list of variables");
+        return damaged(
+            VYBEG_MESSAGE("Words", "its library returned no sensible list of variables"));
     }
     catalogue_ = std::move(*catalogue);
     return {};
@@ -262,24 +264,28 @@ Error ReaderProcess::failed_reply(const Reply& reply) {
             return *error;
         }
     }
-    return damaged("its library returned nonsense");
+    return damaged(VYBEG_MESSAGE("Words", "its library returned nonsense"));
 }
 
 // Why nothing came, as far as the end of the helper tells.
 Error ReaderProcess::broken_off() {
     const int status = end();
     if (last_wait_ == Wait::used_up) {
-        return damaged("its library did not come to an end within " + std::to_string(seconds_) +
-                       " s of processor time");
+        return damaged(
+            VYBEG_MESSAGE("Words",
+                          "its library did not come to an end within %1 s of processor time"),
+            {count_arg(seconds_)});
     }
     if (last_wait_ == Wait::idle) {
-        return damaged("its library stopped working on it for " +
-                       std::to_string(idle_slices * slice_ms / 1000) + " s");
+        return damaged(VYBEG_MESSAGE("Words", "its library stopped working on it for %1 s"),
+                       {count_arg(idle_slices * slice_ms / 1000)});
     }
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    return damaged(signal == SIGXCPU  ? "its library did not come to an end"
-                   : signal == SIGSYS ? "its library was stopped when it tried to do more than read"
-                                      : "its library failed on it");
+    return damaged(
+        signal == SIGXCPU ? VYBEG_MESSAGE("Words", "its library did not come to an end")
+        : signal == SIGSYS
+            ? VYBEG_MESSAGE("Words", "its library was stopped when it tried to do more than read")
+            : VYBEG_MESSAGE("Words", "its library failed on it"));
 }
 
 // Ends the helper and returns the status that waitpid() gives.
@@ -296,8 +302,8 @@ int ReaderProcess::end() {
     return status;
 }
 
-Error ReaderProcess::damaged(const std::string& reason) const {
-    return file_->error(ErrorCode::format_damaged, {format_, reason});
+Error ReaderProcess::damaged(const char* text, std::vector<MessageArg> args) const {
+    return file_->error(ErrorCode::format_damaged, {format_, words(text, std::move(args))});
 }
 
 }  // namespace vybeg

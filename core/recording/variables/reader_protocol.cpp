@@ -102,8 +102,8 @@ std::string number_type_text(int bits, bool is_float) {
     return std::to_string(bits) + " bit " + (is_float ? "float" : "integer");
 }
 
-std::string dimensions_text(std::int64_t dimensions) {
-    return "an array of " + std::to_string(dimensions) + " dimensions";
+MessageArg dimensions_text(std::int64_t dimensions) {
+    return words(VYBEG_MESSAGE("Words", "an array of %1 dimensions"), {count_arg(dimensions)});
 }
 
 bool fits(const SampleRequest& request, const Catalogue& catalogue) {

@@ -33,7 +33,7 @@ struct FileVariable {
 std::string number_type_text(int bits, bool is_float);
 
 // FileVariable::unsupported of more than two dimensions: "an array of 3 dimensions".
-std::string dimensions_text(std::int64_t dimensions);
+MessageArg dimensions_text(std::int64_t dimensions);
 
 struct Catalogue {
     std::string format;  // e.g. "MAT 5"

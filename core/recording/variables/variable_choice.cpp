@@ -89,20 +89,21 @@ private:
         }
         for (const std::int64_t place : {*first, *second}) {
             if (variable(place).channels != 1) {
-                return wrong_names(variable(place).name + " has " +
-                                   integer_text(variable(place).channels) +
-                                   " channels and stands alone");
+                return wrong_names(
+                    words(VYBEG_MESSAGE("Words", "%1 has %2 channels and stands alone"),
+                          {variable(place).name, count_arg(variable(place).channels)}));
             }
         }
         if (variable(*first).frames != variable(*second).frames) {
-            return wrong_names("they have " + integer_text(variable(*first).frames) + " and " +
-                               integer_text(variable(*second).frames) + " samples");
+            return wrong_names(
+                words(VYBEG_MESSAGE("Words", "they have %1 and %2 samples"),
+                      {count_arg(variable(*first).frames), count_arg(variable(*second).frames)}));
         }
         choice_.channels = {{*first, 0}, {*second, 0}};
         return {};
     }
 
-    Error wrong_names(const std::string& reason) const {
+    Error wrong_names(const MessageArg& reason) const {
         return {ErrorCode::setting_invalid,
                 file_.path().string(),
                 {"--variables", name(0) + "," + name(1), reason}};
@@ -167,7 +168,7 @@ private:
             }
         }
         return file_.error(ErrorCode::too_few_channels,
-                           {std::to_string(std::min<std::size_t>(vectors, 1)), "2"});
+                           {count_arg(std::min<std::size_t>(vectors, 1)), "2"});
     }
 
     Error unsupported(const FileVariable& of) const {
@@ -219,9 +220,10 @@ private:
     static bool same_rate(double a, double b) { return std::abs(a / b - 1) < 1e-4; }
 
     Error rates_differ(double first_hz, double second_hz) const {
-        return file_.error(ErrorCode::format_unsupported,
-                           {catalogue_.format, "two sample rates, " + short_text(first_hz) +
-                                                   " and " + short_text(second_hz) + " Hz"});
+        return file_.error(
+            ErrorCode::format_unsupported,
+            {catalogue_.format, words(VYBEG_MESSAGE("Words", "two sample rates, %1 and %2 Hz"),
+                                      {number_arg(first_hz), number_arg(second_hz)})});
     }
 
     // Seconds, unless the name or the unit tells otherwise. Whole numbers without a unit count

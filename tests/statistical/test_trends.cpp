@@ -1,0 +1,96 @@
+#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/settings.h"
+#include "core/track/trend.h"
+#include "tests/statistical/simulated_recording.h"
+
+#include <QtTest>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+// Decay time, drift and drift of the frequency between two cursors, against the simulator, over 200
+// seeds each: the root mean square pull is known to 5 %, their mean to 7 %.
+class Trends : public QObject {
+    Q_OBJECT
+
+private slots:
+    void pulls_are_those_of_the_deviations_data() {
+        QTest::addColumn<int>("algorithm");
+        QTest::addColumn<int>("window");
+        QTest::addColumn<int>("hop");
+        const auto row = [](const char* name, Algorithm algorithm, int window, int hop) {
+            QTest::newRow(name) << static_cast<int>(algorithm) << window << hop;
+        };
+        row("maximum likelihood", Algorithm::maximum_likelihood, 60, 60);
+        row("overlapping", Algorithm::maximum_likelihood, 60, 13);
+        row("short", Algorithm::maximum_likelihood, 6, 6);
+        row("long", Algorithm::maximum_likelihood, 1000, 1000);
+        row("conjugate gradient", Algorithm::conjugate_gradient, 60, 60);
+    }
+
+    void pulls_are_those_of_the_deviations() {
+        QFETCH(int, algorithm);
+        QFETCH(int, window);
+        QFETCH(int, hop);
+        constexpr int seeds = 200;
+        std::mt19937_64 random(7);
+        std::uniform_real_distribution<double> any(-1, 1);
+        enum { decay, turn, frequency, count };
+        std::array<double, count> squares{};
+        std::array<double, count> sums{};
+        for (int seed = 1; seed <= seeds; ++seed) {
+            FreeDecay wave;
+            wave.seconds = 1;
+            wave.seed = static_cast<std::uint64_t>(seed);
+            wave.f0_hz = 5300 + 37.3 * any(random);
+            wave.a_B = 0.1 * any(random);
+            wave.two_theta_A = 3 * any(random);
+            wave.alpha = 3 * any(random);
+            wave.tau_s = 200;
+            wave.omega_rad_s = 0.05 * any(random);
+            wave.frequency_drift_hz_s = 0.02 * any(random);
+            wave.noise = 1e-3;
+            Settings settings;
+            settings.algorithm = static_cast<Algorithm>(algorithm);
+            settings.window = window;
+            settings.hop = hop;
+            const auto analysis = analyse(simulated_recording(wave), settings, {});
+            QVERIFY(analysis);
+            const std::size_t apart = windows_apart(analysis->plan.length, analysis->plan.hop);
+            const auto trend = [&](SlowVariable variable, TrendOf of) {
+                return line_trend(analysis->track, variable, 0.2, 0.8, apart, of);
+            };
+            const auto of_a_A = trend(SlowVariable::a_A, TrendOf::logarithm);
+            const auto of_angle = trend(SlowVariable::two_theta_A, TrendOf::value);
+            const auto of_f = trend(SlowVariable::f, TrendOf::value);
+            QVERIFY(of_a_A && of_angle && of_f);
+            const auto tau = decay_time(*of_a_A);
+            QVERIFY(tau);
+            const std::array<double, count> pulls{
+                (tau->tau_s - wave.tau_s) / tau->sd_s,
+                (of_angle->slope_per_s + 2 * wave.bryan * wave.omega_rad_s) /
+                    of_angle->sd_slope_per_s,
+                (of_f->slope_per_s - wave.frequency_drift_hz_s) / of_f->sd_slope_per_s};
+            for (std::size_t k = 0; k < count; ++k) {
+                sums[k] += pulls[k];
+                squares[k] += pulls[k] * pulls[k];
+            }
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const double rms = std::sqrt(squares[k] / seeds);
+            const QByteArray text = QByteArray::number(qulonglong(k)) + ": rms pull " +
+                                    QByteArray::number(rms) + ", mean " +
+                                    QByteArray::number(sums[k] / seeds);
+            QVERIFY2(rms > 0.9 && rms < 1.1, text);
+            QVERIFY2(std::abs(sums[k] / seeds) < 0.25, text);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(Trends)
+#include "test_trends.moc"
