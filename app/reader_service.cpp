@@ -1,7 +1,7 @@
 #include "app/reader_service.h"
 
 #include "app/reader_confinement.h"
-#include "core/recording/mat_hdf5/library_file.h"
+#include "core/recording/mat_hdf5/hdf5_file.h"
 #include "core/recording/variables/reader_protocol.h"
 
 #include <algorithm>

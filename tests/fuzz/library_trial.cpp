@@ -1,4 +1,4 @@
-#include "core/recording/mat_hdf5/library_file.h"
+#include "core/recording/mat_hdf5/hdf5_file.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/trial.h"
 

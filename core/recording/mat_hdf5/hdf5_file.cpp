@@ -1,8 +1,9 @@
+#include "core/recording/mat_hdf5/hdf5_file.h"
+
 #include "core/recording/mat_hdf5/hdf5_attributes.h"
 #include "core/recording/mat_hdf5/hdf5_fields.h"
 #include "core/recording/mat_hdf5/hdf5_handle.h"
 #include "core/recording/mat_hdf5/hdf5_open.h"
-#include "core/recording/mat_hdf5/library_file.h"
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@ using namespace mat5;
 namespace {
 
 constexpr int most_struct_depth = 8;
-constexpr std::size_t most_matrices = 10000;
+constexpr int most_variables = 10000;  // and fields, of any kind
 constexpr std::int64_t longest_name = 4096;
 constexpr std::int64_t zlib_head_bytes = 2;  // before what is deflated, and four behind it
 constexpr std::int64_t zlib_bytes = zlib_head_bytes + 4;
@@ -32,6 +32,11 @@ Error damaged(const FileBytes& file, const char* text, std::vector<MessageArg> a
 Error cut_off(const FileBytes& file) {
     return damaged(file, VYBEG_MESSAGE("Words", "it ends at byte %1, inside of a variable"),
                    {count_arg(file.size())});
+}
+
+Error too_many(const FileBytes& file) {
+    return damaged(file, VYBEG_MESSAGE("Words", "it has more than %1 variables"),
+                   {count_arg(most_variables)});
 }
 
 // A matrix of numbers, column after column. `shown`: the type that MATLAB shows.
@@ -55,7 +60,11 @@ StoredArray stored_matrix(std::string name, std::int64_t rows, std::int64_t colu
 Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
     Arrays arrays;
     const auto whole = file_part(file, 0, file->size());
-    for (std::int64_t at = 0; at < file->size() && arrays.size() <= most_matrices;) {
+    int variables = 0;
+    for (std::int64_t at = 0; at < file->size();) {
+        if (++variables > most_variables) {
+            return too_many(*file);
+        }
         std::array<char, mat4_header_bytes> bytes{};
         const auto got = file->read(at, bytes);
         if (!got) {
@@ -108,6 +117,7 @@ public:
         const auto whole = file_part(file_, 0, size);
         const Content plain{whole, [whole] { return whole; }};
         for (top_ = header_bytes; top_ < size && status_;) {
+            count_element();
             // The last one need not be padded.
             const Element element =
                 top_ + tag_bytes > size
@@ -132,6 +142,12 @@ private:
     void fail(Error error) {
         if (status_) {
             status_ = std::move(error);
+        }
+    }
+
+    void count_element() {
+        if (++elements_ > most_variables) {
+            fail(too_many(*file_));
         }
     }
 
@@ -197,10 +213,6 @@ private:
         if (whole.size == 0 || !status_) {  // a field without a value
             return;
         }
-        if (++matrices_ > most_matrices) {
-            return fail(damaged(*file_, VYBEG_MESSAGE("Words", "it has more than %1 variables"),
-                                {count_arg(most_matrices)}));
-        }
         const ByteSource& bytes = *content.bytes;
         const Element flags = element(bytes, whole.data, whole.end());
         const auto bits = number<std::uint32_t>(bytes, flags.data);
@@ -260,6 +272,7 @@ private:
         }
         std::int64_t at = names.next;
         for (std::int64_t i = 0; i < names.size / width && status_; ++i) {
+            count_element();
             const std::string padded = text(bytes, names.data + i * width, width);
             const Element field = element(bytes, at, fields.end());
             if (field.type != matrix) {
@@ -273,7 +286,7 @@ private:
     std::shared_ptr<const FileBytes> file_;
     bool big_endian_;
     std::int64_t top_ = 0;  // where the variable begins
-    std::size_t matrices_ = 0;
+    int elements_ = 0;      // variables and fields so far
     Status status_;
     Arrays arrays_;
 };
@@ -295,10 +308,6 @@ Result<Recording> open_mat(std::shared_ptr<const FileBytes> file, const OpenOpti
         is_level5 ? Level5(file, head[header_bytes - 2] == 'M').arrays(job) : level4_arrays(file);
     if (!arrays) {
         return arrays.error();
-    }
-    if (arrays->size() > most_matrices) {
-        return damaged(*file, VYBEG_MESSAGE("Words", "it has more than %1 variables"),
-                       {count_arg(most_matrices)});
     }
     return open_arrays(std::move(file), is_level5 ? "MAT 5" : "MAT 4", std::move(*arrays), options,
                        job);

@@ -55,7 +55,7 @@ struct SampleRequest {
 // Whether the request asks for samples that the catalogue promises.
 bool fits(const SampleRequest& request, const Catalogue& catalogue);
 
-// Seconds of processor time that the helper may take to answer: 2, and for a compressed variable,
+// Seconds of processor time that the helper may take to answer: 2, and for a long compressed chunk,
 // which is decoded from its start, a time that grows with what lies before.
 int seconds_allowed(const SampleRequest& request);
 inline constexpr int seconds_for_catalogue = 2;

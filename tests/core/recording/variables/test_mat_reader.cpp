@@ -42,6 +42,19 @@ for packed in (False, True):
                 mdict={k + n: (ramp + s).astype(n) for n in types for k, s in (('C', 0), ('D', 7))})
 sio.savemat('long.mat', {'C': (np.arange(5000000) % 32749).astype('i2'),
                          'D': (np.arange(5000000) % 32719).astype('i2'), 'fs': fs}, do_compression=True)
+import struct, zlib
+def element(kind, data):
+    return struct.pack('>II', kind, len(data)) + data + bytes(-len(data) % 8)
+def matrix(name, x, rows):
+    return element(14, element(6, struct.pack('>II', 6, 0)) + element(5, struct.pack('>ii', rows, 1)) +
+                       element(1, name) + element(9, x.astype('>f8').tobytes()))
+def deflated(x):
+    return struct.pack('>II', 15, len(zlib.compress(x))) + zlib.compress(x)
+for name, rows_c in (('big_endian', len(c)), ('misfit', len(c) + 1)):
+    parts = [matrix(b'C', c, rows_c), matrix(b'D', d, len(d)), matrix(b'fs', np.array([fs]), 1)]
+    head = b'MATLAB 5.0 MAT-file'.ljust(124) + b'\1\0MI'
+    open(name + '.mat', 'wb').write(head + b''.join(parts))
+    open(name + '7.mat', 'wb').write(head + b''.join(map(deflated, parts)))
 def matlab73(name, write):
     with h5py.File(name, 'w', userblock_size=512) as f:
         write(f)
@@ -121,6 +134,8 @@ void TestMatReader::the_demonstration_decay_is_the_same_from_every_level_and_lay
     add("int16_v4.mat", "MAT 4, 64 bit float, 2 channels", {"C", "D"}, Rounding::to_counts);
     add("others.mat", "MAT 5, 64 bit float, 5 channels",
         {"good.S_C", "good.S_D", "C", "D", "noise"});
+    add("big_endian.mat", "MAT 5, 64 bit float, 2 channels", {"C", "D"});
+    add("big_endian7.mat", "MAT 5, 64 bit float, 2 channels", {"C", "D"});
     add("v73.mat", "MAT 7.3, 64 bit float, 2 channels", {"S_C", "S_D"});
     add("struct73.mat", "MAT 7.3, 64 bit float, 2 channels", {"run.C", "run.D"});
 }
@@ -236,6 +251,9 @@ void TestMatReader::a_file_without_a_recording_is_refused_by_name() {
     QCOMPARE(code_of("cube.mat"), "format-unsupported");
     QCOMPARE(open(folder_.file("cube.mat")).error().args,
              (std::vector<MessageArg>{"MAT 5", "an array of 3 dimensions (x)"}));
+    // One row more than there are numbers: the next variable's bytes are none.
+    QCOMPARE(code_of("misfit.mat"), "format-damaged");
+    QCOMPARE(code_of("misfit7.mat"), "format-damaged");
     QCOMPARE(code_of("alone.mat"), "too-few-channels");
     QCOMPARE(code_of("no_rate.mat"), "rate-unknown");
 }

@@ -9,8 +9,8 @@
 
 namespace vybeg {
 
-// A file that a library of other people reads, inside vybeg-reader only: a damaged file may crash
-// the library, make it hang or take memory up to the process's limit.
+// A file that libhdf5 reads, inside vybeg-reader only: a damaged file may crash the library, make
+// it hang or take memory up to the process's limit.
 //
 // Errors of all of it: format_damaged, format_unsupported, without a place.
 class LibraryFile {
