@@ -45,8 +45,7 @@ void SignalView::paintEvent(QPaintEvent*) {
         }
         painter.drawPixmap(0, 0, drawn_);
         drawRanges(painter, area);
-        // Above the veil, so that faults outside the visible range are visible too.
-        drawFaults(painter, area);
+        drawFaults(painter, area);  // above the veil, also outside the visible range
     }
     if (!envelope_ || !envelope_->whole()) {
         drawLabel(painter, area, int(Qt::AlignRight | Qt::AlignTop), tr("reading…"));

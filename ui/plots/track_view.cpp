@@ -51,8 +51,7 @@ TrackView::TrackView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
 }
 
 TrackView::~TrackView() {
-    // Order of destruction: the plot uses the stack while it is drawn, the stack the elements of
-    // the plot.
+    // First the plot, because it uses the stack while it is drawn.
     delete plot_;
 }
 
