@@ -4,6 +4,7 @@
 #include "core/simulation/true_track.h"
 #include "core/track/events.h"
 #include "core/track/track.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -85,7 +86,7 @@ void Demonstration::everyWindowAgreesWithTheTruth() {
                                   .arg(info(variable).column)
                                   .arg(scatter)
                                   .arg(farthest);
-        QVERIFY2(std::abs(scatter - 1) < 0.05, qPrintable(where));
+        VYBEG_CLOSE(scatter, 1, 0.05, qPrintable(where));
     }
     QVERIFY2(flagged < track.rows() / 1000, qPrintable(QString::number(flagged)));
 }
@@ -114,8 +115,7 @@ void Demonstration::theWaveSwingsAndTurnsThroughAnAxis() {
         QCOMPARE(found[k].direction, expected[k].direction);
         // Where 2theta_A moves by three standard deviations of a window, a crossing is known to a
         // part of that stretch.
-        QVERIFY2(std::abs(found[k].time_s - expected[k].time_s) < 0.05,
-                 qPrintable(QString("%1 %2").arg(found[k].time_s).arg(expected[k].time_s)));
+        VYBEG_CLOSE(found[k].time_s, expected[k].time_s, 0.05);
     }
 }
 

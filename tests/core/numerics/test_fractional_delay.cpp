@@ -1,4 +1,5 @@
 #include "core/numerics/fractional_delay.h"
+#include "tests/closeness.h"
 
 #include <QTest>
 
@@ -154,7 +155,7 @@ private slots:
             std::vector<double> y(20);
             filter.apply(x, 40, y);
             for (const double value : y) {
-                QVERIFY(std::abs(value / 12345.678 - 1) < 42 * 1.2e-16);
+                VYBEG_CLOSE_RATIO(value, 12345.678, 42 * 1.2e-16);
             }
         }
     }

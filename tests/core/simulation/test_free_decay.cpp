@@ -3,6 +3,7 @@
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/true_track.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -171,8 +172,8 @@ private slots:
         const auto samples = simulate(decay, {});
         QVERIFY(samples);
         const std::size_t second = 2000;  // a whole number of periods of 317 Hz
-        QVERIFY(std::abs(samples->c[second] - std::cos(0.5) * std::exp(-0.3)) < 1e-13);
-        QVERIFY(std::abs(samples->d[second] - std::sin(0.5) * std::exp(-0.1)) < 1e-13);
+        VYBEG_CLOSE(samples->c[second], std::cos(0.5) * std::exp(-0.3), 1e-13);
+        VYBEG_CLOSE(samples->d[second], std::sin(0.5) * std::exp(-0.1), 1e-13);
     }
 
     void an_hour_keeps_twelve_digits() {

@@ -4,6 +4,7 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
 #include "core/simulation/true_track.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -62,13 +63,6 @@ FreeDecay by_power(double b, double k) {
     decay.damping_per_power_per_s = k;
     return decay;
 }
-
-QString both(double found, double expected) {
-    return QString("%1, expected %2").arg(found, 0, 'g', 12).arg(expected, 0, 'g', 12);
-}
-
-#define VYBEG_CLOSE(found, expected, tolerance) \
-    QVERIFY2(std::abs((found) - (expected)) < (tolerance), qPrintable(both((found), (expected))))
 
 }  // namespace
 
