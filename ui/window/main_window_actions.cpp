@@ -12,6 +12,7 @@
 #include "ui/window/recent_files.h"
 #include "ui/window/status_line.h"
 
+#include <QAbstractButton>
 #include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
