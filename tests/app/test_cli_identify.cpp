@@ -11,6 +11,7 @@
 #include <cmath>
 #include <csignal>
 #include <numbers>
+#include <random>
 
 using namespace vybeg::test;
 
@@ -30,10 +31,12 @@ private slots:
         QVERIFY(simulate_still(folder_.path()));
         QVERIFY(put(path("noise.csv"), [] {
             QByteArray text = "C,D\n";
-            std::srand(1);
+            std::mt19937 random(1);
+            const auto number = [&random] {
+                return QByteArray::number(static_cast<int>(random() >> 1));
+            };
             for (int k = 0; k < 4000; ++k) {
-                text +=
-                    QByteArray::number(std::rand()) + "," + QByteArray::number(std::rand()) + "\n";
+                text += number() + "," + number() + "\n";
             }
             return text;
         }()));
@@ -335,7 +338,6 @@ private slots:
         process.start(VYBEG_CLI, {"identify", "long.wav", "-o", "old.json", "--threads", "1",
                                   "--window", "20"});
         QTRY_COMPARE_WITH_TIMEOUT(temporaries().size(), 1, 20000);
-        QTest::qWait(50);
         QCOMPARE(process.state(), QProcess::Running);
         QCOMPARE(kill(static_cast<pid_t>(process.processId()), SIGINT), 0);
         QVERIFY(process.waitForFinished(20000));

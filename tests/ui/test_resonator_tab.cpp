@@ -295,7 +295,7 @@ private slots:
         window_->action(Command::identify)->trigger();
         document().removeFromSet(document().currentSet()->id, {ids().front()});
         QVERIFY(!document().busy());
-        QTest::qWait(300);
+        QTest::qWait(300);  // nothing stale arrives in this time
         QVERIFY(!outcome());
     }
 
