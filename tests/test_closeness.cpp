@@ -1,4 +1,5 @@
 #include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -22,6 +23,7 @@ private slots:
     void numbers_too_far_apart_fail();
     void nan_fails_as_any_of_the_three();
     void the_text_shows_both_numbers_difference_and_tolerance();
+    void the_largest_of_numbers_is_nan_where_one_of_them_is();
 };
 
 void TestCloseness::close_numbers_pass() {
@@ -81,6 +83,12 @@ void TestCloseness::the_text_shows_both_numbers_difference_and_tolerance() {
              QString("(1, 2) for 1: off by 2, tolerance 0.1"));
     QCOMPARE(closeness_fault(Measure::difference, Bound::below, no_number, 0.1, 1e-9),
              QString("nan for 0.1: off by nan, tolerance 1e-09"));
+}
+
+void TestCloseness::the_largest_of_numbers_is_nan_where_one_of_them_is() {
+    QCOMPARE(largest_of({1, 3, 2}), 3.0);
+    QVERIFY(std::isnan(largest_of({no_number, 1})));
+    QVERIFY(std::isnan(largest_of({1, no_number})));
 }
 
 QTEST_GUILESS_MAIN(TestCloseness)

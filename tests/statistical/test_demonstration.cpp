@@ -5,6 +5,7 @@
 #include "core/track/events.h"
 #include "core/track/track.h"
 #include "tests/closeness.h"
+#include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -77,7 +78,7 @@ void Demonstration::everyWindowAgreesWithTheTruth() {
             // the sum.
             squares += error * error / (sd * sd);
             variances += 1;
-            farthest = std::max(farthest, std::abs(error) / sd);
+            farthest = test::largest_of({farthest, std::abs(error) / sd});
         }
         // sigma is estimated from 2n - 5 = 7 degrees of freedom: pulls follow Student's t, of
         // variance 7/5.
@@ -100,7 +101,7 @@ void Demonstration::theWaveSwingsAndTurnsThroughAnAxis() {
     const auto a_B = analysis->track.values(SlowVariable::a_B);
     double largest = 0;
     for (std::size_t k = 0; k < a_A.size(); ++k) {
-        largest = std::max(largest, std::abs(a_B[k]) / a_A[k]);
+        largest = test::largest_of({largest, std::abs(a_B[k]) / a_A[k]});
     }
     QVERIFY2(largest > 0.2, qPrintable(QString::number(largest)));
 

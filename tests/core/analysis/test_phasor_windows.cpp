@@ -8,6 +8,7 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
 #include "tests/closeness.h"
+#include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -86,7 +87,7 @@ Errors errors_of(const PhasorWindows& found, const FreeDecay& decay) {
         const Eigen::Vector2cd truth = true_mean(motion, decay, run.time_s[k], found.plan.length);
         const double c = std::norm(run.c[k] - truth[0]);
         const double d = std::norm(run.d[k] - truth[1]);
-        errors.worst = std::max({errors.worst, std::sqrt(c), std::sqrt(d)});
+        errors.worst = largest_of({errors.worst, std::sqrt(c), std::sqrt(d)});
         errors.square +=
             (c + d) / (4 * run.sd[k] * run.sd[k]) / static_cast<double>(run.time_s.size());
     }

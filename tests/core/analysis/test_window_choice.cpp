@@ -8,6 +8,7 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
 #include "tests/closeness.h"
+#include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -297,7 +298,7 @@ private slots:
                     std::hypot(wave.f_hz.sd, 1e-3 * pendulum.pull_hz)};
             qInfo("%.2f %.2f %.2f %.2f", pulls[0], pulls[1], pulls[2], pulls[3]);
             for (const double pull : pulls) {
-                worst = std::max(worst, std::abs(pull));
+                worst = largest_of({worst, std::abs(pull)});
                 sum += pull * pull / (runs * 4);
             }
         }

@@ -1,5 +1,6 @@
 #include "core/numerics/fft.h"
 #include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QTest>
 
@@ -26,7 +27,7 @@ std::vector<Complex> noise(std::size_t size) {
 double largest_difference(const std::vector<Complex>& a, const std::vector<Complex>& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        largest = std::max(largest, std::abs(a[i] - b[i]));
+        largest = vybeg::test::largest_of({largest, std::abs(a[i] - b[i])});
     }
     return largest;
 }

@@ -1,5 +1,6 @@
 #include "core/numerics/kaiser.h"
 #include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QTest>
 
@@ -83,9 +84,9 @@ private slots:
         for (int i = 0; i <= points; ++i) {
             const double f = 0.5 * i / points;
             if (f >= low && f <= high) {
-                pass = std::max(pass, std::abs(response(taps, f) - 1));
+                pass = vybeg::test::largest_of({pass, std::abs(response(taps, f) - 1)});
             } else if (f <= low - transition || f >= high + transition) {
-                stop = std::max(stop, std::abs(response(taps, f)));
+                stop = vybeg::test::largest_of({stop, std::abs(response(taps, f))});
             }
         }
         QVERIFY2(pass < ripple, qPrintable(QString::number(pass)));

@@ -8,6 +8,7 @@
 #include "core/resonator/results/resonator_fit.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -64,8 +65,8 @@ double worst_deviation(const DriftFunction& found, const Eigen::Vector3d& truth)
     double worst = 0;
     for (Eigen::Index k = 0; k < found.coefficients.size(); ++k) {
         const double expected = k < 3 ? truth[k] : 0;
-        worst = std::max(
-            worst, std::abs(found.coefficients[k] - expected) / std::sqrt(found.covariance(k, k)));
+        worst = largest_of({worst, std::abs(found.coefficients[k] - expected) /
+                                       std::sqrt(found.covariance(k, k))});
     }
     return worst;
 }

@@ -8,6 +8,7 @@
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -175,8 +176,8 @@ void TestCarrierNoise::phase_noise_is_common_to_both_channels() {
         double worst = 0;
         double largest = 0;
         for (std::size_t k = 0; k < noisy->c.size(); ++k) {
-            worst = std::max(worst, std::abs(noisy->c[k] * std::tan(0.9) - noisy->d[k]));
-            largest = std::max(largest, std::abs(noisy->c[k]));
+            worst = test::largest_of({worst, std::abs(noisy->c[k] * std::tan(0.9) - noisy->d[k])});
+            largest = test::largest_of({largest, std::abs(noisy->c[k])});
         }
         QVERIFY2(worst < 1e-14, qPrintable(QString::number(worst)));
         QVERIFY(largest < std::cos(0.9) * (1 + 1e-12));

@@ -6,6 +6,7 @@
 #include "core/simulation/slow_motion.h"
 #include "core/simulation/true_track.h"
 #include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -50,7 +51,7 @@ double distance(const FreeDecay& decay, const Formula& formula) {
     double worst = 0;
     for (std::size_t k = 0; k < samples->c.size(); ++k) {
         const auto [c, d] = formula(static_cast<double>(k) / decay.rate_hz);
-        worst = std::max({worst, std::abs(c - samples->c[k]), std::abs(d - samples->d[k])});
+        worst = test::largest_of({worst, std::abs(c - samples->c[k]), std::abs(d - samples->d[k])});
     }
     return worst;
 }
@@ -193,7 +194,7 @@ void TestSimulatedChannels::the_delay_holds_for_a_decaying_beating_drifting_wave
             for (std::size_t k = 10; k + 10 < plain->d.size(); ++k) {
                 const double before =
                     plain->d[static_cast<std::size_t>(static_cast<int>(k) - late)];
-                worst = std::max(worst, std::abs(delayed->d[k] - before));
+                worst = test::largest_of({worst, std::abs(delayed->d[k] - before)});
             }
             VYBEG_CLOSE(worst, 0, 1e-11);
         }

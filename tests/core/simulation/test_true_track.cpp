@@ -3,6 +3,7 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/true_track.h"
 #include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -96,8 +97,9 @@ private slots:
                     a_A * std::cos(tau) * std::sin(angle) + a_B * std::sin(tau) * std::cos(angle);
                 return std::max(std::abs(c - samples->c[frame]), std::abs(d - samples->d[frame]));
             };
-            worst = std::max(worst, distance(centre));
-            worst_beside = std::max({worst_beside, distance(centre - 1), distance(centre + 1)});
+            worst = test::largest_of({worst, distance(centre)});
+            worst_beside =
+                test::largest_of({worst_beside, distance(centre - 1), distance(centre + 1)});
         }
         QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
         // One sample aside the slow change shows: 2 k Omega dt = 3.3e-5 of the amplitude.

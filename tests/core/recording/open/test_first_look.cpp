@@ -3,6 +3,7 @@
 #include "core/recording/open/first_look.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/largest_of.h"
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -42,9 +43,9 @@ double largest_error(const std::vector<EnvelopeBucket>& parts) {
     double largest = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const double crest = 1 - static_cast<double>(i) / static_cast<double>(parts.size());
-        largest = std::max({largest, std::abs(static_cast<double>(parts[i].c_max) - crest),
-                            std::abs(static_cast<double>(parts[i].c_min) + crest),
-                            std::abs(static_cast<double>(parts[i].d_max) - crest / 2)});
+        largest = largest_of({largest, std::abs(static_cast<double>(parts[i].c_max) - crest),
+                              std::abs(static_cast<double>(parts[i].c_min) + crest),
+                              std::abs(static_cast<double>(parts[i].d_max) - crest / 2)});
     }
     return largest;
 }

@@ -1,6 +1,7 @@
 #include "core/recording/times/local_cubic.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/times/timed_signal.h"
+#include "tests/largest_of.h"
 
 #include <random>
 
@@ -70,7 +71,7 @@ void TestTimeGrid::jitter_is_resampled_within_the_error_of_the_cubic() {
     for (std::size_t i = 1; i < times.size(); ++i) {
         const double shift = jitter(random);
         times[i] += shift / rate;
-        largest = std::max(largest, std::abs(shift));
+        largest = largest_of({largest, std::abs(shift)});
     }
     const UniformSamples grid = gridded(samples_at(times));
     // Standard deviation of the slope of a line through 5000 times with jitter of 0.2/sqrt(12).
@@ -88,7 +89,7 @@ void TestTimeGrid::jitter_is_resampled_within_the_error_of_the_cubic() {
     const auto inside = [&](const std::vector<double>& values, double (*signal)(double)) {
         double worst = 0;
         for (std::size_t i = 2; i + 2 < values.size(); ++i) {
-            worst = std::max(worst, std::abs(values[i] - signal(at[i])));
+            worst = largest_of({worst, std::abs(values[i] - signal(at[i]))});
         }
         return worst;
     };
