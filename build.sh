@@ -33,6 +33,7 @@ Usage: ./build.sh COMMAND
   test-sanitized
                 the same under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan,
                 without the long and the statistical tests
+  test-threads  the tests that run several threads under ThreadSanitizer, in build/tsan
   tidy          clang-tidy over core/, a quarter of an hour (not part of .ci/run)
   fuzz FORMAT [SECONDS]
                 feed the reader of a format (audio text npy npz uff tdms raw mat mat73 hdf5) with
@@ -163,6 +164,7 @@ case "${1:-}" in
     run) run_program ;;
     test) run_tests release ;;
     test-sanitized) run_tests asan --label-exclude 'statistical|long' ;;
+    test-threads) run_tests tsan ;;
     build) build release ;;
     tidy) run_tidy ;;
     fuzz) run_fuzzer "${2:?which format? See ./build.sh help}" "${3:-60}" ;;

@@ -1,6 +1,7 @@
 // compare: a passport against new recordings, on simulated sets of which one is another
 // resonator's.
 #include "tests/app/resonator_runs.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -96,8 +97,8 @@ private slots:
                 const double value = raw["values"].toArray()[k].toDouble();
                 const double variance =
                     raw["covariance"].toArray()[k * names.size() + k].toDouble();
-                QVERIFY(std::abs(value - kappa["value"].toDouble()) < 1e-12);
-                QVERIFY(std::abs(std::sqrt(variance) / kappa["u"].toDouble() - 1) < 1e-6);
+                VYBEG_CLOSE(value, kappa["value"].toDouble(), 1e-12);
+                VYBEG_CLOSE_RATIO(std::sqrt(variance), kappa["u"].toDouble(), 1e-6);
                 return;
             }
         }
@@ -112,12 +113,12 @@ private slots:
         };
         const QJsonObject usual = split_of({}, "f_mean_hz");
         QCOMPARE(usual["verdict"].toString(), QString("unchanged"));
-        QVERIFY(std::abs(usual["limit"].toDouble() / (30e-6 * 5300) - 1) < 1e-3);
+        VYBEG_CLOSE_RATIO(usual["limit"].toDouble(), 30e-6 * 5300, 1e-3);
         QVERIFY(usual["relative"].isDouble());
         QVERIFY(usual["change"]["u"].toDouble() > usual["change"]["sd"].toDouble());
         QVERIFY(!split_of({}, "split_hz").contains("limit"));
         const QJsonObject wide = split_of({"--f-limit", "50"}, "f_mean_hz");
-        QVERIFY(std::abs(wide["limit"].toDouble() / (50e-6 * 5300) - 1) < 1e-3);
+        VYBEG_CLOSE_RATIO(wide["limit"].toDouble(), 50e-6 * 5300, 1e-3);
     }
 
     void a_failure_has_its_status_and_one_sentence_data() {

@@ -44,7 +44,7 @@ private slots:
             process.setWorkingDirectory(folder_.path());
             process.start(VYBEG_CLI, command.split(' '));
             QTRY_COMPARE_WITH_TIMEOUT(temporaries().size(), 1, 10000);
-            QTest::qWait(static_cast<int>(100 + 130 * i));
+            QTest::qWait(static_cast<int>(100 + 130 * i));  // the moment of the run
             QCOMPARE(process.state(), QProcess::Running);
             QElapsedTimer timer;
             timer.start();

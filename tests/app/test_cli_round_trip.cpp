@@ -5,6 +5,8 @@
 // that mean has a deviation of about sqrt(2/N).
 #include "tests/app/cli_run.h"
 #include "tests/app/track_table.h"
+#include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -52,7 +54,7 @@ private slots:
         const auto found_time = found.column("t_s");
         const auto true_time = truth.column("t_s");
         for (std::size_t row = 0; row < found_time.size(); ++row) {
-            QVERIFY(std::abs(found_time[row] - true_time[row]) < 1e-9);
+            VYBEG_CLOSE(found_time[row], true_time[row], 1e-9);
         }
         for (const char* column : {"a_A", "a_B", "two_theta_A_rad", "alpha_rad", "f_Hz"}) {
             const auto values = found.column(column);
@@ -67,11 +69,10 @@ private slots:
                 }
                 const double ratio = error / sds[row];
                 mean_square += ratio * ratio / static_cast<double>(values.size());
-                worst = std::max(worst, std::abs(ratio));
+                worst = largest_of({worst, std::abs(ratio)});
             }
             const double deviation = std::sqrt(2 / static_cast<double>(values.size()));
-            QVERIFY2(std::abs(mean_square - 1.018) < 4.5 * deviation,
-                     qPrintable(QString("%1: %2").arg(column).arg(mean_square)));
+            VYBEG_CLOSE(mean_square, 1.018, 4.5 * deviation, qPrintable(column));
             QVERIFY2(worst < 6, qPrintable(QString("%1: %2").arg(column).arg(worst)));
         }
     }
@@ -193,7 +194,7 @@ private slots:
             track.header(), [](const QByteArray& line) { return line.startsWith("f0_Hz: "); });
         QVERIFY(f0 != track.header().end());
         // A hundredth of the bin of 0.4 s.
-        QVERIFY(std::abs(f0->mid(7).toDouble() - 5300) < 0.025);
+        VYBEG_CLOSE(f0->mid(7).toDouble(), 5300, 0.025);
     }
 
     void standard_output_gets_the_same_bytes_as_a_file_for_any_number_of_threads() {

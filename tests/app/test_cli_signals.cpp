@@ -35,7 +35,7 @@ class TestCliSignals : public QObject, private CliFolder {
         process.setWorkingDirectory(folder_.path());
         process.start(VYBEG_CLI, work.command.split(' '));
         QVERIFY(process.waitForStarted());
-        QTest::qSleep(after_us / 1000);
+        QTest::qSleep(after_us / 1000);  // the moment of the run
         kill(static_cast<pid_t>(process.processId()), signal);
         QVERIFY(process.waitForFinished(30000));
         const QByteArray err = process.readAllStandardError();

@@ -1,6 +1,7 @@
 // How a text file is to be read, said on the command line: --delimiter and its companions.
 #include "tests/app/cli_run.h"
 #include "tests/app/track_table.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -53,7 +54,7 @@ private slots:
         QVERIFY(table.rows() > 60);
         for (const double amplitude : table.column("a_A")) {
             // 500 mV and 200 mV in phase; rounded to 1e-6 mV.
-            QVERIFY(std::abs(amplitude - std::hypot(0.5, 0.2)) < 1e-8);
+            VYBEG_CLOSE(amplitude, std::hypot(0.5, 0.2), 1e-8);
         }
         const QJsonObject info = object(run("info --json board.txt " + said).out);
         QCOMPARE(info["channels"].toArray().size(), 2);

@@ -115,7 +115,7 @@ public:
     // The analysis to its drawn plots. Nothing but events between, no polling.
     double click_ms(const Settings& settings) {
         document().setSettings(settings);
-        QTest::qWait(50);
+        QTest::qWait(50);  // what this asks for is drawn before the clock starts
         QPushButton* run = window_.findChild<QPushButton*>(QStringLiteral("run"));
         const Clock clock;
         QTest::mouseClick(run, Qt::LeftButton);
@@ -256,7 +256,7 @@ int main(int argc, char** argv) {
     for (const double share : {0.5, 0.1, 0.005}) {
         const double span = share * whole.span();
         tracks.setTimeRange({whole.lower, whole.lower + span});
-        QTest::qWait(50);
+        QTest::qWait(50);  // what this asks for is drawn before the clock starts
         for (int i = 1; i <= frames / 3; ++i) {
             const double from = whole.lower + (whole.span() - span) * i / (frames / 3. + 1);
             pan.add(bench.frame_ms([&] { tracks.setTimeRange({from, from + span}); }));

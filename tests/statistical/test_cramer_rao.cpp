@@ -4,6 +4,7 @@
 #include "core/estimators/wave/precision_bound.h"
 #include "core/simulation/true_track.h"
 #include "core/track/track.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -146,10 +147,10 @@ void CramerRao::maximumLikelihoodReachesTheBound() {
                                   .arg(sd / bound[v])
                                   .arg(bias / sd)
                                   .arg(squares / reported);
-        QVERIFY2(std::abs(sd / bound[v] - 1) < tolerance, qPrintable(where));
-        QVERIFY2(std::abs(bias) < 0.1 * sd, qPrintable(where));
+        VYBEG_CLOSE_RATIO(sd, bound[v], tolerance, qPrintable(where));
+        VYBEG_CLOSE(bias, 0, 0.1 * sd, qPrintable(where));
         // The reported sd is right within 5 %: the squared errors over the reported variances.
-        QVERIFY2(std::abs(std::sqrt(squares / reported) - 1) < 0.05, qPrintable(where));
+        VYBEG_CLOSE(std::sqrt(squares / reported), 1, 0.05, qPrintable(where));
     }
 }
 

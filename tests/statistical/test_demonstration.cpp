@@ -4,6 +4,8 @@
 #include "core/simulation/true_track.h"
 #include "core/track/events.h"
 #include "core/track/track.h"
+#include "tests/closeness.h"
+#include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -76,7 +78,7 @@ void Demonstration::everyWindowAgreesWithTheTruth() {
             // the sum.
             squares += error * error / (sd * sd);
             variances += 1;
-            farthest = std::max(farthest, std::abs(error) / sd);
+            farthest = test::largest_of({farthest, std::abs(error) / sd});
         }
         // sigma is estimated from 2n - 5 = 7 degrees of freedom: pulls follow Student's t, of
         // variance 7/5.
@@ -85,7 +87,7 @@ void Demonstration::everyWindowAgreesWithTheTruth() {
                                   .arg(info(variable).column)
                                   .arg(scatter)
                                   .arg(farthest);
-        QVERIFY2(std::abs(scatter - 1) < 0.05, qPrintable(where));
+        VYBEG_CLOSE(scatter, 1, 0.05, qPrintable(where));
     }
     QVERIFY2(flagged < track.rows() / 1000, qPrintable(QString::number(flagged)));
 }
@@ -99,7 +101,7 @@ void Demonstration::theWaveSwingsAndTurnsThroughAnAxis() {
     const auto a_B = analysis->track.values(SlowVariable::a_B);
     double largest = 0;
     for (std::size_t k = 0; k < a_A.size(); ++k) {
-        largest = std::max(largest, std::abs(a_B[k]) / a_A[k]);
+        largest = test::largest_of({largest, std::abs(a_B[k]) / a_A[k]});
     }
     QVERIFY2(largest > 0.2, qPrintable(QString::number(largest)));
 
@@ -114,8 +116,7 @@ void Demonstration::theWaveSwingsAndTurnsThroughAnAxis() {
         QCOMPARE(found[k].direction, expected[k].direction);
         // Where 2theta_A moves by three standard deviations of a window, a crossing is known to a
         // part of that stretch.
-        QVERIFY2(std::abs(found[k].time_s - expected[k].time_s) < 0.05,
-                 qPrintable(QString("%1 %2").arg(found[k].time_s).arg(expected[k].time_s)));
+        VYBEG_CLOSE(found[k].time_s, expected[k].time_s, 0.05);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "core/estimators/wave/estimator.h"
 #include "core/simulation/true_track.h"
 #include "core/track/track_summary.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/statistical/track_errors.h"
 
@@ -133,13 +134,14 @@ private slots:
                 QVERIFY(analysis);
                 const TrackSummary summary = summary_of(*analysis);
                 const double pull = (summary.mean_f_hz - wave.f0_hz) / summary.sd_mean_f_hz;
-                QVERIFY2(std::abs(pull) < 4, qPrintable(QString("%1 Hz off, noise %2: %3 +- %4, %5 "
-                                                                "windows at the bound")
-                                                            .arg(off)
-                                                            .arg(noise)
-                                                            .arg(summary.mean_f_hz)
-                                                            .arg(summary.sd_mean_f_hz)
-                                                            .arg(summary.at_bound)));
+                VYBEG_CLOSE(pull, 0, 4,
+                            qPrintable(QString("%1 Hz off, noise %2: %3 +- %4, %5 "
+                                               "windows at the bound")
+                                           .arg(off)
+                                           .arg(noise)
+                                           .arg(summary.mean_f_hz)
+                                           .arg(summary.sd_mean_f_hz)
+                                           .arg(summary.at_bound)));
             }
         }
     }
@@ -157,8 +159,7 @@ private slots:
             QVERIFY(analysis);
             const double noise = summary_of(*analysis).noise;
             // 130,000 samples in all, of which at n = 6 seven of twelve are left.
-            QVERIFY2(std::abs(noise / wave.noise - 1) < 0.015,
-                     qPrintable(QString("n %1: %2").arg(n).arg(noise)));
+            VYBEG_CLOSE_RATIO(noise, wave.noise, 0.015, qPrintable(QString("n %1").arg(n)));
         }
     }
 };

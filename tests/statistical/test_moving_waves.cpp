@@ -3,6 +3,7 @@
 #include "core/analysis/settings.h"
 #include "core/simulation/true_track.h"
 #include "core/track/events.h"
+#include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/statistical/track_errors.h"
 
@@ -99,7 +100,7 @@ private slots:
                     }
                     values += 1;
                     beyond += pull > 4 ? 1 : 0;
-                    worst = std::max(worst, pull);
+                    worst = largest_of({worst, pull});
                 }
             }
         }

@@ -4,6 +4,7 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/recording.h"
 #include "core/track/track.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -101,7 +102,7 @@ void RealRecordings::trackLiesBetweenTheModesAndDecaysWithThem() {
     const QString where = QString("f %1 Hz, tau %2 s").arg(mean_f).arg(found_tau_s);
     qInfo("%s", qPrintable(where));
     QVERIFY2(mean_f > lower_hz && mean_f < upper_hz, qPrintable(where));
-    QVERIFY2(std::abs(found_tau_s / tau_s - 1) < 0.1, qPrintable(where));
+    VYBEG_CLOSE_RATIO(found_tau_s, tau_s, 0.1, qPrintable(where));
 }
 
 QTEST_GUILESS_MAIN(RealRecordings)

@@ -3,10 +3,9 @@
 #include "core/analysis/identify.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/recording.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
-
-#include <cmath>
 
 using namespace vybeg;
 
@@ -63,10 +62,10 @@ private slots:
             const auto at_tau = [drift](const ModeEstimate& mode) {
                 return mode.f_hz.value + drift * mode.tau_s.value / 2;
             };
-            QVERIFY2(std::abs(at_tau(upper) - upper_hz) < within_hz, qPrintable(text));
-            QVERIFY2(std::abs(at_tau(lower) - lower_hz) < within_hz, qPrintable(text));
-            QVERIFY2(std::abs(upper.tau_s.value / upper_tau_s - 1) < 0.1, qPrintable(text));
-            QVERIFY2(std::abs(lower.tau_s.value / lower_tau_s - 1) < 0.1, qPrintable(text));
+            VYBEG_CLOSE(at_tau(upper), upper_hz, within_hz, qPrintable(text));
+            VYBEG_CLOSE(at_tau(lower), lower_hz, within_hz, qPrintable(text));
+            VYBEG_CLOSE_RATIO(upper.tau_s.value, upper_tau_s, 0.1, qPrintable(text));
+            VYBEG_CLOSE_RATIO(lower.tau_s.value, lower_tau_s, 0.1, qPrintable(text));
         }
     }
 };

@@ -1,5 +1,6 @@
 #include "core/resonator/results/resonator_fit.h"
 #include "core/simulation/simulate.h"
+#include "tests/closeness.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/resonator_bound.h"
 #include "tests/statistical/simulated_recording.h"
@@ -126,12 +127,12 @@ void TestResonatorSet::fourRunsShowASplitOfAMicrohertz() {
     qInfo(
         "mean %.4g Hz, scatter %.3g Hz, bound %.3g Hz, reported %.3g Hz, axis %d of %d, chi2 %.4f",
         sum, scatter, least, reported, axis_right, seeds, chi2);
-    QVERIFY(std::abs(sum - 1e-6) <= 3 * scatter / std::sqrt(1.0 * seeds));
+    VYBEG_WITHIN(sum, 1e-6, 3 * scatter / std::sqrt(1.0 * seeds));
     QVERIFY(scatter <= 1.2 * least);
     QVERIFY(scatter <= 6e-8);
-    QVERIFY(std::abs(reported / scatter - 1) <= 0.15);
+    VYBEG_WITHIN(reported / scatter, 1, 0.15);
     QVERIFY(axis_right >= 98);
-    QVERIFY(std::abs(chi2 - 1) < 0.01);
+    VYBEG_CLOSE(chi2, 1, 0.01);
 }
 
 QTEST_GUILESS_MAIN(TestResonatorSet)

@@ -3,6 +3,7 @@
 // five of its combined uncertainties of the truth, over two seeds; what must be refused is refused,
 // what must be named is named.
 #include "core/analysis/identify.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -233,7 +234,7 @@ void RowsFromSamples::every_given_number_is_right() {
             const double off = number.period > 0
                                    ? std::remainder(estimate.value - number.truth, number.period)
                                    : estimate.value - number.truth;
-            QVERIFY2(std::abs(off) < 5 * estimate.uncertainty(), qPrintable(text));
+            VYBEG_CLOSE(off, 0, 5 * estimate.uncertainty(), qPrintable(text));
         }
         if (!one->f_mean_is_f0 && found.fit.resonator.f_mean_hz.given()) {
             const double off = found.fit.resonator.f_mean_hz.value - one->truth.f0_hz;
@@ -259,10 +260,10 @@ void RowsFromSamples::two_microphones_are_no_resonator() {
         QVERIFY(found);
         QVERIFY(found->fit.model == ResonatorModel::free);
         QCOMPARE(found->fit.modes.size(), std::size_t{2});
-        QVERIFY(std::abs(found->fit.modes[0].f_hz.value - 3618.9 - seed) <
-                5 * found->fit.modes[0].f_hz.uncertainty());
-        QVERIFY(std::abs(found->fit.modes[1].f_hz.value - 3618) <
-                5 * found->fit.modes[1].f_hz.uncertainty());
+        VYBEG_CLOSE(found->fit.modes[0].f_hz.value - 3618.9, seed,
+                    5 * found->fit.modes[0].f_hz.uncertainty());
+        VYBEG_CLOSE(found->fit.modes[1].f_hz.value, 3618,
+                    5 * found->fit.modes[1].f_hz.uncertainty());
     }
 }
 

@@ -1,4 +1,5 @@
 // What stands beside and above the axes, as pure functions.
+#include "tests/closeness.h"
 #include "ui/plots/axis_ticks.h"
 #include "ui/words/display_units.h"
 #include "ui/words/index_text.h"
@@ -110,7 +111,8 @@ private slots:
                 const double read = plain.replace(QChar(0x2212), '-').toDouble();
                 const double meant = (position - ticks.offset) / std::pow(10., ticks.exponent);
                 // Relative to the span: rounding of a decimal label.
-                QVERIFY(std::abs(read - meant) * std::pow(10., ticks.exponent) <= 1e-5 * span);
+                VYBEG_WITHIN((read - meant) * std::pow(10., ticks.exponent), 0, 1e-5 * span,
+                             qPrintable(label));
             }
         }
         // Only labels that need half of a very short axis may stand alone.
@@ -177,8 +179,8 @@ private slots:
         };
         QCOMPARE(shown(FrequencyUnit::hertz), f);
         QCOMPARE(shown(FrequencyUnit::radians_per_second), 2 * std::numbers::pi * f);
-        QVERIFY(std::abs(shown(FrequencyUnit::deviation_hertz) - 0.053) < 1e-9);
-        QVERIFY(std::abs(shown(FrequencyUnit::deviation_ppm) - 10.) < 1e-6);
+        VYBEG_CLOSE(shown(FrequencyUnit::deviation_hertz), 0.053, 1e-9);
+        VYBEG_CLOSE(shown(FrequencyUnit::deviation_ppm), 10., 1e-6);
         QCOMPARE(displayScale(SlowVariable::f, units, f0).sd(f, 0.0053), 1.);
     }
 
@@ -191,7 +193,7 @@ private slots:
         QCOMPARE(scale.value(0.1), -20.);
         // Against the difference quotient.
         const double slope = (scale.value(0.5 + 1e-6) - scale.value(0.5 - 1e-6)) / 2e-6;
-        QVERIFY(std::abs(scale.sd(0.5, 0.01) - 0.01 * slope) < 1e-8);
+        VYBEG_CLOSE(scale.sd(0.5, 0.01), 0.01 * slope, 1e-8);
         QCOMPARE(displayUnit(SlowVariable::a_A, units), QStringLiteral("dB"));
     }
 };

@@ -48,7 +48,9 @@ private slots:
             window_->action(command)->trigger();
             auto* dialog = window_->findChild<QFileDialog*>();
             QVERIFY(dialog && dialog->isVisible());
-            QTest::qWait(20);  // its list of files is read in the background
+            // Its list of files is read in the background, unless Qt knows the folder from an
+            // earlier question; nothing shows which of them, or that it is done.
+            QTest::qWait(20);
             dialog->reject();
             QTest::qWait(5);
         };
@@ -114,7 +116,7 @@ private slots:
             window_->files().exportPlotsTo(path);
             QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
             window_->files().savePassportTo(path);
-            QTest::qWait(100);
+            QTest::qWait(100);  // nothing is written in this time
             QVERIFY(bytes() == before);
         }
         QVERIFY(QFile::remove(link));

@@ -2,6 +2,7 @@
 #include "core/recording/bytes/byte_order.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
+#include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
 #include "ui/import/import_dialog.h"
 #include "ui/import/import_fields.h"
@@ -294,7 +295,7 @@ private slots:
         QCOMPARE(entry->recording->rate_hz, 8000.0);
         QCOMPARE(entry->recording->read_with, std::string("--decimal comma"));
         QTRY_VERIFY(entry->f0_hz);
-        QVERIFY(std::abs(*entry->f0_hz - 1000) < 0.01);
+        VYBEG_CLOSE(*entry->f0_hz, 1000, 0.01);
         QTRY_VERIFY(!dialog_);
     }
 

@@ -89,13 +89,18 @@ class TestLongRecording : public QObject {
     bool whole() { return seen() && document().currentRecording()->envelope->whole(); }
     bool analysed() { return !document().busy() && !document().runs().empty(); }
 
+    // Another thirty turns of the event loop, in which what has been asked for is drawn.
+    bool settled() {
+        const int before = heart_.beats();
+        return QTest::qWaitFor([&] { return heart_.beats() >= before + 30; }, 20000);
+    }
+
     // Does something in the event loop and keeps the longest gap until it has had time to be drawn.
     template <class Act>
     void act(const QString& what, Act act, double limit_ms = longest_gap_ms) {
         heart_.reset();
         QTimer::singleShot(0, this, act);
-        QTest::qWait(150);
-        QVERIFY2(QTest::qWaitFor([this] { return heart_.beats() > 3; }), qPrintable(what));
+        QVERIFY2(settled(), qPrintable(what));
         keep(what, limit_ms);
     }
     void keep(const QString& what, double limit_ms = longest_gap_ms) {
@@ -126,7 +131,7 @@ class TestLongRecording : public QObject {
         QVERIFY(QTest::qWaitFor([&] { return analysed(); }, 120000));
         qInfo("analysed after %lld ms, %zu windows", clock.elapsed(),
               document().runs().front().summary.windows);
-        QTest::qWait(300);  // until it is drawn
+        QVERIFY(settled());
         keep("opening and analysis");
 
         auto& tracks = the<TrackView>();
@@ -181,7 +186,7 @@ private slots:
     }
     void init() {
         window_ = shownWindow();
-        QTest::qWait(100);
+        QVERIFY(settled());
         heart_.reset();
     }
     void cleanup() { window_.reset(); }

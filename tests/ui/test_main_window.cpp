@@ -1,4 +1,5 @@
 // The window driven as a person drives it: files, keys, mouse.
+#include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/cursor_panel.h"
 #include "ui/panels/events_panel.h"
@@ -24,8 +25,6 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <qcustomplot.h>
-
-#include <cmath>
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -92,7 +91,7 @@ private slots:
         QVERIFY2(notes_of(0).isEmpty(), qPrintable(notes_of(0)));
         QCOMPARE(list.headerItem()->text(6), QString("Noise"));
         const double noise = QLocale().toDouble(list.topLevelItem(0)->text(6));
-        QVERIFY2(std::abs(noise / 1e-3 - 1) < 0.05, qPrintable(list.topLevelItem(0)->text(6)));
+        VYBEG_CLOSE_RATIO(noise, 1e-3, 0.05, qPrintable(list.topLevelItem(0)->text(6)));
 
         Settings settings = document().settings();
         settings.window = 62;
@@ -102,7 +101,7 @@ private slots:
         QVERIFY(idle(2));
         const RunEntry& entry = document().runs().back();
         QVERIFY(entry.summary.leakage_limits());
-        QVERIFY(std::abs(entry.summary.mean_f_hz - 1000) < 4 * entry.summary.sd_mean_f_hz);
+        VYBEG_CLOSE(entry.summary.mean_f_hz, 1000, 4 * entry.summary.sd_mean_f_hz);
         QVERIFY2(notes_of(1).contains("Leakage"), qPrintable(notes_of(1)));
         auto* snap = list.findChild<QPushButton*>(QStringLiteral("snapRun"));
         QVERIFY(snap && snap->isVisible());
@@ -166,7 +165,7 @@ private slots:
     void the_window_is_tied_together_in_samples_periods_and_milliseconds() {
         openOne();
         typeInto(field("Length"), "80");
-        QVERIFY(std::abs(*field("Length in periods").value() - 10) < 1e-3);
+        VYBEG_CLOSE(*field("Length in periods").value(), 10, 1e-3);
         QCOMPARE(*field("Length in milliseconds").value(), 10.0);
         typeInto(field("Length in milliseconds"), "5,5");
         QCOMPARE(document().settings().window, 44);
@@ -185,7 +184,7 @@ private slots:
         QTest::mouseClick(&the<QPushButton>("snap"), Qt::LeftButton);
         // At 1000 Hz and 8000 Hz half a period is four samples.
         QCOMPARE(document().settings().window % 4, 0);
-        QVERIFY(std::abs(document().settings().window - 61) <= 4);
+        VYBEG_WITHIN(document().settings().window, 61, 4);
         QVERIFY(the<QLabel>("residual").text() != before);
     }
 
@@ -235,8 +234,8 @@ private slots:
         QCOMPARE(lines.size(), 1 + static_cast<int>(shown_slow_variables.size()) + 1);
         QVERIFY(lines.first().startsWith("t = "));
         // a_A = 1 and a_B = 0.1 were simulated with a noise of 1e-3: window of 60, 10 sigma.
-        QVERIFY(std::abs(lines.at(1).split('\t').at(1).toDouble() - 1) < 2e-3);
-        QVERIFY(std::abs(lines.at(2).split('\t').at(1).toDouble() - 0.1) < 2e-3);
+        VYBEG_CLOSE(lines.at(1).split('\t').at(1).toDouble(), 1, 2e-3);
+        VYBEG_CLOSE(lines.at(2).split('\t').at(1).toDouble(), 0.1, 2e-3);
     }
 
     void the_plots_are_zoomed_by_wheel_and_history() {

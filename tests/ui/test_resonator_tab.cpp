@@ -1,4 +1,5 @@
 // Sets of runs, their identification and the passport, through the window's own widgets.
+#include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
 #include "ui/panels/message_bar.h"
@@ -18,12 +19,11 @@
 #include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTest>
-
-#include <cmath>
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -166,9 +166,9 @@ private slots:
         identify();
         const ResonatorEstimate& found = outcome()->identification.fit.resonator;
         const TestResonator truth;
-        QVERIFY(std::abs(found.split_hz.value - truth.split_hz) < 4 * found.split_hz.sd);
-        QVERIFY(std::abs(found.theta_w_rad.value - truth.theta_w) < 4 * found.theta_w_rad.sd);
-        QVERIFY(std::abs(found.tau_s.value - truth.tau_s) < 4 * found.tau_s.sd);
+        VYBEG_CLOSE(found.split_hz.value, truth.split_hz, 4 * found.split_hz.sd);
+        VYBEG_CLOSE(found.theta_w_rad.value, truth.theta_w, 4 * found.theta_w_rad.sd);
+        VYBEG_CLOSE(found.tau_s.value, truth.tau_s, 4 * found.tau_s.sd);
         QCOMPARE(cell("resonator", "Frequency split"),
                  valueText(found.split_hz.value, found.split_hz.sd, found.split_hz.u));
         QVERIFY(cell("resonator", "Decay time").startsWith("40"));
@@ -296,7 +296,7 @@ private slots:
         window_->action(Command::identify)->trigger();
         document().removeFromSet(document().currentSet()->id, {ids().front()});
         QVERIFY(!document().busy());
-        QTest::qWait(300);
+        QTest::qWait(300);  // nothing stale arrives in this time
         QVERIFY(!outcome());
     }
 
@@ -390,7 +390,7 @@ private slots:
         QVERIFY(std::ranges::none_of(rows, [](const auto& row) { return row.tip.isEmpty(); }));
         const auto& axis = rows.at(2);
         QVERIFY(axis.name.endsWith("°"));
-        QVERIFY(std::abs(axis.cells.front().exact.front().toDouble() - 11.46) < 2);
+        VYBEG_CLOSE(axis.cells.front().exact.front().toDouble(), 11.46, 2);
         the<ResonatorPanel>().setUnits(units);
         QCOMPARE(cell("resonator", "Stiffness axis"), axis.cells.front().text);
     }

@@ -1,3 +1,4 @@
+#include "tests/closeness.h"
 #include "ui/widgets/theme.h"
 
 #include <QApplication>
@@ -11,10 +12,10 @@ class TestTheme : public QObject {
 
 private slots:
     void black_on_white_has_the_greatest_contrast() {
-        QVERIFY(std::abs(contrast(Qt::black, Qt::white) - 21) < 1e-6);
-        QVERIFY(std::abs(contrast(Qt::red, Qt::red) - 1) < 1e-12);
+        VYBEG_CLOSE(contrast(Qt::black, Qt::white), 21, 1e-6);
+        VYBEG_CLOSE(contrast(Qt::red, Qt::red), 1, 1e-12);
         // Worked example of WCAG 2: #777777 on white is 4.48.
-        QVERIFY(std::abs(contrast(QColor("#777777"), Qt::white) - 4.48) < 0.005);
+        VYBEG_CLOSE(contrast(QColor("#777777"), Qt::white), 4.48, 0.005);
     }
 
     void text_is_readable_in_both_themes() {

@@ -1,3 +1,4 @@
+#include "tests/closeness.h"
 #include "tests/ui/synthetic_run.h"
 #include "ui/plots/track_view.h"
 
@@ -5,8 +6,6 @@
 #include <QWheelEvent>
 #include <QtTest>
 #include <qcustomplot.h>
-
-#include <cmath>
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -70,10 +69,6 @@ struct Bench {
     }
 };
 
-bool near(double a, double b, double tolerance) {
-    return std::abs(a - b) <= tolerance;
-}
-
 }  // namespace
 
 // The stacked plots as a user handles them: mouse, wheel and keys against the ranges that follow.
@@ -85,8 +80,8 @@ private slots:
         Bench bench;
         QCOMPARE(bench.view.timeRange(), bench.view.fullTimeRange());
         // From the first sample; the windows fill 10 s to within one of them.
-        QVERIFY(near(bench.view.timeRange().lower, 0, 1e-9));
-        QVERIFY(near(bench.view.timeRange().upper, 10, 60 / 33333.));
+        VYBEG_WITHIN(bench.view.timeRange().lower, 0, 1e-9);
+        VYBEG_WITHIN(bench.view.timeRange().upper, 10, 60 / 33333.);
         QCOMPARE(bench.plot->axisRectCount(), 5);
         QVERIFY(!bench.view.canZoomBack());
     }
@@ -98,12 +93,12 @@ private slots:
         const AxisRange before = bench.view.timeRange();
         const AxisRange values = bench.values(0);  // follow what is visible
         bench.wheel(mouse, 1);
-        QVERIFY(near(bench.view.timeRange().span(), 0.8 * before.span(), 1e-9));
-        QVERIFY(near(bench.timeAt(mouse), held, 1e-3 * before.span()));
+        VYBEG_WITHIN(bench.view.timeRange().span(), 0.8 * before.span(), 1e-9);
+        VYBEG_WITHIN(bench.timeAt(mouse), held, 1e-3 * before.span());
         QVERIFY(!(bench.values(0) == values));
         bench.wheel(mouse, -1);
-        QVERIFY(near(bench.view.timeRange().lower, before.lower, 1e-9));
-        QVERIFY(near(bench.view.timeRange().upper, before.upper, 1e-9));
+        VYBEG_WITHIN(bench.view.timeRange().lower, before.lower, 1e-9);
+        VYBEG_WITHIN(bench.view.timeRange().upper, before.upper, 1e-9);
     }
 
     void no_wheel_leads_out_of_the_recording() {
@@ -121,10 +116,10 @@ private slots:
         const AxisRange others = bench.values(1);
         const AxisRange time = bench.view.timeRange();
         bench.wheel(mouse, 1, Qt::ControlModifier);
-        QVERIFY(near(bench.values(3).span(), 0.8 * before.span(), 1e-9 * before.span()));
+        VYBEG_WITHIN(bench.values(3).span(), 0.8 * before.span(), 1e-9 * before.span());
         // A quarter of the height stays where it was, to a pixel.
-        QVERIFY(near(bench.values(3).lower + 0.25 * bench.values(3).span(),
-                     before.lower + 0.25 * before.span(), 0.02 * before.span()));
+        VYBEG_WITHIN(bench.values(3).lower + 0.25 * bench.values(3).span(),
+                     before.lower + 0.25 * before.span(), 0.02 * before.span());
         QCOMPARE(bench.values(1), others);
         QCOMPARE(bench.view.timeRange(), time);
     }
@@ -137,8 +132,8 @@ private slots:
         const QPoint to = bench.at(2, 0.7, 0.5);
         const double held = bench.timeAt(from);
         bench.drag(from, to);
-        QVERIFY(near(bench.timeAt(to), held, 2e-3));
-        QVERIFY(near(bench.view.timeRange().span(), 1, 1e-9));
+        VYBEG_WITHIN(bench.timeAt(to), held, 2e-3);
+        VYBEG_WITHIN(bench.view.timeRange().span(), 1, 1e-9);
         QVERIFY(bench.view.timeRange().lower < 4);
     }
 
@@ -148,7 +143,7 @@ private slots:
         bench.settle();
         bench.drag(bench.at(2, 0.1, 0.5), bench.at(2, 0.9, 0.5));
         QCOMPARE(bench.view.timeRange().lower, bench.view.fullTimeRange().lower);
-        QVERIFY(near(bench.view.timeRange().span(), 1, 1e-9));
+        VYBEG_WITHIN(bench.view.timeRange().span(), 1, 1e-9);
     }
 
     void shift_and_drag_zoom_into_the_rectangle() {
@@ -159,12 +154,12 @@ private slots:
         const AxisRange values = bench.values(1);
         bench.drag(from, to, Qt::ShiftModifier);
         // To a pixel of about 800 by 90.
-        QVERIFY(near(bench.view.timeRange().lower, time.lower + 0.2 * time.span(), 0.03));
-        QVERIFY(near(bench.view.timeRange().upper, time.lower + 0.6 * time.span(), 0.03));
-        QVERIFY(
-            near(bench.values(1).lower, values.lower + 0.2 * values.span(), 0.03 * values.span()));
-        QVERIFY(
-            near(bench.values(1).upper, values.lower + 0.8 * values.span(), 0.03 * values.span()));
+        VYBEG_WITHIN(bench.view.timeRange().lower, time.lower + 0.2 * time.span(), 0.03);
+        VYBEG_WITHIN(bench.view.timeRange().upper, time.lower + 0.6 * time.span(), 0.03);
+        VYBEG_WITHIN(bench.values(1).lower, values.lower + 0.2 * values.span(),
+                     0.03 * values.span());
+        VYBEG_WITHIN(bench.values(1).upper, values.lower + 0.8 * values.span(),
+                     0.03 * values.span());
     }
 
     void a_rectangle_too_small_to_be_meant_does_nothing() {
@@ -217,14 +212,14 @@ private slots:
         Bench bench;
         const AxisRange full = bench.view.timeRange();
         QTest::keyClick(&bench.view, Qt::Key_Plus);
-        QVERIFY(near(bench.view.timeRange().span(), 0.8 * full.span(), 1e-9));
+        VYBEG_WITHIN(bench.view.timeRange().span(), 0.8 * full.span(), 1e-9);
         const AxisRange zoomed = bench.view.timeRange();
         QTest::keyClick(&bench.view, Qt::Key_Right);
-        QVERIFY(near(bench.view.timeRange().lower, zoomed.lower + 0.1 * zoomed.span(), 1e-9));
+        VYBEG_WITHIN(bench.view.timeRange().lower, zoomed.lower + 0.1 * zoomed.span(), 1e-9);
         QTest::keyClick(&bench.view, Qt::Key_Left);
-        QVERIFY(near(bench.view.timeRange().lower, zoomed.lower, 1e-9));
+        VYBEG_WITHIN(bench.view.timeRange().lower, zoomed.lower, 1e-9);
         QTest::keyClick(&bench.view, Qt::Key_Minus);
-        QVERIFY(near(bench.view.timeRange().span(), full.span(), 1e-9));
+        VYBEG_WITHIN(bench.view.timeRange().span(), full.span(), 1e-9);
     }
 
     void the_keyboard_reaches_the_value_axis_of_the_focused_plot() {
@@ -242,8 +237,8 @@ private slots:
         QTRY_VERIFY(second->hasFocus());
         const AxisRange before = bench.values(1);
         QTest::keyClick(second, Qt::Key_Up);
-        QVERIFY(
-            near(bench.values(1).lower, before.lower + 0.1 * before.span(), 1e-9 * before.span()));
+        VYBEG_WITHIN(bench.values(1).lower, before.lower + 0.1 * before.span(),
+                     1e-9 * before.span());
     }
 
     void every_plot_has_an_accessible_name() {
@@ -263,7 +258,7 @@ private slots:
         const QPoint mouse = bench.at(2, 0.5, 0.5);
         bench.move(mouse);
         QCOMPARE(moved.count(), 1);
-        QVERIFY(near(moved[0][0].toDouble(), bench.timeAt(mouse), 1e-9));
+        VYBEG_WITHIN(moved[0][0].toDouble(), bench.timeAt(mouse), 1e-9);
         QEvent leave(QEvent::Leave);
         QCoreApplication::sendEvent(&bench.view, &leave);
         QCOMPARE(left.count(), 1);
@@ -283,7 +278,7 @@ private slots:
         const AxisRange time = bench.view.timeRange();
         const QPoint to = bench.at(1, 0.5, 0.5);
         bench.drag(bench.at(1, (3 - time.lower) / time.span(), 0.5), to);
-        QVERIFY(near(*bench.view.cursor(Cursor::a), bench.timeAt(to), 1e-9));
+        VYBEG_WITHIN(*bench.view.cursor(Cursor::a), bench.timeAt(to), 1e-9);
         QCOMPARE(bench.view.timeRange(), time);
         QTest::keyClick(&bench.view, Qt::Key_0);
         QVERIFY(!bench.view.cursor(Cursor::a) && !bench.view.cursor(Cursor::b));
@@ -297,7 +292,7 @@ private slots:
         QCOMPARE(changed.count(), 1);
         bench.view.setTimeRange({-5, 2});
         QCOMPARE(bench.view.timeRange().lower, bench.view.fullTimeRange().lower);
-        QVERIFY(near(bench.view.timeRange().span(), 7, 1e-9));
+        VYBEG_WITHIN(bench.view.timeRange().span(), 7, 1e-9);
     }
 
     void another_run_of_the_same_recording_keeps_the_view() {
@@ -307,7 +302,7 @@ private slots:
         runs.push_back(syntheticRun(1, {.seconds = 10, .window = 6}));
         runs[1].recording = runs[0].recording;
         bench.view.setRuns(runs);
-        QVERIFY(near(bench.view.timeRange().lower, 2, 1e-9));
+        VYBEG_WITHIN(bench.view.timeRange().lower, 2, 1e-9);
         runs[0].visible = runs[1].visible = false;
         bench.view.setRuns(runs);
         QCOMPARE(bench.view.fullTimeRange(), (AxisRange{0, 1}));
@@ -367,7 +362,7 @@ private slots:
         for (int row = 1; row < 5; ++row) {
             QCOMPARE(bench.rect(row)->left(), bench.rect(0)->left());
             QCOMPARE(bench.rect(row)->right(), bench.rect(0)->right());
-            QVERIFY(std::abs(bench.rect(row)->height() - bench.rect(0)->height()) <= 1);
+            VYBEG_WITHIN(bench.rect(row)->height(), bench.rect(0)->height(), 1);
         }
     }
 

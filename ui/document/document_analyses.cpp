@@ -2,6 +2,7 @@
 #include "ui/document/document.h"
 #include "ui/widgets/theme.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "ui/panels/recording_drag.h"
 
+#include <QCoreApplication>
 #include <QIODevice>
 #include <QMimeData>
 #include <QUrl>

@@ -179,7 +179,7 @@ void CrispGraph::drawBand(QCPPainter& painter, const std::vector<CurveColumn>& c
 void CrispGraph::drawLine(QCPPainter& painter, const std::vector<CurveColumn>& columns) const {
     QVector<QLineF> lines;
     QVector<QPointF> dots;
-    lines.reserve(static_cast<qsizetype>(2 * columns.size()));
+    lines.reserve(2 * static_cast<qsizetype>(columns.size()));
     // The origin of the pattern is t = 0, so that it moves with the curve.
     const double origin = keyAxis()->coordToPixel(0);
     QPointF before;

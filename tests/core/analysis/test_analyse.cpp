@@ -2,6 +2,7 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
 #include "core/track/track.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -70,7 +71,7 @@ void TestAnalyse::fillsInWhatWasLeftOpen() {
     settings.snap = true;
     const Result<Analysis> analysis = analyse(recording, settings, {});
     QVERIFY(analysis);
-    QVERIFY(std::abs(analysis->f0_hz() - 5300) < 0.1);
+    VYBEG_CLOSE(analysis->f0_hz(), 5300, 0.1);
     QCOMPARE(analysis->settings.window, 66);  // ten periods are 62.9; 66 are 20.99 half-periods
     QCOMPARE(analysis->settings.hop, 66);
     QVERIFY(analysis->residual < 0.001);
@@ -152,13 +153,13 @@ void TestAnalyse::calibrationTakesOutWhatTheChannelsAdd() {
     settings.calibration.kappa = 1.03;
     settings.calibration.offset_c = 0.5;
     settings.calibration.offset_d = -0.2;
-    QVERIFY2(error_of(settings) < 5e-5, qPrintable(QString::number(error_of(settings))));
+    VYBEG_CLOSE(error_of(settings), 0, 5e-5);
     settings.calibration.offset_c = settings.calibration.offset_d = 0;
     settings.calibration.offset_auto = true;
-    QVERIFY2(error_of(settings) < 5e-5, qPrintable(QString::number(error_of(settings))));
+    VYBEG_CLOSE(error_of(settings), 0, 5e-5);
     const Result<Analysis> analysis = analyse(recording, settings, {});
-    QVERIFY(std::abs(analysis->settings.calibration.offset_c - 0.5) < 1e-4);
-    QVERIFY(std::abs(analysis->settings.calibration.offset_d + 0.2) < 1e-4);
+    VYBEG_CLOSE(analysis->settings.calibration.offset_c, 0.5, 1e-4);
+    VYBEG_CLOSE(analysis->settings.calibration.offset_d, -0.2, 1e-4);
 }
 
 void TestAnalyse::electrodeAngleIsSubtracted() {
@@ -169,7 +170,7 @@ void TestAnalyse::electrodeAngleIsSubtracted() {
     settings.calibration.angle_zero_deg = 5;
     const double after =
         analyse(recording, settings, {})->track.values(SlowVariable::two_theta_A)[0];
-    QVERIFY(std::abs(before - after - 10 * std::numbers::pi / 180) < 1e-12);
+    VYBEG_CLOSE(before - after, 10 * std::numbers::pi / 180, 1e-12);
 }
 
 void TestAnalyse::filterFlagsItsTransients() {
@@ -183,7 +184,7 @@ void TestAnalyse::filterFlagsItsTransients() {
     QVERIFY(has(flags.back(), Flag::filter_transient));
     const auto clean = std::count(flags.begin(), flags.end(), Flags{0});
     QVERIFY2(clean > 450 && clean < 555, qPrintable(QString("%1 clean windows").arg(clean)));
-    QVERIFY(std::abs(analysis->track.values(SlowVariable::a_A)[250] - 1) < 1e-3);
+    VYBEG_CLOSE(analysis->track.values(SlowVariable::a_A)[250], 1, 1e-3);
     QVERIFY(std::ranges::any_of(analysis->diagnostics, [](const Diagnostic& d) {
         return d.kind == DiagnosticKind::filter_transients;
     }));
@@ -226,8 +227,7 @@ void TestAnalyse::uncertaintyOfTheRateIsInThatOfTheFrequency() {
             const double expected =
                 std::hypot(exact->track.sds(SlowVariable::f)[row], relative * f);
             const double sd = open->track.sds(SlowVariable::f)[row];
-            QVERIFY2(std::abs(sd / expected - 1) < 1e-12,
-                     qPrintable(QString("%1 instead of %2").arg(sd).arg(expected)));
+            VYBEG_CLOSE_RATIO(sd, expected, 1e-12);
             QCOMPARE(open->track.values(SlowVariable::f)[row], f);
             QCOMPARE(open->track.sds(SlowVariable::a_A)[row],
                      exact->track.sds(SlowVariable::a_A)[row]);

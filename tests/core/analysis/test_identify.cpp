@@ -1,9 +1,9 @@
 #include "core/analysis/identify.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
 
-#include <cmath>
 #include <numbers>
 
 using namespace vybeg;
@@ -40,19 +40,19 @@ private slots:
         const Result<Identification> open = identify(runs, {}, {});
         QVERIFY(exact && open);
         const double wide = 1e-5 * 5300;
-        const auto near = [](double a, double b) { return std::abs(a / b - 1) < 0.01; };
+
         QVERIFY(exact->fit.resonator.f_mean_hz.uncertainty() < 1e-4);
-        QVERIFY(near(open->fit.resonator.f_mean_hz.u, wide));
+        VYBEG_CLOSE_RATIO(open->fit.resonator.f_mean_hz.u, wide, 0.01);
         QCOMPARE(open->fit.modes.size(), std::size_t{2});
         for (const ModeEstimate& mode : open->fit.modes) {
-            QVERIFY(near(mode.f_hz.u, wide));
+            VYBEG_CLOSE_RATIO(mode.f_hz.u, wide, 0.01);
         }
         for (std::size_t k = 0; k < 2; ++k) {
-            QVERIFY(near(open->fit.runs[k].f_offset_hz.u, wide));
-            QVERIFY(near(open->fit.runs[k].direction_f_hz.u, wide));
+            VYBEG_CLOSE_RATIO(open->fit.runs[k].f_offset_hz.u, wide, 0.01);
+            VYBEG_CLOSE_RATIO(open->fit.runs[k].direction_f_hz.u, wide, 0.01);
         }
         QCOMPARE(open->runs[0].wave.f_hz.u, exact->runs[0].wave.f_hz.u);
-        QVERIFY(near(open->runs[1].wave.f_hz.u, wide));
+        VYBEG_CLOSE_RATIO(open->runs[1].wave.f_hz.u, wide, 0.01);
         QCOMPARE(open->fit.resonator.split_hz.uncertainty(),
                  exact->fit.resonator.split_hz.uncertainty());
         QCOMPARE(open->fit.resonator.f_mean_hz.sd, exact->fit.resonator.f_mean_hz.sd);

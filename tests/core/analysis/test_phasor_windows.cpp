@@ -7,6 +7,8 @@
 #include "core/recording/conditioning/filtered_source.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
+#include "tests/closeness.h"
+#include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -85,7 +87,7 @@ Errors errors_of(const PhasorWindows& found, const FreeDecay& decay) {
         const Eigen::Vector2cd truth = true_mean(motion, decay, run.time_s[k], found.plan.length);
         const double c = std::norm(run.c[k] - truth[0]);
         const double d = std::norm(run.d[k] - truth[1]);
-        errors.worst = std::max({errors.worst, std::sqrt(c), std::sqrt(d)});
+        errors.worst = largest_of({errors.worst, std::sqrt(c), std::sqrt(d)});
         errors.square +=
             (c + d) / (4 * run.sd[k] * run.sd[k]) / static_cast<double>(run.time_s.size());
     }
@@ -112,12 +114,10 @@ private slots:
         for (FreeDecay decay : {bell(), gyro()}) {
             decay.noise = 1e-3;
             const PhasorWindows found = phasors_of(decay, 512);
-            QVERIFY2(std::abs(found.noise_sd / 1e-3 - 1) < 0.01,
-                     qPrintable(QString::number(found.noise_sd)));
+            VYBEG_CLOSE_RATIO(found.noise_sd, 1e-3, 0.01);
             const double count = 4 * static_cast<double>(found.run.time_s.size());
             const double square = errors_of(found, decay).square;
-            QVERIFY2(std::abs(square - 1) < 4 * std::sqrt(2 / count) + 0.02,
-                     qPrintable(QString::number(square)));
+            VYBEG_CLOSE(square, 1, 4 * std::sqrt(2 / count) + 0.02);
         }
     }
 
@@ -127,8 +127,7 @@ private slots:
         const PhasorWindows found = phasors_of(decay, 18);
         const double square = errors_of(found, decay).square;
         const double count = 4 * static_cast<double>(found.run.time_s.size());
-        QVERIFY2(std::abs(square - 1) < 4 * std::sqrt(2 / count) + 0.03,
-                 qPrintable(QString::number(square)));
+        VYBEG_CLOSE(square, 1, 4 * std::sqrt(2 / count) + 0.03);
     }
 
     void any_number_of_threads_gives_the_same_bits() {
@@ -202,8 +201,7 @@ private slots:
                     phasors_of(recording_of(samples.c, samples.d, 33333), settings, 512);
                 QCOMPARE(found.run.phase_breaks_s.size(), std::size_t{1});
                 const double at = static_cast<double>(lost_at) / 33333;
-                QVERIFY2(std::abs(found.run.phase_breaks_s[0] - at) < 1e-4,
-                         qPrintable(QString::number(found.run.phase_breaks_s[0])));
+                VYBEG_CLOSE(found.run.phase_breaks_s[0], at, 1e-4);
                 QCOMPARE(std::ranges::count(found.diagnostics, DiagnosticKind::phase_unknown,
                                             &Diagnostic::kind),
                          1);
@@ -223,9 +221,8 @@ private slots:
                     }
                 }
                 // Modulo the period the phase is right, within what the step was told to.
-                QVERIFY2(std::abs(std::arg(turn)) < 0.05, qPrintable(QString::number(arg(turn))));
-                QVERIFY2(std::abs(std::abs(turn) / size - 1) < 1e-3,
-                         qPrintable(QString::number(std::abs(turn) / size)));
+                VYBEG_CLOSE(std::arg(turn), 0, 0.05);
+                VYBEG_CLOSE_RATIO(std::abs(turn), size, 1e-3);
             }
         }
     }
@@ -272,7 +269,7 @@ private slots:
         const PhasorWindows filtered =
             phasors_of(recording_of(samples.c, samples.d, 33333), settings, 500);
         const double reach = static_cast<double>(band_pass_reach(5200, 5400, 33333)) / 33333;
-        QVERIFY(std::abs(filtered.run.time_s.front() - 2 * reach) < 0.035);
+        VYBEG_CLOSE(filtered.run.time_s.front(), 2 * reach, 0.035);
         QCOMPARE(told(filtered), 1);
     }
 
@@ -283,7 +280,7 @@ private slots:
         settings.calibration.angle_zero_deg = 7;
         const PhasorRun run = phasors_of(simulated_recording(decay), settings, 500).run;
         const WaveState state = to_wave_state({run.c[0], run.d[0]});
-        QVERIFY(std::abs(state.two_theta_A - 0.3 + 14 * std::numbers::pi / 180) < 1e-3);
+        VYBEG_CLOSE(state.two_theta_A - 0.3, -14 * std::numbers::pi / 180, 1e-3);
     }
 
     void the_default_window_is_bounded_in_length_and_number() {

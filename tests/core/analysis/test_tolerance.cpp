@@ -1,9 +1,8 @@
 // Tolerances of the channels as text, and back.
 #include "core/analysis/tolerance.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
-
-#include <cmath>
 
 using namespace vybeg;
 
@@ -36,13 +35,9 @@ private slots:
         QFETCH(double, phase_drift_rad);
         const Result<Tolerance> read = read_tolerance(text.toStdString());
         QVERIFY(read);
-        const auto near = [](double value, double wanted) {
-            return std::abs(value - wanted) <= 1e-14 * std::abs(wanted);
-        };
-        QVERIFY2(near(read->skew_deg, skew_deg), qPrintable(QString::number(read->skew_deg)));
-        QVERIFY2(near(read->delay_s, delay_s), qPrintable(QString::number(read->delay_s)));
-        QVERIFY2(near(read->phase_drift_rad, phase_drift_rad),
-                 qPrintable(QString::number(read->phase_drift_rad)));
+        VYBEG_WITHIN(read->skew_deg, skew_deg, 1e-14 * skew_deg);
+        VYBEG_WITHIN(read->delay_s, delay_s, 1e-14 * delay_s);
+        VYBEG_WITHIN(read->phase_drift_rad, phase_drift_rad, 1e-14 * phase_drift_rad);
         QVERIFY(!read->kappa);
     }
 

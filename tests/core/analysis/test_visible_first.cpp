@@ -1,5 +1,6 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/visible_first.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -83,7 +84,7 @@ private slots:
         const double hop_s = static_cast<double>(settings.hop) / recording.rate_hz;
         const std::size_t from = row_at(part.track, visible.from_s);
         const std::size_t to = row_at(part.track, visible.to_s);
-        QVERIFY(std::abs(static_cast<double>(to - from) - 0.5 / hop_s) <= 1);
+        VYBEG_WITHIN(static_cast<double>(to - from), 0.5 / hop_s, 1);
         for (const Analysis& some : early) {
             QCOMPARE(some.plan, whole->plan);
             QCOMPARE(some.settings, whole->settings);
@@ -92,10 +93,11 @@ private slots:
             QVERIFY(std::ranges::is_sorted(some.track.time_s()));
             // Rounding alone; the conjugate gradient ends at 1e-9 of its functional.
             const double tolerance = algorithm == 4 ? 1e-6 : 1e-9;
-            QVERIFY(difference(some.track, whole->track, SlowVariable::a_A, 1) < tolerance);
-            QVERIFY(difference(some.track, whole->track, SlowVariable::two_theta_A, 1) < tolerance);
-            QVERIFY(difference(some.track, whole->track, SlowVariable::alpha, 1) < tolerance);
-            QVERIFY(difference(some.track, whole->track, SlowVariable::f, 5300) < tolerance);
+            VYBEG_CLOSE(difference(some.track, whole->track, SlowVariable::a_A, 1), 0, tolerance);
+            VYBEG_CLOSE(difference(some.track, whole->track, SlowVariable::two_theta_A, 1), 0,
+                        tolerance);
+            VYBEG_CLOSE(difference(some.track, whole->track, SlowVariable::alpha, 1), 0, tolerance);
+            VYBEG_CLOSE(difference(some.track, whole->track, SlowVariable::f, 5300), 0, tolerance);
         }
     }
 
@@ -157,8 +159,8 @@ private slots:
                                   [&](Analysis some) { early.push_back(std::move(some)); }, {});
         QVERIFY(whole);
         QCOMPARE(early.size(), std::size_t(1));
-        QVERIFY(difference(early[0].track, whole->track, SlowVariable::a_A, 1) < 1e-6);
-        QVERIFY(difference(early[0].track, whole->track, SlowVariable::alpha, 1) < 1e-6);
+        VYBEG_CLOSE(difference(early[0].track, whole->track, SlowVariable::a_A, 1), 0, 1e-6);
+        VYBEG_CLOSE(difference(early[0].track, whole->track, SlowVariable::alpha, 1), 0, 1e-6);
     }
 
     void it_is_stopped_between_its_steps() {

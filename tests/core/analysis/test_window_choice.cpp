@@ -7,6 +7,8 @@
 #include "core/simulation/gaussian_noise.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
+#include "tests/closeness.h"
+#include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -149,9 +151,8 @@ private slots:
                 SignalSettings settings;
                 const PhasorWindows found = found_in(samples, decay.rate_hz, settings);
                 const Errors errors = errors_of(found, decay);
-                QVERIFY2(std::abs(found.noise_sd / 1e-3 - 1) < 0.03, text(found, errors));
-                QVERIFY2(std::abs(errors.square - 1) < errors.tolerance + 0.03,
-                         text(found, errors));
+                VYBEG_CLOSE_RATIO(found.noise_sd, 1e-3, 0.03, text(found, errors));
+                VYBEG_CLOSE(errors.square, 1, errors.tolerance + 0.03, text(found, errors));
                 QCOMPARE(tells(found.diagnostics, DiagnosticKind::offset), offset > 0);
                 QCOMPARE(tells(found.diagnostics, DiagnosticKind::mains), hum > 0);
             }
@@ -172,7 +173,7 @@ private slots:
         const PhasorWindows found = found_in(samples, decay.rate_hz, {});
         const Errors errors = errors_of(found, decay);
         // The slow noise has 0.0064 / |1 - 0.95 e^{-i w}| of its density at the carrier.
-        QVERIFY2(std::abs(errors.square - 1) < 0.35, text(found, errors));
+        VYBEG_CLOSE(errors.square, 1, 0.35, text(found, errors));
     }
 
     void a_carrier_given_beside_the_signal_is_found_data() {
@@ -196,7 +197,7 @@ private slots:
         const double away = std::abs(found.run.f_ref_hz - decay.f0_hz) + split_hz / 2;
         const Errors errors = errors_of(found, decay);
         QVERIFY2(away * found.run.window_s <= 0.105, text(found, errors));
-        QVERIFY2(std::abs(errors.square - 1) < errors.tolerance + 0.03, text(found, errors));
+        VYBEG_CLOSE(errors.square, 1, errors.tolerance + 0.03, text(found, errors));
         // A main lobe is 67 Hz; the stronger mode may lie on either side.
         if (std::abs(std::abs(off_hz) - 67) > 36) {
             QCOMPARE(tells(found.diagnostics, DiagnosticKind::carrier_elsewhere),
@@ -229,15 +230,13 @@ private slots:
             settings.filter = Band{decay.f0_hz - half, decay.f0_hz + half};
             const PhasorWindows found = found_in(simulated(decay), decay.rate_hz, settings);
             const Errors errors = errors_of(found, decay);
-            QVERIFY2(std::abs(found.noise_sd / 1e-3 - 1) < 0.1,
-                     text(found, errors) + QByteArray::number(half));
-            QVERIFY2(std::abs(errors.square - 1) < 2 * errors.tolerance + 0.1,
-                     text(found, errors) + QByteArray::number(half));
+            VYBEG_CLOSE_RATIO(found.noise_sd, 1e-3, 0.1,
+                              text(found, errors) + QByteArray::number(half));
+            VYBEG_CLOSE(errors.square, 1, 2 * errors.tolerance + 0.1,
+                        text(found, errors) + QByteArray::number(half));
             const std::vector<double>& correlation = found.run.noise_correlation;
             const double expected = correlation.size() > 1 ? correlation[1] : 0;
-            QVERIFY2(std::abs(errors.neighbours / errors.square - expected) < 0.12,
-                     QByteArray::number(errors.neighbours / errors.square) + " for " +
-                         QByteArray::number(expected));
+            VYBEG_CLOSE(errors.neighbours / errors.square, expected, 0.12);
         }
     }
 
@@ -299,7 +298,7 @@ private slots:
                     std::hypot(wave.f_hz.sd, 1e-3 * pendulum.pull_hz)};
             qInfo("%.2f %.2f %.2f %.2f", pulls[0], pulls[1], pulls[2], pulls[3]);
             for (const double pull : pulls) {
-                worst = std::max(worst, std::abs(pull));
+                worst = largest_of({worst, std::abs(pull)});
                 sum += pull * pull / (runs * 4);
             }
         }

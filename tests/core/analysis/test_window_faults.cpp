@@ -7,6 +7,7 @@
 #include "core/simulation/true_track.h"
 #include "core/track/track.h"
 #include "core/windows/window_plan.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
@@ -157,8 +158,7 @@ private slots:
                 const double behind = analysis->track.time_s()[k] > 1 ? off : 0;
                 const double error =
                     std::remainder(alpha[k] - expected[k] + behind, std::numbers::pi);
-                QVERIFY2(std::abs(error) < 6 * sd[k],
-                         qPrintable(QString("window %1: %2, sd %3").arg(k).arg(error).arg(sd[k])));
+                VYBEG_CLOSE(error, 0, 6 * sd[k], qPrintable(QString("window %1").arg(k)));
             }
         }
     }

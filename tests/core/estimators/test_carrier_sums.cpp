@@ -4,6 +4,7 @@
 #include "core/estimators/batch/carrier_sums.h"
 #include "core/estimators/batch/profile.h"
 #include "core/estimators/batch/window_estimate.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -106,19 +107,18 @@ private slots:
                 // leaves out where the carrier drifts through its block.
                 const double tolerance =
                     1e-13 + 3e-16 * static_cast<double>(n) + (drift > 0.1 ? 1e-9 : 1e-12);
-                QVERIFY2(
-                    std::abs(series.c - direct.c) < tolerance * static_cast<double>(n) &&
-                        std::abs(series.d - direct.d) < tolerance * static_cast<double>(n),
-                    qPrintable(QString("window %1: %2")
-                                   .arg(first + lane)
-                                   .arg(std::abs(series.c - direct.c) / static_cast<double>(n))));
+                const QString which = QString("window %1").arg(first + lane);
+                VYBEG_CLOSE(series.c, direct.c, tolerance * static_cast<double>(n),
+                            qPrintable(which));
+                VYBEG_CLOSE(series.d, direct.d, tolerance * static_cast<double>(n),
+                            qPrintable(which));
                 const Moments moments = window_moments(window, w);
                 const Jet2<double> power = profile_power(jets_of(moments, window_kernel(n, w)));
                 // A step of Newton's from there moves by less than 1e-9 of a lobe.
-                QVERIFY(std::abs(power.slope / power.bend) * static_cast<double>(n) < 1e-7);
+                VYBEG_CLOSE(power.slope / power.bend * static_cast<double>(n), 0, 1e-7);
                 const SampleProducts products = sample_products(window);
-                QVERIFY(std::abs(batch.cc[lane] - products.cc) < 1e-12 * products.cc);
-                QVERIFY(std::abs(batch.cd[lane] - products.cd) < 1e-12 * products.cc);
+                VYBEG_CLOSE(batch.cc[lane], products.cc, 1e-12 * products.cc);
+                VYBEG_CLOSE(batch.cd[lane], products.cd, 1e-12 * products.cc);
             }
         }
         QVERIFY(looked_at >= std::min<std::size_t>(count, 30));
@@ -150,12 +150,8 @@ private slots:
                         maximise_profile(window_of({signal.c, signal.d, 0, n, hop}, k),
                                          main_lobe(options.f0_hz, rate, n));
                     const double f = direct.w * rate / (2 * pi);
-                    QVERIFY2(std::abs(found[k].f_hz - f) < 1e-3,
-                             qPrintable(QString("told %1, window %2: %3, %4 by itself")
-                                            .arg(told)
-                                            .arg(k)
-                                            .arg(found[k].f_hz, 0, 'f', 4)
-                                            .arg(f, 0, 'f', 4)));
+                    VYBEG_CLOSE(found[k].f_hz, f, 1e-3,
+                                qPrintable(QString("told %1, window %2").arg(told).arg(k)));
                 }
             }
         }
@@ -183,11 +179,10 @@ private slots:
             for (std::size_t k = 0; k + 1 < count; ++k) {
                 const double centre = 100 + static_cast<double>(k) * hop + 0.5 * (n - 1) -
                                       0.5 * static_cast<double>(frames);
-                QVERIFY2(std::abs(found[k].f_hz - (f0 + drift * centre / rate)) < 1e-3,
-                         qPrintable(QString("%1, window %2: %3 Hz off")
-                                        .arg(algorithm_name(algorithm).data())
-                                        .arg(k)
-                                        .arg(found[k].f_hz - f0 - drift * centre / rate)));
+                VYBEG_CLOSE(
+                    found[k].f_hz, f0 + drift * centre / rate, 1e-3,
+                    qPrintable(
+                        QString("%1, window %2").arg(algorithm_name(algorithm).data()).arg(k)));
                 QVERIFY(!has(found[k].flags, Flag::at_bound));
             }
         }

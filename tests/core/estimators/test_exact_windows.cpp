@@ -1,5 +1,6 @@
 #include "core/estimators/wave/estimator.h"
 #include "core/windows/window_plan.h"
+#include "tests/closeness.h"
 #include "tests/core/estimators/still_wave.h"
 
 #include <QtTest>
@@ -95,15 +96,11 @@ void ExactWindows::fitsOfAllParametersAreExactToRounding() {
         const Deviation off = deviation(found.state, found.f_hz, wave.state, wave.f_hz);
         const std::string where = describe(wave, n);
         QVERIFY2(found.flags == 0, (where + " flags " + flags_text(found.flags)).c_str());
-        QVERIFY2(std::abs(off.a_A) < tolerance,
-                 (where + " a_A off " + std::to_string(off.a_A * 1e12)).c_str());
-        QVERIFY2(std::abs(off.a_B) < tolerance,
-                 (where + " a_B off " + std::to_string(off.a_B * 1e12)).c_str());
-        QVERIFY2(std::abs(off.two_theta_A) < tolerance,
-                 (where + " 2theta off e-12: " + std::to_string(off.two_theta_A * 1e12)).c_str());
-        QVERIFY2(std::abs(off.f_hz) < tolerance * wave.f_hz,
-                 (where + " f off e-12: " + std::to_string(off.f_hz / wave.f_hz * 1e12)).c_str());
-        QVERIFY2(std::abs(off.alpha) < 1e-10, where.c_str());
+        VYBEG_CLOSE(off.a_A, 0, tolerance, where.c_str());
+        VYBEG_CLOSE(off.a_B, 0, tolerance, where.c_str());
+        VYBEG_CLOSE(off.two_theta_A, 0, tolerance, where.c_str());
+        VYBEG_CLOSE(off.f_hz, 0, tolerance * wave.f_hz, where.c_str());
+        VYBEG_CLOSE(off.alpha, 0, 1e-10, where.c_str());
     }
 }
 
@@ -121,10 +118,10 @@ void ExactWindows::fitsHoldFromFiveSamplesToAHundredThousand() {
                         const std::string where = describe(wave, n);
                         QVERIFY2(found.flags == 0, where.c_str());
                         // Five samples hold less than a period: rounding is magnified tenfold.
-                        QVERIFY2(std::abs(off.a_A) < 1e-11 && std::abs(off.a_B) < 1e-11,
-                                 where.c_str());
-                        QVERIFY2(std::abs(off.two_theta_A) < 1e-10, where.c_str());
-                        QVERIFY2(std::abs(off.f_hz) < 1e-10 * f, where.c_str());
+                        VYBEG_CLOSE(off.a_A, 0, 1e-11, where.c_str());
+                        VYBEG_CLOSE(off.a_B, 0, 1e-11, where.c_str());
+                        VYBEG_CLOSE(off.two_theta_A, 0, 1e-10, where.c_str());
+                        VYBEG_CLOSE(off.f_hz, 0, 1e-10 * f, where.c_str());
                     }
                 }
             }
@@ -160,21 +157,19 @@ void ExactWindows::closedFormsAreExactWhereTheResidualVanishes() {
             const WaveEstimate found = estimate(algorithm, wave, n, wave.f_hz + aside);
             const Deviation off = deviation(found.state, found.f_hz, wave.state, wave.f_hz);
             const std::string where = describe(wave, n);
-            QVERIFY2(std::abs(off.a_A) < tolerance, where.c_str());
+            VYBEG_CLOSE(off.a_A, 0, tolerance, where.c_str());
             if (in_phase) {
                 QVERIFY(std::isnan(found.state.a_B) && has(found.flags, Flag::no_quadrature));
             } else {
-                QVERIFY2(std::abs(off.a_B) < tolerance,
-                         (where + " a_B " + std::to_string(found.state.a_B)).c_str());
+                VYBEG_CLOSE(off.a_B, 0, tolerance,
+                            (where + " a_B " + std::to_string(found.state.a_B)).c_str());
                 QVERIFY2(wave.state.a_B == 0 ||
                              std::signbit(found.state.a_B) == std::signbit(wave.state.a_B),
                          where.c_str());
             }
-            QVERIFY2(std::abs(off.two_theta_A) < tolerance,
-                     (where + " off " + std::to_string(off.two_theta_A)).c_str());
-            QVERIFY2(std::abs(off.alpha) < 10 * tolerance,
-                     (where + " alpha off " + std::to_string(off.alpha)).c_str());
-            QVERIFY2(std::abs(off.f_hz) < tolerance * wave.f_hz, where.c_str());
+            VYBEG_CLOSE(off.two_theta_A, 0, tolerance, where.c_str());
+            VYBEG_CLOSE(off.alpha, 0, 10 * tolerance, where.c_str());
+            VYBEG_CLOSE(off.f_hz, 0, tolerance * wave.f_hz, where.c_str());
             ++tried;
         }
     }
@@ -204,12 +199,11 @@ void ExactWindows::closedFormsErrByNoMoreThanTheLeakage() {
             const double leak = residual * (1 + wave.state.a_B * wave.state.a_B);
             const double bound =
                 std::min(2 * leak / (1 - std::abs(wave.state.a_B)), std::sqrt(leak)) + 1e-6;
-            QVERIFY2(std::abs(off.a_A) < bound,
-                     (where + " a_A off " + std::to_string(off.a_A)).c_str());
+            VYBEG_CLOSE(off.a_A, 0, bound, where.c_str());
             const double separation = 1 - wave.state.a_B * wave.state.a_B;
-            QVERIFY2(has(found.flags, Flag::circular) ||
-                         std::abs(off.two_theta_A) < 3 * residual / separation + 1e-6,
-                     (where + " 2theta off " + std::to_string(off.two_theta_A)).c_str());
+            if (!has(found.flags, Flag::circular)) {
+                VYBEG_CLOSE(off.two_theta_A, 0, 3 * residual / separation + 1e-6, where.c_str());
+            }
             if (!in_phase && std::abs(wave.state.a_B) > 2 * std::sqrt(residual)) {
                 QVERIFY2(std::signbit(found.state.a_B) == std::signbit(wave.state.a_B),
                          where.c_str());

@@ -1,4 +1,5 @@
 #include "core/estimators/batch/wave_functional.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -78,7 +79,7 @@ void TestFunctional::equalsTheSumOverTheSamples() {
         }
         const WaveParameters p{{0.9, -0.4, 1.1, 2.2}, 0.97};
         const double expected = direct(s, p);
-        QVERIFY(std::abs(power + evaluate(s, p).value - expected) < 1e-12 * expected);
+        VYBEG_CLOSE(power + evaluate(s, p).value, expected, 1e-12 * expected);
     }
 }
 
@@ -98,19 +99,15 @@ void TestFunctional::gradientAndHessianMatchCentralDifferences() {
                 const double scale = static_cast<double>(n) * (k == 4 ? static_cast<double>(n) : 1);
                 const double slope =
                     (direct(s, with(p, k, step)) - direct(s, with(p, k, -step))) / (2 * step);
-                QVERIFY2(std::abs(slope - f.gradient[k]) < 1e-7 * scale,
-                         qPrintable(QString("gradient %1").arg(k)));
+                VYBEG_CLOSE(slope, f.gradient[k], 1e-7 * scale,
+                            qPrintable(QString("gradient %1").arg(k)));
                 const Five<double> above = evaluate(s, with(p, k, step)).gradient;
                 const Five<double> below = evaluate(s, with(p, k, -step)).gradient;
                 for (std::size_t m = 0; m < 5; ++m) {
                     const double column = (above[m] - below[m]) / (2 * step);
                     const double other = m == 4 ? static_cast<double>(n) : 1;
-                    QVERIFY2(std::abs(column - f.hessian[m][k]) < 1e-7 * scale * other,
-                             qPrintable(QString("hessian %1 %2: %3 %4")
-                                            .arg(m)
-                                            .arg(k)
-                                            .arg(column)
-                                            .arg(f.hessian[m][k])));
+                    VYBEG_CLOSE(column, f.hessian[m][k], 1e-7 * scale * other,
+                                qPrintable(QString("hessian %1 %2").arg(m).arg(k)));
                 }
             }
         }
@@ -134,9 +131,9 @@ void TestFunctional::momentsMatchTheirSums() {
             }
             double size = static_cast<double>(n);
             for (std::size_t k = 0; k < 3; ++k, size *= static_cast<double>(n)) {
-                QVERIFY(std::abs(std::complex<double>(expected[k]) - m.d[k]) < 1e-13 * size);
+                VYBEG_CLOSE(std::complex<double>(expected[k]), m.d[k], 1e-13 * size);
             }
-            QVERIFY(std::abs(window_kernel(n, w).gram_cos - gram) < 1e-12 * static_cast<double>(n));
+            VYBEG_CLOSE(window_kernel(n, w).gram_cos, gram, 1e-12 * static_cast<double>(n));
         }
     }
 }

@@ -1,4 +1,5 @@
 #include "core/estimators/wave/precision_bound.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -43,10 +44,6 @@ std::array<double, 5> brute_force(const WaveState& state, double w, std::int64_t
     return sd;
 }
 
-bool close(double a, double b, double relative) {
-    return std::abs(a - b) <= relative * std::abs(b);
-}
-
 }  // namespace
 
 class TestPrecisionBound : public QObject {
@@ -68,11 +65,11 @@ void TestPrecisionBound::equalsTheInverseFisherMatrix() {
                 const Precision bound =
                     precision_bound(to_phasors(state), w / (2 * std::numbers::pi), 1, n, 0.01);
                 const auto expected = brute_force(state, w, n);
-                QVERIFY(close(bound.sd.a_A, 0.01 * expected[0], 1e-6));
-                QVERIFY(close(bound.sd.a_B, 0.01 * expected[1], 1e-6));
-                QVERIFY(close(bound.sd.two_theta_A, 0.01 * expected[2], 1e-6));
-                QVERIFY(close(bound.sd.alpha, 0.01 * expected[3], 1e-6));
-                QVERIFY(close(bound.sd_f_hz, 0.01 * expected[4] / (2 * std::numbers::pi), 1e-6));
+                VYBEG_CLOSE_RATIO(bound.sd.a_A, 0.01 * expected[0], 1e-6);
+                VYBEG_CLOSE_RATIO(bound.sd.a_B, 0.01 * expected[1], 1e-6);
+                VYBEG_CLOSE_RATIO(bound.sd.two_theta_A, 0.01 * expected[2], 1e-6);
+                VYBEG_CLOSE_RATIO(bound.sd.alpha, 0.01 * expected[3], 1e-6);
+                VYBEG_CLOSE_RATIO(bound.sd_f_hz, 0.01 * expected[4] / (2 * std::numbers::pi), 1e-6);
             }
         }
     }
@@ -95,11 +92,11 @@ void TestPrecisionBound::isTheClosedFormOfTheMethodWhereTheResidualVanishes() {
                 sigma * rate * std::sqrt(24 / (power * count * (count * count - 1)));
             // What the method drops falls with the window like 1/n.
             const double relative = 2 / count;
-            QVERIFY(close(bound.sd.a_A, amplitude, relative));
-            QVERIFY(close(bound.sd.a_B, amplitude, relative));
-            QVERIFY(close(bound.sd.two_theta_A, angle, relative));
-            QVERIFY(close(bound.sd.alpha, angle, relative));
-            QVERIFY(close(bound.sd_f_hz * 2 * std::numbers::pi, omega, relative));
+            VYBEG_CLOSE_RATIO(bound.sd.a_A, amplitude, relative);
+            VYBEG_CLOSE_RATIO(bound.sd.a_B, amplitude, relative);
+            VYBEG_CLOSE_RATIO(bound.sd.two_theta_A, angle, relative);
+            VYBEG_CLOSE_RATIO(bound.sd.alpha, angle, relative);
+            VYBEG_CLOSE_RATIO(bound.sd_f_hz * 2 * std::numbers::pi, omega, relative);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include "core/estimators/batch/taylor_window.h"
 #include "core/estimators/batch/window_estimate.h"
 #include "core/estimators/wave/estimator.h"
+#include "tests/closeness.h"
 #include "tests/core/estimators/still_windows.h"
 
 #include <QtTest>
@@ -39,17 +40,17 @@ private slots:
                         // Relative to n samples of amplitude 1; the phase of a long window has its
                         // own rounding, 1e-16 of w u.
                         const double tolerance = 1e-14 + 2e-16 * size;
-                        QVERIFY(std::abs(series.c - direct.c) < tolerance * size);
-                        QVERIFY(std::abs(series.d - direct.d) < tolerance * size);
+                        VYBEG_CLOSE(series.c, direct.c, tolerance * size);
+                        VYBEG_CLOSE(series.d, direct.d, tolerance * size);
                     }
                     const WindowKernel direct = window_kernel(n, w);
                     const WindowKernel series = basis.kernel(x);
                     // The closed form divides by sin w and its derivatives by its powers.
                     const double tolerance = 1e-12 + 1e-15 * size;
-                    QVERIFY(std::abs(series.gram_cos - direct.gram_cos) < tolerance * size);
-                    QVERIFY(std::abs(series.gram_sin - direct.gram_sin) < tolerance * size);
-                    QVERIFY(std::abs(series.slope - direct.slope) < tolerance * size * size);
-                    QVERIFY(std::abs(series.bend - direct.bend) < tolerance * size * size * size);
+                    VYBEG_CLOSE(series.gram_cos, direct.gram_cos, tolerance * size);
+                    VYBEG_CLOSE(series.gram_sin, direct.gram_sin, tolerance * size);
+                    VYBEG_CLOSE(series.slope, direct.slope, tolerance * size * size);
+                    VYBEG_CLOSE(series.bend, direct.bend, tolerance * size * size * size);
                     QCOMPARE(series.spread, direct.spread);
                 }
             }
@@ -104,12 +105,9 @@ private slots:
             // Short noisy windows with no clear maximum may climb another hill of the same lobe
             // from another step; those that have one agree.
             const auto same = [&](double a, double b, double tolerance, const char* what) {
-                QVERIFY2((std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= tolerance,
-                         qPrintable(QString("window %1, %2: %3 and %4")
-                                        .arg(k)
-                                        .arg(what)
-                                        .arg(a, 0, 'g', 17)
-                                        .arg(b, 0, 'g', 17)));
+                if (!std::isnan(a) || !std::isnan(b)) {
+                    VYBEG_WITHIN(a, b, tolerance, qPrintable(QString("window %1, ").arg(k) + what));
+                }
             };
             // The flatter the power's maximum, the less rounding tells where it is.
             const double flat = 1 + one.sd_f_hz * n / rate * 10;
@@ -184,13 +182,13 @@ private slots:
                 const Projections series = lane_projections(batch, 0, x);
                 // As above; at x = 0.2 what is cut off of the series is 6e-11.
                 const double tolerance = 1e-14 + 2e-16 * size + (std::abs(x) > 0.1 ? 6e-11 : 0);
-                QVERIFY(std::abs(series.c - direct.c) < tolerance * size);
-                QVERIFY(std::abs(series.d - direct.d) < tolerance * size);
+                VYBEG_CLOSE(series.c, direct.c, tolerance * size);
+                VYBEG_CLOSE(series.d, direct.d, tolerance * size);
             }
             const SampleProducts products = sample_products(window);
-            QVERIFY(std::abs(batch.cc[0] / products.cc - 1) < 1e-13);
-            QVERIFY(std::abs(batch.dd[0] / products.dd - 1) < 1e-13);
-            QVERIFY(std::abs(batch.cd[0] - products.cd) < 1e-13 * (products.cc + products.dd));
+            VYBEG_CLOSE_RATIO(batch.cc[0], products.cc, 1e-13);
+            VYBEG_CLOSE_RATIO(batch.dd[0], products.dd, 1e-13);
+            VYBEG_CLOSE(batch.cd[0], products.cd, 1e-13 * (products.cc + products.dd));
         }
         // The same windows of a block that begins later: the same bits.
         constexpr std::size_t later = 9;
@@ -217,12 +215,11 @@ private slots:
             const WaveState one = to_wave_state(maximum.phasors);
             // As far as w itself, a number of 53 bits, fixes the phase at the ends of a window.
             const double tolerance = 1e-13 + 1e-16 * static_cast<double>(n);
-            QVERIFY(std::abs(found[0].state.a_A - one.a_A) < tolerance);
-            QVERIFY(std::abs(found[0].state.a_B - one.a_B) < tolerance);
-            QVERIFY(std::abs(found[0].state.two_theta_A - one.two_theta_A) < tolerance);
-            QVERIFY(std::abs(found[0].f_hz - maximum.w * rate / (2 * pi)) * static_cast<double>(n) /
-                        rate <
-                    10 * tolerance);
+            VYBEG_CLOSE(found[0].state.a_A, one.a_A, tolerance);
+            VYBEG_CLOSE(found[0].state.a_B, one.a_B, tolerance);
+            VYBEG_CLOSE(found[0].state.two_theta_A, one.two_theta_A, tolerance);
+            VYBEG_CLOSE(found[0].f_hz, maximum.w * rate / (2 * pi),
+                        10 * tolerance * rate / static_cast<double>(n));
         }
     }
 

@@ -1,4 +1,5 @@
 #include "core/numerics/minimise.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -21,8 +22,7 @@ void TestMinimise::findsTheMinimumFromEitherSide() {
             const Minimum found = minimise(f, -6, start, 6, step, 1e-9);
             QVERIFY(!found.at_bound);
             // A minimum of height 1 is known to the root of the rounding.
-            QVERIFY2(std::abs(found.at - 1.25) < 5e-8,
-                     qPrintable(QString::number(found.at - 1.25)));
+            VYBEG_CLOSE(found.at, 1.25, 5e-8);
         }
     }
 }
@@ -33,7 +33,7 @@ void TestMinimise::takesFewEvaluationsOnAParabola() {
         ++calls;
         return (x - 0.3) * (x - 0.3);
     };
-    QVERIFY(std::abs(minimise(f, -1, 0.2, 1, 0.05, 1e-9).at - 0.3) < 1e-8);
+    VYBEG_CLOSE(minimise(f, -1, 0.2, 1, 0.05, 1e-9).at, 0.3, 1e-8);
     QVERIFY2(calls <= 15, qPrintable(QString::number(calls)));
 }
 

@@ -1,5 +1,6 @@
 #include "core/numerics/line_fit.h"
 #include "core/numerics/phase.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -24,7 +25,7 @@ void TestPhase::wrapsIntoTheHalfOpenTurn() {
     QVERIFY(std::isnan(wrap(std::nan(""))));
     for (int turns = -1000; turns <= 1000; turns += 77) {
         for (const double angle : {-3.0, -1e-9, 0.0, 2.5}) {
-            QVERIFY(std::abs(wrap(angle + turns * 2 * pi) - angle) < 1e-12);
+            VYBEG_CLOSE(wrap(angle + turns * 2 * pi), angle, 1e-12);
         }
     }
 }

@@ -1,4 +1,5 @@
 #include "core/output/quantity_text.h"
+#include "tests/closeness.h"
 
 #include <QTest>
 
@@ -88,7 +89,7 @@ private slots:
         for (double sd = 1.05e-4; sd < 1e6; sd *= 1.07) {
             const QuantityText quantity = quantity_text(1.0, sd);
             const double printed = std::stod(quantity.sd) * std::pow(10.0, quantity.exponent);
-            QVERIFY2(std::abs(printed / sd - 1) < 0.2, quantity.sd.c_str());
+            VYBEG_CLOSE_RATIO(printed, sd, 0.2, quantity.sd.c_str());
         }
     }
 };

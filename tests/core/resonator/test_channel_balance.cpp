@@ -1,5 +1,6 @@
 #include "core/resonator/results/resonator_fit.h"
 #include "core/resonator/runs/channel_balance.h"
+#include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>
@@ -49,7 +50,7 @@ private slots:
         QCOMPARE(balance.time_s.size(), std::size_t{100});
         // The mean of a hundred squares has a deviation of 0.14.
         const double square = mean_square(balance);
-        QVERIFY2(std::abs(square - 1) < 0.6, qPrintable(QString::number(square)));
+        VYBEG_CLOSE(square, 1, 0.6);
     }
 
     void a_gain_that_changes_on_the_way_breaks_it() {

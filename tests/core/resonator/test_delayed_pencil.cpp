@@ -1,4 +1,5 @@
 #include "core/resonator/fit/delayed_pencil.h"
+#include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;
@@ -48,9 +49,8 @@ void TestDelayedPencil::nearlyEqualChannelsGiveBothModes() {
     QVERIFY(rates.has_value());
     const SlowDynamics motion(*rates);
     const double split = std::abs(motion.half_difference().imag()) / std::numbers::pi;
-    QVERIFY2(std::abs(split - 5.6) < 0.02, qPrintable(QString::number(split)));
-    QVERIFY2(std::abs(rates->decay_per_s * 0.83 - 1) < 0.05,
-             qPrintable(QString::number(rates->decay_per_s)));
+    VYBEG_CLOSE(split, 5.6, 0.02);
+    VYBEG_CLOSE(rates->decay_per_s * 0.83, 1, 0.05);
 }
 
 void TestDelayedPencil::theFitFindsThem() {

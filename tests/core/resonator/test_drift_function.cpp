@@ -6,7 +6,9 @@
 #include "core/resonator/model/slow_dynamics.h"
 #include "core/resonator/results/drift_function.h"
 #include "core/resonator/results/resonator_fit.h"
+#include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -63,8 +65,8 @@ double worst_deviation(const DriftFunction& found, const Eigen::Vector3d& truth)
     double worst = 0;
     for (Eigen::Index k = 0; k < found.coefficients.size(); ++k) {
         const double expected = k < 3 ? truth[k] : 0;
-        worst = std::max(
-            worst, std::abs(found.coefficients[k] - expected) / std::sqrt(found.covariance(k, k)));
+        worst = largest_of({worst, std::abs(found.coefficients[k] - expected) /
+                                       std::sqrt(found.covariance(k, k))});
     }
     return worst;
 }
@@ -82,15 +84,14 @@ private slots:
         const DriftFunction found = drift_of(set_of(decay, four_starts, 1));
         QCOMPARE(found.order, 4);
         QCOMPARE(found.coefficients.size(), Eigen::Index{3});
-        QVERIFY2(worst_deviation(found, truth_of(decay)) < 4.5,
-                 qPrintable(QString::number(worst_deviation(found, truth_of(decay)))));
+        VYBEG_CLOSE(worst_deviation(found, truth_of(decay)), 0, 4.5);
         QVERIFY(std::sqrt(found.covariance(1, 1)) < 0.01 * decay.damping_anisotropy_per_s);
-        QVERIFY(std::abs(found.chi2_per_freedom - 1) < 0.1);
+        VYBEG_CLOSE(found.chi2_per_freedom, 1, 0.1);
         QCOMPARE(found.points.size(), std::size_t{4});
         for (const DriftPoint& point : found.points) {
             const double off = point.rate - found.rate(point.theta);
             const double sd = std::hypot(point.sd_rate, found.sd_rate(point.theta));
-            QVERIFY2(std::abs(off) < 5 * sd, qPrintable(QString::number(off)));
+            VYBEG_CLOSE(off, 0, 5 * sd);
             QVERIFY(point.sd_rate > 0 && point.sd_rate < 1e-7);
         }
     }
@@ -103,9 +104,9 @@ private slots:
         QCOMPARE(found.points.size(), std::size_t{4});
         for (const DriftPoint& point : found.points) {
             // The quadrature turns them by some 1e-3 rad/s.
-            const double off = point.rate - found.rate(point.theta);
             const double sd = std::hypot(point.sd_rate, found.sd_rate(point.theta));
-            QVERIFY2(sd < 1e-6 && std::abs(off) < 5 * sd, qPrintable(QString::number(off)));
+            QVERIFY2(sd < 1e-6, qPrintable(QString::number(sd)));
+            VYBEG_CLOSE(point.rate, found.rate(point.theta), 5 * sd);
         }
     }
 
@@ -113,7 +114,7 @@ private slots:
         const FreeDecay decay = gyro();
         const DriftFunction found = drift_of(set_of(decay, {0, 15, 30, 45, 60, 75}, 2));
         QCOMPARE(found.order, 8);
-        QVERIFY(worst_deviation(found, truth_of(decay)) < 4.5);
+        VYBEG_CLOSE(worst_deviation(found, truth_of(decay)), 0, 4.5);
     }
 
     void a_wave_that_turns_shows_its_drift_function_alone() {
@@ -123,8 +124,7 @@ private slots:
         QCOMPARE(drift_of(set_of(decay, {10}, 3)).order, 0);
         const DriftFunction found = drift_of(set_of(decay, {10}, 3), {.tolerance = {.kappa = 0}});
         QVERIFY(found.order >= 4);
-        QVERIFY2(worst_deviation(found, truth_of(decay)) < 4.5,
-                 qPrintable(QString::number(worst_deviation(found, truth_of(decay)))));
+        VYBEG_CLOSE(worst_deviation(found, truth_of(decay)), 0, 4.5);
         QVERIFY(found.points.size() > 20);
     }
 
@@ -144,8 +144,7 @@ private slots:
         }
         // The mean of 60 squares has a deviation of sqrt(2/60) = 0.18.
         for (int k = 0; k < 3; ++k) {
-            QVERIFY2(std::abs(squares[k] - 1) < 4 * std::sqrt(2.0 / seeds),
-                     qPrintable(QString("%1: %2").arg(k).arg(squares[k])));
+            VYBEG_CLOSE(squares[k], 1, 4 * std::sqrt(2.0 / seeds), qPrintable(QString::number(k)));
         }
     }
 
@@ -162,7 +161,7 @@ private slots:
         const DriftFunction found = drift_of(runs);
         QCOMPARE(found.order, 4);
         QCOMPARE(found.points.size(), std::size_t{8});
-        QVERIFY(worst_deviation(found, truth_of(decay)) < 4.5);
+        VYBEG_CLOSE(worst_deviation(found, truth_of(decay)), 0, 4.5);
     }
 
     void too_few_angles_leave_the_curve_unknown_data() {
@@ -182,8 +181,7 @@ private slots:
         const FreeDecay decay = gyro();
         for (std::uint64_t seed = 5; seed < 10; ++seed) {
             const DriftFunction found = drift_of(set_of(decay, {10, 10, 100, -80}, seed));
-            QVERIFY2(worst_deviation(found, truth_of(decay)) < 4.5,
-                     qPrintable(QString::number(worst_deviation(found, truth_of(decay)))));
+            VYBEG_CLOSE(worst_deviation(found, truth_of(decay)), 0, 4.5);
         }
     }
 
@@ -191,8 +189,7 @@ private slots:
         const FreeDecay decay = gyro();
         const DriftFunction found = drift_of(set_of(decay, {10, 32.5}, 5));
         QCOMPARE(found.order, 4);
-        QVERIFY2(worst_deviation(found, truth_of(decay)) < 4.5,
-                 qPrintable(QString::number(worst_deviation(found, truth_of(decay)))));
+        VYBEG_CLOSE(worst_deviation(found, truth_of(decay)), 0, 4.5);
     }
 
     // TRUTH row 1: near the circular state the regressors of the track are poles of its noise.
@@ -234,9 +231,7 @@ private slots:
             if (found.order > 0) {
                 const Estimate& rate = fit->resonator.angle_rate_rad_s;
                 const double sd = std::sqrt(found.covariance(0, 0));
-                QVERIFY2(
-                    std::abs(found.coefficients[0] - rate.value) < 4 * sd,
-                    qPrintable(QString("%1 for %2").arg(found.coefficients[0]).arg(rate.value)));
+                VYBEG_CLOSE(found.coefficients[0], rate.value, 4 * sd);
             }
         }
         if (count > 0) {
@@ -267,7 +262,7 @@ private slots:
         for (double theta = -0.8; theta < 0.8; theta += 0.1) {
             const double expected =
                 truth[0] + truth[1] * std::cos(4 * theta) + truth[2] * std::sin(4 * theta);
-            QVERIFY(std::abs(drift_of_dynamics(m, theta) - expected) < 1e-15);
+            VYBEG_CLOSE(drift_of_dynamics(m, theta), expected, 1e-15);
         }
     }
 };

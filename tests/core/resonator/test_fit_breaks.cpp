@@ -1,6 +1,7 @@
 // Lost samples that the recording's own check does not see: a step of the phase within a window,
 // found in the residual, left open, and named (TRUTH row 16, principle 4).
 #include "core/resonator/runs/wave_motion.h"
+#include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;
@@ -143,8 +144,8 @@ private:
         QVERIFY(warns(fit, DiagnosticKind::fitted_phase_step));
         const PhaseBreak& found = fit.phase_breaks[0];
         QCOMPARE(found.run, where);
-        QVERIFY2(std::abs(found.time_s - at_s) <= found.reach_s, qPrintable(what));
-        QVERIFY2(std::abs(found.step_rad - step_rad) < 2e-3, qPrintable(what));
+        VYBEG_WITHIN(found.time_s, at_s, found.reach_s, qPrintable(what));
+        VYBEG_CLOSE(found.step_rad, step_rad, 2e-3, qPrintable(what));
         QVERIFY2(fit.chi2_per_dof < 1.2, qPrintable(what));
         if (angles.size() > 1 && split_hz > 1e-5) {
             VYBEG_NEAR(fit.resonator.split_hz, split_hz, 4.5, 1e-5);

@@ -1,4 +1,5 @@
 // The gain ratio of the channels and what else they do to the resonator (TRUTH rows 4, 8, 14).
+#include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;
@@ -218,12 +219,10 @@ private slots:
                 const double expected = -(before.sensitivities[k].*error.member) * error.size;
                 const double change = other.value - one.value;
                 const double least = 0.02 * one.sd;
-                QVERIFY2(std::abs(change - expected) < 0.05 * std::abs(expected) + least,
-                         qPrintable(QString("%1, %2: %3 for %4 (sd %5)")
-                                        .arg(error.name, resonator_parameters[k].name)
-                                        .arg(change)
-                                        .arg(expected)
-                                        .arg(one.sd)));
+                VYBEG_CLOSE(change, expected, 0.05 * std::abs(expected) + least,
+                            qPrintable(QString("%1, %2 (sd %3)")
+                                           .arg(error.name, resonator_parameters[k].name)
+                                           .arg(one.sd)));
             }
         }
     }
@@ -277,13 +276,8 @@ private slots:
                 const double expected = -(before.sensitivities[k].*effect.member) * effect.size;
                 const double least = 0.1 * one.sd;
                 felt = felt || std::abs(expected) > one.sd;
-                QVERIFY2(
-                    std::abs(other.value - one.value - expected) < 0.1 * std::abs(expected) + least,
-                    qPrintable(QString("%1: %2 for %3 (sd %4)")
-                                   .arg(parameter.name)
-                                   .arg(other.value - one.value)
-                                   .arg(expected)
-                                   .arg(one.sd)));
+                VYBEG_CLOSE(other.value - one.value, expected, 0.1 * std::abs(expected) + least,
+                            qPrintable(QString("%1 (sd %2)").arg(parameter.name).arg(one.sd)));
             }
             QVERIFY(felt);
         }
@@ -305,10 +299,8 @@ private slots:
                 20 * alone.resonator.angle_rate_rad_s.sd);
         const ResonatorFit told = fitted(runs, {.tolerance = {.phase_rad = 0.01}});
         QVERIFY(told.model == ResonatorModel::structured);
-        QVERIFY2(std::abs(told.resonator.angle_rate_rad_s.value) <
-                     4 * told.resonator.angle_rate_rad_s.uncertainty(),
-                 qPrintable(QString::number(told.resonator.angle_rate_rad_s.value /
-                                            told.resonator.angle_rate_rad_s.uncertainty())));
+        VYBEG_CLOSE(told.resonator.angle_rate_rad_s.value, 0,
+                    4 * told.resonator.angle_rate_rad_s.uncertainty());
         QVERIFY(told.resonator.angle_rate_rad_s.sd < told.resonator.angle_rate_rad_s.u);
     }
 

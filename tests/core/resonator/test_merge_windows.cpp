@@ -1,4 +1,5 @@
 #include "core/resonator/runs/merge_windows.h"
+#include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;
@@ -33,12 +34,12 @@ void TestMergeWindows::touchingWindowsAreOneLongWindow() {
     const PhasorRun merged = merge_windows(simulated_phasors(decay, 100, 1), 200);
     const PhasorRun whole = simulated_phasors(decay, 1000, 1);
     QCOMPARE(merged.time_s.size(), std::size_t{199});
-    QVERIFY(std::abs(merged.window_s - whole.window_s) < 1e-12);
+    VYBEG_CLOSE(merged.window_s, whole.window_s, 1e-12);
     for (std::size_t k = 0; k < merged.time_s.size(); ++k) {
-        QVERIFY(std::abs(merged.time_s[k] - whole.time_s[k]) < 1e-9);
-        QVERIFY(std::abs(merged.c[k] - whole.c[k]) < 1e-8);
-        QVERIFY(std::abs(merged.d[k] - whole.d[k]) < 1e-8);
-        QVERIFY(std::abs(merged.sd[k] / whole.sd[k] - 1) < 1e-9);
+        VYBEG_CLOSE(merged.time_s[k], whole.time_s[k], 1e-9);
+        VYBEG_CLOSE(merged.c[k], whole.c[k], 1e-8);
+        VYBEG_CLOSE(merged.d[k], whole.d[k], 1e-8);
+        VYBEG_CLOSE_RATIO(merged.sd[k], whole.sd[k], 1e-9);
     }
 }
 
@@ -70,7 +71,7 @@ void TestMergeWindows::gapsBeginAnew() {
         const double first = time * 33333 - 499.5;
         const bool before = first < 100000;
         const double phase = std::remainder(first - (before ? 0 : 600), 1000);
-        QVERIFY2(std::abs(phase) < 1e-3, qPrintable(QString::number(first)));
+        VYBEG_CLOSE(phase, 0, 1e-3);
     }
     // Every seventh missing: nothing longer than three would keep nine tenths.
     PhasorRun sparse = simulated_phasors(decay_with(0.1), 100, 1);
@@ -89,7 +90,7 @@ void TestMergeWindows::theFitIsTheSame() {
     const ResonatorFit fit = fitted(set_of(decay, four_angles, 60, 1));
     VYBEG_NEAR(fit.resonator.split_hz, 1e-3, 4, 6e-8);
     VYBEG_NEAR(fit.resonator.theta_w_rad, 0.2, 4, 1e-4);
-    QVERIFY(std::abs(fit.chi2_per_dof - 1) < 0.05);
+    VYBEG_CLOSE(fit.chi2_per_dof, 1, 0.05);
 }
 
 QTEST_GUILESS_MAIN(TestMergeWindows)

@@ -1,5 +1,6 @@
 // What the model lacks is named by the cause that the residual shows (TRUTH principle 4), over
 // seeds, angles and splits; noise of any colour names none.
+#include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 
 using namespace vybeg;
@@ -106,7 +107,9 @@ private slots:
                     QVERIFY(!fit.resonator.tau_s.given() && !fit.resonator.split_hz.given());
                     QVERIFY(!fit.resonator.frequency_per_power.given());
                     const Estimate& rate = fit.resonator.angle_rate_rad_s;
-                    QVERIFY(!rate.given() || std::abs(rate.value) < 4 * rate.uncertainty());
+                    if (rate.given()) {
+                        VYBEG_CLOSE(rate.value, 0, 4 * rate.uncertainty(), qPrintable(what));
+                    }
                     QVERIFY(named(fit) != nullptr);
                     QVERIFY(named(fit)->kind == DiagnosticKind::misfit_settling);
                     VYBEG_NEAR(fit.runs[0].direction_tau_s, 300, 5, 150);
@@ -152,8 +155,7 @@ private slots:
                     QVERIFY(cause != nullptr);
                     QVERIFY(cause->kind == DiagnosticKind::misfit_neighbour);
                     const double found = std::stod(english(cause->args[0]));
-                    QVERIFY2(std::abs(found - 5300 - off_hz) < 0.1,
-                             english(cause->args[0]).c_str());
+                    VYBEG_CLOSE(found - 5300, off_hz, 0.1, english(cause->args[0]).c_str());
                     const double per_cent = std::stod(english(cause->args[1]));
                     QVERIFY2(per_cent > 0.5 && per_cent < 2, english(cause->args[1]).c_str());
                 }
@@ -179,7 +181,7 @@ private slots:
                 QCOMPARE(kind_name(cause->kind), kind_name(DiagnosticKind::misfit_pickoff));
                 for (const auto& [size, truth] :
                      {std::pair(english(cause->args[0]), -0.2), {english(cause->args[1]), -0.1}}) {
-                    QVERIFY2(std::abs(std::stod(size) - truth) < 0.1, size.c_str());
+                    VYBEG_CLOSE(std::stod(size), truth, 0.1);
                 }
             }
         }

@@ -1,5 +1,6 @@
 // What a comparison says of parameters that moved, did not, or are not known.
 #include "core/resonator/results/passport.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -77,7 +78,7 @@ private slots:
         QCOMPARE(difference.verdict == Verdict::changed, changed);
         QCOMPARE(difference.sd, 5e-6);
         QCOMPARE(difference.change, now - 1e-4);
-        QVERIFY(std::abs(difference.deviations() - std::abs(now - 1e-4) / 5e-6) < 1e-9);
+        VYBEG_CLOSE(difference.deviations(), std::abs(now - 1e-4) / 5e-6, 1e-9);
     }
 
     void axes_differ_by_the_shorter_way() {
@@ -86,7 +87,7 @@ private slots:
         pair.then.resonator.theta_w_rad = {quarter - 0.01, 0.003, {}};
         pair.now.resonator.theta_w_rad = {-quarter + 0.005, 0.004, {}};
         const Difference difference = only(pair);
-        QVERIFY(std::abs(difference.change - 0.015) < 1e-12);
+        VYBEG_CLOSE(difference.change, 0.015, 1e-12);
         QVERIFY(difference.verdict == Verdict::changed || difference.deviations() < 3.0001);
         pair.now.resonator.theta_w_rad.value = -quarter;
         QVERIFY(only(pair).verdict == Verdict::unchanged);
@@ -158,8 +159,8 @@ private slots:
         pair.now.resonator.f_mean_hz = {5300.1, 4e-8, {}};
         // 0.1 Hz of temperature, 19 ppm, was "changed by 2.8 million deviations".
         QVERIFY(only(pair).verdict == Verdict::unchanged);
-        QVERIFY(std::abs(only(pair).relative - 0.1 / 5300) < 1e-12);
-        QVERIFY(std::abs(only(pair).limit - 30e-6 * 5300) < 1e-12);
+        VYBEG_CLOSE(only(pair).relative, 0.1 / 5300, 1e-12);
+        VYBEG_CLOSE(only(pair).limit, 30e-6 * 5300, 1e-12);
         QVERIFY(compare(pair.then, pair.now, {.f_limit_ppm = 18})[0].verdict == Verdict::changed);
         pair.now.resonator.f_mean_hz.value = 5300.2;
         QVERIFY(only(pair).verdict == Verdict::changed);
@@ -170,8 +171,7 @@ private slots:
         pair.now.runs[1].f_offset_hz.value = -0.1;
         const Difference scattered = only(pair);
         QVERIFY(scattered.verdict == Verdict::unchanged);
-        QVERIFY2(std::abs(scattered.u - std::sqrt(0.02)) < 1e-9,
-                 qPrintable(QString::number(scattered.u)));
+        VYBEG_CLOSE(scattered.u, std::sqrt(0.02), 1e-9);
         QVERIFY(scattered.sd < 1e-6);
     }
 
@@ -183,7 +183,7 @@ private slots:
         QVERIFY(difference.verdict == Verdict::unchanged);
         QCOMPARE(difference.u, std::hypot(0.1, 0.001));
         QCOMPARE(difference.sd, std::hypot(0.001, 0.001));
-        QVERIFY(std::abs(difference.relative - 0.2 / 400) < 1e-12);
+        VYBEG_CLOSE(difference.relative, 0.2 / 400, 1e-12);
     }
 
     void many_parameters_need_more_deviations_each() {
@@ -192,7 +192,7 @@ private slots:
         for (const std::size_t count : {2, 12, 40}) {
             const double z = changed_from(count);
             const double all = 1 - std::pow(std::erf(z / std::sqrt(2)), double(count));
-            QVERIFY2(std::abs(all / 0.0026998 - 1) < 1e-3, qPrintable(QString::number(z)));
+            VYBEG_CLOSE_RATIO(all, 0.0026998, 1e-3, qPrintable(QString::number(z)));
         }
     }
 

@@ -1,5 +1,6 @@
 #include "core/resonator/fit/map_fit.h"
 #include "core/resonator/fit/posterior.h"
+#include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>
@@ -86,8 +87,7 @@ private slots:
             const Eigen::VectorXd shared = some_shared(cubic);
             const double one = residuals_of(run, shared, some_own()).squaredNorm();
             const double other = chi_square(run, shared, some_own(), run.size());
-            QVERIFY2(std::abs(one / other - 1) < (cubic == 0 ? 1e-4 : 1e-12),
-                     qPrintable(QString("%1 and %2").arg(one).arg(other)));
+            VYBEG_CLOSE_RATIO(one, other, (cubic == 0 ? 1e-4 : 1e-12));
         }
     }
 
@@ -116,8 +116,7 @@ private slots:
         own.head<4>() << y[0].real(), y[0].imag(), y[1].real(), y[1].imag();
         const double residuals = 4.0 * static_cast<double>(scaled.size());
         const double chi2 = chi_square(scaled, shared, own, scaled.size());
-        QVERIFY2(std::abs(chi2 / residuals - 1) < 4 * std::sqrt(2 / residuals),
-                 qPrintable(QString::number(chi2 / residuals)));
+        VYBEG_CLOSE_RATIO(chi2, residuals, 4 * std::sqrt(2 / residuals));
     }
 
     void a_prior_of_no_width_holds_its_parameter() {

@@ -1,3 +1,4 @@
+#include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 
 #include <complex>
@@ -67,7 +68,7 @@ void TestResonatorFit::aSetGivesBackTheResonator() {
     QVERIFY(fit.identifiable.split && fit.identifiable.theta_w && fit.identifiable.tau &&
             fit.identifiable.damping_anisotropy && fit.identifiable.theta_tau &&
             fit.identifiable.rotation);
-    QVERIFY(std::abs(fit.chi2_per_dof - 1) < 0.05);
+    VYBEG_CLOSE(fit.chi2_per_dof, 1, 0.05);
     QVERIFY(fit.warnings.empty());
     // Eigenvalues of the simulator's M.
     QCOMPARE(fit.modes.size(), std::size_t{2});
@@ -82,8 +83,8 @@ void TestResonatorFit::theRunsComeBackWithTheirStarts() {
         VYBEG_NEAR(run.a_A, 1.0, 4, 1e-5);
         VYBEG_NEAR(run.a_B, 0.02, 4, 1e-5);
         const double two_theta = 2 * four_angles[k] * pi / 180;
-        QVERIFY(std::abs(std::remainder(run.two_theta_A_rad.value - two_theta, pi)) <
-                4 * run.two_theta_A_rad.sd);
+        VYBEG_CLOSE(std::remainder(run.two_theta_A_rad.value - two_theta, pi), 0,
+                    4 * run.two_theta_A_rad.sd);
         VYBEG_NEAR(run.split_sin_hz, 0.012 * std::sin(2 * two_theta + 0.8), 4, 1e-6);
         VYBEG_NEAR(run.f_offset_hz, -0.013 * 0.8 * (static_cast<double>(k) - 1.5), 4, 1e-6);
     }
@@ -144,17 +145,17 @@ void TestResonatorFit::referencePhaseAndScaleDoNotMatter() {
     const ResonatorFit after = fitted(runs);
     // To a thousandth of the deviations: that far the fit converges.
     const auto same = [](const Estimate& one, const Estimate& other, double factor = 1) {
-        return std::abs(one.value * factor - other.value) <= 2e-3 * other.sd &&
-               std::abs(one.sd * factor / other.sd - 1) < 1e-4;
+        VYBEG_WITHIN(one.value * factor, other.value, 2e-3 * other.sd);
+        VYBEG_CLOSE_RATIO(one.sd * factor, other.sd, 1e-4);
     };
-    QVERIFY(same(before.resonator.f_mean_hz, after.resonator.f_mean_hz));
-    QVERIFY(same(before.resonator.split_hz, after.resonator.split_hz));
-    QVERIFY(same(before.resonator.theta_w_rad, after.resonator.theta_w_rad));
-    QVERIFY(same(before.resonator.tau_s, after.resonator.tau_s));
-    QVERIFY(same(before.resonator.angle_rate_rad_s, after.resonator.angle_rate_rad_s));
-    QVERIFY(same(before.runs[0].a_A, after.runs[3].a_A, 3e4));
-    QVERIFY(same(before.runs[1].a_B, after.runs[1].a_B, 3e4));
-    QVERIFY(same(before.runs[2].split_sin_hz, after.runs[2].split_sin_hz));
+    same(before.resonator.f_mean_hz, after.resonator.f_mean_hz);
+    same(before.resonator.split_hz, after.resonator.split_hz);
+    same(before.resonator.theta_w_rad, after.resonator.theta_w_rad);
+    same(before.resonator.tau_s, after.resonator.tau_s);
+    same(before.resonator.angle_rate_rad_s, after.resonator.angle_rate_rad_s);
+    same(before.runs[0].a_A, after.runs[3].a_A, 3e4);
+    same(before.runs[1].a_B, after.runs[1].a_B, 3e4);
+    same(before.runs[2].split_sin_hz, after.runs[2].split_sin_hz);
 }
 
 void TestResonatorFit::gapsDoNotMatter() {
@@ -188,7 +189,7 @@ void TestResonatorFit::longWindowsDoNotMatter() {
     VYBEG_NEAR(fit.resonator.split_hz, 1.0, 4, 1e-5);
     VYBEG_NEAR(fit.runs[1].a_A, 1.0, 4, 1e-4);
     VYBEG_NEAR(fit.runs[1].a_B, 0.02, 4, 1e-4);
-    QVERIFY(std::abs(fit.chi2_per_dof - 1) < 0.2);
+    VYBEG_CLOSE(fit.chi2_per_dof, 1, 0.2);
 }
 
 void TestResonatorFit::thePredictionIsWithinTheNoise() {
@@ -203,7 +204,7 @@ void TestResonatorFit::thePredictionIsWithinTheNoise() {
             sum += std::norm(z.c - runs[run].c[k]) + std::norm(z.d - runs[run].d[k]);
         }
         const double rms = std::sqrt(sum / (4 * static_cast<double>(runs[run].c.size())));
-        QVERIFY2(std::abs(rms / runs[run].sd[0] - 1) < 0.05, qPrintable(QString::number(rms)));
+        VYBEG_CLOSE_RATIO(rms, runs[run].sd[0], 0.05);
     }
 }
 
@@ -227,8 +228,8 @@ void TestResonatorFit::excessResidualsEnlargeTheDeviations() {
     }
     const ResonatorFit after = fitted(runs);
     QVERIFY(warns(after, DiagnosticKind::residual_above_noise));
-    QVERIFY(std::abs(after.chi2_per_dof - 9) < 0.5);
-    QVERIFY(std::abs(after.resonator.split_hz.sd / before.resonator.split_hz.sd - 1) < 0.05);
+    VYBEG_CLOSE(after.chi2_per_dof, 9, 0.5);
+    VYBEG_CLOSE_RATIO(after.resonator.split_hz.sd, before.resonator.split_hz.sd, 0.05);
     QVERIFY(after.model == ResonatorModel::structured);
 }
 

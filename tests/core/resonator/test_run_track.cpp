@@ -1,4 +1,5 @@
 #include "core/resonator/runs/run_track.h"
+#include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
 
 #include <QtTest>
@@ -28,13 +29,12 @@ private slots:
             const double t = track.time_s[k];
             const double fall = std::exp(-t / decay.tau_s);
             const double angle = decay.two_theta_A - 2 * decay.bryan * decay.omega_rad_s * t;
-            const auto near = [](double error, double sd) { return std::abs(error) < 5 * sd; };
-            QVERIFY(near(track.a_A[k] - fall, track.sd_a[k]));
-            QVERIFY(near(track.a_B[k] - 0.2 * fall, track.sd_a[k]));
-            QVERIFY(near(track.two_theta_A[k] - angle, track.sd_two_theta_A[k]));
+            VYBEG_CLOSE(track.a_A[k], fall, 5 * track.sd_a[k]);
+            VYBEG_CLOSE(track.a_B[k], 0.2 * fall, 5 * track.sd_a[k]);
+            VYBEG_CLOSE(track.two_theta_A[k], angle, 5 * track.sd_two_theta_A[k]);
             squares += std::pow((track.two_theta_A[k] - angle) / track.sd_two_theta_A[k], 2) / 200;
         }
-        QVERIFY2(std::abs(squares - 1) < 0.45, qPrintable(QString::number(squares)));
+        VYBEG_CLOSE(squares, 1, 0.45);
     }
 
     void its_frequency_is_that_of_the_phase() {
@@ -52,7 +52,7 @@ private slots:
         for (std::size_t k = 0; k < 100; ++k) {
             squares += std::pow((track.f_hz[k] - decay.f0_hz) / track.sd_f_hz[k], 2) / 100;
         }
-        QVERIFY2(std::abs(squares - 1) < 0.6, qPrintable(QString::number(squares)));
+        VYBEG_CLOSE(squares, 1, 0.6);
     }
 
     void few_windows_are_points_of_their_own() {

@@ -7,6 +7,8 @@
 #include "core/simulation/carrier_noise.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
+#include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -19,14 +21,6 @@ using std::numbers::pi;
 namespace {
 
 using Complex = std::complex<double>;
-
-QString both(double found, double expected, double sd) {
-    return QString("%1, expected %2 +- %3").arg(found, 0, 'g', 9).arg(expected, 0, 'g', 9).arg(sd);
-}
-
-#define VYBEG_WITHIN(found, expected, sds, sd)              \
-    QVERIFY2(std::abs((found) - (expected)) < (sds) * (sd), \
-             qPrintable(both((found), (expected), (sd))))
 
 // The phasors of what a decay adds to another, without the carrier: the difference of the signals
 // times 2 e^{-iwt}, averaged over whole periods, one value in `stride` samples.
@@ -89,14 +83,14 @@ void TestCarrierNoise::the_processes_are_gaussian_and_have_their_correlation() {
         const double independent = 2 * pi * 0.5 * 4000 * 2;  // of both components
         for (const std::size_t lag : {0U, 10U, 30U, 100U}) {
             const double expected = 2 * std::exp(-2 * pi * 0.5 * static_cast<double>(lag) / 100);
-            VYBEG_WITHIN(mean_square(values, lag), expected, 4, 2 * std::sqrt(2 / independent));
+            VYBEG_CLOSE(mean_square(values, lag), expected, 4 * (2 * std::sqrt(2 / independent)));
         }
         // Gaussian: the mean fourth power of a component is 3, of sd sqrt(96 / N).
         double fourth = 0;
         for (const Complex& value : values) {
             fourth += std::pow(value.real(), 4) / static_cast<double>(values.size());
         }
-        VYBEG_WITHIN(fourth, 3.0, 4, std::sqrt(96 / (independent / 2)));
+        VYBEG_CLOSE(fourth, 3, 4 * std::sqrt(96 / (independent / 2)));
     }
 }
 
@@ -130,18 +124,18 @@ void TestCarrierNoise::noise_about_the_carrier_has_its_power_and_width() {
         // Windows of 10 ms average: 1 - b h/3 of the variance is left.
         const double bh = 2 * pi * width * 0.01;
         const double left = 2 * (bh - 1 + std::exp(-bh)) / (bh * bh);
-        VYBEG_WITHIN(mean_square(channel), variance * left, 4, sd);
+        VYBEG_CLOSE(mean_square(channel), variance * left, 4 * sd);
         // Half a correlation length apart.
         const auto lag = static_cast<std::size_t>(std::round(0.5 / bh));
         const double apart =
             std::exp(-bh * static_cast<double>(lag)) * std::pow(std::sinh(bh / 2) / (bh / 2), 2);
-        VYBEG_WITHIN(mean_square(channel, lag), variance * apart, 4, sd);
+        VYBEG_CLOSE(mean_square(channel, lag), variance * apart, 4 * sd);
     }
     double common = 0;
     for (std::size_t k = 0; k < c.size(); ++k) {
         common += (c[k] * std::conj(d[k])).real() / static_cast<double>(c.size());
     }
-    VYBEG_WITHIN(common, 0.0, 4, sd);
+    VYBEG_CLOSE(common, 0, 4 * sd);
 }
 
 void TestCarrierNoise::modulation_follows_each_channels_own_phasor() {
@@ -165,8 +159,8 @@ void TestCarrierNoise::modulation_follows_each_channels_own_phasor() {
                 power += std::norm(channel[at] / left) / static_cast<double>(half);
             }
             const double independent = 2 * pi * 200 * 2;
-            VYBEG_WITHIN(power, 2e-4 * (1 - 2 * pi * 0.01 / 3), 4,
-                         2e-4 * std::sqrt(2 / independent));
+            VYBEG_CLOSE(power, 2e-4 * (1 - 2 * pi * 0.01 / 3),
+                        4 * 2e-4 * std::sqrt(2 / independent));
         }
     }
 }
@@ -182,8 +176,8 @@ void TestCarrierNoise::phase_noise_is_common_to_both_channels() {
         double worst = 0;
         double largest = 0;
         for (std::size_t k = 0; k < noisy->c.size(); ++k) {
-            worst = std::max(worst, std::abs(noisy->c[k] * std::tan(0.9) - noisy->d[k]));
-            largest = std::max(largest, std::abs(noisy->c[k]));
+            worst = test::largest_of({worst, std::abs(noisy->c[k] * std::tan(0.9) - noisy->d[k])});
+            largest = test::largest_of({largest, std::abs(noisy->c[k])});
         }
         QVERIFY2(worst < 1e-14, qPrintable(QString::number(worst)));
         QVERIFY(largest < std::cos(0.9) * (1 + 1e-12));
@@ -221,7 +215,7 @@ void TestCarrierNoise::phase_noise_has_a_density_of_one_over_f() {
     }
     // The taper's lobe of 2/T, a fifth of f, sees the mean of 1/f over it: 1 % more; at 20 Hz the
     // straight corner of the widest process, half of the draws' rate, leaves 5 % less or more.
-    VYBEG_WITHIN(mean * f_hz, 1.0, 1, 4 / std::sqrt(double(records)) + 0.05);
+    VYBEG_CLOSE(mean * f_hz, 1, 4 / std::sqrt(double(records)) + 0.05);
 }
 
 void TestCarrierNoise::white_noise_stays_as_it_is() {
@@ -239,8 +233,7 @@ void TestCarrierNoise::white_noise_stays_as_it_is() {
     QVERIFY(silent && white && all && coloured);
     for (std::size_t k = 0; k < silent->c.size(); ++k) {
         const double own = white->c[k] - silent->c[k];
-        QVERIFY2(std::abs(all->c[k] - coloured->c[k] - own) < 1e-15,
-                 qPrintable(both(all->c[k] - coloured->c[k], own, 1e-15)));
+        VYBEG_CLOSE(all->c[k] - coloured->c[k], own, 1e-15);
     }
 }
 

@@ -3,6 +3,8 @@
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/true_track.h"
+#include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -125,8 +127,8 @@ private slots:
         for (std::size_t k = 0; k < samples->c.size(); ++k) {
             const Complex carrier =
                 std::polar(1.0, carrier_phase(decay, static_cast<std::int64_t>(k)));
-            worst = std::max({worst, std::abs((z[0] * carrier).real() - samples->c[k]),
-                              std::abs((z[1] * carrier).real() - samples->d[k])});
+            worst = test::largest_of({worst, std::abs((z[0] * carrier).real() - samples->c[k]),
+                                      std::abs((z[1] * carrier).real() - samples->d[k])});
             runge_kutta_step(decay, z, 1 / decay.rate_hz);
         }
         // Runge-Kutta: |M|^5 h^5 / 120 a step, times 12000 steps, is below 1e-13 here; the rest is
@@ -154,8 +156,9 @@ private slots:
             const double left = std::exp(-t / decay.tau_s);
             const double ring_p = left * (p * std::polar(1.0, phase + pi * 0.7 * t)).real();
             const double ring_q = left * (q * std::polar(1.0, phase - pi * 0.7 * t)).real();
-            worst = std::max({worst, std::abs(ring_p * cosine - ring_q * sine - samples->c[k]),
-                              std::abs(ring_p * sine + ring_q * cosine - samples->d[k])});
+            worst =
+                test::largest_of({worst, std::abs(ring_p * cosine - ring_q * sine - samples->c[k]),
+                                  std::abs(ring_p * sine + ring_q * cosine - samples->d[k])});
         }
         QVERIFY2(worst < 1e-13, qPrintable(QString::number(worst)));
     }
@@ -171,8 +174,8 @@ private slots:
         const auto samples = simulate(decay, {});
         QVERIFY(samples);
         const std::size_t second = 2000;  // a whole number of periods of 317 Hz
-        QVERIFY(std::abs(samples->c[second] - std::cos(0.5) * std::exp(-0.3)) < 1e-13);
-        QVERIFY(std::abs(samples->d[second] - std::sin(0.5) * std::exp(-0.1)) < 1e-13);
+        VYBEG_CLOSE(samples->c[second], std::cos(0.5) * std::exp(-0.3), 1e-13);
+        VYBEG_CLOSE(samples->d[second], std::sin(0.5) * std::exp(-0.1), 1e-13);
     }
 
     void an_hour_keeps_twelve_digits() {
@@ -193,8 +196,8 @@ private slots:
             const long double phase = carrier_phase(decay, static_cast<std::int64_t>(k));
             const long double c = std::cos(0.6L) * std::cos(phase + beat - 0.4L);
             const long double d = std::sin(0.6L) * std::cos(phase - beat - 0.4L);
-            worst = std::max({worst, std::abs(static_cast<double>(c - samples->c[k])),
-                              std::abs(static_cast<double>(d - samples->d[k]))});
+            worst = test::largest_of({worst, std::abs(static_cast<double>(c - samples->c[k])),
+                                      std::abs(static_cast<double>(d - samples->d[k]))});
         }
         QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
     }

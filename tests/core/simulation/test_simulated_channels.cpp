@@ -5,6 +5,8 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
 #include "core/simulation/true_track.h"
+#include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -49,21 +51,13 @@ double distance(const FreeDecay& decay, const Formula& formula) {
     double worst = 0;
     for (std::size_t k = 0; k < samples->c.size(); ++k) {
         const auto [c, d] = formula(static_cast<double>(k) / decay.rate_hz);
-        worst = std::max({worst, std::abs(c - samples->c[k]), std::abs(d - samples->d[k])});
+        worst = test::largest_of({worst, std::abs(c - samples->c[k]), std::abs(d - samples->d[k])});
     }
     return worst;
 }
 
 // 20000 samples hold up to 3e4 rad of phase, whose rounding is 4e-12.
 constexpr double rounding = 2e-11;
-
-#define VYBEG_BELOW(value, limit)                                                        \
-    do {                                                                                 \
-        const double vybeg_value = (value);                                              \
-        QVERIFY2(vybeg_value < (limit), qPrintable(QString("%1, limit %2")               \
-                                                       .arg(vybeg_value, 0, 'g', 6)      \
-                                                       .arg(double(limit), 0, 'g', 6))); \
-    } while (false)
 
 }  // namespace
 
@@ -125,7 +119,7 @@ void TestSimulatedChannels::skew_and_gain_ratio_mix_the_channels_as_written() {
             FreeDecay decay = steady(x);
             decay.skew_deg = skew_deg;
             decay.kappa = 1.04;
-            VYBEG_BELOW(distance(decay,
+            VYBEG_CLOSE(distance(decay,
                                  [&](double t) {
                                      const double wave = std::cos(2 * pi * x.f0_hz * t - x.alpha);
                                      return Signals{
@@ -134,7 +128,7 @@ void TestSimulatedChannels::skew_and_gain_ratio_mix_the_channels_as_written() {
                                           std::sin(skew_deg * pi / 180) * std::cos(x.angle)) *
                                              wave / 1.04};
                                  }),
-                        rounding);
+                        0, rounding);
         }
     }
 }
@@ -143,7 +137,7 @@ void TestSimulatedChannels::crosstalk_in_quadrature_is_c_a_quarter_of_a_period_e
     for (const Case& x : cases) {
         FreeDecay decay = steady(x);
         decay.crosstalk = 0.02;
-        VYBEG_BELOW(distance(decay,
+        VYBEG_CLOSE(distance(decay,
                              [&](double t) {
                                  const double phase = 2 * pi * x.f0_hz * t - x.alpha;
                                  return Signals{
@@ -151,7 +145,7 @@ void TestSimulatedChannels::crosstalk_in_quadrature_is_c_a_quarter_of_a_period_e
                                      std::sin(x.angle) * std::cos(phase) +
                                          0.02 * std::cos(x.angle) * std::cos(phase + pi / 2)};
                              }),
-                    rounding);
+                    0, rounding);
     }
 }
 
@@ -160,7 +154,7 @@ void TestSimulatedChannels::a_delay_shows_channel_d_as_it_was_before() {
         for (const double samples_late : {0.01, -0.37, 25.5}) {
             FreeDecay decay = steady(x);
             decay.delay_d_s = std::clamp(samples_late / x.rate_hz, -0.1, 0.1);
-            VYBEG_BELOW(
+            VYBEG_CLOSE(
                 distance(decay,
                          [&](double t) {
                              const double w = 2 * pi * x.f0_hz;
@@ -168,7 +162,7 @@ void TestSimulatedChannels::a_delay_shows_channel_d_as_it_was_before() {
                                  std::cos(x.angle) * std::cos(w * t - x.alpha),
                                  std::sin(x.angle) * std::cos(w * (t - decay.delay_d_s) - x.alpha)};
                          }),
-                rounding);
+                0, rounding);
         }
     }
 }
@@ -200,9 +194,9 @@ void TestSimulatedChannels::the_delay_holds_for_a_decaying_beating_drifting_wave
             for (std::size_t k = 10; k + 10 < plain->d.size(); ++k) {
                 const double before =
                     plain->d[static_cast<std::size_t>(static_cast<int>(k) - late)];
-                worst = std::max(worst, std::abs(delayed->d[k] - before));
+                worst = test::largest_of({worst, std::abs(delayed->d[k] - before)});
             }
-            VYBEG_BELOW(worst, 1e-11);
+            VYBEG_CLOSE(worst, 0, 1e-11);
         }
     }
 }
@@ -213,7 +207,7 @@ void TestSimulatedChannels::phase_and_gain_of_d_drift_linearly_over_the_recordin
         decay.phase_drift_rad = 0.2;
         decay.gain_drift = -0.05;
         decay.kappa = 0.98;
-        VYBEG_BELOW(distance(decay,
+        VYBEG_CLOSE(distance(decay,
                              [&](double t) {
                                  const double phase = 2 * pi * x.f0_hz * t - x.alpha;
                                  const double share = t / decay.seconds;
@@ -221,7 +215,7 @@ void TestSimulatedChannels::phase_and_gain_of_d_drift_linearly_over_the_recordin
                                                 std::sin(x.angle) * (1 - 0.05 * share) *
                                                     std::cos(phase + 0.2 * share) / 0.98};
                              }),
-                    rounding);
+                    0, rounding);
     }
 }
 
@@ -236,8 +230,8 @@ void TestSimulatedChannels::the_cubic_of_the_pick_offs_bends_both_channels() {
         for (std::size_t k = 0; k < straight->c.size(); ++k) {
             const double c = straight->c[k];
             const double d = straight->d[k];
-            VYBEG_BELOW(std::abs(bent->c[k] - (c - 0.03 * c * c * c + 0.5)), 1e-15);
-            VYBEG_BELOW(std::abs(bent->d[k] - (d - 0.03 * d * d * d)), 1e-15);
+            VYBEG_CLOSE(bent->c[k], c - 0.03 * c * c * c + 0.5, 1e-15);
+            VYBEG_CLOSE(bent->d[k], d - 0.03 * d * d * d, 1e-15);
         }
     }
 }
@@ -253,8 +247,8 @@ void TestSimulatedChannels::hum_is_the_same_in_both_channels() {
     for (std::size_t k = 0; k < plain->c.size(); ++k) {
         const double t = static_cast<double>(k) / decay.rate_hz;
         const double hum = 0.07 * std::cos(2 * pi * 60 * t - 1.2);
-        VYBEG_BELOW(std::abs(humming->c[k] - plain->c[k] - hum), 1e-13);
-        VYBEG_BELOW(std::abs(humming->d[k] - plain->d[k] - hum), 1e-13);
+        VYBEG_CLOSE(humming->c[k] - plain->c[k], hum, 1e-13);
+        VYBEG_CLOSE(humming->d[k] - plain->d[k], hum, 1e-13);
     }
 }
 
@@ -272,8 +266,8 @@ void TestSimulatedChannels::modes_beside_ring_with_their_own_phases() {
         const double ring = std::cos(2 * pi * 5317.5 * t);
         const double c = 0.3 * left * std::cos(2 * pi * 990 * t - 0.5) + 2 * ring;
         const double d = -0.1 * left * std::cos(2 * pi * 990 * t - 2) + 3 * ring;
-        VYBEG_BELOW(std::abs(more->c[k] - plain->c[k] - c), rounding);
-        VYBEG_BELOW(std::abs(more->d[k] - plain->d[k] - d), rounding);
+        VYBEG_CLOSE(more->c[k] - plain->c[k], c, rounding);
+        VYBEG_CLOSE(more->d[k] - plain->d[k], d, rounding);
     }
 }
 

@@ -4,6 +4,8 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/slow_motion.h"
 #include "core/simulation/true_track.h"
+#include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -62,13 +64,6 @@ FreeDecay by_power(double b, double k) {
     decay.damping_per_power_per_s = k;
     return decay;
 }
-
-QString both(double found, double expected) {
-    return QString("%1, expected %2").arg(found, 0, 'g', 12).arg(expected, 0, 'g', 12);
-}
-
-#define VYBEG_CLOSE(found, expected, tolerance) \
-    QVERIFY2(std::abs((found) - (expected)) < (tolerance), qPrintable(both((found), (expected))))
 
 }  // namespace
 
@@ -140,8 +135,8 @@ void TestSimulatedMotion::a_cubic_spring_and_damping_by_power_are_those_of_the_o
     }
     double worst = 0;
     for (std::size_t frame = 0; frame < samples->c.size(); ++frame) {
-        worst = std::max({worst, std::abs(state[0] - samples->c[frame]),
-                          std::abs(state[1] - samples->d[frame])});
+        worst = test::largest_of({worst, std::abs(state[0] - samples->c[frame]),
+                                  std::abs(state[1] - samples->d[frame])});
         for (int part = 0; part < 40; ++part) {
             oscillator.step(state, 1 / decay.rate_hz / 40);
         }
@@ -228,7 +223,7 @@ void TestSimulatedMotion::half_steps_give_the_same_motion() {
             for (int n = 0; n < 3000; ++n) {
                 const double t = 0.01 * n;
                 const Eigen::Vector2cd z = half.at(t);
-                worst = std::max(worst, (whole.at(t) - z).norm() / z.norm());
+                worst = test::largest_of({worst, (whole.at(t) - z).norm() / z.norm()});
             }
             QVERIFY2(worst < 1e-10, qPrintable(QString::number(worst)));
         }
@@ -243,7 +238,8 @@ void TestSimulatedMotion::without_dependence_on_power_the_series_are_the_matrix_
     double worst = (motion.at(-0.3) - linear.propagator(-0.3) * linear.start()).norm();
     for (int n = 0; n < 1000; ++n) {
         const double t = -0.25 + 0.1 * n;
-        worst = std::max(worst, (motion.at(t) - linear.propagator(t) * linear.start()).norm());
+        worst = test::largest_of(
+            {worst, (motion.at(t) - linear.propagator(t) * linear.start()).norm()});
     }
     QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
 }
@@ -271,7 +267,7 @@ void TestSimulatedMotion::runge_kutta_gives_the_same_motion_with_all_terms() {
     const double h = 1e-4;
     double worst = 0;
     for (int n = 0; n < 50000; ++n) {
-        worst = std::max(worst, (motion.at(n * h) - z).norm());
+        worst = test::largest_of({worst, (motion.at(n * h) - z).norm()});
         const Eigen::Vector2cd a = slope(z);
         const Eigen::Vector2cd b = slope(z + h / 2 * a);
         const Eigen::Vector2cd c = slope(z + h / 2 * b);
@@ -297,8 +293,8 @@ void TestSimulatedMotion::frequency_settles_and_drifts_by_its_integral() {
             const double turns = static_cast<double>(5300 * k % 33333) / 33333 + 0.01 * t * t -
                                  0.03 * (1 - std::exp(-t / 3));
             const double wave = std::cos(2 * pi * turns - decay.alpha);
-            worst = std::max({worst, std::abs(std::cos(angle) * wave - samples->c[k]),
-                              std::abs(std::sin(angle) * wave - samples->d[k])});
+            worst = test::largest_of({worst, std::abs(std::cos(angle) * wave - samples->c[k]),
+                                      std::abs(std::sin(angle) * wave - samples->d[k])});
         }
         QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
         for (std::size_t row = 0; row < truth->rows(); ++row) {
@@ -324,7 +320,7 @@ void TestSimulatedMotion::an_hour_of_drift_keeps_its_phase() {
         // 0.0625/2 (k/1000)^2 = k^2 / 32e6 turns, in whole numbers.
         const double turns = static_cast<double>(100 * k % 1000) / 1000 +
                              static_cast<double>(k * k % 32'000'000) / 32e6;
-        worst = std::max(worst, std::abs(std::cos(2 * pi * turns) - samples->c[k]));
+        worst = test::largest_of({worst, std::abs(std::cos(2 * pi * turns) - samples->c[k])});
     }
     QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
 }
@@ -365,7 +361,8 @@ void TestSimulatedMotion::the_truth_gives_the_samples_and_the_frequency_of_them(
             const double expected = 2 * pi * f * 61 / decay.rate_hz;
             const double gone =
                 -(alpha - truth->values(SlowVariable::alpha)[row - 1]) + share * turn;
-            worst_turn = std::max(worst_turn, std::abs(std::remainder(gone - expected, pi)));
+            worst_turn =
+                test::largest_of({worst_turn, std::abs(std::remainder(gone - expected, pi))});
         }
     }
     QVERIFY2(worst < 1e-11, qPrintable(QString::number(worst)));

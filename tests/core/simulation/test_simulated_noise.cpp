@@ -4,6 +4,7 @@
 // mean square of sd s^2 sqrt(2/n), and a correlation of sd 1/sqrt(n) with any other such row.
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -51,14 +52,13 @@ private slots:
         const double variance = sigma * sigma;
         for (const auto& channel : {c, d}) {
             const double mean = std::accumulate(channel.begin(), channel.end(), 0.0) / n;
-            QVERIFY(std::abs(mean) < 4 * sigma / std::sqrt(n));
-            QVERIFY(std::abs(mean_product(channel, channel) - variance) <
-                    4 * variance * std::sqrt(2 / n));
+            VYBEG_CLOSE(mean, 0, 4 * sigma / std::sqrt(n));
+            VYBEG_CLOSE(mean_product(channel, channel), variance, 4 * variance * std::sqrt(2 / n));
             // White: no correlation with the neighbours.
             const std::span all(channel);
             for (const std::size_t lag : {1U, 2U, 6U}) {
-                QVERIFY(std::abs(mean_product(all.first(all.size() - lag), all.subspan(lag))) <
-                        4 * variance / std::sqrt(n));
+                VYBEG_CLOSE(mean_product(all.first(all.size() - lag), all.subspan(lag)), 0,
+                            4 * variance / std::sqrt(n));
             }
             // Gaussian: 31.731 % lie outside one sigma, 4.550 % outside two, 0.26998 % outside 3.
             for (const auto& [bound, share] :
@@ -66,11 +66,11 @@ private slots:
                   std::pair{3.0, 0.00269979606}}) {
                 const auto outside = std::ranges::count_if(
                     channel, [&](double x) { return std::abs(x) > bound * sigma; });
-                QVERIFY(std::abs(static_cast<double>(outside) - n * share) <
-                        4 * std::sqrt(n * share * (1 - share)));
+                VYBEG_CLOSE(static_cast<double>(outside), n * share,
+                            4 * std::sqrt(n * share * (1 - share)));
             }
         }
-        QVERIFY(std::abs(mean_product(c, d)) < 4 * variance / std::sqrt(n));
+        VYBEG_CLOSE(mean_product(c, d), 0, 4 * variance / std::sqrt(n));
     }
 
     void a_seed_gives_the_same_samples_on_every_machine() {
@@ -80,10 +80,10 @@ private slots:
         QVERIFY(samples);
         QCOMPARE(samples->c.size(), std::size_t{3333});
         // Written down once; the last digits belong to the machine's sin and log.
-        QVERIFY(std::abs(samples->c[0] - 0.87988377632450288) < 1e-14);
-        QVERIFY(std::abs(samples->d[0] - 0.27180530353381038) < 1e-14);
-        QVERIFY(std::abs(samples->c[1000] - 0.88319061868251414) < 1e-12);
-        QVERIFY(std::abs(samples->d[3332] - -0.039627375572655742) < 1e-12);
+        VYBEG_CLOSE(samples->c[0], 0.87988377632450288, 1e-14);
+        VYBEG_CLOSE(samples->d[0], 0.27180530353381038, 1e-14);
+        VYBEG_CLOSE(samples->c[1000], 0.88319061868251414, 1e-12);
+        VYBEG_CLOSE(samples->d[3332], -0.039627375572655742, 1e-12);
     }
 
     void the_same_seed_repeats_itself_and_another_does_not() {
@@ -98,7 +98,7 @@ private slots:
         const std::vector<double> gap = difference(first->c, other->c);
         // Two independent noises differ by sqrt(2) sigma.
         const auto n = static_cast<double>(gap.size());
-        QVERIFY(std::abs(mean_product(gap, gap) - 2e-6) < 4 * 2e-6 * std::sqrt(2 / n));
+        VYBEG_CLOSE(mean_product(gap, gap), 2e-6, 4 * 2e-6 * std::sqrt(2 / n));
     }
 
     void gain_ratio_and_offsets_act_before_the_noise() {
@@ -116,11 +116,10 @@ private slots:
         const auto motion = simulate(decay, {});
         QVERIFY(motion);
         for (std::size_t k = 0; k < plain->c.size(); ++k) {
-            QVERIFY(std::abs(silent->c[k] - (motion->c[k] + 0.5)) < 1e-15);
-            QVERIFY(std::abs(silent->d[k] - (motion->d[k] / 1.25 - 0.75)) < 1e-15);
+            VYBEG_CLOSE(silent->c[k], motion->c[k] + 0.5, 1e-15);
+            VYBEG_CLOSE(silent->d[k], motion->d[k] / 1.25 - 0.75, 1e-15);
             // The noise is the receiver's: neither kappa nor offset touch it.
-            QVERIFY(std::abs((changed->d[k] - silent->d[k]) - (plain->d[k] - motion->d[k])) <
-                    1e-15);
+            VYBEG_CLOSE(changed->d[k] - silent->d[k], plain->d[k] - motion->d[k], 1e-15);
         }
     }
 
@@ -148,9 +147,10 @@ private slots:
         const double step = rounded->full_scale / std::ldexp(1.0, bits - 1);
         for (std::size_t k = 0; k < smooth->c.size(); ++k) {
             const double code = rounded->c[k] / step;
-            QVERIFY(std::abs(code - std::round(code)) < 1e-6);
-            QVERIFY(std::abs(rounded->c[k] - smooth->c[k]) <= step * (0.5 + 1e-6) ||
-                    smooth->c[k] > rounded->full_scale - step);
+            VYBEG_CLOSE(code, std::round(code), 1e-6);
+            if (!(smooth->c[k] > rounded->full_scale - step)) {
+                VYBEG_WITHIN(rounded->c[k], smooth->c[k], step * (0.5 + 1e-6));
+            }
         }
     }
 
@@ -168,7 +168,7 @@ private slots:
             samples->c, [](double x) { return x == -0.5 || x == 0.5 * 127 / 128; });
         // |cos| > 0.5 two thirds of the time, and -+ half a step.
         const double share = static_cast<double>(railed) / static_cast<double>(samples->c.size());
-        QVERIFY(std::abs(share - 2.0 / 3) < 0.01);
+        VYBEG_CLOSE(share, 2.0 / 3, 0.01);
     }
 
     void zeros_have_no_full_scale() {

@@ -2,6 +2,8 @@
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/true_track.h"
+#include "tests/closeness.h"
+#include "tests/largest_of.h"
 
 #include <QtTest>
 
@@ -16,11 +18,6 @@ namespace {
 
 std::span<const double> column(const Track& track, SlowVariable variable) {
     return track.values(variable);
-}
-
-// Distance of two angles on the circle.
-double apart(double a, double b) {
-    return std::abs(std::remainder(a - b, 2 * pi));
 }
 
 }  // namespace
@@ -61,13 +58,14 @@ private slots:
         for (std::size_t row = 0; row < track->rows(); ++row) {
             const std::int64_t centre = static_cast<std::int64_t>(row) * window + (window - 1) / 2;
             const double turns = static_cast<double>(5300 * centre % 33333) / 33333;
-            QVERIFY(std::abs(column(*track, SlowVariable::a_A)[row] - 1) < 1e-13);
-            QVERIFY(std::abs(column(*track, SlowVariable::a_B)[row] - a_B) < 1e-13);
-            QVERIFY(std::abs(column(*track, SlowVariable::two_theta_A)[row] - angle) < 1e-13);
-            QVERIFY(apart(column(*track, SlowVariable::alpha)[row],
-                          alpha - pi * half_turns - 2 * pi * turns) < 1e-13);
+            VYBEG_CLOSE(column(*track, SlowVariable::a_A)[row], 1, 1e-13);
+            VYBEG_CLOSE(column(*track, SlowVariable::a_B)[row], a_B, 1e-13);
+            VYBEG_CLOSE(column(*track, SlowVariable::two_theta_A)[row], angle, 1e-13);
+            const double expected = alpha - pi * half_turns - 2 * pi * turns;
+            VYBEG_CLOSE(std::remainder(column(*track, SlowVariable::alpha)[row] - expected, 2 * pi),
+                        0, 1e-13);
             QCOMPARE(column(*track, SlowVariable::f)[row], 5300.0);
-            QVERIFY(std::abs(track->time_s()[row] - static_cast<double>(centre) / 33333) < 1e-12);
+            VYBEG_CLOSE(track->time_s()[row], static_cast<double>(centre) / 33333, 1e-12);
             QCOMPARE(track->flags()[row], Flags{0});
         }
     }
@@ -99,8 +97,9 @@ private slots:
                     a_A * std::cos(tau) * std::sin(angle) + a_B * std::sin(tau) * std::cos(angle);
                 return std::max(std::abs(c - samples->c[frame]), std::abs(d - samples->d[frame]));
             };
-            worst = std::max(worst, distance(centre));
-            worst_beside = std::max({worst_beside, distance(centre - 1), distance(centre + 1)});
+            worst = test::largest_of({worst, distance(centre)});
+            worst_beside =
+                test::largest_of({worst_beside, distance(centre - 1), distance(centre + 1)});
         }
         QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
         // One sample aside the slow change shows: 2 k Omega dt = 3.3e-5 of the amplitude.
@@ -115,8 +114,8 @@ private slots:
         QVERIFY(track);
         for (std::size_t row = 0; row < track->rows(); ++row) {
             const double left = std::exp(-track->time_s()[row] / 7);
-            QVERIFY(std::abs(column(*track, SlowVariable::a_A)[row] - left) < 1e-13);
-            QVERIFY(std::abs(column(*track, SlowVariable::a_B)[row] + 0.1 * left) < 1e-13);
+            VYBEG_CLOSE(column(*track, SlowVariable::a_A)[row], left, 1e-13);
+            VYBEG_CLOSE(column(*track, SlowVariable::a_B)[row], -0.1 * left, 1e-13);
         }
     }
 
@@ -131,7 +130,7 @@ private slots:
         for (std::size_t row = 0; row < track->rows(); ++row) {
             // d theta_A/dt = -k Omega.
             const double expected = 0.3 - 2 * 0.277 * 1.2 * track->time_s()[row];
-            QVERIFY(std::abs(angle[row] - expected) < 1e-12);
+            VYBEG_CLOSE(angle[row], expected, 1e-12);
             const double alpha = column(*track, SlowVariable::alpha)[row];
             QVERIFY(alpha > -pi && alpha <= pi);
         }
@@ -148,7 +147,7 @@ private slots:
         const double rate = pi * 1e-3 * std::sin(2 * 0.3 + 4 * 0.2);
         for (std::size_t row = 0; row < track->rows(); ++row) {
             const double grown = column(*track, SlowVariable::a_B)[row];
-            QVERIFY(std::abs(grown - rate * track->time_s()[row]) < 1e-6);
+            VYBEG_CLOSE(grown, rate * track->time_s()[row], 1e-6);
         }
         QVERIFY(column(*track, SlowVariable::a_B).back() > 5e-4);
     }
@@ -160,11 +159,11 @@ private slots:
         decay.two_theta_A = 2 * 0.15;
         auto track = true_track(decay, 60);
         QVERIFY(track);
-        QVERIFY(std::abs(column(*track, SlowVariable::f).back() - 5300.25) < 1e-9);
+        VYBEG_CLOSE(column(*track, SlowVariable::f).back(), 5300.25, 1e-9);
         decay.theta_w += pi / 4;
         track = true_track(decay, 60);
         QVERIFY(track);
-        QVERIFY(std::abs(column(*track, SlowVariable::f).back() - 5299.75) < 1e-9);
+        VYBEG_CLOSE(column(*track, SlowVariable::f).back(), 5299.75, 1e-9);
     }
 
     void the_phase_difference_has_the_sign_of_minus_the_quadrature() {
@@ -178,7 +177,7 @@ private slots:
             const double phi_c = std::atan2(-a_B * std::sin(0.7), std::cos(0.7));
             const double phi_d = std::atan2(a_B * std::cos(0.7), std::sin(0.7));
             const double difference = column(*track, SlowVariable::delta_phi_CD)[100];
-            QVERIFY(std::abs(difference - (phi_c - phi_d)) < 1e-13);
+            VYBEG_CLOSE(difference, phi_c - phi_d, 1e-13);
             QVERIFY(difference * a_B < 0);
         }
     }
@@ -192,7 +191,7 @@ private slots:
             QVERIFY(has(track->flags()[row], Flag::circular));
             QVERIFY(std::isnan(column(*track, SlowVariable::two_theta_A)[row]));
             QVERIFY(std::isnan(column(*track, SlowVariable::alpha)[row]));
-            QVERIFY(std::abs(column(*track, SlowVariable::a_B)[row] + 1) < 1e-13);
+            VYBEG_CLOSE(column(*track, SlowVariable::a_B)[row], -1, 1e-13);
         }
     }
 

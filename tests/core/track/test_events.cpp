@@ -1,4 +1,5 @@
 #include "core/track/events.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -57,9 +58,7 @@ void TestEvents::everyAxisIsCrossedOnceInEitherDirection() {
                     // the stretch of twelve sd holds m = 12 sd/s/dt rows.
                     const double slope = std::abs(to - from);
                     const double rows = std::max(12 * sd / slope * 20000, 2.0);
-                    QVERIFY2(
-                        std::abs(event.time_s - expected) < 5 * sd / slope / std::sqrt(rows) + 1e-6,
-                        qPrintable(QString("off by %1 s").arg(event.time_s - expected)));
+                    VYBEG_CLOSE(event.time_s, expected, 5 * sd / slope / std::sqrt(rows) + 1e-6);
                 }
             }
         }
@@ -80,7 +79,7 @@ void TestEvents::stretchesOfFlagsAreGathered() {
     const std::vector<Event> events = find_events(track);
     QCOMPARE(events.size(), std::size_t{3});
     QVERIFY((events[0] == Event{EventKind::gap, 0, events[0].seconds, 0, 0}));
-    QVERIFY(std::abs(events[0].seconds - 0.02) < 1e-12);
+    VYBEG_CLOSE(events[0].seconds, 0.02, 1e-12);
     QVERIFY(events[1].kind == EventKind::not_converged);
     QVERIFY(events[2].kind == EventKind::gap);
     QCOMPARE(events[2].time_s, 0.99);
@@ -95,7 +94,7 @@ void TestEvents::wavesThatMoveCrossNothing() {
     const std::vector<Event> events = find_events(track);
     QCOMPARE(events.size(), std::size_t{1});
     QVERIFY(events[0].kind == EventKind::moving);
-    QVERIFY(std::abs(events[0].seconds - 0.02) < 1e-12);
+    VYBEG_CLOSE(events[0].seconds, 0.02, 1e-12);
 }
 
 QTEST_GUILESS_MAIN(TestEvents)

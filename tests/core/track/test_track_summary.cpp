@@ -1,4 +1,5 @@
 #include "core/track/track_summary.h"
+#include "tests/closeness.h"
 
 #include <QTest>
 
@@ -44,7 +45,7 @@ private slots:
             f.push_back(5300 + (random() % 2 == 0 ? 1e-6 : -1e-6));
         }
         const double expected = 1e-6 / std::sqrt(1000.0);
-        QVERIFY(std::abs(summarise(track_of(f, 1), 1).sd_mean_f_hz / expected - 1) < 0.2);
+        VYBEG_CLOSE_RATIO(summarise(track_of(f, 1), 1).sd_mean_f_hz, expected, 0.2);
         f.resize(10);  // by the scatter itself
         double squares = 0;
         double sum = 0;
@@ -54,7 +55,7 @@ private slots:
         }
         const double exact = std::sqrt((squares - sum * sum / 10) / 9 / 10);
         // Two numbers near 5300 differ by their rounding, 1e-12, at worst.
-        QVERIFY(std::abs(summarise(track_of(f, 1), 1).sd_mean_f_hz / exact - 1) < 1e-4);
+        VYBEG_CLOSE_RATIO(summarise(track_of(f, 1), 1).sd_mean_f_hz, exact, 1e-4);
     }
 
     void overlapping_windows_count_for_what_they_add() {
@@ -81,7 +82,7 @@ private slots:
             f.push_back(5300 + 1e-3 * k);
         }
         const TrackSummary summary = summarise(track_of(f, 1), 1);
-        QVERIFY(std::abs(summary.mean_f_hz - 5300.9995) < 1e-9);
+        VYBEG_CLOSE(summary.mean_f_hz, 5300.9995, 1e-9);
         QVERIFY(summary.sd_mean_f_hz < 1e-3);  // a scatter about the mean would be 0.013
     }
 
@@ -91,7 +92,7 @@ private slots:
             track.sds(SlowVariable::f)[k] = k < 2 ? 1 : 2;
         }
         // (1 + 1 + 4/4 + 4/4) / (1 + 1 + 1/4 + 1/4)
-        QVERIFY(std::abs(summarise(track, 1).mean_f_hz - 1.6) < 1e-12);
+        VYBEG_CLOSE(summarise(track, 1).mean_f_hz, 1.6, 1e-12);
     }
 
     void leakage_is_common_to_all_windows() {
@@ -103,8 +104,9 @@ private slots:
         }
         const TrackSummary summary = summarise(track, 1);
         QCOMPARE(summary.leaking, std::size_t(400));
-        QVERIFY(std::abs(summary.leakage_f_hz - 0.5) < 1e-12 && summary.leakage_limits());
-        QVERIFY(std::abs(summary.sd_mean_f_hz - 0.5) < 1e-3);
+        VYBEG_CLOSE(summary.leakage_f_hz, 0.5, 1e-12);
+        QVERIFY(summary.leakage_limits());
+        VYBEG_CLOSE(summary.sd_mean_f_hz, 0.5, 1e-3);
         std::ranges::fill(track.leakage_f_hz(), 0.0);
         QVERIFY(!summarise(track, 1).leakage_limits());
     }
@@ -117,7 +119,7 @@ private slots:
         QCOMPARE(summary.mean_f_hz, 100.0);
         QCOMPARE(summary.at_bound, std::size_t(2));
         // The two lie 100 and 110 above: 210/6 of the mean of all.
-        QVERIFY(std::abs(summary.sd_mean_f_hz - std::hypot(35, summary.scatter_f_hz)) < 1e-9);
+        VYBEG_CLOSE(summary.sd_mean_f_hz, std::hypot(35, summary.scatter_f_hz), 1e-9);
         QVERIFY(summary.scatter_f_hz < 1);
     }
 

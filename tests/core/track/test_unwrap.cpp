@@ -1,6 +1,7 @@
 #include "core/estimators/wave/wave_state.h"
 #include "core/numerics/phase.h"
 #include "core/track/unwrap.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -43,9 +44,9 @@ void TestUnwrap::angleRunsOnThroughEveryAxisAndAlphaStaysOfTheSameMotion() {
             unwrap_angle(track, 0);
             for (std::size_t k = 0; k < track.rows(); ++k) {
                 // The start lies in (-pi/2, pi/2], so that no half turn is left open.
-                QVERIFY(std::abs(track.values(SlowVariable::two_theta_A)[k] -
-                                 (start + rate * static_cast<double>(k))) < 1e-12);
-                QVERIFY(std::abs(wrap(track.values(SlowVariable::alpha)[k] - 0.3)) < 1e-12);
+                VYBEG_CLOSE(track.values(SlowVariable::two_theta_A)[k],
+                            start + rate * static_cast<double>(k), 1e-12);
+                VYBEG_CLOSE(wrap(track.values(SlowVariable::alpha)[k] - 0.3), 0, 1e-12);
             }
         }
     }
@@ -60,7 +61,7 @@ void TestUnwrap::missingRowsAreStepped() {
     unwrap_angle(track, 0);
     QVERIFY(std::isnan(track.values(SlowVariable::two_theta_A)[11]));
     // The first valid row is the third: 1.4, inside (-pi/2, pi/2].
-    QVERIFY(std::abs(track.values(SlowVariable::two_theta_A)[39] - (1.2 + 3.9)) < 1e-12);
+    VYBEG_CLOSE(track.values(SlowVariable::two_theta_A)[39], 1.2 + 3.9, 1e-12);
 }
 
 void TestUnwrap::electrodeAngleIsTakenOff() {
@@ -70,13 +71,14 @@ void TestUnwrap::electrodeAngleIsTakenOff() {
         const double first = track.values(SlowVariable::two_theta_A)[0];
         QVERIFY(first > -pi / 2 && first <= pi / 2);
         const double half_turns = (first - (0.2 - zero)) / pi;
-        QVERIFY(std::abs(half_turns - std::round(half_turns)) < 1e-12);
+        VYBEG_CLOSE(half_turns, std::round(half_turns), 1e-12);
         for (std::size_t k = 0; k < track.rows(); ++k) {
-            QVERIFY(std::abs(track.values(SlowVariable::two_theta_A)[k] - first -
-                             0.2 * static_cast<double>(k)) < 1e-12);
+            VYBEG_CLOSE(track.values(SlowVariable::two_theta_A)[k] - first,
+                        0.2 * static_cast<double>(k), 1e-12);
             // A half turn of the angle goes with a half turn of the phase.
-            QVERIFY(std::abs(wrap(track.values(SlowVariable::alpha)[k] - 0.3 -
-                                  pi * std::round(half_turns))) < 1e-12);
+            VYBEG_CLOSE(
+                wrap(track.values(SlowVariable::alpha)[k] - 0.3 - pi * std::round(half_turns)), 0,
+                1e-12);
         }
     }
 }

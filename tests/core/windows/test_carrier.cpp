@@ -1,5 +1,6 @@
 #include "core/windows/carrier.h"
 #include "core/windows/carrier_zoom.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -53,8 +54,8 @@ void TestCarrier::isFoundToAHundredthOfABin() {
             const Pair pair = tones(count, f, 33333, 1, 0.7, 1e-3);
             const Result<double> found = find_carrier(pair.c, pair.d, 33333, 1000, 16666);
             QVERIFY(found);
-            QVERIFY2(std::abs(*found - f) < 0.01 * bin,
-                     qPrintable(QString("%1: off %2 bins").arg(f).arg((*found - f) / bin)));
+            VYBEG_CLOSE(*found, f, 0.01 * bin,
+                        qPrintable(QString("%1 bins").arg((*found - f) / bin)));
         }
     }
 }
@@ -63,7 +64,8 @@ void TestCarrier::isFoundInEitherChannelAlone() {
     for (const bool first : {true, false}) {
         const Pair pair = tones(20000, 5300.3, 33333, first ? 1 : 0, first ? 0 : 1, 0.01);
         const Result<double> found = find_carrier(pair.c, pair.d, 33333, 100, 16666);
-        QVERIFY(found && std::abs(*found - 5300.3) < 0.05);
+        QVERIFY(found);
+        VYBEG_CLOSE(*found, 5300.3, 0.05);
     }
 }
 
@@ -74,8 +76,8 @@ void TestCarrier::ofSeveralTonesTheBandDecides() {
         pair.c[j] += hum.c[j];
         pair.d[j] += hum.d[j];
     }
-    QVERIFY(std::abs(*find_carrier(pair.c, pair.d, 33333, 10, 16666) - 3000) < 0.1);
-    QVERIFY(std::abs(*find_carrier(pair.c, pair.d, 33333, 5000, 6000) - 5300) < 0.1);
+    VYBEG_CLOSE(*find_carrier(pair.c, pair.d, 33333, 10, 16666), 3000, 0.1);
+    VYBEG_CLOSE(*find_carrier(pair.c, pair.d, 33333, 5000, 6000), 5300, 0.1);
 }
 
 void TestCarrier::offsetsAndMissingSamplesDoNotMislead() {
@@ -88,7 +90,8 @@ void TestCarrier::offsetsAndMissingSamplesDoNotMislead() {
         }
     }
     const Result<double> found = find_carrier(pair.c, pair.d, 33333, 10, 16666);
-    QVERIFY(found && std::abs(*found - 5300) < 0.1);
+    QVERIFY(found);
+    VYBEG_CLOSE(*found, 5300, 0.1);
 }
 
 void TestCarrier::noiseAloneHasNone() {
@@ -111,7 +114,8 @@ void TestCarrier::fewSamplesAreEnough() {
     // it.
     const Pair pair = tones(63, 5300, 33333, 1, 0.5, 0);
     const Result<double> found = find_carrier(pair.c, pair.d, 33333, 1500, 16666);
-    QVERIFY(found && std::abs(*found - 5300) < 0.1 * 33333 / 63);
+    QVERIFY(found);
+    VYBEG_CLOSE(*found, 5300, 0.1 * 33333 / 63);
 }
 
 void TestCarrier::impossibleBandsAreNamed() {
@@ -140,11 +144,9 @@ void TestCarrier::aLongStretchIsSearchedCoarseToFine() {
                 }
             }
             const auto found = zoom_carrier(pair.c, pair.d, rate, 4 * bin, rate / 2, {});
-            QVERIFY2(found && std::abs(*found - f) < 0.01 * bin,
-                     qPrintable(QString("%1 of %2: off %3 bins")
-                                    .arg(f)
-                                    .arg(count)
-                                    .arg((found.value_or(0) - f) / bin)));
+            const QString which = QString("%1 of %2").arg(f).arg(count);
+            QVERIFY2(found, qPrintable(which));
+            VYBEG_CLOSE(*found, f, 0.01 * bin, qPrintable(which));
         }
     }
 }
@@ -169,7 +171,8 @@ void TestCarrier::whereTheZoomIsNotCertainItSaysNothing() {
     }
     QVERIFY(!zoomed(pair));
     const Result<double> found = find_carrier(pair.c, pair.d, rate, 1, rate / 2);
-    QVERIFY(found && std::abs(*found - 9000) < 1);
+    QVERIFY(found);
+    VYBEG_CLOSE(*found, 9000, 1);
 }
 
 QTEST_GUILESS_MAIN(TestCarrier)

@@ -1,4 +1,5 @@
 #include "core/windows/window_plan.h"
+#include "tests/closeness.h"
 
 #include <QtTest>
 
@@ -29,15 +30,15 @@ void TestWindowPlan::residualIsTheAverageOfTheDoubledCarrier() {
             }
             const double expected =
                 static_cast<double>(std::abs(sum) / static_cast<long double>(n));
-            QVERIFY(std::abs(orthogonality_residual(n, f, 33333) - expected) < 1e-13);
+            VYBEG_CLOSE(orthogonality_residual(n, f, 33333), expected, 1e-13);
         }
     }
 }
 
 void TestWindowPlan::residualsAreThoseOfTheMethod() {
     // METHOD section 3: f = 5300, fs = 33333: n = 6 leaves 5.7 %, n = 60 leaves 0.5 %.
-    QVERIFY(std::abs(orthogonality_residual(6, 5300, 33333) - 0.057) < 1e-3);
-    QVERIFY(std::abs(orthogonality_residual(60, 5300, 33333) - 0.005) < 5e-4);
+    VYBEG_CLOSE(orthogonality_residual(6, 5300, 33333), 0.057, 1e-3);
+    VYBEG_CLOSE(orthogonality_residual(60, 5300, 33333), 0.005, 5e-4);
 }
 
 void TestWindowPlan::snapFindsTheWindowsOfTheMethod() {
@@ -52,7 +53,7 @@ void TestWindowPlan::snapNeverMakesTheResidualWorseNorMovesFartherThanHalfAPerio
         const double half_period = 33333 / (2 * f);
         for (std::int64_t n = least_window(f, 33333); n < 700; n += 7) {
             const std::int64_t snapped = snap_window(n, f, 33333);
-            QVERIFY(std::abs(static_cast<double>(snapped - n)) <= half_period);
+            VYBEG_WITHIN(static_cast<double>(snapped - n), 0, half_period);
             QVERIFY(orthogonality_residual(snapped, f, 33333) <=
                     orthogonality_residual(n, f, 33333));
             QVERIFY(snapped >= least_window(f, 33333));

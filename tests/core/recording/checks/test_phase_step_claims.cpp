@@ -2,6 +2,7 @@
 // turning waves, strikes and noise do not move the clock.
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/checks/line_signal.h"
 
 #include <QtTest>
@@ -254,12 +255,9 @@ private slots:
                 QVERIFY2(steps[0].is_ambiguous, qPrintable(what + text(steps)));
                 const double expected =
                     std::remainder(40 * 2 * std::numbers::pi * 5300 / rate, 2 * std::numbers::pi);
-                QVERIFY2(std::abs(steps[0].phase_rad - expected) < 5 * steps[0].phase_sd + 1e-3,
-                         qPrintable(what + QString("%1 +- %2, expected %3")
-                                               .arg(steps[0].phase_rad)
-                                               .arg(steps[0].phase_sd)
-                                               .arg(expected)));
-                QVERIFY(std::abs(steps[0].frame - frame) <= 2);
+                VYBEG_CLOSE(steps[0].phase_rad, expected, 5 * steps[0].phase_sd + 1e-3,
+                            qPrintable(what));
+                VYBEG_WITHIN(steps[0].frame, frame, 2);
             }
         }
     }

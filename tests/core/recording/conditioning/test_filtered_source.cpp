@@ -1,4 +1,5 @@
 #include "core/recording/conditioning/filtered_source.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/source_reading.h"
 
 #include <QTest>
@@ -75,8 +76,8 @@ private slots:
             const auto source = band_passed(source_of(in), low, high, rate_hz);
             QVERIFY(bool(source));
             const Samples out = read_all(**source);
-            QVERIFY2(largest_difference(out.c, in.c) < 1e-4, qPrintable(QString::number(f)));
-            QVERIFY2(largest_difference(out.d, in.d) < 1e-4, qPrintable(QString::number(f)));
+            VYBEG_CLOSE(largest_difference(out.c, in.c), 0, 1e-4, qPrintable(QString::number(f)));
+            VYBEG_CLOSE(largest_difference(out.d, in.d), 0, 1e-4, qPrintable(QString::number(f)));
         }
     }
 
@@ -96,8 +97,10 @@ private slots:
                 QVERIFY(bool(source));
                 const Samples out = read_all(**source);
                 const std::vector<double> silence(out.c.size());
-                QVERIFY2(largest_difference(out.c, silence) < 1e-4, qPrintable(QString::number(f)));
-                QVERIFY2(largest_difference(out.d, silence) < 1e-4, qPrintable(QString::number(f)));
+                VYBEG_CLOSE(largest_difference(out.c, silence), 0, 1e-4,
+                            qPrintable(QString::number(f)));
+                VYBEG_CLOSE(largest_difference(out.d, silence), 0, 1e-4,
+                            qPrintable(QString::number(f)));
             }
         }
     }
@@ -187,8 +190,8 @@ private slots:
             QCOMPARE(missing_ranges(out.c), expected(at, at + 10));
             QCOMPARE(missing_ranges(out.d), missing_ranges(filtered.d));
             // What is left is what was there before, to rounding in the transform.
-            QVERIFY(largest_difference(out.c, filtered.c) < 1e-13);
-            QVERIFY(largest_difference(out.d, filtered.d) < 1e-13);
+            VYBEG_CLOSE(largest_difference(out.c, filtered.c), 0, 1e-13);
+            VYBEG_CLOSE(largest_difference(out.d, filtered.d), 0, 1e-13);
         }
     }
 

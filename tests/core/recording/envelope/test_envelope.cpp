@@ -1,4 +1,5 @@
 #include "core/recording/envelope/envelope_builder.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/source_reading.h"
 
 #include <QTest>
@@ -240,8 +241,8 @@ private slots:
         for (int i = 0; i < columns; ++i) {
             // 2048 parts: a column holds 20 of them, each known by its beginning.
             QVERIFY(buckets[i].coverage == Coverage::some);
-            QVERIFY(std::abs(static_cast<double>(buckets[i].c_min) - 1e5 * i) <= 1e4);
-            QVERIFY(std::abs(static_cast<double>(buckets[i].c_max) - 1e5 * (i + 1)) <= 1e4);
+            VYBEG_WITHIN(static_cast<double>(buckets[i].c_min), 1e5 * i, 1e4);
+            VYBEG_WITHIN(static_cast<double>(buckets[i].c_max), 1e5 * (i + 1), 1e4);
         }
         // 2048 looks of 256 frames.
         QVERIFY(source.looked <= frames / 16);

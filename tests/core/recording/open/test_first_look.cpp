@@ -1,7 +1,9 @@
 // What is seen of a long text file before it is open.
 #include "core/base/number_text.h"
 #include "core/recording/open/first_look.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/largest_of.h"
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -41,9 +43,9 @@ double largest_error(const std::vector<EnvelopeBucket>& parts) {
     double largest = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const double crest = 1 - static_cast<double>(i) / static_cast<double>(parts.size());
-        largest = std::max({largest, std::abs(static_cast<double>(parts[i].c_max) - crest),
-                            std::abs(static_cast<double>(parts[i].c_min) + crest),
-                            std::abs(static_cast<double>(parts[i].d_max) - crest / 2)});
+        largest = largest_of({largest, std::abs(static_cast<double>(parts[i].c_max) - crest),
+                              std::abs(static_cast<double>(parts[i].c_min) + crest),
+                              std::abs(static_cast<double>(parts[i].d_max) - crest / 2)});
     }
     return largest;
 }
@@ -60,11 +62,12 @@ private slots:
         const auto path = folder_.write("timed.csv", falling(true));
         const auto look = look_at(path);
         QVERIFY(look.has_value());
-        QVERIFY(std::abs(look->rate_hz / rate - 1) < 1e-6);
-        QVERIFY(std::abs(look->envelope->frames() - row_count) <= 1);
+        VYBEG_CLOSE_RATIO(look->rate_hz, rate, 1e-6);
+        VYBEG_WITHIN(look->envelope->frames(), row_count, 1);
         QVERIFY(!look->envelope->whole());
         // 256 parts at least; a column of 100 is known where the first of its parts begins.
-        QVERIFY(largest_error(look->envelope->buckets(0, look->envelope->frames(), 100)) < 0.011);
+        VYBEG_CLOSE(largest_error(look->envelope->buckets(0, look->envelope->frames(), 100)), 0,
+                    0.011);
         const auto recording = opened(path);
         QCOMPARE(recording.frames(), row_count);
     }
@@ -74,7 +77,7 @@ private slots:
         const auto look = look_at(path);
         QVERIFY(look.has_value());
         const double seconds = static_cast<double>(look->envelope->frames()) / look->rate_hz;
-        QVERIFY(std::abs(seconds - 120) < 0.01);
+        VYBEG_CLOSE(seconds, 120, 0.01);
         // A quarter has rows, half of it is empty.
         const auto quarters = look->envelope->buckets(0, look->envelope->frames(), 40);
         for (int i = 0; i < 40; ++i) {
@@ -93,8 +96,9 @@ private slots:
         QVERIFY(look.has_value());
         QCOMPARE(look->rate_hz, rate);
         const auto frames = static_cast<double>(look->envelope->frames());
-        QVERIFY(std::abs(frames / static_cast<double>(row_count) - 1) < 0.1);
-        QVERIFY(largest_error(look->envelope->buckets(0, look->envelope->frames(), 50)) < 0.05);
+        VYBEG_CLOSE_RATIO(frames, static_cast<double>(row_count), 0.1);
+        VYBEG_CLOSE(largest_error(look->envelope->buckets(0, look->envelope->frames(), 50)), 0,
+                    0.05);
     }
 
     void channels_are_those_of_the_options() {
@@ -105,8 +109,8 @@ private slots:
         const auto look = look_at(path, swapped);
         QVERIFY(look.has_value());
         const auto first = look->envelope->buckets(0, 1000, 1).at(0);
-        QVERIFY(std::abs(first.c_max - 0.5F) < 0.01F);
-        QVERIFY(std::abs(first.d_max - 1.0F) < 0.01F);
+        VYBEG_CLOSE(first.c_max, 0.5F, 0.01F);
+        VYBEG_CLOSE(first.d_max, 1.0F, 0.01F);
     }
 
     void nothing_is_shown_of_what_opens_at_once_or_not_at_all() {

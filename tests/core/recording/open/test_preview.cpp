@@ -6,6 +6,7 @@
 #include "core/recording/open/recording_preview.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 
 #include <ctime>
@@ -55,7 +56,7 @@ class TestPreview : public QObject {
         const Samples first = test::read(*recording.source, 0, frames);
         QVERIFY(same_bits(preview.c, first.c));
         QVERIFY(same_bits(preview.d, first.d));
-        QVERIFY(std::abs(preview.rate_hz.value_or(0) / recording.rate_hz - 1) < 1e-3);
+        VYBEG_CLOSE_RATIO(preview.rate_hz.value_or(0), recording.rate_hz, 1e-3);
         QVERIFY(!preview.lines.empty());
         QVERIFY(preview.lines.size() <= preview_lines);
     }

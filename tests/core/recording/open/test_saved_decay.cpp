@@ -1,3 +1,4 @@
+#include "tests/closeness.h"
 #include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/demo_files.h"
 #include "tests/core/recording/text/uff_file.h"
@@ -85,7 +86,7 @@ void TestSavedDecay::samples_come_back_to_the_rounding_of_the_format() {
     const Recording recording = opened(folder_.file(name.toStdString()), options);
     QCOMPARE(recording.frames(), static_cast<std::int64_t>(decay_.c.size()));
     QVERIFY(recording.diagnostics.empty());
-    QVERIFY(std::abs(recording.rate_hz / 33333 - 1) <= rate_rounding);
+    VYBEG_WITHIN(recording.rate_hz / 33333, 1, rate_rounding);
     const Samples read = read_all(recording);
     int wrong = 0;
     const auto compare = [&](const std::vector<double>& found, const std::vector<double>& written) {

@@ -1,4 +1,5 @@
 // What the engineer says of a text file, against files that the guess takes for something else.
+#include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 
 using namespace vybeg;
@@ -128,10 +129,10 @@ private slots:
         const Recording recording = opened(path, said({.time_column = 3}));
         QCOMPARE(recording.channels.size(), 2u);
         QCOMPARE(recording.rate_from, RateOrigin::time_column);
-        QVERIFY(std::abs(recording.rate_hz - 4) < 1e-9);
+        VYBEG_CLOSE(recording.rate_hz, 4, 1e-9);
         same(recording, expected);
-        QVERIFY(std::abs(opened(path, said({.time_column = 3, .time_unit_s = 1e-3})).rate_hz -
-                         4000) < 1e-6);
+        VYBEG_CLOSE(opened(path, said({.time_column = 3, .time_unit_s = 1e-3})).rate_hz, 4000,
+                    1e-6);
         const auto wrong = open(path, said({.time_column = 4}));
         QCOMPARE(wrong.error().code, ErrorCode::column_out_of_range);
         QCOMPARE(wrong.error().args, (std::vector<MessageArg>{"4", "3"}));
@@ -148,7 +149,7 @@ private slots:
         const Recording recording = opened(path, said({.time_column = 0}, 500));
         QCOMPARE(recording.rate_hz, 500.0);
         QCOMPARE(recording.channels.size(), 3u);
-        QVERIFY(std::abs(read_all(recording).c[19] - 0.019) < 1e-15);
+        VYBEG_CLOSE(read_all(recording).c[19], 0.019, 1e-15);
     }
 
     void a_unit_of_time_makes_the_time_of_a_counter() {
@@ -160,7 +161,7 @@ private slots:
         QCOMPARE(open(path).error().code, ErrorCode::rate_unknown);
         const Recording recording = opened(path, said({.time_unit_s = 1e-6}));
         QCOMPARE(recording.channels.size(), 2u);
-        QVERIFY(std::abs(recording.rate_hz - 1e6 / 30) < 1e-6);
+        VYBEG_CLOSE(recording.rate_hz, 1e6 / 30, 1e-6);
     }
 
     void samples_are_scaled_and_lose_the_unit_that_is_no_longer_theirs() {

@@ -1,6 +1,7 @@
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_format.h"
 #include "core/recording/text/text_header.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 
 using namespace vybeg;
@@ -133,7 +134,7 @@ void TestTextDialects::every_dialect_gives_the_same_samples() {
     const bool timed = format.startsWith("text, 3 columns");
     const bool counted = QString(QTest::currentDataTag()) == "number of the row";
     QCOMPARE(recording.rate_from, timed && !counted ? RateOrigin::time_column : RateOrigin::option);
-    QVERIFY(std::abs(recording.rate_hz - 1000) < 1e-9);
+    VYBEG_CLOSE(recording.rate_hz, 1000, 1e-9);
 }
 
 void TestTextDialects::missing_samples_are_nan_and_are_counted_data() {
@@ -212,7 +213,7 @@ void TestTextDialects::a_header_names_the_channels() {
                                        QString::fromStdString(channel.unit));
     }
     QCOMPARE(found.join(' '), channels);
-    QVERIFY(std::abs(recording.rate_hz - 1000) < 1e-9);
+    VYBEG_CLOSE(recording.rate_hz, 1000, 1e-9);
     QCOMPARE(recording.rate_from, RateOrigin::time_column);
     const Diagnostic* ignored = find(recording, DiagnosticKind::text_lines_ignored);
     QCOMPARE(ignored ? ignored->args.at(0) : "0", std::to_string(lines_ignored));

@@ -2,6 +2,7 @@
 // the channels, units, rate and samples that it holds (tests/data/text/expected.json).
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_clock.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 
 #include <QFile>
@@ -105,11 +106,8 @@ private slots:
         QVERIFY2(sd >= 0 && sd <= allowed_sd,
                  qPrintable(QString("sd %1, at most %2").arg(sd).arg(allowed_sd)));
         // Rounding leaves an interval open that reaches two deviations at most.
-        QVERIFY2(std::abs(recording->rate_hz / rate - 1) <= 2.001 * sd + 1e-9,
-                 qPrintable(QString("rate %1, expected %2, relative sd %3")
-                                .arg(recording->rate_hz, 0, 'g', 12)
-                                .arg(rate, 0, 'g', 12)
-                                .arg(sd)));
+        VYBEG_WITHIN(recording->rate_hz / rate, 1, 2.001 * sd + 1e-9,
+                     qPrintable(QString("rate %1").arg(rate)));
 
         const Samples samples = read_all(*recording);
         QCOMPARE(difference(samples.c, layout["c"].toArray()), QString());
@@ -153,9 +151,9 @@ private slots:
         const Recording plain = opened(folder.write("run.csv", text));
         const Recording other = opened(folder.write("run.csv", text), swapped);
         QCOMPARE(read_all(plain).c[3], 1.5 * 3);
-        QVERIFY(std::abs(read_all(plain).d[3] - 2.5e-3 * 3) < 1e-15);
+        VYBEG_CLOSE(read_all(plain).d[3], 2.5e-3 * 3, 1e-15);
         QCOMPARE(read_all(other).c[3], 2.5 * 3);
-        QVERIFY(std::abs(read_all(other).d[3] - 1.5e3 * 3) < 1e-9);
+        VYBEG_CLOSE(read_all(other).d[3], 1.5e3 * 3, 1e-9);
         QCOMPARE(find(other, DiagnosticKind::unit_converted)->args,
                  (std::vector<MessageArg>{"C", "V", "mV"}));
     }
@@ -180,7 +178,7 @@ private slots:
         OpenOptions options;
         options.channel_c = 2;
         options.channel_d = 3;
-        QVERIFY(std::abs(opened(path, options).rate_hz - 500) < 0.5);
+        VYBEG_CLOSE(opened(path, options).rate_hz, 500, 0.5);
     }
 
     void a_header_that_contradicts_itself_or_the_times_gives_no_rate() {
@@ -192,7 +190,7 @@ private slots:
         const std::string times = "# sample rate: 2000 Hz\nt,C,D\n" + rows("T,C,D\n");
         const Recording recording = opened(folder.write("times.csv", times));
         QCOMPARE(recording.rate_from, RateOrigin::time_column);
-        QVERIFY(std::abs(recording.rate_hz - 1000) < 1e-6);
+        VYBEG_CLOSE(recording.rate_hz, 1000, 1e-6);
     }
 
     void whole_numbers_that_rise_by_one_and_times_again_are_no_channels() {
@@ -274,7 +272,7 @@ private slots:
         QCOMPARE(timed, !std::isnan(seconds));
         if (timed) {
             const double read = seconds_after(*clock, 0);
-            QVERIFY2(std::abs(read - seconds) < 1e-9, qPrintable(QString::number(read, 'g', 12)));
+            VYBEG_CLOSE(read, seconds, 1e-9);
         }
     }
 

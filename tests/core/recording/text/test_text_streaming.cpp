@@ -1,6 +1,7 @@
 // Text files of many blocks: read piece by piece they are what they are as a whole.
 #include "core/base/number_text.h"
 #include "core/recording/times/time_line.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 
 #include <atomic>
@@ -106,7 +107,7 @@ private slots:
         const Samples samples = some_samples();
         const Recording recording = opened(folder.write("run", text_of(samples, dialect)));
         QCOMPARE(recording.frames(), static_cast<std::int64_t>(row_count));
-        QVERIFY(std::abs(recording.rate_hz / 33333 - 1) < 1e-12);
+        VYBEG_CLOSE_RATIO(recording.rate_hz, 33333, 1e-12);
         const Samples read = read_all(recording);
         QCOMPARE(worst_difference(read.c, samples.c), 0.0);
         QCOMPARE(worst_difference(read.d, samples.d), 0.0);
@@ -222,7 +223,7 @@ private slots:
             if (!even) {
                 continue;
             }
-            QVERIFY(std::abs(found->rate_hz / grid->rate_hz - 1) < 1e-12);
+            VYBEG_CLOSE_RATIO(found->rate_hz, grid->rate_hz, 1e-12);
             QCOMPARE(found->frames(), static_cast<std::int64_t>(grid->c.size()));
             for (const RowStretch& stretch : found->stretches) {
                 const auto row = static_cast<std::size_t>(stretch.first_row);

@@ -1,5 +1,6 @@
 // Units and rates as other programs write them above a table: every amplitude in the unit of C,
 // every time in seconds, or a warning that names what is unknown.
+#include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 
 using namespace vybeg;
@@ -29,14 +30,13 @@ std::string table(const std::string& header, double unit_s, double d_unit, char 
 }
 
 void check_samples(const Recording& recording) {
-    QVERIFY2(std::abs(recording.rate_hz / rate_hz - 1) < 1e-9,
-             qPrintable(QString::number(recording.rate_hz, 'g', 12)));
+    VYBEG_CLOSE_RATIO(recording.rate_hz, rate_hz, 1e-9);
     const Samples samples = read_all(recording);
     QCOMPARE(samples.c.size(), std::size_t{rows});
     for (int i = 0; i < rows; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        QVERIFY2(std::abs(samples.c[k] - 1.5 * std::cos(1.0023 * i)) < 1e-12, "C");
-        QVERIFY2(std::abs(samples.d[k] - 0.8 * std::sin(1.0023 * i)) < 1e-12, "D");
+        VYBEG_CLOSE(samples.c[k], 1.5 * std::cos(1.0023 * i), 1e-12, "C");
+        VYBEG_CLOSE(samples.d[k], 0.8 * std::sin(1.0023 * i), 1e-12, "D");
     }
 }
 

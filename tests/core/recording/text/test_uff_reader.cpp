@@ -1,3 +1,4 @@
+#include "tests/closeness.h"
 #include "tests/core/recording/damaged_files.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/core/recording/text/uff_file.h"
@@ -67,8 +68,8 @@ void TestUffReader::single_and_double_precision_come_back_to_their_digits() {
     const Samples read = read_all(recording);
     // Half a unit of the last decimal, of values below 1.
     const double rounding = doubles ? 0.5e-12 : 0.5e-5;
-    QVERIFY(worst_difference(read.c, samples.c) <= rounding);
-    QVERIFY(worst_difference(read.d, samples.d) <= rounding);
+    VYBEG_WITHIN(worst_difference(read.c, samples.c), 0, rounding);
+    VYBEG_WITHIN(worst_difference(read.d, samples.d), 0, rounding);
 }
 
 void TestUffReader::binary_numbers_are_read_in_place_data() {
@@ -196,7 +197,7 @@ void TestUffReader::rate_names_units_and_start_come_from_the_header() {
     OpenOptions options;
     options.rate_hz = 5;
     const Recording recording = opened(folder.write("run.uff", bytes), options);
-    QVERIFY(std::abs(recording.rate_hz - 1 / 0.03e-3) < 1e-9 * recording.rate_hz);
+    VYBEG_CLOSE(recording.rate_hz, 1 / 0.03e-3, 1e-9 * recording.rate_hz);
     QCOMPARE(recording.rate_from, RateOrigin::file);
     QCOMPARE(recording.start, std::string("01-MAR-20 12:34:56"));
     QCOMPARE(recording.channels[0], (Channel{"Электрод C", "V"}));
@@ -216,11 +217,11 @@ void TestUffReader::six_digits_of_the_step_leave_the_rate_open() {
         text.step_s = 1 / rate_hz;
         const Recording recording =
             opened(folder.write("run.uff", uff58(wave(10).c, text) + uff58(wave(10).d, text)));
-        const double error = recording.rate_hz / rate_hz - 1;
+
         const double sd = recording.rate_relative_sd;
         // Half of the sixth digit is sqrt(3) standard deviations.
-        QVERIFY2(std::abs(error) < 1.74 * sd + 1e-12 && sd > 2e-7 && sd < 3e-6,
-                 qPrintable(QString("error %1, sd %2").arg(error).arg(sd)));
+        VYBEG_CLOSE_RATIO(recording.rate_hz, rate_hz, 1.74 * sd + 1e-12);
+        QVERIFY2(sd > 2e-7 && sd < 3e-6, qPrintable(QString::number(sd)));
     }
 }
 
@@ -289,7 +290,7 @@ void TestUffReader::a_file_cut_short_opens_with_what_is_there() {
     const Diagnostic* early = find(recording, DiagnosticKind::file_ends_early);
     QVERIFY(early);
     QCOMPARE(early->args, (std::vector<MessageArg>{"600", "534"}));
-    QVERIFY(std::abs(read_all(recording).d[533] - samples.d[533]) <= 0.5e-5);
+    VYBEG_WITHIN(read_all(recording).d[533], samples.d[533], 0.5e-5);
 }
 
 void TestUffReader::what_is_not_read_is_refused_by_name_data() {

@@ -1,5 +1,6 @@
 // What the digits of a time column leave open.
 #include "core/recording/times/local_cubic.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/times/timed_signal.h"
 
 #include <random>
@@ -44,7 +45,7 @@ void TestTimeDigits::rounded_times_are_even_and_give_the_rate_as_well_as_their_d
     QVERIFY(recording.diagnostics.empty());
     // One digit over the whole length is the worst that rounding can do to a straight line.
     const double allowed = last_digit / (times.back() - times.front()) + 1e-14 * (1 + start);
-    QVERIFY(std::abs(recording.rate_hz / rate - 1) < allowed);
+    VYBEG_CLOSE_RATIO(recording.rate_hz, rate, allowed);
     QCOMPARE(read_all(recording).c, sampled(signal_c, times));
 }
 
@@ -86,8 +87,7 @@ void TestTimeDigits::times_of_few_digits_give_the_rate_within_two_of_its_deviati
     const double error = recording.rate_hz / rate_hz - 1;
     const double sd = recording.rate_relative_sd;
     // Where rounding meets halves of the last digit (48000 Hz), the times tell the rate exactly.
-    QVERIFY2(std::abs(error) <= 2.001 * sd + 1e-15,
-             qPrintable(QString("error %1, sd %2").arg(error).arg(sd)));
+    VYBEG_WITHIN(error, 0, 2.001 * sd + 1e-15);
     // No more than a slope that lies anywhere within a digit at either end.
     QVERIFY2(sd < 0.82 * coarsest / seconds, qPrintable(QString::number(sd)));
 }
@@ -107,7 +107,7 @@ void TestTimeDigits::lost_samples_are_found_where_the_digits_become_coarser() {
         QCOMPARE(gap.first_frame, frame);
         QCOMPARE(gap.count, 4);
     }
-    QVERIFY(std::abs(recording.rate_hz / rate - 1) <= 2.001 * recording.rate_relative_sd);
+    VYBEG_WITHIN(recording.rate_hz / rate, 1, 2.001 * recording.rate_relative_sd);
 }
 
 void TestTimeDigits::equal_times_are_an_error_where_their_digits_do_not_explain_them() {

@@ -1,5 +1,7 @@
 #include "core/recording/times/local_cubic.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/times/timed_signal.h"
+#include "tests/largest_of.h"
 
 #include <random>
 
@@ -39,7 +41,7 @@ void TestTimeGrid::a_cubic_comes_out_exactly_between_uneven_nodes() {
     std::vector<double> out(51);
     interpolate_cubic(nodes, values, 0, 0.1, out);
     for (std::size_t i = 0; i < out.size(); ++i) {
-        QVERIFY(std::abs(out[i] - cubic(0.1 * static_cast<double>(i))) < 1e-12);
+        VYBEG_CLOSE(out[i], cubic(0.1 * static_cast<double>(i)), 1e-12);
     }
 }
 
@@ -48,9 +50,9 @@ void TestTimeGrid::few_nodes_make_a_polynomial_of_lower_degree() {
     interpolate_cubic(std::vector{1.0}, std::vector{7.0}, 1, 0, std::span(out).first(1));
     QCOMPARE(out[0], 7.0);
     interpolate_cubic(std::vector{0.0, 1.0}, std::vector{0.0, 2.0}, 0, 0.5, out);
-    QVERIFY(worst_difference(out, {0, 1, 2}) < 1e-15);
+    VYBEG_CLOSE(worst_difference(out, {0, 1, 2}), 0, 1e-15);
     interpolate_cubic(std::vector{0.0, 0.5, 2.0}, std::vector{0.0, 0.25, 4.0}, 0, 1, out);
-    QVERIFY(worst_difference(out, {0, 1, 4}) < 1e-15);
+    VYBEG_CLOSE(worst_difference(out, {0, 1, 4}), 0, 1e-15);
 }
 
 void TestTimeGrid::even_times_keep_every_sample_to_the_last_bit() {
@@ -69,12 +71,12 @@ void TestTimeGrid::jitter_is_resampled_within_the_error_of_the_cubic() {
     for (std::size_t i = 1; i < times.size(); ++i) {
         const double shift = jitter(random);
         times[i] += shift / rate;
-        largest = std::max(largest, std::abs(shift));
+        largest = largest_of({largest, std::abs(shift)});
     }
     const UniformSamples grid = gridded(samples_at(times));
     // Standard deviation of the slope of a line through 5000 times with jitter of 0.2/sqrt(12).
     const double sd = 0.2 / std::sqrt(5000.0 * 5000.0 * 5000.0);
-    QVERIFY(std::abs(grid.rate_hz / rate - 1) < 4 * sd);
+    VYBEG_CLOSE_RATIO(grid.rate_hz, rate, 4 * sd);
 
     QVERIFY(grid.c.size() >= 4999 && grid.c.size() <= 5001);
     std::vector<double> at;
@@ -87,19 +89,19 @@ void TestTimeGrid::jitter_is_resampled_within_the_error_of_the_cubic() {
     const auto inside = [&](const std::vector<double>& values, double (*signal)(double)) {
         double worst = 0;
         for (std::size_t i = 2; i + 2 < values.size(); ++i) {
-            worst = std::max(worst, std::abs(values[i] - signal(at[i])));
+            worst = largest_of({worst, std::abs(values[i] - signal(at[i]))});
         }
         return worst;
     };
-    QVERIFY(inside(grid.c, signal_c) < 2.1 * even);
-    QVERIFY(inside(grid.d, signal_d) < 2.1 * 0.5 * even);
-    QVERIFY(worst_difference(grid.c, sampled(signal_c, at)) < 4 * even);
+    VYBEG_CLOSE(inside(grid.c, signal_c), 0, 2.1 * even);
+    VYBEG_CLOSE(inside(grid.d, signal_d), 0, 2.1 * 0.5 * even);
+    VYBEG_CLOSE(worst_difference(grid.c, sampled(signal_c, at)), 0, 4 * even);
 
     QCOMPARE(grid.diagnostics.size(), 1u);
     const Diagnostic& uneven = grid.diagnostics[0];
     QCOMPARE(uneven.kind, DiagnosticKind::time_uneven);
-    QVERIFY(std::abs(*parse_number(english(uneven.args.at(1))) - largest) < 0.01);
-    QVERIFY(std::abs(*parse_number(english(uneven.args.at(0))) - largest / rate) < 0.01 / rate);
+    VYBEG_CLOSE(*parse_number(english(uneven.args.at(1))), largest, 0.01);
+    VYBEG_CLOSE(*parse_number(english(uneven.args.at(0))), largest / rate, 0.01 / rate);
 }
 
 void TestTimeGrid::deviations_are_reported_from_a_thousandth_of_a_sample_on_data() {
@@ -120,7 +122,7 @@ void TestTimeGrid::deviations_are_reported_from_a_thousandth_of_a_sample_on() {
     QCOMPARE(!grid.diagnostics.empty(), reported);
     if (reported) {
         QCOMPARE(grid.diagnostics[0].kind, DiagnosticKind::time_uneven);
-        QVERIFY(std::abs(static_cast<double>(grid.diagnostics[0].first_frame) - 400) <= 1);
+        VYBEG_WITHIN(static_cast<double>(grid.diagnostics[0].first_frame), 400, 1);
     }
 }
 
@@ -137,14 +139,13 @@ void TestTimeGrid::lost_samples_become_gaps_where_they_were() {
     QCOMPARE(recording.frames(), 1000);
     QCOMPARE(worst_difference(read_all(recording).c, sampled(signal_c, expected)), 0.0);
     QCOMPARE(worst_difference(read_all(recording).d, sampled(signal_d, expected)), 0.0);
-    QVERIFY(std::abs(recording.rate_hz / rate - 1) < 1e-6);
+    VYBEG_CLOSE_RATIO(recording.rate_hz, rate, 1e-6);
     QCOMPARE(recording.diagnostics.size(), 2u);
     QCOMPARE(recording.diagnostics[0].kind, DiagnosticKind::time_gap);
     QCOMPARE(recording.diagnostics[0].first_frame, 100);
     QCOMPARE(recording.diagnostics[0].count, 1);
     QCOMPARE(recording.diagnostics[1].args.at(0), std::string("3"));
-    QVERIFY(std::abs(*parse_number(english(recording.diagnostics[1].args.at(1))) - 300 / rate) <
-            1e-7);
+    VYBEG_CLOSE(*parse_number(english(recording.diagnostics[1].args.at(1))), 300 / rate, 1e-7);
     QCOMPARE(recording.diagnostics[1].first_frame, 300);
 }
 
@@ -171,7 +172,7 @@ void TestTimeGrid::lost_samples_of_jittered_times_become_gaps_too() {
     QCOMPARE(grid.diagnostics[1].count, static_cast<std::int64_t>(missing));
     // The samples behind the gap are those of their own time.
     const double at = times[0] + 1500 / grid.rate_hz;
-    QVERIFY(std::abs(grid.c[1500] - signal_c(at)) < 1e-3);
+    VYBEG_CLOSE(grid.c[1500], signal_c(at), 1e-3);
 }
 
 void TestTimeGrid::a_clock_as_coarse_as_the_sample_period_still_shows_lost_samples() {
@@ -187,7 +188,7 @@ void TestTimeGrid::a_clock_as_coarse_as_the_sample_period_still_shows_lost_sampl
         return opened(folder.write("run", text));
     };
     const Recording two = thousand_per_second_without(250, 2);
-    QVERIFY(std::abs(two.rate_hz / 1000 - 1) < 1e-9);
+    VYBEG_CLOSE_RATIO(two.rate_hz, 1000, 1e-9);
     QCOMPARE(two.frames(), 500);
     QCOMPARE(two.diagnostics.size(), 1u);
     QCOMPARE(two.diagnostics[0].first_frame, 250);
@@ -196,7 +197,7 @@ void TestTimeGrid::a_clock_as_coarse_as_the_sample_period_still_shows_lost_sampl
     // One long step of the last digit may as well be that of a rate of 998 Hz: the deviation of the
     // rate leaves both open.
     const Recording one = thousand_per_second_without(250, 1);
-    QVERIFY(std::abs(one.rate_hz - 1000) <= 2 * one.rate_relative_sd * one.rate_hz);
+    VYBEG_WITHIN(one.rate_hz, 1000, 2 * one.rate_relative_sd * one.rate_hz);
 }
 
 void TestTimeGrid::a_clock_coarser_than_half_a_period_makes_no_gaps_of_its_own() {
@@ -209,7 +210,7 @@ void TestTimeGrid::a_clock_coarser_than_half_a_period_makes_no_gaps_of_its_own()
     const Recording recording = opened(folder.write("run", text));
     QCOMPARE(recording.frames(), 700);
     QVERIFY(recording.diagnostics.empty());
-    QVERIFY(std::abs(recording.rate_hz / 700 - 1) < 1e-3);  // 1 ms over 1 s
+    VYBEG_CLOSE_RATIO(recording.rate_hz, 700, 1e-3);  // 1 ms over 1 s
 }
 
 void TestTimeGrid::at_most_twenty_gaps_are_listed_and_none_is_forgotten_data() {
@@ -299,7 +300,7 @@ void TestTimeGrid::the_unit_of_the_header_scales_the_time() {
         text += QString::number(2.5 * i).toStdString() + ";1;2\n";
     }
     const Recording recording = opened(folder.write("run", text));
-    QVERIFY(std::abs(recording.rate_hz * 2.5 * unit - 1) < 1e-12);
+    VYBEG_CLOSE(recording.rate_hz * 2.5 * unit, 1, 1e-12);
     QCOMPARE(recording.channels.size(), 2u);
 }
 

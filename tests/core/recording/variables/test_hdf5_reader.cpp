@@ -1,3 +1,4 @@
+#include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
 
 using namespace vybeg;
@@ -219,7 +220,7 @@ void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout() {
     const QString file = QTest::currentDataTag();
     const bool by_time = file == "time.h5" || file == "pytables.h5";
     QCOMPARE(recording.rate_from, by_time ? RateOrigin::time_column : RateOrigin::file);
-    QVERIFY(std::abs(recording.rate_hz / 33333 - 1) < 1e-12);  // 1/dt is rounded
+    VYBEG_CLOSE_RATIO(recording.rate_hz, 33333, 1e-12);  // 1/dt is rounded
     const Samples read = read_all(recording);
     const auto kept = [&](const std::vector<double>& x) {
         return rounding == Rounding::none       ? x
@@ -276,7 +277,7 @@ void TestHdf5Reader::units_are_those_of_the_attributes() {
 void TestHdf5Reader::times_that_count_in_another_unit_are_converted() {
     const Recording recording = opened(folder_.file("microseconds.h5"));
     QCOMPARE(recording.rate_from, RateOrigin::time_column);
-    QVERIFY(std::abs(recording.rate_hz - 1e6 / 30) < 1e-6);
+    VYBEG_CLOSE(recording.rate_hz, 1e6 / 30, 1e-6);
 }
 
 void TestHdf5Reader::a_gap_in_the_times_is_a_gap_in_the_recording() {

@@ -1,4 +1,5 @@
 // Units, rates and scales that the attributes of HDF5 files name.
+#include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
 
 using namespace vybeg;
@@ -65,13 +66,13 @@ void TestHdf5Units::initTestCase() {
 
 void TestHdf5Units::d_comes_in_the_unit_of_c() {
     const Recording recording = opened(folder_.file("millivolts.h5"));
-    QVERIFY(std::abs(recording.rate_hz - 33333) < 1e-9);
+    VYBEG_CLOSE(recording.rate_hz, 33333, 1e-9);
     const Diagnostic* converted = find(recording, DiagnosticKind::unit_converted);
     QVERIFY(converted);
     QCOMPARE(converted->args, (std::vector<MessageArg>{"/D", "mV", "V"}));
     const Samples samples = read_all(recording);
     for (std::size_t i = 0; i < demo_.d.size(); ++i) {
-        QVERIFY(std::abs(samples.d[i] - demo_.d[i]) <= 1e-15);
+        VYBEG_WITHIN(samples.d[i], demo_.d[i], 1e-15);
     }
     QCOMPARE(samples.c, demo_.c);
     QVERIFY(find(opened(folder_.file("accelerations.h5")), DiagnosticKind::units_differ));
@@ -86,7 +87,7 @@ void TestHdf5Units::a_rate_may_have_a_unit_data() {
 void TestHdf5Units::a_rate_may_have_a_unit() {
     QFETCH(QString, file);
     const Recording recording = opened(folder_.file(file.toStdString()));
-    QVERIFY(std::abs(recording.rate_hz - 33333) < 1e-8);
+    VYBEG_CLOSE(recording.rate_hz, 33333, 1e-8);
 }
 
 void TestHdf5Units::what_contradicts_itself_or_is_scaled_is_refused_data() {

@@ -1,4 +1,5 @@
 #include "core/recording/variables/mat_format.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
 
 using namespace vybeg;
@@ -154,7 +155,7 @@ void TestMatReader::the_demonstration_decay_is_the_same_from_every_level_and_lay
     const bool by_time = QString(QTest::currentDataTag()) == "time.mat";
     QCOMPARE(recording.rate_from, by_time ? RateOrigin::time_column : RateOrigin::file);
     // 1/dt and the slope of the times are rounded; a rate that is written is not.
-    QVERIFY(std::abs(recording.rate_hz / 33333 - 1) < 1e-12);
+    VYBEG_CLOSE_RATIO(recording.rate_hz, 33333, 1e-12);
     const Samples read = read_all(recording);
     const auto kept = [&](const std::vector<double>& x) {
         return rounding == Rounding::none       ? x

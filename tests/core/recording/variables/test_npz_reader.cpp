@@ -1,4 +1,5 @@
 #include "core/recording/bytes/byte_order.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/damaged_files.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"
@@ -191,7 +192,7 @@ void TestNpzReader::the_rate_comes_from_a_number_or_from_times() {
     QFETCH(QString, name);
     QFETCH(int, origin);
     const Recording recording = opened(folder_.file(name.toStdString()), with_rate);
-    QVERIFY(std::abs(recording.rate_hz - 20) < 1e-9);
+    VYBEG_CLOSE(recording.rate_hz, 20, 1e-9);
     QCOMPARE(static_cast<int>(recording.rate_from), origin);
     QCOMPARE(recording.channels.size(), 2u);
     QCOMPARE(recording.frames(), 1000);
@@ -202,7 +203,7 @@ void TestNpzReader::uneven_times_are_brought_onto_a_grid() {
     const Recording recording = opened(folder_.file("uneven.npz"));
     QVERIFY(find(recording, DiagnosticKind::time_uneven));
     QCOMPARE(recording.rate_from, RateOrigin::time_column);
-    QVERIFY(std::abs(recording.rate_hz - 20) < 0.01);
+    VYBEG_CLOSE(recording.rate_hz, 20, 0.01);
 }
 
 void TestNpzReader::variables_are_chosen_by_name() {

@@ -190,6 +190,7 @@ void TestReaderConfinement::a_helper_that_has_to_wait_is_waited_for() {
     const pid_t id = (*process)->id();
     QCOMPARE(::kill(id, SIGSTOP), 0);
     std::thread later([id] {
+        // Longer than the processor time that a helper may use.
         std::this_thread::sleep_for(std::chrono::seconds(4));
         ::kill(id, SIGCONT);
     });
