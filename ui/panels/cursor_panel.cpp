@@ -1,5 +1,6 @@
 #include "ui/panels/cursor_panel.h"
 
+#include "ui/panels/reading.h"
 #include "ui/panels/run_list.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
@@ -15,41 +16,12 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace vybeg::ui {
 
 namespace {
 
 constexpr int shown_count = static_cast<int>(shown_slow_variables.size());
-
-struct Reading {
-    double value = std::numeric_limits<double>::quiet_NaN();
-    double sd = std::numeric_limits<double>::quiet_NaN();
-};
-
-// Row of the window with the nearest centre. Precondition: the track is not empty.
-std::size_t nearestRow(const Track& track, double time_s) {
-    const auto times = track.time_s();
-    const auto after = std::ranges::lower_bound(times, time_s);
-    auto row = static_cast<std::size_t>(after - times.begin());
-    if (row == times.size() || (row > 0 && time_s - times[row - 1] < times[row] - time_s)) {
-        --row;
-    }
-    return row;
-}
-
-Reading readingAt(const Analysis& analysis, SlowVariable variable, std::size_t row,
-                  const DisplayUnits& units) {
-    const DisplayScale scale = displayScale(variable, units, analysis.f0_hz());
-    const double stored = analysis.track.values(variable)[row];
-    Reading reading{scale.value(stored), std::numeric_limits<double>::quiet_NaN()};
-    if (info(variable).has_sd) {
-        reading.sd = scale.sd(stored, analysis.track.sds(variable)[row]);
-    }
-    return reading;
-}
 
 std::vector<const RunEntry*> visibleRuns(const Document& document) {
     std::vector<const RunEntry*> visible;
@@ -149,13 +121,8 @@ QString CursorPanel::tableText() const {
         return {};
     }
     const double time_s = shownTime(runs.front()->run);
-    const QLocale locale;
-    const auto number = [&locale](double value) {
-        return std::isnan(value) ? QString()
-                                 : locale.toString(value, 'g', QLocale::FloatingPointShortest);
-    };
     QStringList lines;
-    QStringList head{tr("t = %1 s").arg(number(time_s))};
+    QStringList head{tr("t = %1 s").arg(spreadsheetNumber(time_s))};
     for (const RunEntry* entry : runs) {
         head << entry->run.name << tr("sd");
     }
@@ -168,7 +135,7 @@ QString CursorPanel::tableText() const {
             const Analysis& analysis = *entry->run.analysis;
             const Reading reading =
                 readingAt(analysis, variable, nearestRow(analysis.track, time_s), units_);
-            cells << number(reading.value) << number(reading.sd);
+            cells << spreadsheetNumber(reading.value) << spreadsheetNumber(reading.sd);
         }
         lines << cells.join(QLatin1Char('\t'));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/values/run.h"
+#include "ui/values/trend_curve.h"
 #include "ui/values/zoom_stack.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
@@ -10,13 +11,6 @@
 
 namespace vybeg::ui {
 
-// A fitted curve over one plot: displayed units against seconds.
-struct TrendCurve {
-    SlowVariable variable = SlowVariable::a_A;
-    std::vector<double> time_s;
-    std::vector<double> value;
-};
-
 // Content of a stack of plots, common to screen, exported image and figure.
 struct PlotContent {
     std::vector<Run> runs;
@@ -25,7 +19,7 @@ struct PlotContent {
     Theme theme = lightTheme();
     ZoomState zoom;
     std::vector<double> marks_s;  // rising
-    std::optional<TrendCurve> trend;
+    std::vector<TrendCurve> trends;
 };
 
 // Time range of the visible runs, from the first to the last sample of their windows; empty without

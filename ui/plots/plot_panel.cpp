@@ -74,9 +74,10 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
         graph->setLook(readable(run.color, theme_), run.dash, theme_.warning);
         graphs_.push_back(graph);
     }
-    if (content.trend && content.trend->variable == variable_) {
+    const auto found = std::ranges::find(content.trends, variable_, &TrendCurve::variable);
+    if (found != content.trends.end()) {
         trend_ = mParentPlot->addGraph(timeAxis(), valueAxis());
-        const TrendCurve& curve = *content.trend;
+        const TrendCurve& curve = *found;
         trend_->setData(QVector<double>(curve.time_s.begin(), curve.time_s.end()),
                         QVector<double>(curve.value.begin(), curve.value.end()), true);
         trend_->setPen(QPen(theme_.text, 1.6, Qt::DashLine));

@@ -106,8 +106,8 @@ void TrackView::setMarks(std::vector<double> times_s) {
     }
 }
 
-void TrackView::setTrend(std::optional<TrendCurve> trend) {
-    content_.trend = std::move(trend);
+void TrackView::setTrends(std::vector<TrendCurve> trends) {
+    content_.trends = std::move(trends);
     rebuild();
 }
 

@@ -70,8 +70,8 @@ public:
     void setCursor(Cursor which, std::optional<double> time_s);
     // Instants in rising order, marked by thin lines in all plots: axis crossings, for example.
     void setMarks(std::vector<double> times_s);
-    // A fitted curve over one plot, displayed units; nullopt removes it.
-    void setTrend(std::optional<TrendCurve> trend);
+    // Fitted curves drawn over the plots, displayed units.
+    void setTrends(std::vector<TrendCurve> trends);
 
     // The variable whose plot lies at a position of the widget, for context menus.
     std::optional<SlowVariable> variableAt(const QPoint& position) const;

@@ -2,6 +2,7 @@
 
 #include "ui/panels/cursor_panel.h"
 #include "ui/panels/events_panel.h"
+#include "ui/panels/measure_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/recording_drag.h"
 #include "ui/panels/recording_panel.h"
@@ -24,6 +25,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -45,8 +47,8 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     status_ = new StatusLine(document_, this);
     statusBar()->addWidget(status_, 1);
     commands_ = new Commands(
-        windowCommands({document_, *tracks_, *cursor_, *runs_, *settings_, *status_, *files_,
-                        [this](const DisplayUnits& units) { setUnits(units); },
+        windowCommands({document_, *tracks_, *cursor_, *measure_, *runs_, *settings_, *status_,
+                        *files_, [this](const DisplayUnits& units) { setUnits(units); },
                         [this] { identify(); }, [this] { addSet(); }, [this] { showHelp(); },
                         [this] { showAbout(this, action(Command::copy_diagnostics)); },
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
@@ -88,6 +90,7 @@ void MainWindow::buildDocks() {
     recordings_ = new RecordingPanel(document_, this);
     settings_ = new SettingsPanel(document_, this);
     cursor_ = new CursorPanel(document_, this);
+    measure_ = new MeasurePanel(document_, this);
     resonator_ = new ResonatorPanel(document_, this);
     events_ = new EventsPanel(document_, this);
     runs_ = new RunList(document_, this);
@@ -105,7 +108,10 @@ void MainWindow::buildDocks() {
     auto* settings = dock(settings_, "analysis", QT_TR_NOOP("Analysis"), Qt::LeftDockWidgetArea);
     readings_ = new QTabWidget(this);
     readings_->setDocumentMode(true);
-    readings_->addTab(cursor_, QString());
+    auto* at_cursor = new QSplitter(Qt::Vertical, readings_);
+    at_cursor->addWidget(cursor_);
+    at_cursor->addWidget(measure_);
+    readings_->addTab(at_cursor, QString());
     readings_->addTab(resonator_, QString());
     readings_->addTab(events_, QString());
     auto* readings =
@@ -181,6 +187,10 @@ void MainWindow::connectPanels() {
             &TracksPage::analyseVisibleRange);
     connect(tracks_, &TrackView::trackerMoved, this,
             [this](double time_s) { cursor_->setTime(time_s); });
+    connect(tracks_, &TrackView::cursorsChanged, this, [this] {
+        measure_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
+    });
+    connect(measure_, &MeasurePanel::trendsChanged, tracks_, &TrackView::setTrends);
     connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
     connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
     connect(events_, &EventsPanel::eventChosen, this, &MainWindow::goToEvent);
@@ -203,6 +213,7 @@ void MainWindow::showRuns() {
 
 void MainWindow::showRun(int id) {
     events_->setRun(id);
+    measure_->setRun(id);
     tracks_page_->markRun(id);
 }
 
@@ -214,6 +225,7 @@ void MainWindow::goToEvent(double time_s, double seconds) {
 void MainWindow::setUnits(const DisplayUnits& units) {
     tracks_->setUnits(units);
     cursor_->setUnits(units);
+    measure_->setUnits(units);
     resonator_->setUnits(units);
 }
 

@@ -22,6 +22,7 @@ class CursorPanel;
 class EventsPanel;
 class FileCommands;
 class HelpView;
+class MeasurePanel;
 class MessageBar;
 class RecordingPanel;
 class ResonatorPanel;
@@ -98,6 +99,7 @@ private:
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
     CursorPanel* cursor_ = nullptr;
+    MeasurePanel* measure_ = nullptr;
     ResonatorPanel* resonator_ = nullptr;
     EventsPanel* events_ = nullptr;
     RunList* runs_ = nullptr;

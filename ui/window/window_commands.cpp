@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/panels/cursor_panel.h"
+#include "ui/panels/measure_panel.h"
 #include "ui/panels/run_list.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
@@ -109,7 +110,10 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                                   "The values at the cursor to the clipboard, for a spreadsheet"),
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_T)},
          .enabled = plots,
-         .act = [to] { QApplication::clipboard()->setText(to.cursor.tableText()); }},
+         .act =
+             [to] {
+                 QApplication::clipboard()->setText(to.cursor.tableText() + to.measure.tableText());
+             }},
         {.id = Command::zoom_in,
          .text = QT_TRANSLATE_NOOP("Command", "Zoom &in"),
          .enabled = plots,

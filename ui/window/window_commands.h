@@ -11,6 +11,7 @@ namespace vybeg::ui {
 class CursorPanel;
 class Document;
 class FileCommands;
+class MeasurePanel;
 class RunList;
 class SettingsPanel;
 class StatusLine;
@@ -21,6 +22,7 @@ struct CommandTargets {
     Document& document;
     TrackView& tracks;
     CursorPanel& cursor;
+    MeasurePanel& measure;
     RunList& runs;
     SettingsPanel& settings;
     StatusLine& status;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/analysis/analysis.h"
+#include "core/track/trend.h"
+#include "ui/words/display_units.h"
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace vybeg::ui {
+
+// A number in displayed units; NaN: none.
+struct Reading {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    double sd = std::numeric_limits<double>::quiet_NaN();
+};
+
+// Row of the window with the nearest centre. Precondition: the track is not empty.
+std::size_t nearestRow(const Track& track, double time_s);
+
+// The value of a window.
+Reading readingAt(const Analysis& analysis, SlowVariable variable, std::size_t row,
+                  const DisplayUnits& units);
+
+// The difference between two windows, without deviation where they share samples. Wrapped angles
+// differ by half a turn at most.
+Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_t from,
+                     std::size_t to, const DisplayUnits& units);
+
+// The trend between two times: exponential for a_A, a straight line for the others.
+std::optional<Trend> trendOf(const Analysis& analysis, SlowVariable variable, double from_s,
+                             double to_s);
+// Its rate per second at its centre.
+Reading rateOf(const Analysis& analysis, SlowVariable variable, const Trend& trend,
+               const DisplayUnits& units);
+// Its stored value at a time.
+double trendValue(SlowVariable variable, const Trend& trend, double time_s);
+
+// With the interface's decimal sign and all digits, for a spreadsheet; empty for NaN.
+QString spreadsheetNumber(double value);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/track/slow_variables.h"
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// A fitted curve over one plot: displayed units against seconds.
+struct TrendCurve {
+    SlowVariable variable = SlowVariable::a_A;
+    std::vector<double> time_s;
+    std::vector<double> value;
+};
+
+}  // namespace vybeg::ui
