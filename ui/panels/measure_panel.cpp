@@ -1,7 +1,7 @@
 #include "ui/panels/measure_panel.h"
 
 #include "ui/widgets/number_field.h"
-#include "ui/words/index_text.h"
+#include "ui/words/number_label.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
