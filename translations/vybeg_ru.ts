@@ -2859,8 +2859,8 @@
         <translation>Тренд</translation>
     </message>
     <message>
-        <source>Line, exponential for a_A</source>
-        <translation>Прямая, для a_A — экспонента</translation>
+        <source>Line; exponential for the working wave</source>
+        <translation>Прямая; для рабочей волны — экспонента</translation>
     </message>
     <message>
         <source>Beat: damped sinusoid</source>

@@ -162,7 +162,7 @@ private slots:
         QCOMPARE(kind.currentIndex(), 1);
         QTRY_COMPARE(table().horizontalHeaderItem(4)->text(), QStringLiteral("Beat, Hz"));
         for (int row = 0; row < table().rowCount(); ++row) {
-            const SlowVariable variable = shown_slow_variables[static_cast<std::size_t>(row)];
+            const SlowVariable variable = main_slow_variables[static_cast<std::size_t>(row)];
             const auto beat = find_beat(analysis().track, variable, 0.5, 1.5,
                                         windows_apart(analysis().plan.length, analysis().plan.hop));
             QCOMPARE(
