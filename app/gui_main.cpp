@@ -7,6 +7,8 @@
 #include "core/base/messages.h"
 #include "core/output/output_file.h"
 #include "ui/document/document.h"
+#include "ui/session/session_keeper.h"
+#include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 #include "ui/words/language.h"
 
@@ -149,7 +151,8 @@ int window_mode(int argc, char** argv, const FigureRequest& request) {
     }
     document.startWith(request.settings);
     window.show();
-    document.open(files, request.open);
+    window.session().offerAbandoned();
+    window.files().open(files, request.open);
     return QApplication::exec();
 }
 

@@ -74,10 +74,6 @@
         <translation>&amp;Открыть…</translation>
     </message>
     <message>
-        <source>Open recordings of a free decay</source>
-        <translation>Открыть записи свободного выбега</translation>
-    </message>
-    <message>
         <source>&amp;Import…</source>
         <translation>&amp;Импорт…</translation>
     </message>
@@ -268,6 +264,22 @@
     <message>
         <source>Recordings of another resonator, to be identified together</source>
         <translation>Записи другого резонатора, которые идентифицируются вместе</translation>
+    </message>
+    <message>
+        <source>Open recordings of a free decay, or a session</source>
+        <translation>Открыть записи свободного выбега или сеанс</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>&amp;Сохранить сеанс</translation>
+    </message>
+    <message>
+        <source>Recordings, settings, runs, sets and view, to go on with later</source>
+        <translation>Записи, настройки, расчёты, наборы и вид графиков — чтобы продолжить позже</translation>
+    </message>
+    <message>
+        <source>S&amp;ave session as…</source>
+        <translation>Сохранить сеанс &amp;как…</translation>
     </message>
 </context>
 <context>
@@ -2417,16 +2429,20 @@
         <source>Written: %1</source>
         <translation>Записано: %1</translation>
     </message>
+    <message>
+        <source>Save changes?</source>
+        <translation>Сохранить изменения?</translation>
+    </message>
+    <message>
+        <source>The session has changes that are not saved.</source>
+        <translation>В сеансе есть несохранённые изменения.</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::FileQuestions</name>
     <message>
         <source>Open recordings</source>
         <translation>Открытые записи</translation>
-    </message>
-    <message>
-        <source>Recordings (%1)</source>
-        <translation>Записи (%1)</translation>
     </message>
     <message>
         <source>Audio (%1)</source>
@@ -2491,6 +2507,26 @@
     <message>
         <source>PDF document (*.pdf)</source>
         <translation>Документ PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Recordings and sessions (%1)</source>
+        <translation>Записи и сеансы (%1)</translation>
+    </message>
+    <message>
+        <source>Sessions (%1)</source>
+        <translation>Сеансы (%1)</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Где находится %1?</translation>
+    </message>
+    <message>
+        <source>Save session</source>
+        <translation>Сохранить сеанс</translation>
+    </message>
+    <message>
+        <source>Session (*.vybeg)</source>
+        <translation>Сеанс (*.vybeg)</translation>
     </message>
 </context>
 <context>
@@ -3380,6 +3416,45 @@
     <message>
         <source>Follows the settings while Live is on; Run keeps a run as it is</source>
         <translation>Следует за настройками, пока включено «На лету»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::SessionKeeper</name>
+    <message>
+        <source>The session %1 cannot be read: %2.</source>
+        <translation>Сеанс %1 не читается: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a session that can be read: %2, at byte %3.</source>
+        <translation>%1 — не сеанс, который можно прочитать: %2, байт %3.</translation>
+    </message>
+    <message>
+        <source>%1 is not a session of Vybeg.</source>
+        <translation>%1 — не сеанс Vybeg.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a later version of Vybeg. What this version does not know of it is kept, but not shown.</source>
+        <translation>Файл %1 записан более новой версией Vybeg. Неизвестное этой версии сохраняется, но не показывается.</translation>
+    </message>
+    <message>
+        <source>The session&apos;s recording %1 is not there. The session keeps its place and its analyses.</source>
+        <translation>Записи %1, входящей в сеанс, нет на месте. Сеанс хранит её место и её расчёты.</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Найти…</translation>
+    </message>
+    <message>
+        <source>%1 is another file than that of the session: its SHA-256 differs. The runs are computed from the present file.</source>
+        <translation>%1 — не тот файл, что был в сеансе: SHA-256 отличается. Расчёты выполнены по нынешнему файлу.</translation>
+    </message>
+    <message>
+        <source>Vybeg did not end as it should. Its session of %1 can be recovered.</source>
+        <translation>Работа Vybeg была прервана. Сеанс от %1 можно восстановить.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Восстановить</translation>
     </message>
 </context>
 <context>

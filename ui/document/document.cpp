@@ -59,7 +59,26 @@ void Document::reopen(int id, const OpenOptions& options) {
     }
 }
 
+int Document::restore(const QString& path, const OpenOptions& options, std::vector<RunWish> runs) {
+    recordings_.open({path}, options);
+    const int id = recordings_.all().back().id;
+    restored_[id] = std::move(runs);
+    return id;
+}
+
+void Document::restoreRuns(int id, const std::vector<RunWish>& runs) {
+    for (const RunWish& run : runs) {
+        runs_.expect(id, run);
+        if (run.live) {
+            live_.follow(id, run.settings);
+        } else {
+            ask({.recording_id = id, .settings = run.settings, .restored = true});
+        }
+    }
+}
+
 void Document::closeRecording(int id) {
+    restored_.erase(id);
     for (const int key : queue_.keysOfRecording(id)) {
         queue_.forget(key);
     }
@@ -70,11 +89,14 @@ void Document::closeRecording(int id) {
 
 void Document::whenOpened(int id) {
     emit opened(recordings_.find(id)->path);
-    if (live()) {
+    if (const auto restored = restored_.extract(id)) {
+        recordings_.searchCarrier(id);
+        restoreRuns(id, restored.mapped());
+    } else if (live()) {
         live_.follow(id);  // finds the carrier, too
     } else {
         recordings_.searchCarrier(id);
-        ask(id, settings(), 0);
+        ask({.recording_id = id, .settings = settings()});
     }
 }
 
@@ -101,7 +123,7 @@ void Document::whenSettingsChanged(const Settings& before) {
 
 void Document::analyse() {
     if (const RecordingEntry* entry = currentRecording(); entry && entry->recording) {
-        ask(entry->id, settings(), 0);
+        ask({.recording_id = entry->id, .settings = settings()});
     }
 }
 
@@ -122,7 +144,7 @@ void Document::rerunSnapped(int run_id) {
 void Document::runAgain(int recording_id, const Settings& requested) {
     setCurrentRecording(recording_id);
     setSettings(requested);
-    ask(recording_id, requested, 0);
+    ask({.recording_id = recording_id, .settings = requested});
 }
 
 void Document::compareWindows(const std::vector<std::int64_t>& lengths) {
@@ -139,20 +161,20 @@ void Document::compareWindows(const std::vector<std::int64_t>& lengths) {
         compared.periods.reset();
         compared.snap = false;
         compared.hop = 0;
-        ask(id, compared, batch);
+        ask({.recording_id = id, .settings = compared, .batch = batch});
     }
 }
 
-void Document::ask(int recording_id, const Settings& settings, int batch) {
-    if (batch == 0) {
+void Document::ask(const Request& request) {
+    if (request.batch == 0 && !request.restored) {
         // A new run of a recording replaces one that is still computing.
-        queue_.replace(queue_.keyOfRun(recording_id));
+        queue_.replace(queue_.keyOfRun(request.recording_id));
     }
     const int key = ids_.next();
-    queue_.enter(key, {.recording_id = recording_id, .settings = settings, .batch = batch});
-    const RecordingEntry& entry = *recording(recording_id);
+    queue_.enter(key, request);
+    const RecordingEntry& entry = *recording(request.recording_id);
     job_.analyse(
-        key, *entry.recording, RecordingStore::withKnownCarrier(entry, settings),
+        key, *entry.recording, RecordingStore::withKnownCarrier(entry, request.settings),
         [this, key](Result<AnalysisOutcome> result) { whenAnalysed(key, std::move(result)); });
 }
 

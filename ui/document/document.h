@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,8 @@ public:
     // Recordings. Each is analysed with the present settings as soon as it is open.
     void open(const QStringList& paths, const OpenOptions& options = {});
     void reopen(int id, const OpenOptions& options);
+    // Opens a recording of a session and computes its runs; returns its id.
+    int restore(const QString& path, const OpenOptions& options, std::vector<RunWish> runs);
     void closeRecording(int id);  // and its runs
     void setCurrentRecording(int id) { recordings_.setCurrent(id); }
     const std::vector<RecordingEntry>& recordings() const { return recordings_.all(); }
@@ -44,8 +47,11 @@ public:
     void setSettings(const Settings& settings, int gesture = -1);
     const Tolerance& tolerance() const { return settings_.tolerance(); }
     void setTolerance(const Tolerance& tolerance) { settings_.setTolerance(tolerance); }
-    void startWith(const Settings& settings) { settings_.startWith(settings); }
+    void startWith(const Settings& settings, const Tolerance& tolerance = {}) {
+        settings_.startWith(settings, tolerance);
+    }
     QUndoStack& undoStack() { return settings_.undoStack(); }
+    const QUndoStack& undoStack() const { return settings_.undoStack(); }
 
     // Analyses, in the background.
     void analyse();
@@ -97,7 +103,8 @@ private:
     void connectStores();
     void whenOpened(int id);
     void whenSettingsChanged(const Settings& before);
-    void ask(int recording_id, const Settings& settings, int batch);
+    void restoreRuns(int id, const std::vector<RunWish>& runs);
+    void ask(const Request& request);
     void runAgain(int recording_id, const Settings& requested);
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
 
@@ -109,6 +116,7 @@ private:
     RequestQueue queue_{job_};
     LiveFollower live_{job_, settings_, recordings_, runs_, queue_};
     SetStore sets_{job_, settings_, recordings_, queue_, ids_};
+    std::map<int, std::vector<RunWish>> restored_;  // by recording, until it is open
 };
 
 }  // namespace vybeg::ui

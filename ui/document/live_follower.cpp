@@ -36,12 +36,11 @@ void LiveFollower::catchUp(int recording_id) {
     }
 }
 
-void LiveFollower::follow(int recording_id) {
+void LiveFollower::follow(int recording_id, const Settings& wanted) {
     const RecordingEntry* entry = recordings_.find(recording_id);
     if (!entry || !entry->recording) {
         return;
     }
-    const Settings& wanted = settings_.settings();
     // The key of a live request is its recording: the newer one stops the one before.
     const Request* asked = queue_.find(recording_id);
     if (asked && asked->settings == wanted) {

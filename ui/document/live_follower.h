@@ -23,8 +23,9 @@ public:
     bool on() const { return on_; }
     // Time range of the plots.
     void setVisibleRange(const TimeRange& visible) { visible_ = visible; }
-    // Analyses a recording with the present settings.
-    void follow(int recording_id);
+    // Analyses a recording with the present settings, or with others.
+    void follow(int recording_id) { follow(recording_id, settings_.settings()); }
+    void follow(int recording_id, const Settings& wanted);
     // The same for a recording that may show the present settings already.
     void catchUp(int recording_id);
 

@@ -25,6 +25,9 @@ struct Message {
     QString reopen_path;
     OpenOptions reopen_options;
     Topic topic = Topic::none;
+    // A button of its own, with its action.
+    std::function<QString()> button = {};
+    std::function<void()> press = {};
 };
 
 Message errorMessage(const Error& error, Topic topic = Topic::none);

@@ -49,7 +49,8 @@ const Request* RequestQueue::find(int key) const {
 
 int RequestQueue::keyOfRun(int recording_id) const {
     return firstKey(requests_, [&](const Request& request) {
-        return request.recording_id == recording_id && request.batch == 0 && !request.live;
+        return request.recording_id == recording_id && request.batch == 0 && !request.live &&
+               !request.restored;
     });
 }
 

@@ -19,7 +19,8 @@ struct Request {
     Settings settings;
     int batch = 0;  // of a comparison of windows; 0: a run of its own
     bool live = false;
-    int set_id = 0;  // not 0: an identification
+    int set_id = 0;         // not 0: an identification
+    bool restored = false;  // of a session: no later one replaces it
 };
 
 // The requests that are not done yet, and their progress.
@@ -32,7 +33,8 @@ public:
     // A key that is there already gets the new request.
     void enter(int key, const Request& request);
     const Request* find(int key) const;
-    // An analysis of that recording that is neither live nor of a batch; 0: none.
+    // An analysis of that recording that a new one replaces: neither live nor of a batch or
+    // session; 0: none.
     int keyOfRun(int recording_id) const;
     int keyOfSet(int set_id) const;  // its identification; 0: none
     std::vector<int> keysOfRecording(int recording_id) const;

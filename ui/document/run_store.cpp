@@ -86,18 +86,21 @@ std::vector<Run> RunStore::plotted(bool live_on_top) const {
 
 int RunStore::show(int recording_id, const Settings& requested, AnalysisOutcome outcome) {
     const RecordingEntry& recording = *recordings_.find(recording_id);
-    auto same = std::ranges::find_if(runs_, [&](const RunEntry& other) {
+    const auto same = std::ranges::find_if(runs_, [&](const RunEntry& other) {
         return !other.live && other.recording_id == recording_id && other.requested == requested;
     });
-    if (same == runs_.end()) {
+    RunEntry* shown = nullptr;
+    if (same != runs_.end()) {
+        shown = &*same;
+        shown->run.visible = true;
+    } else if (shown = addExpected(recording_id, requested, false); !shown) {
         runs_.push_back(newRun(recording, QStringLiteral("%1, n = %2")
                                               .arg(QFileInfo(recording.path).completeBaseName())
                                               .arg(outcome.analysis->plan.length)));
-        same = runs_.end() - 1;
+        shown = &runs_.back();
     }
-    same->run.visible = true;
-    setOutcome(*same, requested, std::move(outcome));
-    const int id = same->run.id;
+    setOutcome(*shown, requested, std::move(outcome));
+    const int id = shown->run.id;
     emit changed();
     emit added(id);
     return id;
@@ -108,7 +111,8 @@ int RunStore::showLive(int recording_id, const Settings& requested, AnalysisOutc
         return entry.live && entry.recording_id == recording_id;
     });
     const bool is_new = live == runs_.end();
-    RunEntry& entry = is_new ? addLive(recording_id) : *live;
+    RunEntry* expected = is_new ? addExpected(recording_id, requested, true) : nullptr;
+    RunEntry& entry = expected ? *expected : is_new ? addLive(recording_id) : *live;
     setOutcome(entry, requested, std::move(outcome));
     const int id = entry.run.id;
     emit changed();
@@ -130,6 +134,30 @@ RunEntry& RunStore::addLive(int recording_id) {
         return other.live && recordings_.place(other.recording_id) > own;
     });
     return *runs_.insert(next, std::move(added));
+}
+
+void RunStore::expect(int recording_id, const RunWish& wish) {
+    expected_.emplace(recording_id, wish);
+}
+
+RunEntry* RunStore::addExpected(int recording_id, const Settings& requested, bool live) {
+    const auto [first, last] = expected_.equal_range(recording_id);
+    const auto wish = std::find_if(first, last, [&](const auto& expected) {
+        return expected.second.live == live && expected.second.settings == requested;
+    });
+    if (wish == last) {
+        return nullptr;
+    }
+    const RunWish& wanted = wish->second;
+    RunEntry entry = newRun(*recordings_.find(recording_id), wanted.name);
+    entry.run.color = wanted.color;
+    entry.run.dash = wanted.dash;
+    entry.run.visible = wanted.visible;
+    entry.live = live;
+    entry.place = wanted.place;
+    const auto next = std::ranges::upper_bound(runs_, entry.place, {}, &RunEntry::place);
+    expected_.erase(wish);
+    return &*runs_.insert(next, std::move(entry));
 }
 
 RunEntry RunStore::newRun(const RecordingEntry& recording, const QString& name, int wish) {
@@ -170,6 +198,7 @@ void RunStore::remove(int id) {
 }
 
 void RunStore::removeOf(int recording_id) {
+    expected_.erase(recording_id);
     const auto gone = std::erase_if(runs_, [recording_id](const RunEntry& entry) {
         return entry.recording_id == recording_id;
     });

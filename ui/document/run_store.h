@@ -10,6 +10,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <map>
 #include <vector>
 
 namespace vybeg::ui {
@@ -21,12 +23,25 @@ struct RunEntry {
     Settings requested;  // as asked for; run.analysis->settings is as used
     TrackSummary summary;
     std::vector<Event> events;
-    bool live = false;  // follows the settings, see LiveFollower
+    bool live = false;                            // follows the settings, see LiveFollower
+    int place = std::numeric_limits<int>::max();  // in the order of a session's runs
 
     // Has only some of its windows yet.
     bool partial() const {
         return static_cast<std::int64_t>(run.analysis->track.rows()) < run.analysis->plan.count;
     }
+};
+
+// A run that a session asks for: the settings to compute it with, and its look and place among the
+// others.
+struct RunWish {
+    Settings settings;
+    QString name;
+    QColor color;
+    Qt::PenStyle dash = Qt::SolidLine;
+    bool visible = true;
+    bool live = false;
+    int place = 0;
 };
 
 // The runs of the open recordings, with names, colours and dashes of their own.
@@ -47,6 +62,8 @@ public:
     int show(int recording_id, const Settings& requested, AnalysisOutcome outcome);
     // The same for the live run of a recording.
     int showLive(int recording_id, const Settings& requested, AnalysisOutcome outcome);
+    // The next run of that recording with these settings gets the look and place of the wish.
+    void expect(int recording_id, const RunWish& wish);
     void setVisible(int id, bool visible);
     void rename(int id, const QString& name);
     void remove(int id);
@@ -63,11 +80,14 @@ private:
     // `wish`: its style, where no other run has it.
     RunEntry newRun(const RecordingEntry& recording, const QString& name, int wish = 0);
     RunEntry& addLive(int recording_id);
+    // The run that is expected, in its place; null where none is.
+    RunEntry* addExpected(int recording_id, const Settings& requested, bool live);
 
     AnalysisJob& job_;
     const RecordingStore& recordings_;
     IdCounter& ids_;
     std::vector<RunEntry> runs_;
+    std::multimap<int, RunWish> expected_;  // by recording
 };
 
 }  // namespace vybeg::ui

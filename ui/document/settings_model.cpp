@@ -42,8 +42,9 @@ void SettingsModel::setTolerance(const Tolerance& tolerance) {
     }
 }
 
-void SettingsModel::startWith(const Settings& settings) {
+void SettingsModel::startWith(const Settings& settings, const Tolerance& tolerance) {
     undo_.clear();
+    apply(tolerance);
     apply(settings);
 }
 

@@ -22,8 +22,9 @@ public:
     const Tolerance& tolerance() const { return tolerance_; }
     void setTolerance(const Tolerance& tolerance);
     // Settings of the program's start: no undo step.
-    void startWith(const Settings& settings);
+    void startWith(const Settings& settings, const Tolerance& tolerance = {});
     QUndoStack& undoStack() { return undo_; }
+    const QUndoStack& undoStack() const { return undo_; }
 
 signals:
     void settingsChanged(const Settings& before);

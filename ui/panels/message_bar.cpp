@@ -67,6 +67,13 @@ void MessageBar::add(const Message& message) {
             emit reopenWanted(message.reopen_path, message.reopen_options);
         });
         line->addWidget(row.action);
+    } else if (message.button) {
+        row.action = new QPushButton(frame);
+        connect(row.action, &QPushButton::clicked, this, [this, frame, press = message.press] {
+            remove(frame);
+            press();
+        });
+        line->addWidget(row.action);
     }
     row.close->setAutoRaise(true);
     row.close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
@@ -125,7 +132,7 @@ void MessageBar::retranslate() {
         row.close->setToolTip(tr("Close this message"));
         row.close->setAccessibleName(tr("Close this message"));
         if (row.action) {
-            row.action->setText(tr("Import…"));
+            row.action->setText(row.message.button ? row.message.button() : tr("Import…"));
         }
     }
 }

@@ -105,6 +105,14 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
     }
 }
 
+void RunList::setCurrentRun(int id) {
+    for (int row = 0; row < topLevelItemCount(); ++row) {
+        if (topLevelItem(row)->data(name, Qt::UserRole).toInt() == id) {
+            setCurrentItem(topLevelItem(row));
+        }
+    }
+}
+
 int RunList::currentRun() const {
     return currentItem() ? currentItem()->data(name, Qt::UserRole).toInt() : 0;
 }

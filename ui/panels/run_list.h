@@ -19,6 +19,7 @@ public:
 
     // The run of the current row, 0 without one.
     int currentRun() const;
+    void setCurrentRun(int id);
     QSize sizeHint() const override { return {600, 130}; }
 
 signals:

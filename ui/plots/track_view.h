@@ -56,6 +56,8 @@ public:
     void setTimeRange(AxisRange range);
     // Time range of the visible runs; {0, 1} without any.
     AxisRange fullTimeRange() const;
+    // Time range and fixed value ranges at once, one step of the zoom history.
+    void setZoom(ZoomState state) { zoom_.visit(std::move(state), Gesture::none); }
     // A fixed value axis in displayed units, or one that follows the data.
     void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
     std::optional<AxisRange> valueRange(SlowVariable variable) const;

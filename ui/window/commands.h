@@ -19,6 +19,8 @@ enum class Command {
     open,
     import_file,
     close_recording,
+    save_session,
+    save_session_as,
     export_plots,
     export_track,
     save_passport,

@@ -5,8 +5,14 @@
 #include "ui/panels/run_list.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
+#include "ui/session/session_keeper.h"
 #include "ui/window/compare_dialog.h"
 #include "ui/window/file_questions.h"
+
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include <algorithm>
 
 namespace vybeg::ui {
 
@@ -24,13 +30,20 @@ Status stayAsTheyAre(const Document& document, const QString& path) {
 
 }  // namespace
 
-FileCommands::FileCommands(Document& document, TrackView& tracks, RunList& runs, QWidget* window)
+FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView& tracks,
+                           RunList& runs, QWidget* window)
     : QObject(window),
       document_(document),
+      session_(session),
       tracks_(tracks),
       runs_(runs),
       ask_(*new FileQuestions(window)),
       window_(window) {
+    connect(&session_, &SessionKeeper::fileWanted, this,
+            [this](std::size_t absent, const QString& name) {
+                ask_.missingRecording(
+                    name, [this, absent](const QString& path) { session_.supply(absent, path); });
+            });
     connect(&document_, &Document::comparisonReady, this, &FileCommands::showComparison);
     connect(&document_, &Document::busyChanged, this, [this] {
         if (compare_) {
@@ -40,7 +53,59 @@ FileCommands::FileCommands(Document& document, TrackView& tracks, RunList& runs,
 }
 
 void FileCommands::askForRecordings() {
-    ask_.recordings([this](const QStringList& files) { document_.open(files); });
+    ask_.recordings([this](const QStringList& files) { open(files); });
+}
+
+void FileCommands::open(const QStringList& paths, const OpenOptions& options) {
+    const auto act = [this, paths, options] { session_.open(paths, options); };
+    if (std::ranges::any_of(paths, &SessionKeeper::isSession)) {
+        askToSaveAndThen(act);
+    } else {
+        act();
+    }
+}
+
+void FileCommands::saveSession(const std::function<void()>& then) {
+    if (session_.path().isEmpty()) {
+        saveSessionAs(then);
+    } else if (session_.save(session_.path())) {
+        then();
+    }
+}
+
+void FileCommands::saveSessionAs(const std::function<void()>& then) {
+    const RecordingEntry* current = document_.currentRecording();
+    const QString name = QFileInfo(!session_.path().isEmpty() ? session_.path()
+                                   : current                  ? current->path
+                                                              : QStringLiteral("vybeg"))
+                             .completeBaseName();
+    ask_.sessionTarget(name, [this, then](const QString& path) {
+        if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+            reportSaved(possible, path);
+        } else if (session_.save(path)) {
+            then();
+        }
+    });
+}
+
+void FileCommands::askToSaveAndThen(const std::function<void()>& then) {
+    if (!session_.isModified()) {
+        then();
+        return;
+    }
+    auto* question =
+        new QMessageBox(QMessageBox::Question, tr("Save changes?"),
+                        tr("The session has changes that are not saved."),
+                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QMessageBox::finished, this, [this, then](int answer) {
+        if (answer == QMessageBox::Save) {
+            saveSession(then);
+        } else if (answer == QMessageBox::Discard) {
+            then();
+        }
+    });
+    question->open();
 }
 
 void FileCommands::askForPassport() {

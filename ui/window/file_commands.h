@@ -6,12 +6,15 @@
 #include <QObject>
 #include <QPointer>
 
+#include <functional>
+
 namespace vybeg::ui {
 
 class CompareDialog;
 class FileQuestions;
 class ImportDialog;
 class RunList;
+class SessionKeeper;
 class TrackView;
 
 // Everything that goes in or out of the window by a question: importing, exporting, passports and
@@ -20,7 +23,15 @@ class FileCommands : public QObject {
     Q_OBJECT
 
 public:
-    FileCommands(Document& document, TrackView& tracks, RunList& runs, QWidget* window);
+    FileCommands(Document& document, SessionKeeper& session, TrackView& tracks, RunList& runs,
+                 QWidget* window);
+
+    // Recordings and sessions. Before a session takes the place of one with changes, it asks.
+    void open(const QStringList& paths, const OpenOptions& options = {});
+    void saveSession(const std::function<void()>& then = [] {});
+    void saveSessionAs(const std::function<void()>& then = [] {});
+    // Goes on at once where nothing is lost, else after the answer of the engineer.
+    void askToSaveAndThen(const std::function<void()>& then);
 
     void askForRecordings();
     void askForImport();
@@ -43,6 +54,7 @@ private:
     void showComparison(const QList<int>& run_ids);
 
     Document& document_;
+    SessionKeeper& session_;
     TrackView& tracks_;
     RunList& runs_;
     FileQuestions& ask_;

@@ -48,10 +48,12 @@ void FileQuestions::recordings(const std::function<void(const QStringList&)>& op
     const QString audio = QStringLiteral("*.wav *.w64 *.rf64 *.flac *.aif *.aiff *.caf");
     const QString tables = QStringLiteral("*.csv *.tsv *.txt *.dat");
     const QString arrays = QStringLiteral("*.npy *.npz *.mat *.h5 *.hdf5 *.tdms *.uff *.unv");
-    asked.setNameFilters(
-        {tr("Recordings (%1)").arg(audio + QLatin1Char(' ') + tables + QLatin1Char(' ') + arrays),
-         tr("Audio (%1)").arg(audio), tr("Tables of numbers (%1)").arg(tables),
-         tr("Arrays (%1)").arg(arrays), tr("All files (*)")});
+    asked.setNameFilters({tr("Recordings and sessions (%1)")
+                              .arg(QStringLiteral("*.vybeg ") + audio + QLatin1Char(' ') + tables +
+                                   QLatin1Char(' ') + arrays),
+                          tr("Sessions (%1)").arg(QStringLiteral("*.vybeg")),
+                          tr("Audio (%1)").arg(audio), tr("Tables of numbers (%1)").arg(tables),
+                          tr("Arrays (%1)").arg(arrays), tr("All files (*)")});
     connect(&asked, &QFileDialog::filesSelected, this, [open](const QStringList& files) {
         keepFolder(files.first());
         open(files);
@@ -73,12 +75,25 @@ void FileQuestions::import(const QString& now, const std::function<void(const QS
     asked.open();
 }
 
+void FileQuestions::missingRecording(const QString& name,
+                                     const std::function<void(const QString&)>& open) {
+    QFileDialog& asked = dialog(tr("Where is %1?").arg(name));
+    asked.setFileMode(QFileDialog::ExistingFile);
+    asked.setNameFilter(tr("All files (*)"));
+    connect(&asked, &QFileDialog::fileSelected, this, open);
+    asked.open();
+}
+
 void FileQuestions::passport(const std::function<void(const QString&)>& open) {
     QFileDialog& asked = dialog(tr("Compare with passport"));
     asked.setFileMode(QFileDialog::ExistingFile);
     asked.setNameFilters({tr("Passport (*.json)"), tr("All files (*)")});
     connect(&asked, &QFileDialog::fileSelected, this, open);
     asked.open();
+}
+
+void FileQuestions::sessionTarget(const QString& name, const Save& save) {
+    target(tr("Save session"), name + QStringLiteral(".vybeg"), {tr("Session (*.vybeg)")}, save);
 }
 
 void FileQuestions::plotsTarget(const Save& save) {

@@ -20,12 +20,16 @@ public:
 
     explicit FileQuestions(QWidget* window);
 
-    // Recordings to open.
+    // Recordings and sessions to open.
     void recordings(const std::function<void(const QStringList&)>& open);
     // One file to open in a way of its own; `now` is chosen already where there is one.
     void import(const QString& now, const std::function<void(const QString&)>& open);
+    // In the place of one that is not where it was.
+    void missingRecording(const QString& name, const std::function<void(const QString&)>& open);
     void passport(const std::function<void(const QString&)>& open);
     // Where to write what.
+    // `name` without its ending.
+    void sessionTarget(const QString& name, const Save& save);
     void plotsTarget(const Save& save);
     void trackTarget(const Save& save);
     void passportTarget(const Save& save);

@@ -9,6 +9,7 @@
 #include "ui/panels/run_list.h"
 #include "ui/plots/track_view.h"
 #include "ui/resonator/resonator_panel.h"
+#include "ui/session/session_keeper.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/window/about.h"
 #include "ui/window/file_commands.h"
@@ -24,6 +25,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -43,7 +45,8 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     buildPages();
     buildDocks();
-    files_ = new FileCommands(document_, *tracks_, *runs_, this);
+    session_ = new SessionKeeper(document_, *tracks_, this);
+    files_ = new FileCommands(document_, *session_, *tracks_, *runs_, this);
     status_ = new StatusLine(document_, this);
     statusBar()->addWidget(status_, 1);
     commands_ = new Commands(
@@ -60,6 +63,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     action(Command::about)->setMenuRole(QAction::AboutRole);
     buildToolBar();
     connectDocument();
+    connectSession();
     connectPanels();
     restoreState();
     retranslate();
@@ -173,11 +177,26 @@ void MainWindow::connectDocument() {
     connect(&document_.undoStack(), &QUndoStack::indexChanged, commands_, &Commands::refresh);
 }
 
+void MainWindow::connectSession() {
+    connect(session_, &SessionKeeper::pathChanged, this, [this] {
+        showTitle();
+        if (!session_->path().isEmpty()) {
+            menus_->recentFiles()->add(session_->path());
+        }
+    });
+    connect(session_, &SessionKeeper::unitsWanted, this, &MainWindow::setUnits);
+    connect(session_, &SessionKeeper::runWanted, runs_, &RunList::setCurrentRun);
+    connect(session_, &SessionKeeper::viewRestored, this, [this] {
+        measure_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
+        showTitle();
+    });
+}
+
 void MainWindow::connectPanels() {
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
     connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
     connect(menus_, &WindowMenus::recentChosen, this,
-            [this](const QString& path) { document_.open({path}); });
+            [this](const QString& path) { files_->open({path}); });
     connect(menus_, &WindowMenus::unitsChosen, this, &MainWindow::setUnits);
     connect(menus_, &WindowMenus::themeChosen, this,
             [this](int theme) { setThemeMode(static_cast<ThemeMode>(theme)); });
@@ -206,12 +225,22 @@ void MainWindow::connectPanels() {
 }
 
 void MainWindow::showCurrentRecording() {
-    const RecordingEntry* entry = document_.currentRecording();
     pages_->setCurrentIndex(document_.recordings().empty() ? 0 : 1);
-    const bool shown = entry && (entry->recording || entry->envelope);
-    setWindowTitle((shown ? entry->name + QStringLiteral(" — ") : QString()) +
-                   QStringLiteral("Vybeg"));
+    showTitle();
     commands_->refresh();
+}
+
+void MainWindow::showTitle() {
+    const RecordingEntry* entry = document_.currentRecording();
+    QStringList parts;
+    if (!session_->path().isEmpty()) {
+        parts << QFileInfo(session_->path()).fileName();
+    }
+    if (entry && (entry->recording || entry->envelope)) {
+        parts << entry->name;
+    }
+    parts << QStringLiteral("Vybeg");
+    setWindowTitle(parts.join(QStringLiteral(" — ")));
 }
 
 void MainWindow::showRuns() {
@@ -220,6 +249,7 @@ void MainWindow::showRuns() {
 }
 
 void MainWindow::showRun(int id) {
+    session_->setCurrentRun(id);
     events_->setRun(id);
     measure_->setRun(id);
     tracks_page_->markRun(id);
@@ -235,6 +265,8 @@ void MainWindow::setUnits(const DisplayUnits& units) {
     cursor_->setUnits(units);
     measure_->setUnits(units);
     resonator_->setUnits(units);
+    action(Command::sigma_bands)->setChecked(units.sigma_bands);
+    action(Command::log_a_A)->setChecked(units.log_a_A);
 }
 
 void MainWindow::identify() {
@@ -254,7 +286,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    document_.open(localFiles(*event->mimeData()));
+    files_->open(localFiles(*event->mimeData()));
     event->acceptProposedAction();
 }
 

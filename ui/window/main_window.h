@@ -27,6 +27,7 @@ class MessageBar;
 class RecordingPanel;
 class ResonatorPanel;
 class RunList;
+class SessionKeeper;
 class SettingsPanel;
 class StatusLine;
 class TrackView;
@@ -48,6 +49,7 @@ public:
     void setThemeMode(ThemeMode mode);
 
     FileCommands& files() { return *files_; }
+    SessionKeeper& session() { return *session_; }
     // Program, libraries, platform and settings, for a report of a fault.
     QString diagnosticsText() const;
 
@@ -63,7 +65,9 @@ private:
     void buildDocks();
     void buildToolBar();
     void connectDocument();
+    void connectSession();
     void connectPanels();
+    void showTitle();
     void showCurrentRecording();
     void showRuns();
     void showRun(int id);
@@ -87,7 +91,9 @@ private:
     Theme theme_;
     Commands* commands_ = nullptr;
     WindowMenus* menus_ = nullptr;
+    SessionKeeper* session_ = nullptr;
     FileCommands* files_ = nullptr;
+    bool leaving_ = false;  // changes are saved or given up
     std::vector<std::pair<QDockWidget*, const char*>> docks_;
     QToolBar* tools_ = nullptr;
 

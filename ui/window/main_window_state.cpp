@@ -1,5 +1,7 @@
 // What the window keeps between sessions, and what changes while it stands: look and language.
 #include "ui/resonator/resonator_panel.h"
+#include "ui/session/session_keeper.h"
+#include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/tracks_page.h"
@@ -50,7 +52,16 @@ void MainWindow::saveState() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!leaving_ && session_->isModified()) {
+        event->ignore();
+        files_->askToSaveAndThen([this] {
+            leaving_ = true;
+            close();
+        });
+        return;
+    }
     saveState();
+    session_->end();
     document_.cancel();
     QMainWindow::closeEvent(event);
 }

@@ -25,7 +25,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
     return {
         {.id = Command::open,
          .text = QT_TRANSLATE_NOOP("Command", "&Open…"),
-         .tip = QT_TRANSLATE_NOOP("Command", "Open recordings of a free decay"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Open recordings of a free decay, or a session"),
          .icon = "open",
          .keys = {QKeySequence::Open},
          .act = [to] { to.files.askForRecordings(); }},
@@ -41,6 +41,18 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_W)},
          .enabled = any,
          .act = [to] { to.document.closeRecording(to.document.currentRecording()->id); }},
+        {.id = Command::save_session,
+         .text = QT_TRANSLATE_NOOP("Command", "&Save session"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "Recordings, settings, runs, sets and view, to go on with later"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_S)},
+         .enabled = any,
+         .act = [to] { to.files.saveSession(); }},
+        {.id = Command::save_session_as,
+         .text = QT_TRANSLATE_NOOP("Command", "S&ave session as…"),
+         .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_S)},
+         .enabled = any,
+         .act = [to] { to.files.saveSessionAs(); }},
         {.id = Command::export_plots,
          .text = QT_TRANSLATE_NOOP("Command", "&Export plots…"),
          .tip = QT_TRANSLATE_NOOP("Command", "Save the plots as PNG, SVG or PDF"),
@@ -51,7 +63,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
         {.id = Command::export_track,
          .text = QT_TRANSLATE_NOOP("Command", "Export &track…"),
          .tip = QT_TRANSLATE_NOOP("Command", "Save the slow variables of the chosen run as CSV"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_S)},
+         .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_E)},
          .enabled =
              [to] {
                  const RunEntry* chosen = to.document.run(to.runs.currentRun());

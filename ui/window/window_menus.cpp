@@ -56,17 +56,20 @@ void WindowMenus::add(QMenu* menu, std::initializer_list<Command> commands) {
 }
 
 void WindowMenus::addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
-                            int chosen, const std::function<void(int)>& choose) {
+                            const std::function<int()>& chosen,
+                            const std::function<void(int)>& choose) {
     QMenu* menu = sub(parent, title);
     auto* group = new QActionGroup(menu);
     for (std::size_t i = 0; i < texts.size(); ++i) {
         QAction* entry = menu->addAction(QString());
         entry->setCheckable(true);
-        entry->setChecked(static_cast<int>(i) == chosen);
         group->addAction(entry);
         choices_.push_back({entry, texts[i]});
         connect(entry, &QAction::triggered, this, [choose, i] { choose(static_cast<int>(i)); });
     }
+    const auto show = [group, chosen] { group->actions().at(chosen())->setChecked(true); };
+    show();
+    connect(menu, &QMenu::aboutToShow, this, show);  // a session may have changed it
 }
 
 void WindowMenus::addFile() {
@@ -75,6 +78,8 @@ void WindowMenus::addFile() {
     titles_[recent_] = QT_TR_NOOP("Open &recent");
     file->addMenu(recent_);
     add(file, {Command::import_file, Command::close_recording});
+    file->addSeparator();
+    add(file, {Command::save_session, Command::save_session_as});
     file->addSeparator();
     add(file, {Command::export_plots, Command::export_track});
     file->addSeparator();
@@ -97,9 +102,10 @@ void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>
     for (const auto& [dock, title] : docks) {
         panels->addAction(dock->toggleViewAction());
     }
-    addChoice(view, QT_TR_NOOP("&Theme"),
-              {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")}, theme,
-              [this](int mode) { emit themeChosen(mode); });
+    addChoice(
+        view, QT_TR_NOOP("&Theme"),
+        {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")},
+        [theme] { return theme; }, [this](int mode) { emit themeChosen(mode); });
     addLanguages(view);
 }
 
@@ -109,8 +115,6 @@ void WindowMenus::addVariables(QMenu* view) {
         QAction* shown = variables->addAction(QString());
         shown->setCheckable(true);
         shown->setData(static_cast<int>(variable));
-        const auto& now = tracks_.shownVariables();
-        shown->setChecked(std::ranges::find(now, variable) != now.end());
         choices_.push_back({shown, nullptr});
         connect(shown, &QAction::triggered, this, [this, variables] {
             std::vector<SlowVariable> wanted;
@@ -122,10 +126,18 @@ void WindowMenus::addVariables(QMenu* view) {
             tracks_.setShownVariables(std::move(wanted));
         });
     }
+    const auto show = [this, variables] {
+        const auto& now = tracks_.shownVariables();
+        for (QAction* each : variables->actions()) {
+            const auto variable = static_cast<SlowVariable>(each->data().toInt());
+            each->setChecked(std::ranges::find(now, variable) != now.end());
+        }
+    };
+    show();
+    connect(variables, &QMenu::aboutToShow, this, show);
 }
 
 void WindowMenus::addUnits(QMenu* view) {
-    const DisplayUnits& now = tracks_.units();
     const auto change = [this](auto&& set) {
         return [this, set](int unit) {
             DisplayUnits units = tracks_.units();
@@ -133,19 +145,22 @@ void WindowMenus::addUnits(QMenu* view) {
             emit unitsChosen(units);
         };
     };
-    addChoice(view, QT_TR_NOOP("Fre&quency in"),
-              {QT_TR_NOOP("Hz"), QT_TR_NOOP("rad/s"), QT_TR_NOOP("Deviation from f₀, Hz"),
-               QT_TR_NOOP("Deviation from f₀, ppm")},
-              static_cast<int>(now.frequency), change([](DisplayUnits& units, int unit) {
-                  units.frequency = static_cast<FrequencyUnit>(unit);
-              }));
-    addChoice(view, QT_TR_NOOP("&Angles in"), {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")},
-              static_cast<int>(now.angle), change([](DisplayUnits& units, int unit) {
-                  units.angle = static_cast<AngleUnit>(unit);
-              }));
+    addChoice(
+        view, QT_TR_NOOP("Fre&quency in"),
+        {QT_TR_NOOP("Hz"), QT_TR_NOOP("rad/s"), QT_TR_NOOP("Deviation from f₀, Hz"),
+         QT_TR_NOOP("Deviation from f₀, ppm")},
+        [this] { return static_cast<int>(tracks_.units().frequency); },
+        change([](DisplayUnits& units, int unit) {
+            units.frequency = static_cast<FrequencyUnit>(unit);
+        }));
+    addChoice(
+        view, QT_TR_NOOP("&Angles in"), {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")},
+        [this] { return static_cast<int>(tracks_.units().angle); },
+        change([](DisplayUnits& units, int unit) { units.angle = static_cast<AngleUnit>(unit); }));
     addChoice(
         view, QT_TR_NOOP("A&mplitudes in"), {QT_TR_NOOP("Recording units"), QT_TR_NOOP("Decibels")},
-        now.amplitude == AmplitudeUnit::decibels ? 1 : 0, change([](DisplayUnits& units, int unit) {
+        [this] { return tracks_.units().amplitude == AmplitudeUnit::decibels ? 1 : 0; },
+        change([](DisplayUnits& units, int unit) {
             units.amplitude = unit == 1 ? AmplitudeUnit::decibels : AmplitudeUnit::recording;
         }));
 }

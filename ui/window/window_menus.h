@@ -50,7 +50,7 @@ private:
     QMenu* sub(QMenu* parent, const char* title);
     void add(QMenu* menu, std::initializer_list<Command> commands);
     void addChoice(QMenu* parent, const char* title, const std::vector<const char*>& texts,
-                   int chosen, const std::function<void(int)>& choose);
+                   const std::function<int()>& chosen, const std::function<void(int)>& choose);
     void addFile();
     void addView(const std::vector<std::pair<QDockWidget*, const char*>>& docks, int theme);
     void addVariables(QMenu* view);

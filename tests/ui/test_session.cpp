@@ -1,0 +1,350 @@
+// Sessions: reopened they show the same picture and numbers; nothing of them is lost.
+#include "core/analysis/setting_table.h"
+#include "tests/ui/gui_test.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/panels/message_bar.h"
+#include "ui/plots/track_view.h"
+#include "ui/session/session_json.h"
+#include "ui/session/session_keeper.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_menus.h"
+
+#include <QDropEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTest>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestSession : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    template <class Widget>
+    Widget& the() {
+        return childOf<Widget>(*window_);
+    }
+    Document& document() { return window_->document(); }
+    SessionKeeper& session() { return window_->session(); }
+
+    void wait(std::size_t runs) {
+        QTRY_VERIFY_WITH_TIMEOUT(!document().busy() && document().runs().size() == runs, 20000);
+        for (const RecordingEntry& entry : document().recordings()) {
+            const int id = entry.id;
+            QTRY_VERIFY(!document().recording(id)->sha256.isEmpty());
+        }
+    }
+
+    void openSession(const QString& path, std::size_t runs) {
+        window_->files().open({path});
+        wait(runs);
+        QTRY_COMPARE(session().path(), path);
+    }
+
+    QImage picture() {
+        QTest::qWait(50);  // the paint events of all that has changed
+        return the<TrackView>().grab().toImage();
+    }
+
+    QString messages() { return the<MessageBar>().texts().join('\n'); }
+
+    static QJsonObject jsonOf(const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object()
+                                              : QJsonObject();
+    }
+
+    void answer(QMessageBox::StandardButton button) {
+        auto* question = window_->findChild<QMessageBox*>();
+        QVERIFY(question);
+        QTest::mouseClick(question->button(button), Qt::LeftButton);
+    }
+
+    // Two recordings with four runs, a set, cursors and a zoom.
+    void arrange(const QString& folder) {
+        QVERIFY(QDir().mkpath(home_.path(folder)));
+        document().open({home_.recording(folder + "/a.wav")});
+        wait(1);
+        document().open({home_.recording(folder + "/b.wav", 3)});
+        wait(2);
+        Settings settings = document().settings();
+        settings.algorithm = Algorithm::conjugate_gradient;
+        settings.window = 200;
+        settings.from_s = 0.25;
+        settings.calibration.kappa = 1.01;
+        document().setSettings(settings);
+        document().analyse();
+        wait(3);
+        settings.filter = Band{900, 1100};
+        document().setSettings(settings);
+        document().analyse();
+        wait(4);
+        document().renameRun(document().runs()[1].run.id, "second");
+        document().setRunVisible(document().runs()[2].run.id, false);
+        const int set =
+            document().sets().add({document().recordings()[1].id, document().recordings()[0].id});
+        document().sets().rename(set, "gyro 17");
+        document().sets().setModel(set, FitOptions::Model::free);
+        DisplayUnits units;
+        units.angle = AngleUnit::degrees;
+        units.frequency = FrequencyUnit::deviation_hertz;
+        units.sigma_bands = false;
+        units.log_a_A = true;
+        TrackView& tracks = the<TrackView>();
+        emit the<WindowMenus>().unitsChosen(units);
+        tracks.setShownVariables({SlowVariable::a_A, SlowVariable::f, SlowVariable::alpha});
+        tracks.setTimeRange({0.4, 1.7});
+        tracks.setValueRange(SlowVariable::f, AxisRange{-0.5, 0.75});
+        tracks.setFocus();
+        tracks.setTracker(0.5);
+        QTest::keyClick(&tracks, Qt::Key_1);
+        tracks.setTracker(1.25);
+        QTest::keyClick(&tracks, Qt::Key_2);
+        tracks.setTracker(std::nullopt);
+    }
+
+private slots:
+    void init() { window_ = shownWindow(); }
+    void cleanup() { session().end(); }
+
+    void a_session_reopened_shows_the_same() {
+        arrange("same");
+        const QString path = home_.path("same/one.vybeg");
+        QVERIFY(session().isModified());
+        QVERIFY(session().save(path));
+        QVERIFY(!session().isModified());
+        const QImage before = picture();
+        const QString table = the<MeasurePanel>().tableText();
+        const Settings settings = document().settings();
+        std::vector<Run> runs;
+        for (const RunEntry& entry : document().runs()) {
+            runs.push_back(entry.run);
+        }
+        session().end();
+
+        window_ = shownWindow();
+        openSession(path, 4);
+        QTRY_COMPARE(the<TrackView>().cursor(Cursor::b), std::optional(1.25));
+        QCOMPARE(document().settings(), settings);
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            const RunEntry& entry = document().runs()[k];
+            QCOMPARE(entry.run.name, runs[k].name);
+            QCOMPARE(entry.run.color, runs[k].color);
+            QCOMPARE(entry.run.visible, runs[k].visible);
+            const auto same = [](double x, double y) {  // the filter's transient is NaN
+                return x == y || (std::isnan(x) && std::isnan(y));
+            };
+            QVERIFY(std::ranges::equal(entry.run.analysis->track.values(SlowVariable::a_A),
+                                       runs[k].analysis->track.values(SlowVariable::a_A), same));
+        }
+        const RunSet* set = document().sets().current();
+        QVERIFY(set);
+        QCOMPARE(set->name, "gyro 17");
+        QVERIFY(set->model == FitOptions::Model::free);
+        QCOMPARE(set->recordings,
+                 (std::vector<int>{document().recordings()[1].id, document().recordings()[0].id}));
+        QCOMPARE(the<MeasurePanel>().tableText(), table);
+        QCOMPARE(picture(), before);
+        QVERIFY(!session().isModified());
+        QVERIFY(window_->windowTitle().startsWith("one.vybeg — "));
+    }
+
+    void a_live_session_reopened_is_live() {
+        document().setLive(true);
+        document().open({home_.recording("live.wav")});
+        wait(1);
+        Settings settings = document().settings();
+        settings.window = 123;
+        document().setSettings(settings);
+        wait(1);
+        const QString path = home_.path("live.vybeg");
+        QVERIFY(session().save(path));
+        session().end();
+        window_ = shownWindow();
+        openSession(path, 1);
+        QTRY_VERIFY(document().live());
+        QVERIFY(document().runs().front().live);
+        QCOMPARE(document().runs().front().run.analysis->plan.length, 123);
+        QVERIFY(!session().isModified());
+    }
+
+    // Every row of the table of settings, away from its default.
+    void every_setting_comes_back() {
+        Session stored;
+        stored.settings.algorithm = Algorithm::demodulation;
+        stored.settings.window = 77;
+        stored.settings.hop = 11;
+        stored.settings.f0_hz = 5300.123456789012;
+        stored.settings.from_s = 0.1;
+        stored.settings.to_s = 27.3;
+        stored.settings.calibration.kappa = 1.0000001;
+        stored.settings.calibration.delay_d_s = 1e-7;
+        stored.settings.repair_lost = true;
+        stored.tolerance.kappa = 0.02;
+        stored.tolerance.skew_deg = 0.3;
+        const QDir folder(home_.path("."));
+        const auto read = sessionFromJson(sessionToJson(stored, folder), folder);
+        QVERIFY(read);
+        QCOMPARE(read->settings, stored.settings);
+        QCOMPARE(read->tolerance, stored.tolerance);
+        const QJsonObject json = sessionToJson(stored, folder)["settings"].toObject();
+        for (const auto& row : analysis_settings()) {
+            QCOMPARE(json.contains(QString::fromStdString(row.name)), row.has_part);
+        }
+    }
+
+    void what_a_later_version_wrote_is_kept() {
+        arrange("later");
+        const QString path = home_.path("later/one.vybeg");
+        QVERIFY(session().save(path));
+        QJsonObject json = jsonOf(path);
+        json["vybeg_session"] = 2;
+        json["gyro"] = QJsonObject{{"serial", "17"}};
+        home_.file("later/one.vybeg", QJsonDocument(json).toJson());
+        openSession(path, 4);
+        QVERIFY(messages().contains("later version"));
+        QVERIFY(session().save(path));
+        QCOMPARE(jsonOf(path)["gyro"].toObject()["serial"].toString(), "17");
+    }
+
+    void a_session_moves_with_its_recordings() {
+        arrange("from");
+        QVERIFY(session().save(home_.path("from/one.vybeg")));
+        QVERIFY(QDir().rename(home_.path("from"), home_.path("to")));
+        QVERIFY(QDir().mkpath(home_.path("to/raw")));
+        QVERIFY(QFile::rename(home_.path("to/b.wav"), home_.path("to/raw/b.wav")));
+        openSession(home_.path("to/one.vybeg"), 4);
+        QCOMPARE(document().recordings().size(), std::size_t{2});
+        QCOMPARE(document().recordings()[1].path, home_.path("to/raw/b.wav"));
+        QCOMPARE(messages(), QString());
+    }
+
+    void a_recording_that_is_gone_is_asked_for_and_its_place_kept() {
+        arrange("gone");
+        const QString path = home_.path("gone/one.vybeg");
+        QVERIFY(session().save(path));
+        QVERIFY(QFile::rename(home_.path("gone/b.wav"), home_.path("elsewhere.wav")));
+        window_->files().open({path});
+        QTRY_VERIFY(!document().busy() && document().runs().size() == 1);
+        QVERIFY(messages().contains("b.wav is not there"));
+        // Saved without it, the session still has its runs and its place in the set.
+        QTRY_COMPARE(the<TrackView>().cursor(Cursor::b), std::optional(1.25));
+        QVERIFY(session().save(path));
+        QCOMPARE(jsonOf(path)["recordings"].toArray().size(), 2);
+        QCOMPARE(jsonOf(path)["recordings"].toArray()[1].toObject()["runs"].toArray().size(), 3);
+        QCOMPARE(jsonOf(path)["sets"].toArray()[0].toObject()["recordings"].toArray().size(), 2);
+        // Found again.
+        QTest::mouseClick(childOf<MessageBar>(*window_).findChild<QPushButton*>(), Qt::LeftButton);
+        auto* dialog = window_->findChild<QFileDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        emit dialog->fileSelected(home_.path("elsewhere.wav"));
+        dialog->close();
+        wait(4);
+        QCOMPARE(document().sets().current()->recordings.size(), std::size_t{2});
+        QCOMPARE(document().runs().back().run.name, document().runs()[3].run.name);
+        QCOMPARE(messages(), QString());
+    }
+
+    void another_file_in_the_place_of_a_recording_is_told() {
+        arrange("other");
+        const QString path = home_.path("other/one.vybeg");
+        QVERIFY(session().save(path));
+        home_.recording("other/b.wav", 2.5);
+        openSession(path, 4);
+        QTRY_VERIFY(messages().contains("SHA-256 differs"));
+    }
+
+    void what_is_no_session_changes_nothing() {
+        document().open({home_.recording("stays.wav")});
+        wait(1);
+        for (const auto& [content, words] :
+             {std::pair<QByteArray, const char*>{"{", "not a session that can be read"},
+              {"[]", "not a session"},
+              {"{\"a\": 1}", "not a session"},
+              {"{\"vybeg_session\": 1, \"settings\": {\"window\": \"2\"}}", "window"}}) {
+            the<MessageBar>().clear();
+            window_->files().open({home_.file("bad.vybeg", content)});
+            QVERIFY2(messages().contains(words), qPrintable(messages()));
+            QCOMPARE(document().recordings().size(), std::size_t{1});
+        }
+        the<MessageBar>().clear();
+        window_->files().open({home_.path("none.vybeg")});
+        QVERIFY(messages().contains("none.vybeg"));
+        QCOMPARE(document().runs().size(), std::size_t{1});
+    }
+
+    void closing_asks_where_changes_would_be_lost() {
+        document().open({home_.recording("asks.wav")});
+        wait(1);
+        QVERIFY(!session().isModified());  // there is nothing that opening again does not give
+        Settings settings = document().settings();
+        settings.window = 99;
+        document().setSettings(settings);
+        QVERIFY(session().isModified());
+        QVERIFY(!window_->close());
+        answer(QMessageBox::Cancel);
+        QVERIFY(window_->isVisible());
+        QVERIFY(!window_->close());
+        answer(QMessageBox::Save);
+        auto* dialog = window_->findChild<QFileDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        const QString path = home_.path("asked.vybeg");
+        emit dialog->fileSelected(path);
+        QVERIFY(!window_->isVisible());
+        QCOMPARE(jsonOf(path)["settings"].toObject()["window"].toString(), "99");
+    }
+
+    void discarded_changes_are_not_asked_for_twice() {
+        document().open({home_.recording("discard.wav")});
+        wait(1);
+        document().sets().addToCurrent({document().recordings()[0].id});
+        QVERIFY(!window_->close());
+        answer(QMessageBox::Discard);
+        QVERIFY(!window_->isVisible());
+    }
+
+    void saving_by_key_and_opening_by_drop() {
+        arrange("keys");
+        QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+        auto* dialog = window_->findChild<QFileDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        const QString path = home_.path("keys/one.vybeg");
+        emit dialog->fileSelected(path);
+        dialog->close();
+        QVERIFY(QFile::exists(path));
+        session().end();
+        window_ = shownWindow();
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(window_.get(), &enter);
+        QDropEvent drop({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(window_.get(), &drop);
+        wait(4);
+        QCOMPARE(session().path(), path);
+    }
+
+    void a_session_never_takes_the_place_of_a_recording() {
+        const QString recording = home_.recording("kept.wav");
+        document().open({recording});
+        wait(1);
+        window_->files().saveSession();
+        auto* dialog = window_->findChild<QFileDialog*>();
+        emit dialog->fileSelected(recording);
+        dialog->close();
+        QVERIFY(messages().contains("is one of the open recordings"));
+        QVERIFY(session().path().isEmpty());
+    }
+};
+
+QTEST_MAIN(TestSession)
+#include "test_session.moc"

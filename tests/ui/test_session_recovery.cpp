@@ -1,0 +1,110 @@
+// A program killed at any moment leaves a whole copy of its session, which the next one recovers.
+#include "tests/ui/gui_test.h"
+#include "ui/panels/message_bar.h"
+#include "ui/session/session_backup.h"
+#include "ui/session/session_keeper.h"
+#include "ui/window/main_window.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QPushButton>
+#include <QTest>
+
+#include <random>
+
+using namespace vybeg::ui;
+
+class TestSessionRecovery : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+
+    // Where this program and the killed ones keep their copies.
+    QDir copies() {
+        return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/backups");
+    }
+
+    std::unique_ptr<QProcess> started(const QStringList& arguments) {
+        auto program = std::make_unique<QProcess>();
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("QT_QPA_PLATFORM", "offscreen");
+        environment.insert("XDG_DATA_HOME", home_.path("data"));
+        environment.insert("XDG_CONFIG_HOME", home_.path("config"));
+        program->setProcessEnvironment(environment);
+        program->start(VYBEG_PROGRAM, arguments);
+        return program->waitForStarted() ? std::move(program) : nullptr;
+    }
+
+private slots:
+    void initTestCase() {
+        // As the program itself: its own name, and no folder of Qt's for tests.
+        QStandardPaths::setTestModeEnabled(false);
+        QCoreApplication::setOrganizationName(QStringLiteral("vybeg"));
+        QCoreApplication::setApplicationName(QStringLiteral("vybeg"));
+        qputenv("XDG_DATA_HOME", home_.path("data").toUtf8());
+    }
+
+    void a_killed_program_leaves_a_whole_copy_or_none() {
+        const QString recording = home_.recording("killed.wav");
+        std::mt19937_64 random(5);
+        std::uniform_int_distribution<int> any_ms(50, 1500);
+        int copied = 0;
+        for (int round = 0; round < 20; ++round) {
+            const auto program = started({recording});
+            QVERIFY(program);
+            QTest::qWait(any_ms(random));
+            QCOMPARE(program->state(), QProcess::Running);
+            program->kill();
+            QVERIFY(program->waitForFinished());
+            for (const QString& path : SessionBackup::abandoned()) {
+                QFile file(path);
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
+                QCOMPARE(json["vybeg_session"].toInt(), 1);
+                QCOMPARE(json["recordings"].toArray().size(), 1);
+                ++copied;
+                SessionBackup::discard(path);
+            }
+        }
+        QVERIFY2(copied > 2 && copied < 20, qPrintable(QString::number(copied)));
+        QVERIFY(QFile::exists(recording));
+    }
+
+    void the_next_program_recovers_it() {
+        const QString recording = home_.recording("recovered.wav");
+        const auto program = started({recording, "--window", "77"});
+        QVERIFY(program);
+        QTRY_VERIFY_WITH_TIMEOUT(!copies().entryList({"*.vybeg"}, QDir::Files).isEmpty(), 20000);
+        QVERIFY(SessionBackup::abandoned().isEmpty());  // it still runs
+        program->kill();
+        QVERIFY(program->waitForFinished());
+        QCOMPARE(SessionBackup::abandoned().size(), 1);
+
+        const auto window = shownWindow();
+        window->session().offerAbandoned();
+        auto& bar = childOf<MessageBar>(*window);
+        QVERIFY(bar.texts().join('\n').contains("can be recovered"));
+        QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
+        QTRY_VERIFY(!window->document().busy() && window->document().runs().size() == 1);
+        QCOMPARE(window->document().runs().front().run.analysis->plan.length, 77);
+        QTRY_VERIFY(window->session().isModified());  // until it is saved
+        QVERIFY(SessionBackup::abandoned().isEmpty());
+        window->session().end();
+    }
+
+    void a_program_that_ends_leaves_none() {
+        const auto window = shownWindow();
+        window->document().open({home_.recording("ends.wav")});
+        QTRY_VERIFY(!copies().entryList({"*.vybeg"}, QDir::Files).isEmpty());
+        QVERIFY(window->close());
+        QVERIFY(copies().entryList({"*.vybeg"}, QDir::Files).isEmpty());
+    }
+};
+
+QTEST_MAIN(TestSessionRecovery)
+#include "test_session_recovery.moc"

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/analysis/settings.h"
+#include "core/analysis/tolerance.h"
+#include "core/recording/samples/open_options.h"
+#include "ui/document/run_store.h"
+#include "ui/plots/track_view.h"
+#include "ui/values/zoom_stack.h"
+#include "ui/words/display_units.h"
+
+#include <QJsonObject>
+#include <QString>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace vybeg::ui {
+
+// A recording of a session and the runs of it.
+struct SessionRecording {
+    QString path;    // absolute
+    QString sha256;  // empty: not known yet
+    OpenOptions options;
+    std::vector<RunWish> runs;
+};
+
+struct SessionSet {
+    QString name;                 // empty: default name
+    std::vector<int> recordings;  // places in Session::recordings
+    FitOptions::Model model = FitOptions::Model::automatic;
+};
+
+// What the plots show.
+struct SessionView {
+    ZoomState zoom;
+    std::vector<SlowVariable> variables;
+    DisplayUnits units;
+    std::array<std::optional<double>, 2> cursors_s;  // A and B
+};
+
+// Everything that makes the same picture and numbers again when the recordings are there: their
+// analyses are computed again.
+struct Session {
+    Settings settings;
+    Tolerance tolerance;
+    bool live = true;
+    std::vector<SessionRecording> recordings;
+    int current = -1;  // place in `recordings`; -1: none
+    std::vector<SessionSet> sets;
+    int current_set = -1;
+    int current_run = -1;  // place among all runs
+    SessionView view;
+    // Keys of the file that this program does not know, written again.
+    QJsonObject unknown;
+};
+
+}  // namespace vybeg::ui

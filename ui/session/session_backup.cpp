@@ -1,0 +1,115 @@
+#include "ui/session/session_backup.h"
+
+#include "core/output/output_file.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <string_view>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int interval_ms = 10000;
+constexpr int soon_ms = 500;
+
+QDir folder() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                QStringLiteral("/backups"));
+}
+
+QString lockOf(const QString& path) {
+    return path + QStringLiteral(".lock");
+}
+
+}  // namespace
+
+SessionBackup::SessionBackup(std::function<QByteArray()> content, QObject* parent)
+    : QObject(parent), content_(std::move(content)) {
+    // Writing waits for the disk, in the order of asking.
+    writer_.setMaxThreadCount(1);
+    timer_.setInterval(interval_ms);
+    soon_.setInterval(soon_ms);
+    soon_.setSingleShot(true);
+    connect(&timer_, &QTimer::timeout, this, &SessionBackup::write);
+    connect(&soon_, &QTimer::timeout, this, &SessionBackup::write);
+    timer_.start();
+}
+
+SessionBackup::~SessionBackup() {
+    writer_.waitForDone();
+}
+
+void SessionBackup::soon() {
+    if (timer_.isActive() && !soon_.isActive()) {
+        soon_.start();
+    }
+}
+
+void SessionBackup::write() {
+    QByteArray content = content_();
+    if (content == written_ || content.isEmpty()) {
+        return;
+    }
+    if (!lock_) {
+        folder().mkpath(QStringLiteral("."));
+        path_ = folder().filePath(QStringLiteral("%1-%2.vybeg")
+                                      .arg(QDateTime::currentDateTimeUtc().toString(
+                                          QStringLiteral("yyyyMMdd-hhmmss-zzz")))
+                                      .arg(QCoreApplication::applicationPid()));
+        lock_ = std::make_unique<QLockFile>(lockOf(path_));
+        lock_->setStaleLockTime(0);  // stale as soon as its program is gone
+        if (!lock_->tryLock(0)) {
+            lock_.reset();  // a folder that cannot be written: without copies
+            timer_.stop();
+            return;
+        }
+    }
+    written_ = std::move(content);
+    writer_.start([path = path_.toStdU16String(), bytes = written_] {
+        // A failed copy is no failure of the work: the next one may succeed.
+        Result<OutputFile> file = OutputFile::create(path, {});
+        if (file && file->write(std::string_view(bytes.data(), bytes.size()))) {
+            (void)file->commit();
+        }
+    });
+}
+
+void SessionBackup::end() {
+    timer_.stop();
+    soon_.stop();
+    writer_.waitForDone();
+    if (lock_) {
+        QFile::remove(path_);
+        lock_->unlock();
+        lock_.reset();
+    }
+}
+
+QStringList SessionBackup::abandoned() {
+    QStringList found;
+    const QStringList names =
+        folder().entryList({QStringLiteral("*.vybeg")}, QDir::Files, QDir::Name);
+    for (const QString& name : names) {
+        const QString path = folder().filePath(name);
+        QLockFile lock(lockOf(path));
+        lock.setStaleLockTime(0);
+        if (lock.tryLock(0)) {
+            found << path;
+        }
+    }
+    return found;
+}
+
+void SessionBackup::discard(const QString& path) {
+    QFile::remove(path);
+    QFile::remove(lockOf(path));
+}
+
+}  // namespace vybeg::ui

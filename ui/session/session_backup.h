@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QByteArray>
+#include <QLockFile>
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QThreadPool>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+
+namespace vybeg::ui {
+
+// Copies of a session in the user's folder for data, so that a crash loses ten seconds at most. A
+// lock beside the copy tells the copies of running programs from abandoned ones.
+class SessionBackup : public QObject {
+    Q_OBJECT
+
+public:
+    // `content`: the bytes of the file; empty where nothing is worth a copy.
+    explicit SessionBackup(std::function<QByteArray()> content, QObject* parent = nullptr);
+    ~SessionBackup() override;
+
+    // A copy at the next turn of the event loop: something was computed.
+    void soon();
+    // Removes the copy; there are no more.
+    void end();
+    // Copies of programs that are not running any more, oldest first.
+    static QStringList abandoned();
+    static void discard(const QString& path);
+
+private:
+    void write();
+
+    std::function<QByteArray()> content_;
+    QString path_;
+    std::unique_ptr<QLockFile> lock_;
+    QByteArray written_;
+    QTimer timer_;
+    QTimer soon_;
+    QThreadPool writer_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,316 @@
+#include "ui/session/session_json.h"
+
+#include "core/analysis/setting_table.h"
+#include "ui/import/open_options_json.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+
+#include <algorithm>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+const QString schema_key = QStringLiteral("vybeg_session");
+const QString program_key = QStringLiteral("program");
+const QString settings_key = QStringLiteral("settings");
+const QString tolerance_key = QStringLiteral("tolerance");
+const QString live_key = QStringLiteral("live");
+const QString recordings_key = QStringLiteral("recordings");
+const QString current_key = QStringLiteral("current");
+const QString sets_key = QStringLiteral("sets");
+const QString current_set_key = QStringLiteral("current_set");
+const QString current_run_key = QStringLiteral("current_run");
+const QString view_key = QStringLiteral("view");
+
+QString text(const std::string& utf8) {
+    return QString::fromStdString(utf8);
+}
+
+QJsonObject settingsToJson(const Settings& settings) {
+    QJsonObject json;
+    for (const auto& row : analysis_settings()) {
+        if (row.has_part) {
+            json[text(row.name)] = text(row.text(settings));
+        }
+    }
+    return json;
+}
+
+Result<Settings> settingsFromJson(const QJsonObject& json) {
+    Settings settings;
+    for (const auto& row : analysis_settings()) {
+        const QJsonValue value = json[text(row.name)];
+        if (row.has_part && value.isString()) {
+            if (const Status read = row.read(value.toString().toStdString(), settings); !read) {
+                return read.error();
+            }
+        }
+    }
+    if (const Status valid = validate(settings); !valid) {
+        return valid.error();
+    }
+    return settings;
+}
+
+// One field of an identification, by the name of its row.
+const SettingRow<IdentifySettings>& identifyRow(const std::string& name) {
+    return *std::ranges::find(identify_settings(), name, &SettingRow<IdentifySettings>::name);
+}
+
+QJsonObject runToJson(const RunWish& run) {
+    return {{QStringLiteral("name"), run.name},
+            {QStringLiteral("place"), run.place},
+            {QStringLiteral("color"), run.color.name()},
+            {QStringLiteral("dash"), static_cast<int>(run.dash)},
+            {QStringLiteral("visible"), run.visible},
+            {QStringLiteral("live"), run.live},
+            {settings_key, settingsToJson(run.settings)}};
+}
+
+Result<RunWish> runFromJson(const QJsonObject& json) {
+    const Result<Settings> settings = settingsFromJson(json[settings_key].toObject());
+    if (!settings) {
+        return settings.error();
+    }
+    RunWish run;
+    run.settings = *settings;
+    run.name = json[QStringLiteral("name")].toString();
+    run.place = json[QStringLiteral("place")].toInt();
+    run.color = QColor(json[QStringLiteral("color")].toString());
+    run.dash =
+        static_cast<Qt::PenStyle>(std::clamp(json[QStringLiteral("dash")].toInt(Qt::SolidLine),
+                                             int{Qt::SolidLine}, int{Qt::DashDotDotLine}));
+    run.visible = json[QStringLiteral("visible")].toBool(true);
+    run.live = json[live_key].toBool();
+    return run;
+}
+
+// Relative below the folder of the session, so that both can be moved together.
+QString storedPath(const QString& path, const QDir& folder) {
+    const QString relative = folder.relativeFilePath(path);
+    return relative.startsWith(QLatin1String("..")) ? path : relative;
+}
+
+QJsonObject recordingToJson(const SessionRecording& recording, const QDir& folder) {
+    QJsonArray runs;
+    for (const RunWish& run : recording.runs) {
+        runs.append(runToJson(run));
+    }
+    return {{QStringLiteral("path"), storedPath(recording.path, folder)},
+            {QStringLiteral("sha256"), recording.sha256},
+            {QStringLiteral("options"), optionsToJson(recording.options)},
+            {QStringLiteral("runs"), runs}};
+}
+
+Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& folder) {
+    SessionRecording recording;
+    recording.path =
+        QDir::cleanPath(folder.absoluteFilePath(json[QStringLiteral("path")].toString()));
+    recording.sha256 = json[QStringLiteral("sha256")].toString();
+    recording.options = optionsFromJson(json[QStringLiteral("options")].toObject());
+    for (const QJsonValue& value : json[QStringLiteral("runs")].toArray()) {
+        Result<RunWish> run = runFromJson(value.toObject());
+        if (!run) {
+            return run.error();
+        }
+        recording.runs.push_back(std::move(*run));
+    }
+    return recording;
+}
+
+QJsonObject setToJson(const SessionSet& set) {
+    QJsonArray members;
+    for (const int place : set.recordings) {
+        members.append(place);
+    }
+    IdentifySettings model;
+    model.model = set.model;
+    return {{QStringLiteral("name"), set.name},
+            {QStringLiteral("model"), text(identifyRow("model").text(model))},
+            {recordings_key, members}};
+}
+
+Result<SessionSet> setFromJson(const QJsonObject& json, int recordings) {
+    SessionSet set;
+    set.name = json[QStringLiteral("name")].toString();
+    for (const QJsonValue& value : json[recordings_key].toArray()) {
+        if (const int place = value.toInt(-1); place >= 0 && place < recordings) {
+            set.recordings.push_back(place);
+        }
+    }
+    IdentifySettings model;
+    if (const QString word = json[QStringLiteral("model")].toString(); !word.isEmpty()) {
+        if (const Status read = identifyRow("model").read(word.toStdString(), model); !read) {
+            return read.error();
+        }
+    }
+    set.model = model.model;
+    return set;
+}
+
+QJsonArray rangeToJson(const AxisRange& range) {
+    return {range.lower, range.upper};
+}
+
+std::optional<AxisRange> rangeFromJson(const QJsonValue& value) {
+    const QJsonArray ends = value.toArray();
+    const AxisRange range{ends.at(0).toDouble(), ends.at(1).toDouble()};
+    return range.lower < range.upper ? std::optional(range) : std::nullopt;
+}
+
+QString columnOf(SlowVariable variable) {
+    return QLatin1String(info(variable).column);
+}
+
+std::optional<SlowVariable> variableOf(const QString& column) {
+    const auto found = std::ranges::find(all_slow_variables, column, columnOf);
+    return found == all_slow_variables.end() ? std::nullopt : std::optional(*found);
+}
+
+QJsonObject viewToJson(const SessionView& view) {
+    QJsonObject values;
+    for (const auto& [variable, range] : view.zoom.fixed) {
+        values[columnOf(variable)] = rangeToJson(range);
+    }
+    QJsonArray variables;
+    for (const SlowVariable variable : view.variables) {
+        variables.append(columnOf(variable));
+    }
+    QJsonArray cursors;
+    for (const auto& cursor : view.cursors_s) {
+        cursors.append(cursor ? QJsonValue(*cursor) : QJsonValue());
+    }
+    const DisplayUnits& units = view.units;
+    return {{QStringLiteral("time_s"), rangeToJson(view.zoom.time)},
+            {QStringLiteral("values"), values},
+            {QStringLiteral("variables"), variables},
+            {QStringLiteral("cursors_s"), cursors},
+            {QStringLiteral("units"),
+             QJsonObject{{QStringLiteral("frequency"), static_cast<int>(units.frequency)},
+                         {QStringLiteral("angle"), static_cast<int>(units.angle)},
+                         {QStringLiteral("amplitude"), static_cast<int>(units.amplitude)},
+                         {QStringLiteral("volts_per_unit"), units.volts_per_unit},
+                         {QStringLiteral("log_a_A"), units.log_a_A},
+                         {QStringLiteral("sigma_bands"), units.sigma_bands}}}};
+}
+
+template <class Unit>
+Unit unitFromJson(const QJsonObject& json, const char* key, Unit last) {
+    const int value = json[QLatin1String(key)].toInt();
+    return static_cast<Unit>(std::clamp(value, 0, static_cast<int>(last)));
+}
+
+SessionView viewFromJson(const QJsonObject& json) {
+    SessionView view;
+    if (const auto time = rangeFromJson(json[QStringLiteral("time_s")])) {
+        view.zoom.time = *time;
+    }
+    const QJsonObject values = json[QStringLiteral("values")].toObject();
+    for (const SlowVariable variable : all_slow_variables) {
+        if (const auto range = rangeFromJson(values[columnOf(variable)])) {
+            view.zoom.fixed.emplace(variable, *range);
+        }
+    }
+    for (const QJsonValue& value : json[QStringLiteral("variables")].toArray()) {
+        if (const auto variable = variableOf(value.toString())) {
+            view.variables.push_back(*variable);
+        }
+    }
+    const QJsonArray cursors = json[QStringLiteral("cursors_s")].toArray();
+    for (int which = 0; which < 2; ++which) {
+        if (cursors.at(which).isDouble()) {
+            view.cursors_s[static_cast<std::size_t>(which)] = cursors.at(which).toDouble();
+        }
+    }
+    const QJsonObject units = json[QStringLiteral("units")].toObject();
+    view.units.frequency = unitFromJson(units, "frequency", FrequencyUnit::deviation_ppm);
+    view.units.angle = unitFromJson(units, "angle", AngleUnit::degrees);
+    view.units.amplitude = unitFromJson(units, "amplitude", AmplitudeUnit::decibels);
+    view.units.volts_per_unit = units[QStringLiteral("volts_per_unit")].toDouble(1);
+    view.units.log_a_A = units[QStringLiteral("log_a_A")].toBool();
+    view.units.sigma_bands = units[QStringLiteral("sigma_bands")].toBool(true);
+    return view;
+}
+
+// A place in a list, -1 for one outside of it.
+int placeFromJson(const QJsonValue& value, std::size_t count) {
+    const int place = value.toInt(-1);
+    return place >= 0 && place < static_cast<int>(count) ? place : -1;
+}
+
+}  // namespace
+
+QJsonObject sessionToJson(const Session& session, const QDir& folder) {
+    IdentifySettings tolerance;
+    tolerance.tolerance = session.tolerance;
+    QJsonArray recordings;
+    for (const SessionRecording& recording : session.recordings) {
+        recordings.append(recordingToJson(recording, folder));
+    }
+    QJsonArray sets;
+    for (const SessionSet& set : session.sets) {
+        sets.append(setToJson(set));
+    }
+    QJsonObject json = session.unknown;
+    json[schema_key] = session_schema;
+    json[program_key] = QStringLiteral("vybeg ") + QCoreApplication::applicationVersion();
+    json[settings_key] = settingsToJson(session.settings);
+    json[tolerance_key] = text(identifyRow("tolerance").text(tolerance));
+    json[live_key] = session.live;
+    json[recordings_key] = recordings;
+    json[current_key] = session.current;
+    json[sets_key] = sets;
+    json[current_set_key] = session.current_set;
+    json[current_run_key] = session.current_run;
+    json[view_key] = viewToJson(session.view);
+    return json;
+}
+
+Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
+    Session session;
+    const Result<Settings> settings = settingsFromJson(json[settings_key].toObject());
+    if (!settings) {
+        return settings.error();
+    }
+    session.settings = *settings;
+    IdentifySettings tolerance;
+    if (const QString stored = json[tolerance_key].toString(); !stored.isEmpty()) {
+        const Status read = identifyRow("tolerance").read(stored.toStdString(), tolerance);
+        if (!read) {
+            return read.error();
+        }
+    }
+    session.tolerance = tolerance.tolerance;
+    session.live = json[live_key].toBool(true);
+    for (const QJsonValue& value : json[recordings_key].toArray()) {
+        Result<SessionRecording> recording = recordingFromJson(value.toObject(), folder);
+        if (!recording) {
+            return recording.error();
+        }
+        session.recordings.push_back(std::move(*recording));
+    }
+    for (const QJsonValue& value : json[sets_key].toArray()) {
+        Result<SessionSet> set =
+            setFromJson(value.toObject(), static_cast<int>(session.recordings.size()));
+        if (!set) {
+            return set.error();
+        }
+        session.sets.push_back(std::move(*set));
+    }
+    session.current = placeFromJson(json[current_key], session.recordings.size());
+    session.current_set = placeFromJson(json[current_set_key], session.sets.size());
+    session.current_run = json[current_run_key].toInt(-1);
+    session.view = viewFromJson(json[view_key].toObject());
+    session.unknown = json;
+    for (const QString& known :
+         {schema_key, program_key, settings_key, tolerance_key, live_key, recordings_key,
+          current_key, sets_key, current_set_key, current_run_key, view_key}) {
+        session.unknown.remove(known);
+    }
+    return session;
+}
+
+}  // namespace vybeg::ui

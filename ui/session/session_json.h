@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "ui/session/session.h"
+
+#include <QDir>
+#include <QJsonObject>
+
+namespace vybeg::ui {
+
+constexpr int session_schema = 1;
+
+// A session as the JSON object of its file; paths relative to `folder` where they lie below it.
+QJsonObject sessionToJson(const Session& session, const QDir& folder);
+
+// The reverse. Values that are missing keep their defaults. Errors: setting_invalid, for a value
+// that a setting does not take.
+Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,337 @@
+#include "ui/session/session_keeper.h"
+
+#include "core/output/output_file.h"
+#include "ui/session/session_json.h"
+#include "ui/session/session_state.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+const QString backup_key = QStringLiteral("backup_of");
+const QString schema_key = QStringLiteral("vybeg_session");
+
+QByteArray bytesOf(const QJsonObject& json) {
+    return QJsonDocument(json).toJson(QJsonDocument::Indented);
+}
+
+// A file of the same name in the session's folder or a folder in it, for a recording that is not at
+// its path; empty: none.
+QString foundNear(const QDir& folder, const QString& path) {
+    const QString name = QFileInfo(path).fileName();
+    QStringList folders = folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    folders.prepend(QStringLiteral("."));
+    for (const QString& each : folders) {
+        const QString candidate = folder.absoluteFilePath(each + QLatin1Char('/') + name);
+        if (QFileInfo(candidate).isFile()) {
+            return QDir::cleanPath(candidate);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+SessionKeeper::SessionKeeper(Document& document, TrackView& tracks, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      tracks_(tracks),
+      backup_([this] { return backupBytes(); }) {
+    connect(&document_, &Document::busyChanged, this, &SessionKeeper::finishWhenComputed,
+            Qt::QueuedConnection);
+    connect(&document_, &Document::recordingsChanged, this, &SessionKeeper::finishWhenComputed,
+            Qt::QueuedConnection);
+    connect(&document_, &Document::recordingChanged, this, &SessionKeeper::compareHash);
+    connect(&document_, &Document::finished, this, [this] { backup_.soon(); });
+    connect(&document_.sets(), &SetStore::identified, this, [this] { backup_.soon(); });
+}
+
+bool SessionKeeper::isSession(const QString& path) {
+    return path.endsWith(QLatin1String(".vybeg"), Qt::CaseInsensitive);
+}
+
+void SessionKeeper::open(const QStringList& paths, const OpenOptions& options) {
+    QStringList recordings = paths;
+    const auto session = std::ranges::find_if(paths, &SessionKeeper::isSession);
+    if (session != paths.end()) {
+        recordings.removeIf(&SessionKeeper::isSession);
+        openSession(*session);
+    }
+    document_.open(recordings, options);
+}
+
+void SessionKeeper::warn(std::function<QString()> text) {
+    document_.report({Severity::warning, std::move(text), {}, {}});
+}
+
+void SessionKeeper::fail(std::function<QString()> text) {
+    document_.report({Severity::error, std::move(text), {}, {}});
+}
+
+void SessionKeeper::openSession(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        fail([path, reason = file.errorString()] {
+            return tr("The session %1 cannot be read: %2.").arg(path, reason);
+        });
+        return;
+    }
+    QJsonParseError fault;
+    const QJsonObject json = QJsonDocument::fromJson(file.readAll(), &fault).object();
+    if (fault.error != QJsonParseError::NoError) {
+        fail([path, at = fault.offset, reason = fault.errorString()] {
+            return tr("%1 is not a session that can be read: %2, at byte %3.")
+                .arg(path, reason)
+                .arg(at);
+        });
+        return;
+    }
+    const int schema = json[schema_key].toInt();
+    if (schema < 1) {
+        fail([path] { return tr("%1 is not a session of Vybeg.").arg(path); });
+        return;
+    }
+    if (schema > session_schema) {
+        warn([path] {
+            return tr("%1 was written by a later version of Vybeg. What this version does not know "
+                      "of it is kept, but not shown.")
+                .arg(path);
+        });
+    }
+    const bool is_backup = json.contains(backup_key);
+    const QDir folder = is_backup ? QDir::root() : QFileInfo(path).absoluteDir();
+    Result<Session> session = sessionFromJson(json, folder);
+    if (!session) {
+        Error error = session.error();
+        error.where = path.toStdString();
+        document_.report(errorMessage(error));
+        return;
+    }
+    session->unknown.remove(backup_key);
+    path_ = is_backup ? json[backup_key].toString() : QFileInfo(path).absoluteFilePath();
+    recovered_ = is_backup;
+    emit pathChanged();
+    begin(std::move(*session));
+}
+
+void SessionKeeper::begin(Session session) {
+    unknown_ = session.unknown;
+    absent_.clear();
+    hashes_.clear();
+    opening_ = true;
+    keepAbsent(session);
+    wanted_ids_ = restoreSession(session, document_);
+    const std::vector<RunSet>& sets = document_.sets().all();
+    for (std::size_t set = 0; set < session.sets.size(); ++set) {
+        for (std::size_t k = 0; k < absent_.size(); ++k) {
+            if (std::ranges::count(session.sets[set].recordings, absent_[k].place) > 0) {
+                absent_[k].sets.push_back(sets[set].id);
+            }
+        }
+    }
+    for (std::size_t k = 0; k < wanted_ids_.size(); ++k) {
+        if (wanted_ids_[k] != 0) {
+            hashes_[wanted_ids_[k]] = session.recordings[k].sha256;
+        }
+    }
+    wanted_ = std::move(session);
+    emit unitsWanted(wanted_.view.units);
+    finishWhenComputed();
+}
+
+void SessionKeeper::keepAbsent(Session& session) {
+    const QDir folder = path_.isEmpty() ? QDir::root() : QFileInfo(path_).absoluteDir();
+    for (std::size_t place = 0; place < session.recordings.size(); ++place) {
+        SessionRecording& recording = session.recordings[place];
+        if (QFileInfo::exists(recording.path)) {
+            continue;
+        }
+        if (const QString found = folder.isRoot() ? QString() : foundNear(folder, recording.path);
+            !found.isEmpty()) {
+            recording.path = found;
+            continue;
+        }
+        const std::size_t absent = absent_.size();
+        absent_.push_back({recording, {}, static_cast<int>(place), false});
+        Message message{Severity::warning,
+                        [path = recording.path] {
+                            return tr("The session's recording %1 is not there. The session keeps "
+                                      "its place and its analyses.")
+                                .arg(path);
+                        },
+                        {},
+                        {}};
+        message.button = [] { return tr("Find…"); };
+        message.press = [this, absent, name = QFileInfo(recording.path).fileName()] {
+            emit fileWanted(absent, name);
+        };
+        document_.report(message);
+        recording.path.clear();
+    }
+}
+
+void SessionKeeper::supply(std::size_t absent, const QString& path) {
+    if (absent >= absent_.size() || absent_[absent].supplied) {
+        return;
+    }
+    Absent& found = absent_[absent];
+    found.supplied = true;
+    const int id = document_.restore(path, found.recording.options, found.recording.runs);
+    hashes_[id] = found.recording.sha256;
+    for (const int set : found.sets) {
+        if (document_.sets().find(set)) {
+            document_.sets().addTo(set, {id});
+        }
+    }
+}
+
+void SessionKeeper::finishWhenComputed() {
+    const bool opens = std::ranges::any_of(wanted_ids_, [this](int id) {
+        const RecordingEntry* entry = document_.recording(id);
+        return entry && !entry->recording;
+    });
+    if (!opening_ || opens || document_.busy()) {
+        return;
+    }
+    opening_ = false;
+    if (wanted_.current >= 0) {
+        document_.setCurrentRecording(wanted_ids_[static_cast<std::size_t>(wanted_.current)]);
+    }
+    document_.setLive(wanted_.live);
+    restoreView(wanted_.view, tracks_);
+    saved_ = content();
+    if (wanted_.current_run >= 0 &&
+        wanted_.current_run < static_cast<int>(document_.runs().size())) {
+        emit runWanted(document_.runs()[static_cast<std::size_t>(wanted_.current_run)].run.id);
+    }
+    emit viewRestored();
+}
+
+void SessionKeeper::compareHash(int recording_id) {
+    const auto stated = hashes_.find(recording_id);
+    const RecordingEntry* entry = document_.recording(recording_id);
+    if (stated == hashes_.end() || !entry || entry->sha256.isEmpty()) {
+        return;
+    }
+    if (!stated->second.isEmpty() && stated->second != entry->sha256) {
+        warn([path = entry->path] {
+            return tr("%1 is another file than that of the session: its SHA-256 differs. The runs "
+                      "are computed from the present file.")
+                .arg(path);
+        });
+    }
+    hashes_.erase(stated);
+}
+
+Session SessionKeeper::present() const {
+    Session session = sessionOf(document_, tracks_);
+    session.unknown = unknown_;
+    const auto run = std::ranges::find_if(
+        document_.runs(), [this](const RunEntry& entry) { return entry.run.id == current_run_; });
+    if (run != document_.runs().end()) {
+        session.current_run = static_cast<int>(run - document_.runs().begin());
+    }
+    const std::vector<RunSet>& sets = document_.sets().all();
+    for (const Absent& absent : absent_) {
+        if (absent.supplied) {
+            continue;
+        }
+        const auto place = static_cast<int>(session.recordings.size());
+        session.recordings.push_back(absent.recording);
+        for (std::size_t set = 0; set < sets.size(); ++set) {
+            if (std::ranges::count(absent.sets, sets[set].id) > 0) {
+                session.sets[set].recordings.push_back(place);
+            }
+        }
+    }
+    return session;
+}
+
+QJsonObject SessionKeeper::content() const {
+    Session session = present();
+    session.view = {};
+    session.current_run = -1;
+    for (SessionRecording& recording : session.recordings) {
+        recording.sha256.clear();
+    }
+    session.current = -1;
+    return sessionToJson(session, QDir::root());
+}
+
+bool SessionKeeper::isModified() const {
+    if (opening_) {
+        return false;
+    }
+    if (path_.isEmpty() && !recovered_) {
+        const bool has_sets = std::ranges::any_of(
+            document_.sets().all(), [](const RunSet& set) { return !set.recordings.empty(); });
+        return has_sets || (!document_.recordings().empty() && !document_.undoStack().isClean());
+    }
+    return recovered_ || content() != saved_;
+}
+
+bool SessionKeeper::save(const QString& path) {
+    const QString target = QFileInfo(path).absoluteFilePath();
+    const QByteArray bytes = bytesOf(sessionToJson(present(), QFileInfo(target).absoluteDir()));
+    Result<OutputFile> file = OutputFile::create(target.toStdU16String(), {});
+    Status written =
+        file ? file->write(std::string_view(bytes.data(), bytes.size())) : Status(file.error());
+    written = written ? file->commit() : written;
+    if (!written) {
+        document_.report(errorMessage(written.error()));
+        return false;
+    }
+    path_ = target;
+    recovered_ = false;
+    saved_ = content();
+    document_.undoStack().setClean();
+    emit pathChanged();
+    return true;
+}
+
+QByteArray SessionKeeper::backupBytes() const {
+    if (opening_ || (document_.recordings().empty() && absent_.empty())) {
+        return {};
+    }
+    QJsonObject json = sessionToJson(present(), QDir::root());
+    json[backup_key] = path_;
+    return bytesOf(json);
+}
+
+void SessionKeeper::offerAbandoned() {
+    for (const QString& copy : SessionBackup::abandoned()) {
+        const QDateTime written = QFileInfo(copy).lastModified();
+        Message message{Severity::warning,
+                        [written] {
+                            return tr("Vybeg did not end as it should. Its session of %1 can be "
+                                      "recovered.")
+                                .arg(QLocale().toString(written, QLocale::ShortFormat));
+                        },
+                        {},
+                        {}};
+        message.button = [] { return tr("Recover"); };
+        message.press = [this, copy] {
+            openSession(copy);
+            SessionBackup::discard(copy);
+            backup_.soon();
+        };
+        document_.report(message);
+    }
+}
+
+void SessionKeeper::end() {
+    backup_.end();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "ui/document/document.h"
+#include "ui/session/session.h"
+#include "ui/session/session_backup.h"
+
+#include <QJsonObject>
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace vybeg::ui {
+
+// The session of the window and its file: opens, saves and backs it up.
+class SessionKeeper : public QObject {
+    Q_OBJECT
+
+public:
+    SessionKeeper(Document& document, TrackView& tracks, QObject* parent = nullptr);
+
+    static bool isSession(const QString& path);
+
+    // Recordings and sessions; a session takes the place of everything open.
+    void open(const QStringList& paths, const OpenOptions& options = {});
+    // Errors are reported.
+    void openSession(const QString& path);
+    bool save(const QString& path);
+    QString path() const { return path_; }
+    // The run that the window's panels show.
+    void setCurrentRun(int id) { current_run_ = id; }
+    // Whether closing loses something: changes of a saved session; without a file, changed settings
+    // or sets.
+    bool isModified() const;
+    // Offers the sessions of programs that did not end as they should.
+    void offerAbandoned();
+    // Opens a recording that was not found in the place of one of the session.
+    void supply(std::size_t absent, const QString& path);
+    // The window closes: the backup is not needed any more.
+    void end();
+
+signals:
+    void pathChanged();
+    void unitsWanted(const DisplayUnits& units);
+    void viewRestored();
+    void runWanted(int id);
+    void fileWanted(std::size_t absent, const QString& name);
+
+private:
+    // A recording of the session that is not where it was, with the sets that hold it.
+    struct Absent {
+        SessionRecording recording;
+        std::vector<int> sets;  // ids in the document
+        int place = 0;          // in the session
+        bool supplied = false;
+    };
+
+    // The session with the absent recordings.
+    Session present() const;
+    // What saving keeps from a change: the session without its view and hashes.
+    QJsonObject content() const;
+    QByteArray backupBytes() const;
+    void begin(Session session);
+    void keepAbsent(Session& session);
+    void finishWhenComputed();
+    void compareHash(int recording_id);
+    void warn(std::function<QString()> text);
+    void fail(std::function<QString()> text);
+
+    Document& document_;
+    TrackView& tracks_;
+    SessionBackup backup_;
+    QString path_;
+    QJsonObject unknown_;
+    int current_run_ = 0;
+    QJsonObject saved_;  // content() when it was saved or opened
+    std::vector<Absent> absent_;
+    std::map<int, QString> hashes_;  // that the session states, by recording
+    // Until the session that is being opened is computed.
+    bool opening_ = false;
+    Session wanted_;
+    std::vector<int> wanted_ids_;
+    bool recovered_ = false;  // from a copy, and not saved since
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,105 @@
+#include "ui/session/session_state.h"
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+RunWish wishOf(const RunEntry& entry, int place) {
+    return {.settings = entry.requested,
+            .name = entry.run.name,
+            .color = entry.run.color,
+            .dash = entry.run.dash,
+            .visible = entry.run.visible,
+            .live = entry.live,
+            .place = place};
+}
+
+int placeOf(const std::vector<RecordingEntry>& recordings, int id) {
+    const auto found = std::ranges::find(recordings, id, &RecordingEntry::id);
+    return found == recordings.end() ? -1 : static_cast<int>(found - recordings.begin());
+}
+
+}  // namespace
+
+Session sessionOf(const Document& document, const TrackView& tracks) {
+    Session session;
+    session.settings = document.settings();
+    session.tolerance = document.tolerance();
+    session.live = document.live();
+    for (const RecordingEntry& entry : document.recordings()) {
+        SessionRecording recording{entry.path, entry.sha256, entry.options, {}};
+        for (std::size_t place = 0; place < document.runs().size(); ++place) {
+            const RunEntry& run = document.runs()[place];
+            if (run.recording_id == entry.id) {
+                recording.runs.push_back(wishOf(run, static_cast<int>(place)));
+            }
+        }
+        session.recordings.push_back(std::move(recording));
+    }
+    if (const RecordingEntry* current = document.currentRecording()) {
+        session.current = placeOf(document.recordings(), current->id);
+    }
+    for (const RunSet& set : document.sets().all()) {
+        SessionSet stored{set.name, {}, set.model};
+        for (const int id : set.recordings) {
+            stored.recordings.push_back(placeOf(document.recordings(), id));
+        }
+        if (document.sets().current() == &set) {
+            session.current_set = static_cast<int>(session.sets.size());
+        }
+        session.sets.push_back(std::move(stored));
+    }
+    const PlotContent content = tracks.content();
+    session.view = {content.zoom,
+                    content.variables,
+                    content.units,
+                    {tracks.cursor(Cursor::a), tracks.cursor(Cursor::b)}};
+    return session;
+}
+
+std::vector<int> restoreSession(const Session& session, Document& document) {
+    while (!document.recordings().empty()) {
+        document.closeRecording(document.recordings().back().id);
+    }
+    while (!document.sets().all().empty()) {
+        document.sets().remove(document.sets().all().back().id);
+    }
+    // Live analysis would compute what the session does not have.
+    document.setLive(false);
+    document.startWith(session.settings, session.tolerance);
+    std::vector<int> ids;
+    for (const SessionRecording& recording : session.recordings) {
+        ids.push_back(recording.path.isEmpty()
+                          ? 0
+                          : document.restore(recording.path, recording.options, recording.runs));
+    }
+    std::vector<int> set_ids;
+    for (const SessionSet& set : session.sets) {
+        std::vector<int> members;
+        for (const int place : set.recordings) {
+            if (const int id = ids[static_cast<std::size_t>(place)]; id != 0) {
+                members.push_back(id);
+            }
+        }
+        set_ids.push_back(document.sets().add(members));
+        document.sets().rename(set_ids.back(), set.name);
+        document.sets().setModel(set_ids.back(), set.model);
+    }
+    if (session.current_set >= 0) {
+        document.sets().setCurrent(set_ids[static_cast<std::size_t>(session.current_set)]);
+    }
+    return ids;
+}
+
+void restoreView(const SessionView& view, TrackView& tracks) {
+    if (!view.variables.empty()) {
+        tracks.setShownVariables(view.variables);
+    }
+    tracks.setZoom(view.zoom);
+    tracks.setCursor(Cursor::a, view.cursors_s[0]);
+    tracks.setCursor(Cursor::b, view.cursors_s[1]);
+}
+
+}  // namespace vybeg::ui
