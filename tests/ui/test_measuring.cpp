@@ -81,9 +81,10 @@ private slots:
         VYBEG_WITHIN(number(cell(0, 2)).first, values[row(1.5)], number(cell(0, 2)).second);
         VYBEG_WITHIN(number(cell(0, 3)).first, values[row(1.5)] - values[row(0.5)],
                      number(cell(0, 3)).second);
-        // In radians, the unit of the first start.
+        constexpr double degrees = 180 / std::numbers::pi;  // the unit of the first start
         const Trend angle = expected(SlowVariable::two_theta_A, 0.5, 1.5);
-        QCOMPARE(cell(2, 4).replace('\n', ' '), valueText(angle.slope_per_s, angle.sd_slope_per_s));
+        QCOMPARE(cell(2, 4).replace('\n', ' '),
+                 valueText(angle.slope_per_s * degrees, angle.sd_slope_per_s * degrees));
         QVERIFY(the<RunList>().currentRun() != 0);
     }
 

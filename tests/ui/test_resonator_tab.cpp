@@ -218,7 +218,8 @@ private slots:
         const auto axis = std::ranges::find_if(
             lines, [](const QString& line) { return line.startsWith("Stiffness axis"); });
         QVERIFY(axis != lines.end());
-        QCOMPARE(axis->split('\t').at(1).toDouble(), 0.1 * found.fit.sensitivities[2].skew_deg);
+        QCOMPARE(axis->split('\t').at(1).toDouble(),
+                 0.1 * found.fit.sensitivities[2].skew_deg * 180 / std::numbers::pi);
         for (const QuantityRow& row : sensitivityRows(found, {})) {
             QVERIFY2(!row.cells[0].exact[0].isEmpty(), qPrintable(row.name));
         }

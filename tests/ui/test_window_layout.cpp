@@ -4,6 +4,7 @@
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_menus.h"
 
 #include <QScrollBar>
 #include <QTableWidget>
@@ -18,6 +19,11 @@ class TestWindowLayout : public QObject {
 
     GuiTestHome home_;
     std::unique_ptr<MainWindow> window_;
+
+    template <class Widget>
+    Widget& the() {
+        return childOf<Widget>(*window_);
+    }
 
     // Where a widget's area begins and ends, in the window's coordinates.
     std::pair<int, int> span(const QWidget& widget, const QRect& area) const {
@@ -60,6 +66,24 @@ private slots:
         QTRY_COMPARE(table.columnCount(), 3);
         QTRY_COMPARE(table.horizontalScrollBar()->maximum(), 0);
         QVERIFY(table.item(0, 1)->text().contains("\n± "));
+    }
+
+    void units_and_plots_are_kept_from_window_to_window() {
+        window_ = shownWindow();
+        QVERIFY(the<TrackView>().units().angle == AngleUnit::degrees);
+        DisplayUnits units;
+        units.frequency = FrequencyUnit::deviation_ppm;
+        units.angle = AngleUnit::radians;
+        units.sigma_bands = false;
+        emit the<WindowMenus>().unitsChosen(units);
+        const std::vector<SlowVariable> plots{SlowVariable::a_B, SlowVariable::noise};
+        the<TrackView>().setShownVariables(plots);
+        QVERIFY(window_->close());
+        TestWindow next;
+        const auto& tracks = childOf<TrackView>(next);
+        QVERIFY(tracks.units() == units);
+        QVERIFY(tracks.shownVariables() == plots);
+        QVERIFY(!next.action(Command::sigma_bands)->isChecked());
     }
 };
 

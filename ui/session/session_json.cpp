@@ -111,7 +111,7 @@ Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& 
         QDir::cleanPath(folder.absoluteFilePath(json[QStringLiteral("path")].toString()));
     recording.sha256 = json[QStringLiteral("sha256")].toString();
     recording.options = optionsFromJson(json[QStringLiteral("options")].toObject());
-    for (const QJsonValue& value : json[QStringLiteral("runs")].toArray()) {
+    for (const auto& value : json[QStringLiteral("runs")].toArray()) {
         Result<RunWish> run = runFromJson(value.toObject());
         if (!run) {
             return run.error();
@@ -136,7 +136,7 @@ QJsonObject setToJson(const SessionSet& set) {
 Result<SessionSet> setFromJson(const QJsonObject& json, int recordings) {
     SessionSet set;
     set.name = json[QStringLiteral("name")].toString();
-    for (const QJsonValue& value : json[recordings_key].toArray()) {
+    for (const auto& value : json[recordings_key].toArray()) {
         if (const int place = value.toInt(-1); place >= 0 && place < recordings) {
             set.recordings.push_back(place);
         }
@@ -170,6 +170,20 @@ std::optional<SlowVariable> variableOf(const QString& column) {
     return found == all_slow_variables.end() ? std::nullopt : std::optional(*found);
 }
 
+template <class Unit>
+Unit unitFromJson(const QJsonObject& json, const char* key, Unit last) {
+    const int value = json[QLatin1String(key)].toInt();
+    return static_cast<Unit>(std::clamp(value, 0, static_cast<int>(last)));
+}
+
+// A place in a list, -1 for one outside of it.
+int placeFromJson(const QJsonValue& value, std::size_t count) {
+    const int place = value.toInt(-1);
+    return place >= 0 && place < static_cast<int>(count) ? place : -1;
+}
+
+}  // namespace
+
 QJsonObject viewToJson(const SessionView& view) {
     QJsonObject values;
     for (const auto& [variable, range] : view.zoom.fixed) {
@@ -197,12 +211,6 @@ QJsonObject viewToJson(const SessionView& view) {
                          {QStringLiteral("sigma_bands"), units.sigma_bands}}}};
 }
 
-template <class Unit>
-Unit unitFromJson(const QJsonObject& json, const char* key, Unit last) {
-    const int value = json[QLatin1String(key)].toInt();
-    return static_cast<Unit>(std::clamp(value, 0, static_cast<int>(last)));
-}
-
 SessionView viewFromJson(const QJsonObject& json) {
     SessionView view;
     if (const auto time = rangeFromJson(json[QStringLiteral("time_s")])) {
@@ -214,7 +222,7 @@ SessionView viewFromJson(const QJsonObject& json) {
             view.zoom.fixed.emplace(variable, *range);
         }
     }
-    for (const QJsonValue& value : json[QStringLiteral("variables")].toArray()) {
+    for (const auto& value : json[QStringLiteral("variables")].toArray()) {
         if (const auto variable = variableOf(value.toString())) {
             view.variables.push_back(*variable);
         }
@@ -234,14 +242,6 @@ SessionView viewFromJson(const QJsonObject& json) {
     view.units.sigma_bands = units[QStringLiteral("sigma_bands")].toBool(true);
     return view;
 }
-
-// A place in a list, -1 for one outside of it.
-int placeFromJson(const QJsonValue& value, std::size_t count) {
-    const int place = value.toInt(-1);
-    return place >= 0 && place < static_cast<int>(count) ? place : -1;
-}
-
-}  // namespace
 
 QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     IdentifySettings tolerance;
@@ -285,14 +285,14 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     }
     session.tolerance = tolerance.tolerance;
     session.live = json[live_key].toBool(true);
-    for (const QJsonValue& value : json[recordings_key].toArray()) {
+    for (const auto& value : json[recordings_key].toArray()) {
         Result<SessionRecording> recording = recordingFromJson(value.toObject(), folder);
         if (!recording) {
             return recording.error();
         }
         session.recordings.push_back(std::move(*recording));
     }
-    for (const QJsonValue& value : json[sets_key].toArray()) {
+    for (const auto& value : json[sets_key].toArray()) {
         Result<SessionSet> set =
             setFromJson(value.toObject(), static_cast<int>(session.recordings.size()));
         if (!set) {

@@ -17,4 +17,8 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder);
 // that a setting does not take.
 Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder);
 
+// What the plots show, a part of both.
+QJsonObject viewToJson(const SessionView& view);
+SessionView viewFromJson(const QJsonObject& json);
+
 }  // namespace vybeg::ui

@@ -1,5 +1,7 @@
 // What the window keeps between sessions, and what changes while it stands: look and language.
+#include "ui/plots/track_view.h"
 #include "ui/resonator/resonator_panel.h"
+#include "ui/session/session_json.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
@@ -9,6 +11,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QJsonDocument>
 #include <QSettings>
 
 namespace vybeg::ui {
@@ -21,8 +24,20 @@ constexpr int state_version = 1;
 const QString theme_key = QStringLiteral("theme");
 const QString live_key = QStringLiteral("live");
 const QString language_key = QStringLiteral("language");
+const QString view_key = QStringLiteral("window/view");
 const QString geometry_key = QStringLiteral("window/geometry");
 const QString state_key = QStringLiteral("window/state");
+
+// Units and plots of the last window; degrees at the first start.
+SessionView storedView() {
+    const QByteArray stored = QSettings().value(view_key).toByteArray();
+    if (stored.isEmpty()) {
+        SessionView first;
+        first.units.angle = AngleUnit::degrees;
+        return first;
+    }
+    return viewFromJson(QJsonDocument::fromJson(stored).object());
+}
 
 }  // namespace
 
@@ -40,6 +55,11 @@ void MainWindow::restoreState() {
     applyLook();
     document_.setLive(settings.value(live_key, true).toBool());
     setLanguage(settings.value(language_key, Language::ofTheSystem()).toString());
+    const SessionView view = storedView();
+    setUnits(view.units);
+    if (!view.variables.empty()) {
+        tracks_->setShownVariables(view.variables);
+    }
     resize(1400, 900);
     restoreGeometry(settings.value(geometry_key).toByteArray());
     QMainWindow::restoreState(settings.value(state_key).toByteArray(), state_version);
@@ -47,6 +67,10 @@ void MainWindow::restoreState() {
 
 void MainWindow::saveState() {
     QSettings settings;
+    SessionView view;
+    view.units = tracks_->units();
+    view.variables = tracks_->shownVariables();
+    settings.setValue(view_key, QJsonDocument(viewToJson(view)).toJson(QJsonDocument::Compact));
     settings.setValue(geometry_key, saveGeometry());
     settings.setValue(state_key, QMainWindow::saveState(state_version));
 }
