@@ -110,6 +110,9 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
     if (const Status valid = validate(request.settings); !valid) {
         return log.fail(valid.error());
     }
+    if (const Status valid = check_options(request.open); !valid) {
+        return log.fail(valid.error());
+    }
     const Result<MeasurementSet> set = wanted_set(request, log);
     if (!set) {
         return log.fail(set.error());

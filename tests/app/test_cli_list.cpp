@@ -112,6 +112,8 @@ private slots:
         row("a set without a list", good, "a.wav --set A", 2, "--set requires --list");
         row("several sets", good, "--list list.csv", 2, "the sets of the list are A, B");
         row("no such set", good, "--list list.csv --set C", 2, "--set cannot be \"C\"");
+        row("a wrong option", good, "--list list.csv --set A --channels 1,1", 2,
+            "--channels cannot be \"1,1\"");
         row("no list", good, "--list none.csv --set A", 3, "none.csv: there is no such file");
         row("another file", good, "--list a.wav --set A", 3, "the list needs this column");
         row("a wrong value", "file,from\na.wav,1\nb.wav,x\n", "--list list.csv --set A", 3,
