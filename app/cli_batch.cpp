@@ -11,6 +11,7 @@
 #include "core/output/same_file.h"
 #include "core/recording/bytes/sha256.h"
 
+#include <climits>
 #include <filesystem>
 #include <set>
 #include <sys/stat.h>
@@ -85,7 +86,11 @@ Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const Measure
     for (const MeasurementSet& set : list.sets) {
         SetTask task{&set, passport_in(request.passports, set), "", ""};
         if (!request.json.empty()) {
-            task.json = json_in(request.json, set.name).string();
+            const fs::path file = json_in(request.json, set.name);
+            if (file.filename().string().size() > NAME_MAX) {
+                return refused_value("--json", set.name, "this name is too long for a file");
+            }
+            task.json = file.string();
         }
         Result<std::string> key =
             row_key(set, task.passport, task.json, request.compare.f_limit_ppm);

@@ -27,6 +27,18 @@ Result<std::string> line_of(const std::string& key, std::string_view row) {
     return hash ? hash->substr(0, hash_digits) + " " + rest + "\n" : hash;
 }
 
+// The name of a new file outlives a loss of power once its folder is on the disk, too. Some file
+// systems refuse this, and keep the name anyway.
+void keep_name(const std::filesystem::path& path) {
+    const std::filesystem::path folder = path.parent_path();
+    const int descriptor =
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        fsync(descriptor);
+        close(descriptor);
+    }
+}
+
 }  // namespace
 
 Result<RowJournal> RowJournal::open(const std::filesystem::path& path, bool resume) {
@@ -88,7 +100,9 @@ Status RowJournal::begin(bool resume) {
         return failed(errno);
     }
     Status written = write(head);
-    if (!written) {
+    if (written) {
+        keep_name(path_);
+    } else {
         remove();
     }
     return written;

@@ -190,6 +190,15 @@ private slots:
         QVERIFY(rows_of(file("n.csv"))[1].startsWith("\"=1+1, \"\"x\"\"\","));
     }
 
+    void a_name_too_long_for_a_file_is_found_before_the_work() {
+        QVERIFY(put(path("names.csv"), "set,file\nA,a.wav\n" + QByteArray(300, 'x') + ",a.wav\n"));
+        const Outcome outcome = run({"batch", "names.csv", "-o", "n2.csv", "--json", "names"});
+        QCOMPARE(outcome.status, 2);
+        QVERIFY2(outcome.err.contains("too long for a file"), outcome.err);
+        QVERIFY(!QFile::exists(path("n2.csv.unfinished")));
+        QCOMPARE(run({"batch", "names.csv", "-o", "n2.csv"}).status, 0);
+    }
+
     void an_unknown_column_keeps_its_name_or_gets_another() {
         QVERIFY(put(path("c.csv"), "file,status,my note\na.wav,new,\"a, b\"\n"));
         QCOMPARE(run({"batch", "c.csv", "-o", "x.csv"}).status, 0);
