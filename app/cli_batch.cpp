@@ -145,7 +145,8 @@ Status write_table(OutputFile& output, const std::string& head, const std::vecto
     return written ? output.commit() : written;
 }
 
-// What an error that ends a batch leaves: rows that --resume finds, or nothing.
+// The error that ends a batch; one of an interruption that leaves rows names --resume. Removes a
+// journal without rows.
 Error as_left(const Error& error, const OutputFile& output, RowJournal& journal, std::size_t done,
               std::size_t sets) {
     if (done == 0) {

@@ -22,7 +22,7 @@ Result<MeasurementSet> wanted_set(const IdentifyRequest& request, Log& log) {
     if (request.list.empty()) {
         MeasurementSet set{"", {}, request.settings};
         for (const std::string& name : request.inputs) {
-            set.recordings.push_back({0, name, name, request.open, {}, {}});
+            set.recordings.push_back({name, name, request.open, {}, {}});
         }
         return set;
     }

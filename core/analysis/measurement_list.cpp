@@ -59,7 +59,6 @@ public:
             return table.error();
         }
         table_ = std::move(*table);
-        list_.path = path_;
         for (const auto step : {&Reader::name_columns, &Reader::make_numbers_usual,
                                 &Reader::group_sets, &Reader::read_sets}) {
             if (const Status done = (this->*step)(); !done) {
@@ -231,7 +230,7 @@ private:
     }
 
     Result<IdentifySettings> read_row(const CsvRow& row, MeasurementSet& set) const {
-        ListedRecording recording{row.line, field(row, "file"), {}, defaults_.open, {}, {}};
+        ListedRecording recording{field(row, "file"), {}, defaults_.open, {}, {}};
         if (recording.file.empty()) {
             return invalid(row.line, "file", words(VYBEG_MESSAGE("Words", "no file is named")));
         }
@@ -249,7 +248,7 @@ private:
             settings.windows.periods.reset();  // of the command line
         }
         read = read ? read_options(identify_settings(), row, settings) : read;
-        // What an identification does not use is right or wrong all the same.
+        // Options without effect are checked, too.
         for (const SettingRow<Settings>& each : analysis_settings()) {
             const std::string& text = field(row, each.name);
             Settings idle;
@@ -336,10 +335,10 @@ Result<MeasurementList> list_of_folder(
         return Error{ErrorCode::file_read_failed, folder.string(), {system_reason(failed.value())}};
     }
     std::ranges::sort(files);
-    MeasurementList list{folder, {}, {}, {}};
+    MeasurementList list;
     for (const std::filesystem::path& path : files) {
         const std::string name = path.filename().string();
-        list.sets.push_back({name, {{0, name, path, defaults.open, {}, {}}}, defaults.settings});
+        list.sets.push_back({name, {{name, path, defaults.open, {}, {}}}, defaults.settings});
     }
     return list;
 }

@@ -5,7 +5,6 @@
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -14,7 +13,7 @@
 
 namespace vybeg {
 
-// Conditions of one recording; empty where the list tells none.
+// Conditions of one recording; empty where the list has none.
 struct Conditions {
     std::string gyro;
     std::string date;  // ISO 8601
@@ -26,8 +25,7 @@ struct Conditions {
 };
 
 struct ListedRecording {
-    std::int64_t line = 0;  // of the list
-    std::string file;       // as the list names it
+    std::string file;  // as the list names it
     std::filesystem::path path;
     OpenOptions open;
     Conditions conditions;
@@ -42,13 +40,12 @@ struct MeasurementSet {
 };
 
 struct MeasurementList {
-    std::filesystem::path path;
     std::vector<std::string> other_columns;  // unknown ones
     std::vector<MeasurementSet> sets;        // by their first recordings
     std::vector<Diagnostic> warnings;        // columns without effect on an identification
 };
 
-// What holds for every recording unless its row says otherwise.
+// Values for every recording whose row does not give them.
 struct ListDefaults {
     OpenOptions open;
     IdentifySettings settings;

@@ -25,7 +25,7 @@ std::string batch_row(const MeasurementSet& set, const Error& error);
 std::string batch_row(const MeasurementSet& set, const Identification& found,
                       const PassportComparison* comparison);
 
-// What the list says of the whole set: the first gyro that a recording names.
+// The first gyro that a recording of the set names; empty: none.
 std::string gyro_of(const MeasurementSet& set);
 
 }  // namespace vybeg

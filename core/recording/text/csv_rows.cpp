@@ -136,16 +136,17 @@ public:
 
 private:
     Status read_names(const std::string& needed) {
-        // Neither separator is known to be in quotes before the other is chosen.
+        // The separator follows from the names, which hold no line end in either case.
         const Result<bool> more = rows_.next(',');
         if (!more) {
             return more.error();
         }
         const std::vector<std::string> by_comma = split_row(rows_.text(), ',').fields;
         const std::vector<std::string> by_semicolon = split_row(rows_.text(), ';').fields;
-        table_.semicolons = has_name(by_semicolon, needed) &&
-                            (!has_name(by_comma, needed) || by_semicolon.size() > by_comma.size());
-        separator_ = table_.semicolons ? ';' : ',';
+        const bool semicolons =
+            has_name(by_semicolon, needed) &&
+            (!has_name(by_comma, needed) || by_semicolon.size() > by_comma.size());
+        separator_ = semicolons ? ';' : ',';
         const SplitRow names = split_row(rows_.text(), separator_);
         if (!has_name(names.fields, needed)) {
             return invalid(1, needed, words(VYBEG_MESSAGE("Words", "the list needs this column")));

@@ -20,7 +20,6 @@ struct CsvRow {
 struct CsvRows {
     std::vector<std::string> names;
     std::vector<CsvRow> rows;
-    bool semicolons = false;  // between the fields; otherwise commas
 };
 
 // Reads a CSV file of spreadsheets: comma or semicolon, whichever separates a name `needed` from

@@ -45,7 +45,6 @@ private slots:
         QCOMPARE(set.settings.tolerance.skew_deg, 0.1);
         QCOMPARE(set.settings.tolerance.delay_s, 1e-8);
         const ListedRecording& recording = set.recordings[0];
-        QCOMPARE(recording.line, std::int64_t{2});
         QCOMPARE(recording.file, "runs/a.wav");
         QCOMPARE(QString::fromStdString(recording.path.string()), folder_.filePath("runs/a.wav"));
         QCOMPARE(recording.open.channel_c, 2);
