@@ -1,62 +1,48 @@
-#include "app/analysis_options.h"
 #include "app/cli_commands.h"
 #include "app/cli_identify_text.h"
 #include "app/cli_support.h"
+#include "app/list_sets.h"
 #include "app/output_paths.h"
+#include "app/set_identification.h"
 #include "core/analysis/setting_table.h"
 #include "core/output/identify_json.h"
 #include "core/output/passport_json.h"
-#include "core/recording/bytes/sha256.h"
-#include "core/recording/open/open_recording.h"
-#include "core/recording/samples/file_changes.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <list>
 #include <optional>
 #include <utility>
 
 namespace vybeg::cli {
 namespace {
 
-struct Inputs {
-    std::vector<Recording> recordings;
-    std::vector<IdentifiedInput> told;
-    std::vector<std::string> hashes;
-};
-
-Result<Inputs> open_inputs(const IdentifyRequest& request, std::stop_token stop) {
-    Inputs inputs;
-    for (const std::string& name : request.inputs) {
-        Result<Recording> recording = open_recording(name, request.open, silent_job(stop));
-        if (!recording) {
-            return recording.error();
+// The recordings of the command line as one set, or those of the list.
+Result<MeasurementSet> wanted_set(const IdentifyRequest& request, Log& log) {
+    if (request.list.empty()) {
+        MeasurementSet set{"", {}, request.settings};
+        for (const std::string& name : request.inputs) {
+            set.recordings.push_back({name, name, request.open, {}, {}});
         }
-        inputs.recordings.push_back(std::move(*recording));
+        return set;
     }
-    // All hashes beside each other.
-    std::list<HashBeside> hashes;
-    for (const Recording& recording : inputs.recordings) {
-        hashes.emplace_back(recording, request.settings.threads, stop);
+    Result<MeasurementList> list =
+        read_measurement_list(request.list, {request.open, request.settings});
+    if (!list) {
+        return list.error();
     }
-    for (const Recording& recording : inputs.recordings) {
-        Result<std::string> sha256 = hashes.front().get();
-        if (!sha256) {
-            return sha256.error();
-        }
-        hashes.pop_front();
-        inputs.told.push_back({recording.path.filename().string(), *sha256, recording.start,
-                               recording.seconds(), recording.rate_hz, 0});
-        inputs.hashes.push_back(std::move(*sha256));
+    log.warnings(list->warnings);
+    if (request.set.empty() && list->sets.size() == 1) {
+        return std::move(list->sets.front());
     }
-    return inputs;
+    return set_named(*list, "--set", request.set);
 }
 
-Status check_paths(const IdentifyRequest& request) {
-    std::vector<InputPath> inputs{{request.old_passport, "it is the passport to compare with"}};
-    for (const std::string& input : request.inputs) {
-        inputs.push_back({input, "it is one of the recordings"});
+Status check_paths(const IdentifyRequest& request, const MeasurementSet& set) {
+    std::vector<InputPath> inputs{{request.old_passport, "it is the passport to compare with"},
+                                  {request.list, "it is the list of the recordings"}};
+    for (const ListedRecording& recording : set.recordings) {
+        inputs.push_back({recording.path.string(), "it is one of the recordings"});
     }
     const bool summary = request.output.empty();
     return check_outputs(
@@ -118,59 +104,25 @@ std::string timing_line(const Identification& identification, double open_s, dou
     return line.dump() + "\n";
 }
 
-Result<std::optional<PassportComparison>> old_passport(const IdentifyRequest& request,
-                                                       std::optional<Passport>& passport,
-                                                       const JobControl& job) {
-    if (request.old_passport.empty()) {
-        return std::optional<PassportComparison>();
-    }
-    Result<Passport> read = read_passport_file(request.old_passport);
-    if (!read) {
-        return read.error();
-    }
-    const Result<std::string> sha256 = file_sha256(request.old_passport, job);
-    if (!sha256) {
-        return sha256.error();
-    }
-    passport = std::move(*read);
-    return std::optional(PassportComparison{request.old_passport, *sha256, passport->program, {}});
-}
-
-void warn_of(const std::vector<Recording>& recordings, Log& log) {
-    for (const Recording& recording : recordings) {
-        log.warnings(recording.diagnostics, recording.path.filename().string());
-    }
-}
-
-Status all_unchanged(const std::vector<Recording>& recordings) {
-    for (const Recording& recording : recordings) {
-        if (Status still = unchanged(recording); !still) {
-            return still;
-        }
-    }
-    return {};
-}
-
 }  // namespace
 
 int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop) {
     if (const Status valid = validate(request.settings); !valid) {
         return log.fail(valid.error());
     }
+    if (const Status valid = check_options(request.open); !valid) {
+        return log.fail(valid.error());
+    }
+    const Result<MeasurementSet> set = wanted_set(request, log);
+    if (!set) {
+        return log.fail(set.error());
+    }
     const double begun = seconds_now();
-    std::optional<Passport> passport;
-    auto comparison = old_passport(request, passport, silent_job(stop));
-    if (!comparison) {
-        return log.fail(comparison.error());
+    Result<OpenSet> open = open_set(*set, request.old_passport, stop);
+    if (!open) {
+        return log.fail(open.error());
     }
-    Result<Inputs> inputs = open_inputs(request, stop);
-    if (!inputs) {
-        return log.fail(inputs.error());
-    }
-    if (const Status distinct = check_distinct(inputs->recordings, inputs->hashes); !distinct) {
-        return log.fail(distinct.error());
-    }
-    if (const Status possible = check_paths(request); !possible) {
+    if (const Status possible = check_paths(request, *set); !possible) {
         return log.fail(possible.error());
     }
     Outputs outputs;
@@ -183,37 +135,26 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
         }
     }
     const double opened = seconds_now();
-    const Result<Identification> found =
-        identify(inputs->recordings, request.settings, job_of(stop, log));
-    const Status still = all_unchanged(inputs->recordings);
-    if (!found || !still) {
-        warn_of(inputs->recordings, log);
-        return log.fail(still ? found.error() : still.error());
+    const Result<IdentifiedSet> result =
+        identify_set(*open, *set, request.compare, job_of(stop, log));
+    if (!result) {
+        log.warnings(warnings_of(*open));
+        return log.fail(result.error());
     }
-    log.warnings(without_effect(request.settings));
-    for (const Recording& recording : inputs->recordings) {
-        log.warnings(without_effect(request.open, recording), recording.path.filename().string());
-    }
-    for (std::size_t k = 0; k < found->runs.size(); ++k) {
-        inputs->told[k].f0_hz = found->runs[k].f0_hz;
-        log.warnings(found->runs[k].diagnostics, inputs->told[k].name);
-    }
-    log.warnings(found->fit.warnings);
+    log.warnings(result->warnings);
     const double identified = seconds_now();
-    PassportComparison* const compared = *comparison ? &**comparison : nullptr;
-    if (compared != nullptr) {
-        compared->differences = compare(*passport, found->fit, request.compare);
-    }
+    const Identification& found = result->found;
+    const PassportComparison* const compared = open->comparison ? &*open->comparison : nullptr;
     const Status written = write_outputs(
         outputs,
-        summary ? identify_text(inputs->told, *found, compared)
-                : identify_json(program, inputs->told, *found, compared),
-        outputs.passport ? passport_json(passport_of(program, inputs->told, *found)) : "");
+        summary ? identify_text(open->told, found, compared)
+                : identify_json(program, open->told, found, compared),
+        outputs.passport ? passport_json(passport_of(program, open->told, found)) : "");
     if (!written) {
         return log.fail(written.error());
     }
     if (request.timing) {
-        std::fputs(timing_line(*found, opened - begun, seconds_now() - identified).c_str(), stderr);
+        std::fputs(timing_line(found, opened - begun, seconds_now() - identified).c_str(), stderr);
     }
     return 0;
 }

@@ -60,14 +60,25 @@ void Log::warnings(std::span<const Diagnostic> diagnostics, const std::string& a
     }
 }
 
-int Log::fail(const Error& error) {
+void Log::warnings(std::span<const NamedWarnings> all) {
+    for (const auto& [about, diagnostics] : all) {
+        warnings(diagnostics, about);
+    }
+}
+
+int Log::fail(const Error& error, const std::string& about) {
     const std::string text = english(error);
     const int status = exit_status(error.code);
-    line(json_ ? text_of({{"level", "error"},
-                          {"code", code_name(error.code)},
-                          {"text", text},
-                          {"status", status}})
-               : "vybeg-cli: " + text);
+    if (!json_) {
+        line("vybeg-cli: " + (about.empty() ? "" : plain_text(about) + ": ") + text);
+        return status;
+    }
+    Json object{
+        {"level", "error"}, {"code", code_name(error.code)}, {"text", text}, {"status", status}};
+    if (!about.empty()) {
+        object["set"] = about;
+    }
+    line(text_of(object));
     return status;
 }
 

@@ -5,8 +5,13 @@
 
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vybeg::cli {
+
+// Warnings and the file that they concern; empty: none alone.
+using NamedWarnings = std::pair<std::string, std::vector<Diagnostic>>;
 
 // What goes to standard error: sentences for people, or with --json-log one JSON object per line,
 // {"level": "warning"|"error"|"progress", "code": .., "text": .., ..}.
@@ -18,8 +23,9 @@ public:
 
     // `about`: the file that they concern, where there are several; empty: none.
     void warnings(std::span<const Diagnostic> diagnostics, const std::string& about = {});
-    // Returns the exit status of the error.
-    int fail(const Error& error);
+    void warnings(std::span<const NamedWarnings> all);
+    // Returns the exit status of the error. `about`: the set without a result, where others follow.
+    int fail(const Error& error, const std::string& about = {});
     // A wrong command line: exit status 2.
     int fail_usage(const std::string& sentence);
     // Never called from two threads at once; fraction 0..1.

@@ -41,10 +41,52 @@ void add_input(CLI::App& app, std::string& input) {
         ->required();
 }
 
-void add_inputs(CLI::App& app, std::vector<std::string>& inputs) {
-    app.add_option("FILE", inputs, "The recordings of one resonator, started at different angles")
+CLI::Option* add_inputs(CLI::App& app, std::vector<std::string>& inputs) {
+    return app
+        .add_option("FILE", inputs, "The recordings of one resonator, started at different angles")
+        ->type_name("");
+}
+
+void add_list(CLI::App& app, IdentifyRequest& request) {
+    CLI::Option* const list =
+        app.add_option("--list", request.list,
+                       "Measurement list, CSV: a row for each recording, with its options")
+            ->type_name("LIST.csv")
+            ->excludes("FILE");
+    app.add_option("--set", request.set, "The set of the list (default: its only one)")
+        ->type_name("NAME")
+        ->needs(list);
+}
+
+void add_batch_options(CLI::App& app, BatchRequest& request) {
+    app.add_option("LIST", request.list,
+                   "Measurement list, CSV, or a folder in which each file is a set of its own")
         ->type_name("")
         ->required();
+    app.add_option("-o,--output", request.output,
+                   "The table, CSV: a row for each set; - for standard output")
+        ->type_name("RESULTS.csv")
+        ->required();
+    app.add_option("--json", request.json, "Also the result of each set, as identify writes it")
+        ->type_name("DIR");
+    app.add_option("--passport", request.passports,
+                   "Compare each set with the passport of its gyro, DIR/GYRO.json")
+        ->type_name("DIR");
+    add_value(app, "--jobs", "N", "Sets computed at once (default 1)",
+              [&request](const auto& option, const auto& text) {
+                  constexpr int most_jobs = 1024;
+                  const std::int64_t jobs = whole_value(option, text);
+                  if (jobs < 1 || jobs > most_jobs) {
+                      reject(option, text, "it must be 1 to 1024");
+                  }
+                  request.jobs = static_cast<int>(jobs);
+              });
+    app.add_flag("--resume", request.resume,
+                 "Keep the rows of an interrupted run whose files and options are the same");
+    app.add_option("--only", request.only, "This set alone")->type_name("NAME");
+    add_identify_options(app, request.settings);
+    add_open_options(app, request.open);
+    add_compare_options(app, request.compare);
 }
 
 void add_identification(CLI::App& app, IdentifyRequest& request) {
@@ -126,6 +168,7 @@ int run(int argc, char** argv) {
     CLI::App* const identify_command = app.add_subcommand(
         "identify", "The resonator behind one or several recordings of its free decay");
     add_inputs(*identify_command, identification.inputs);
+    add_list(*identify_command, identification);
     add_identification(*identify_command, identification);
     identify_command
         ->add_option("--passport", identification.new_passport,
@@ -140,10 +183,16 @@ int run(int argc, char** argv) {
         ->add_option("PASSPORT", comparison.old_passport, "A passport that identify has written")
         ->type_name("")
         ->required();
-    add_inputs(*compare_command, comparison.inputs);
+    add_inputs(*compare_command, comparison.inputs)->required();
     add_identification(*compare_command, comparison);
     add_compare_options(*compare_command, comparison.compare);
     add_log_options(*compare_command, log_options);
+
+    BatchRequest batch;
+    CLI::App* const batch_command =
+        app.add_subcommand("batch", "The resonators of a measurement list, as a table");
+    add_batch_options(*batch_command, batch);
+    add_log_options(*batch_command, log_options);
 
     SimulateRequest simulation;
     CLI::App* const simulate_command =
@@ -166,11 +215,15 @@ int run(int argc, char** argv) {
     if (const std::string fault = usage_fault(app); !fault.empty()) {
         return log.fail_usage(fault);
     }
+    if (identify_command->parsed() && identification.inputs.empty() &&
+        identification.list.empty()) {
+        return log.fail_usage("FILE or --list is required.");
+    }
     if (simulate_command->parsed()) {
         return run_simulate(simulation, log, interrupt.token());
     }
-    const int threads = std::max(
-        {analyze.settings.threads, identification.settings.threads, comparison.settings.threads});
+    const int threads = std::max({analyze.settings.threads, identification.settings.threads,
+                                  comparison.settings.threads, batch.settings.threads});
     if (const Status enough = check_threads(threads); !enough) {
         return log.fail(enough.error());
     }
@@ -182,6 +235,9 @@ int run(int argc, char** argv) {
     }
     if (identify_command->parsed()) {
         return run_identify(identification, log, interrupt.token());
+    }
+    if (batch_command->parsed()) {
+        return run_batch(batch, log, interrupt.token());
     }
     return run_identify(comparison, log, interrupt.token());
 }

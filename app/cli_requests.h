@@ -29,6 +29,8 @@ struct AnalyzeRequest {
 // `identify` and, with a passport to compare with, `compare`.
 struct IdentifyRequest {
     std::vector<std::string> inputs;
+    std::string list;          // in place of the inputs; empty: none
+    std::string set;           // of the list; empty: its only one
     std::string output;        // empty: a summary for people on standard output; "-": JSON there
     std::string new_passport;  // --passport; empty: none
     std::string old_passport;  // of compare; empty: none
@@ -36,6 +38,19 @@ struct IdentifyRequest {
     IdentifySettings settings;
     CompareOptions compare;
     bool timing = false;
+};
+
+struct BatchRequest {
+    std::string list;       // or a folder of recordings
+    std::string output;     // "-": standard output
+    std::string json;       // folder of the results; empty: none
+    std::string passports;  // folder of the gyros' passports; empty: none
+    std::string only;       // this set alone; empty: all
+    int jobs = 1;           // sets at once
+    bool resume = false;
+    OpenOptions open;
+    IdentifySettings settings;
+    CompareOptions compare;
 };
 
 struct SimulateRequest {

@@ -1,6 +1,7 @@
 #include "app/analysis_options.h"
 #include "core/recording/open/file_kind.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -50,7 +51,9 @@ std::vector<Diagnostic> without_effect(const Settings& settings) {
 
 std::vector<Diagnostic> without_effect(const IdentifySettings& settings) {
     Findings found;
-    found.add_idle_search(settings.signal);
+    const std::vector<SignalSettings>& each = settings.of_recordings;
+    const auto idle = std::ranges::find_if(each, [](const auto& s) { return s.band && s.f0_hz; });
+    found.add_idle_search(idle == each.end() ? settings.signal : *idle);
     return found.take();
 }
 

@@ -972,6 +972,22 @@
         <source>%1: channel %2 rises by equal steps: it holds times or numbers of rows, no signal. Choose other channels.</source>
         <translation>%1: канал %2 растёт равными шагами: это время или номера строк, а не сигнал. Выберите другие каналы.</translation>
     </message>
+    <message>
+        <source>%1, line %2, column &quot;%3&quot;: %4.</source>
+        <translation>%1, строка %2, столбец «%3»: %4.</translation>
+    </message>
+    <message>
+        <source>%1: the recordings differ in %2 (%3 and %4), and the fit has one value for all. Put them into different sets.</source>
+        <translation>%1: у записей различается %2 (%3 и %4), а модель предполагает одно значение для всех. Разнесите их по разным наборам.</translation>
+    </message>
+    <message>
+        <source>Interrupted; %2 of %3 sets are done. Continue with --resume.</source>
+        <translation>Прервано; готово наборов: %2 из %3. Продолжить можно с --resume.</translation>
+    </message>
+    <message>
+        <source>Interrupted; %2 of %3 sets are done.</source>
+        <translation>Прервано; готово наборов: %2 из %3.</translation>
+    </message>
 </context>
 <context>
     <name>PlotFocus</name>
@@ -2087,6 +2103,82 @@
     <message>
         <source>columns %1 and %2 of different sample rates</source>
         <translation>столбцы %1 и %2 с разными частотами дискретизации</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not possible: %2</source>
+        <translation>значение «%1» недопустимо: %2</translation>
+    </message>
+    <message>
+        <source>an option has no dashes here</source>
+        <translation>здесь параметр пишется без дефисов в начале</translation>
+    </message>
+    <message>
+        <source>no row names a recording below it</source>
+        <translation>ниже нет ни одной строки с записью</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; differs from &quot;%2&quot; in line %3, and one value holds for all recordings of a set</source>
+        <translation>«%1» отличается от «%2» в строке %3, а значение у всех записей набора одно</translation>
+    </message>
+    <message>
+        <source>no file is named</source>
+        <translation>файл не указан</translation>
+    </message>
+    <message>
+        <source>the window is given in samples, too</source>
+        <translation>окно задано и в отсчётах</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no date as in 2026-03-31, with or without a time as in T14:05</source>
+        <translation>«%1» не дата вида 2026-03-31 (за ней может стоять время вида T14:05)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>«%1» не число</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither yes nor no</source>
+        <translation>«%1» — ни yes, ни no</translation>
+    </message>
+    <message>
+        <source>the gyro</source>
+        <translation>гироскоп</translation>
+    </message>
+    <message>
+        <source>the bias voltage</source>
+        <translation>напряжение смещения</translation>
+    </message>
+    <message>
+        <source>the exchange of the amplifiers</source>
+        <translation>перестановка усилителей</translation>
+    </message>
+    <message>
+        <source>another program is writing it</source>
+        <translation>его записывает другая программа</translation>
+    </message>
+    <message>
+        <source>it is another kind of file</source>
+        <translation>это файл другого вида</translation>
+    </message>
+    <message>
+        <source>the list needs this column</source>
+        <translation>в списке нужен такой столбец</translation>
+    </message>
+    <message>
+        <source>two columns have this name</source>
+        <translation>такое имя у двух столбцов</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands below no name</source>
+        <translation>над «%1» нет имени столбца</translation>
+    </message>
+    <message>
+        <source>its quotation mark does not close</source>
+        <translation>кавычка не закрыта</translation>
+    </message>
+    <message>
+        <source>text follows its closing quotation mark</source>
+        <translation>после закрывающей кавычки идёт текст</translation>
     </message>
 </context>
 <context>

@@ -48,10 +48,9 @@ struct Windows {
 };
 
 // From one recording to its phasors.
-Result<Windows> windows_of(const Recording& recording, const IdentifySettings& settings,
-                           int threads, const JobControl& job) {
-    const Result<WindowChoice> choice =
-        choose_windows(recording, settings.signal, settings.windows, job.silent());
+Result<Windows> windows_of(const Recording& recording, const SignalSettings& signal,
+                           const PhasorWindowSettings& wished, int threads, const JobControl& job) {
+    const Result<WindowChoice> choice = choose_windows(recording, signal, wished, job.silent());
     if (!choice) {
         return choice.error();
     }
@@ -98,7 +97,7 @@ std::vector<Result<Windows>> all_windows(std::span<const Recording> recordings,
     tbb::task_arena(threads).execute([&] {
         tbb::parallel_for(std::size_t{0}, recordings.size(), [&](std::size_t k) {
             found[k] =
-                windows_of(recordings[k], settings, threads,
+                windows_of(recordings[k], settings.signal_of(k), settings.windows, threads,
                            job.with_progress([&progress, k](double f) { progress.report(k, f); }));
         });
     });

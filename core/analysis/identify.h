@@ -55,9 +55,9 @@ Status check_distinct(std::span<const Recording> recordings, std::span<const std
 // The whole road from the recordings of one resonator to the resonator (METHOD section 8): a set of
 // runs that differ in their start. The gain ratio that is found is the one of the recorded signals.
 // Memory does not grow with the recordings, and the result is the same to the last bit for any
-// number of threads. Errors: setting_invalid, those of prepare(), fit_window_too_short,
+// number of threads. Precondition: at least one recording; settings.of_recordings is empty or has
+// an entry for each. Errors: setting_invalid, those of prepare(), fit_window_too_short,
 // window_too_long, no_valid_samples, every_window_clipped, those of fit_resonator(), interrupted.
-// Precondition: at least one recording.
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job);
 

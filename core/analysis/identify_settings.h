@@ -4,8 +4,10 @@
 #include "core/analysis/tolerance.h"
 #include "core/resonator/results/resonator_fit.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace vybeg {
 
@@ -26,6 +28,12 @@ struct IdentifySettings {
     FitOptions::Model model = FitOptions::Model::automatic;
     Tolerance tolerance;
     int threads = 0;  // 0: as many as the machine has
+    // Of each recording, with the gain ratio of `signal`; empty: all recordings have `signal`.
+    std::vector<SignalSettings> of_recordings = {};
+
+    const SignalSettings& signal_of(std::size_t recording) const {
+        return of_recordings.empty() ? signal : of_recordings[recording];
+    }
 
     friend bool operator==(const IdentifySettings&, const IdentifySettings&) = default;
 };

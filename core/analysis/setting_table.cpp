@@ -305,6 +305,18 @@ std::vector<NamedValue> listed(const Rows<S>& rows, const S& settings) {
     return list;
 }
 
+// The value of a row that all recordings share, or those of each.
+std::string in_one(const std::vector<std::vector<NamedValue>>& each, std::size_t row) {
+    const std::string& first = each.front()[row].second;
+    std::string values;
+    bool same = true;
+    for (const std::vector<NamedValue>& list : each) {
+        same = same && list[row].second == first;
+        values += (values.empty() ? "" : "; ") + list[row].second;
+    }
+    return same ? first : values;
+}
+
 }  // namespace
 
 const std::vector<SettingRow<Settings>>& analysis_settings() {
@@ -328,6 +340,11 @@ Status validate(const Settings& settings) {
 }
 
 Status validate(const IdentifySettings& settings) {
+    for (const SignalSettings& signal : settings.of_recordings) {
+        if (Status valid = validate(signal); !valid) {
+            return valid;
+        }
+    }
     return first_fault(identify_settings(), settings);
 }
 
@@ -336,7 +353,17 @@ std::vector<NamedValue> settings_list(const Settings& settings) {
 }
 
 std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
-    return listed(identify_settings(), settings);
+    std::vector<NamedValue> list = listed(identify_settings(), settings);
+    std::vector<std::vector<NamedValue>> each;
+    for (const SignalSettings& signal : settings.of_recordings) {
+        IdentifySettings one = settings;
+        one.signal = signal;
+        each.push_back(listed(identify_settings(), one));
+    }
+    for (std::size_t row = 0; !each.empty() && row < list.size(); ++row) {
+        list[row].second = in_one(each, row);
+    }
+    return list;
 }
 
 }  // namespace vybeg

@@ -25,7 +25,8 @@ Status validate(const IdentifySettings& settings);
 // Name and value as the command line takes them.
 using NamedValue = std::pair<std::string, std::string>;
 
-// Every setting that has a part in the result.
+// Every setting that has a part in the result. Settings of single recordings stand with "; "
+// between them where they differ.
 std::vector<NamedValue> settings_list(const Settings& settings);
 std::vector<NamedValue> settings_list(const IdentifySettings& settings);
 

@@ -36,6 +36,7 @@ enum class ErrorCode {
     passport_schema,   // args: schema of the file, newest schema known here
     variable_missing,  // args: variable asked for, the variables that the file has
     file_changed,      // after it was opened: its size, or the time of its last change
+    list_invalid,      // args: line, column, reason. Of a measurement list.
     // The analysis is impossible: exit status 4.
     window_too_long,          // args: window in samples, samples in the range
     window_too_short,         // args: window in samples, least window at this frequency
@@ -53,6 +54,7 @@ enum class ErrorCode {
     fit_beat_too_fast,        // args: two lines (Hz), least window at this carrier
     fit_too_few_windows,      // args: usable windows, least number
     fit_failed,               // args: reason
+    conditions_differ,        // args: condition, its value, another. In one set of recordings.
     same_recording,           // args: the other recording with the same samples
     band_too_narrow,          // args: low, high, least width (Hz)
     channel_without_samples,  // args: channel, C or D
@@ -64,6 +66,7 @@ enum class ErrorCode {
     output_is_recording,    // one of those that are open
     output_incomplete,      // args: reason. A part has gone out to a device or a pipe.
     // Ctrl-C, SIGTERM or Cancel: exit status 130.
+    interrupted_midway,  // args: finished sets, all sets
     interrupted_partly,  // a part has gone out to a device or a pipe
     interrupted,
 };

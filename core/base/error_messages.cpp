@@ -148,6 +148,9 @@ MessageRow message_row(ErrorCode code) {
                 VYBEG_MESSAGE("Message",
                               "%1 changed while it was read: its size or the time of its last "
                               "change is another. Wait until it is complete, and open it again.")};
+        case ErrorCode::list_invalid:
+            return {"list-invalid", bad_input,
+                    VYBEG_MESSAGE("Message", "%1, line %2, column \"%3\": %4.")};
         case ErrorCode::window_too_long:
             return {"window-too-long", impossible,
                     VYBEG_MESSAGE("Message",
@@ -240,6 +243,11 @@ MessageRow message_row(ErrorCode code) {
         case ErrorCode::fit_failed:
             return {"fit-failed", impossible,
                     VYBEG_MESSAGE("Message", "The resonator cannot be fitted to %1: %2.")};
+        case ErrorCode::conditions_differ:
+            return {"conditions-differ", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the recordings differ in %2 (%3 and %4), and the fit has "
+                                  "one value for all. Put them into different sets.")};
         case ErrorCode::same_recording:
             return {"same-recording", impossible,
                     VYBEG_MESSAGE("Message",
@@ -293,6 +301,11 @@ MessageRow message_row(ErrorCode code) {
                 "output-incomplete", no_output,
                 VYBEG_MESSAGE("Message",
                               "%1 cannot be written: %2. What has gone out there is incomplete.")};
+        case ErrorCode::interrupted_midway:
+            return {"interrupted-midway", stopped,
+                    VYBEG_MESSAGE("Message",
+                                  "Interrupted; %2 of %3 sets are done. Continue with --resume."),
+                    VYBEG_MESSAGE("Message", "Interrupted; %2 of %3 sets are done.")};
         case ErrorCode::interrupted_partly:
             return {
                 "interrupted-partly", stopped,

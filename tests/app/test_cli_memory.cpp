@@ -1,6 +1,6 @@
 // The memory of an analysis does not grow with its recording: 1 and 10 minutes at 33333 Hz, in
-// every format that simulate writes and the raw reader reads. tests/benchmarks/README.md, "Long
-// recordings", has the same of one hour.
+// every format that simulate writes and the raw reader reads; nor does that of a batch with its
+// list. tests/benchmarks/README.md, "Long recordings", has the same of one hour.
 #include "tests/app/cli_run.h"
 
 #include <QtTest>
@@ -111,6 +111,39 @@ private slots:
         QVERIFY(peaks[0] > 0 && peaks[1] > 0);
         QVERIFY(peaks[1] < 150'000'000);
         QVERIFY(peaks[1] - peaks[0] < 10'000'000);  // the 350 s more are 187 MB of samples
+    }
+
+    void nor_does_that_of_a_batch_with_its_list() {
+        const QTemporaryDir folder;
+        for (int k = 0; k < 200; ++k) {
+            const QString recording = folder.filePath(QString("%1.wav").arg(k));
+            if (k < 4) {
+                QCOMPARE(run_cli({"simulate", "--seconds", "2", "--noise", "0.001", "--tau", "400",
+                                  "--two-theta-A", QString::number(0.4 * k), "-o", recording},
+                                 folder.path())
+                             .status,
+                         0);
+            } else {
+                QVERIFY(QFile::copy(folder.filePath(QString("%1.wav").arg(k % 4)), recording));
+            }
+        }
+        std::vector<qint64> peaks;
+        for (const int recordings : {20, 200}) {
+            QByteArray list = "set,file\n";
+            for (int k = 0; k < recordings; ++k) {
+                list += QString("set %1,%2.wav\n").arg(k / 4).arg(k).toUtf8();
+            }
+            QVERIFY(put(folder.filePath("list.csv"), list));
+            const QString table = folder.filePath("table.csv");
+            peaks.push_back(peak_of(
+                {"batch", folder.filePath("list.csv"), "-o", table, "--threads", "1", "--quiet"}));
+            QVERIFY(lines_of(table) > recordings / 4);
+            QCOMPARE(content(table).count(",ok,"), recordings / 4);
+        }
+        qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
+              1e-6 * static_cast<double>(peaks[1]));
+        QVERIFY(peaks[0] > 0 && peaks[1] > 0);
+        QVERIFY(static_cast<double>(peaks[1]) < 1.1 * static_cast<double>(peaks[0]));
     }
 };
 

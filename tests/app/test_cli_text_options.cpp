@@ -89,7 +89,7 @@ private slots:
         row("--time-column t", 2, "--time-column cannot be \"t\"");
         row("--time-unit min", 2, "it is s, ms, us or ns");
         row("--scale 0", 2, "--scale cannot be \"0\"");
-        row("--raw i16 --delimiter tab", 2, "--delimiter is for text");
+        row("--raw i16 --delimiter tab", 2, "it is for text");
         row("--delimiter tab --rate 100", 3, "read as text with --delimiter tab");
         row("--skip-lines 50 --rate 100", 3, "50 lines are to be skipped");
         row("--skip-lines 0 --rate 100", 3, "line 1, column 1: \"C\"");

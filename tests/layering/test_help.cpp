@@ -226,7 +226,7 @@ void TestHelp::theOptionsAreThoseOfTheCommandLine() {
     const QStringList analyze = optionsOf("analyze");
     QVERIFY(analyze.contains("--algorithm"));
     QStringList all = analyze + optionsOf("info") + optionsOf("simulate") + optionsOf("identify") +
-                      optionsOf("compare") +
+                      optionsOf("compare") + optionsOf("batch") +
                       QStringList{"--figure", "--windows"};  // those of the desktop program
     all.removeDuplicates();
     all.sort();

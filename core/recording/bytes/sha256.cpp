@@ -4,10 +4,26 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace vybeg {
 namespace {
+
+Error not_available(const std::string& where) {
+    return {ErrorCode::file_read_failed,
+            where,
+            {words(VYBEG_MESSAGE("Words", "SHA-256 is not available in OpenSSL"))}};
+}
+
+std::string hexadecimal(std::span<const unsigned char> digest) {
+    std::string text;
+    for (const unsigned char byte : digest) {
+        text += "0123456789abcdef"[byte >> 4];
+        text += "0123456789abcdef"[byte & 15];
+    }
+    return text;
+}
 
 // `file`: null for an empty file, which has a hash too.
 Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path& path,
@@ -37,19 +53,21 @@ Result<std::string> sha256_of(const FileBytes* file, const std::filesystem::path
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned int length = 0;
     if (!ok || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1) {
-        return Error{ErrorCode::file_read_failed,
-                     path.string(),
-                     {words(VYBEG_MESSAGE("Words", "SHA-256 is not available in OpenSSL"))}};
+        return not_available(path.string());
     }
-    std::string text;
-    for (unsigned int i = 0; i < length; ++i) {
-        text += "0123456789abcdef"[digest[i] >> 4];
-        text += "0123456789abcdef"[digest[i] & 15];
-    }
-    return text;
+    return hexadecimal(std::span(digest).first(length));
 }
 
 }  // namespace
+
+Result<std::string> text_sha256(std::string_view text) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+    unsigned int length = 0;
+    if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
+        return not_available("");
+    }
+    return hexadecimal(std::span(digest).first(length));
+}
 
 void prepare_sha256() {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace vybeg {
 
@@ -14,6 +15,9 @@ Result<std::string> file_sha256(const std::filesystem::path& path, const JobCont
 
 // The same of an open file, independent of its path.
 Result<std::string> file_sha256(const FileBytes& file, const JobControl& job);
+
+// The same of a text.
+Result<std::string> text_sha256(std::string_view text);
 
 // Loads what OpenSSL loads on first use. Call it before parallel hashing, because loading in one
 // thread while another runs out of memory may terminate the program.

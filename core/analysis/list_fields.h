@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace vybeg {
+
+// Fields of a measurement list.
+
+// The value of an option as the command line takes it: a comma in a number becomes a point. Of
+// options that take `several` values, those between semicolons: "5000,5;5600" is 5000.5,5600.
+std::string usual_option(const std::string& field, bool several);
+
+// Whether a text is a date of ISO 8601, 2026-03-31, alone or with a time: T14:05, T14:05:30.5, with
+// Z or a zone such as +03:00; a space instead of T.
+bool is_iso_date(const std::string& text);
+
+}  // namespace vybeg

@@ -1,0 +1,373 @@
+#include "core/analysis/measurement_list.h"
+
+#include "core/analysis/list_fields.h"
+#include "core/analysis/open_table.h"
+#include "core/analysis/setting_table.h"
+#include "core/base/messages.h"
+#include "core/base/number_text.h"
+#include "core/base/read_value.h"
+#include "core/base/system_reason.h"
+#include "core/recording/text/csv_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+constexpr std::array conditions{"gyro",      "date",     "bias_v", "temperature_c",
+                                "exchanged", "operator", "comment"};
+
+// Options of one fit. Their other companions belong to single recordings.
+constexpr std::array of_a_set{"model", "window",    "periods", "snap",
+                              "kappa", "tolerance", "threads"};
+
+bool is_one_of(const auto& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+template <class S>
+const SettingRow<S>* row_named(const std::vector<SettingRow<S>>& rows, const std::string& name) {
+    const auto found = std::ranges::find(rows, name, &SettingRow<S>::name);
+    return found == rows.end() ? nullptr : &*found;
+}
+
+// The placeholder of an option's value; none: there is no such option.
+std::optional<std::string> placeholder_of(const std::string& name) {
+    if (const auto* row = row_named(open_settings(), name)) {
+        return row->placeholder;
+    }
+    if (const auto* row = row_named(identify_settings(), name)) {
+        return row->placeholder;
+    }
+    const auto* row = row_named(analysis_settings(), name);
+    return row != nullptr ? std::optional(row->placeholder) : std::nullopt;
+}
+
+class Reader {
+public:
+    Reader(const std::filesystem::path& path, const ListDefaults& defaults)
+        : path_(path), defaults_(defaults) {}
+
+    Result<MeasurementList> read() {
+        Result<CsvRows> table = read_csv(path_, "file");
+        if (!table) {
+            return table.error();
+        }
+        table_ = std::move(*table);
+        for (const auto step : {&Reader::name_columns, &Reader::make_numbers_usual,
+                                &Reader::group_sets, &Reader::read_sets}) {
+            if (const Status done = (this->*step)(); !done) {
+                return done.error();
+            }
+        }
+        return std::move(list_);
+    }
+
+private:
+    Error invalid(std::int64_t line, const std::string& column, MessageArg reason) const {
+        return {
+            ErrorCode::list_invalid, path_.string(), {count_arg(line), column, std::move(reason)}};
+    }
+
+    // The fault of an option's value, at its place in the list.
+    Error refused(std::int64_t line, const Error& error) const {
+        const std::string column = english(error.args.at(0)).substr(2);  // without the dashes
+        return invalid(line, column,
+                       words(VYBEG_MESSAGE("Words", "\"%1\" is not possible: %2"),
+                             {error.args.at(1), error.args.at(2)}));
+    }
+
+    Status name_columns() {
+        for (std::size_t k = 0; k < table_.names.size(); ++k) {
+            const std::string& name = table_.names[k];
+            if (name.starts_with("--") && placeholder_of(name.substr(2))) {
+                return invalid(1, name,
+                               words(VYBEG_MESSAGE("Words", "an option has no dashes here")));
+            }
+            columns_[name] = k;
+            if (is_idle(name)) {
+                list_.warnings.push_back({DiagnosticKind::option_without_effect,
+                                          {"--" + name, "an identification does not use it"}});
+            }
+            if (!name.empty() && name != "file" && name != "set" && !is_one_of(conditions, name) &&
+                !placeholder_of(name)) {
+                list_.other_columns.push_back(name);
+            }
+        }
+        if (table_.rows.empty()) {
+            return invalid(1, "file",
+                           words(VYBEG_MESSAGE("Words", "no row names a recording below it")));
+        }
+        return {};
+    }
+
+    // An option of analyze alone.
+    static bool is_idle(const std::string& name) {
+        return row_named(analysis_settings(), name) != nullptr &&
+               row_named(identify_settings(), name) == nullptr;
+    }
+
+    Status make_numbers_usual() {
+        for (const auto& [name, column] : columns_) {
+            std::optional<std::string> placeholder = placeholder_of(name);
+            if (name == "bias_v" || name == "temperature_c") {
+                placeholder = "X";
+            }
+            for (CsvRow& row : table_.rows) {
+                if (placeholder) {
+                    std::string& field = row.fields[column];
+                    field = usual_option(field, placeholder->find(',') != std::string::npos);
+                }
+            }
+        }
+        return {};
+    }
+
+    const std::string& field(const CsvRow& row, const std::string& column) const {
+        static const std::string none;
+        const auto found = columns_.find(column);
+        return found == columns_.end() ? none : row.fields[found->second];
+    }
+
+    // Rows without the name of a set are sets of their own, named by the file.
+    Status group_sets() {
+        std::map<std::string, std::size_t> places;
+        std::set<std::string> taken;
+        for (const CsvRow& row : table_.rows) {
+            taken.insert(field(row, "set"));
+        }
+        for (const CsvRow& row : table_.rows) {
+            std::string name = field(row, "set");
+            if (name.empty()) {
+                name = field(row, "file");
+                if (!taken.insert(name).second) {
+                    name += " (" + integer_text(row.line) + ")";
+                }
+            }
+            const auto [place, is_new] = places.emplace(name, rows_.size());
+            if (is_new) {
+                list_.sets.push_back({name, {}, defaults_.settings});
+                rows_.emplace_back();
+            }
+            rows_[place->second].push_back(&row);
+        }
+        return {};
+    }
+
+    Status read_sets() {
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            if (Status shared = share_options(rows_[k]); !shared) {
+                return shared;
+            }
+            std::vector<SignalSettings> signals;
+            for (const CsvRow* row : rows_[k]) {
+                Result<IdentifySettings> settings = read_row(*row, list_.sets[k]);
+                if (!settings) {
+                    return settings.error();
+                }
+                signals.push_back(settings->signal);
+                list_.sets[k].settings = std::move(*settings);
+            }
+            IdentifySettings& settings = list_.sets[k].settings;
+            settings.signal = signals.front();
+            if (std::ranges::any_of(signals, [&](const auto& s) { return s != settings.signal; })) {
+                settings.of_recordings = std::move(signals);
+            }
+        }
+        return {};
+    }
+
+    // Gives every row of a set the options that hold for all of it.
+    Status share_options(const std::vector<const CsvRow*>& rows) {
+        for (const char* name : of_a_set) {
+            const CsvRow* told = nullptr;
+            for (const CsvRow* row : rows) {
+                const std::string& text = field(*row, name);
+                if (text.empty()) {
+                    continue;
+                }
+                if (told != nullptr && field(*told, name) != text) {
+                    return invalid(
+                        row->line, name,
+                        words(VYBEG_MESSAGE("Words",
+                                            "\"%1\" differs from \"%2\" in line %3, and one value "
+                                            "holds for all recordings of a set"),
+                              {text, field(*told, name), count_arg(told->line)}));
+                }
+                told = told == nullptr ? row : told;
+            }
+            shared_[name] = told == nullptr ? "" : field(*told, name);
+        }
+        return {};
+    }
+
+    const std::string& option(const CsvRow& row, const std::string& name) const {
+        const auto found = shared_.find(name);
+        return found == shared_.end() ? field(row, name) : found->second;
+    }
+
+    // Reads the options of a row that a table has.
+    template <class S>
+    Status read_options(const std::vector<SettingRow<S>>& table, const CsvRow& row,
+                        S& settings) const {
+        for (const SettingRow<S>& each : table) {
+            const std::string& text = option(row, each.name);
+            if (text.empty()) {
+                continue;
+            }
+            Status taken = each.read(text, settings);
+            taken = taken ? each.check(settings) : taken;
+            if (!taken) {
+                return refused(row.line, taken.error());
+            }
+        }
+        return {};
+    }
+
+    Result<IdentifySettings> read_row(const CsvRow& row, MeasurementSet& set) const {
+        ListedRecording recording{field(row, "file"), {}, defaults_.open, {}, {}};
+        if (recording.file.empty()) {
+            return invalid(row.line, "file", words(VYBEG_MESSAGE("Words", "no file is named")));
+        }
+        recording.path = path_.parent_path() / recording.file;
+        Status read = read_options(open_settings(), row, recording.open);
+        if (read) {
+            const Status together = check_options(recording.open);
+            read = together ? together : refused(row.line, together.error());
+        }
+        IdentifySettings settings = defaults_.settings;
+        if (!option(row, "window").empty() && !option(row, "periods").empty()) {
+            read = invalid(row.line, "periods",
+                           words(VYBEG_MESSAGE("Words", "the window is given in samples, too")));
+        } else if (!option(row, "window").empty()) {
+            settings.windows.periods.reset();  // of the command line
+        }
+        read = read ? read_options(identify_settings(), row, settings) : read;
+        // Options without effect are checked, too.
+        for (const SettingRow<Settings>& each : analysis_settings()) {
+            const std::string& text = field(row, each.name);
+            Settings idle;
+            if (read && is_idle(each.name) && !text.empty()) {
+                read = each.read(text, idle);
+                read = read ? each.check(idle) : read;
+                read = read ? read : refused(row.line, read.error());
+            }
+        }
+        read = read ? read_conditions(row, recording.conditions) : read;
+        if (!read) {
+            return read.error();
+        }
+        for (const std::string& column : list_.other_columns) {
+            recording.others.push_back(field(row, column));
+        }
+        set.recordings.push_back(std::move(recording));
+        return settings;
+    }
+
+    Status read_conditions(const CsvRow& row, Conditions& told) const {
+        told.gyro = field(row, "gyro");
+        told.operator_name = field(row, "operator");
+        told.comment = field(row, "comment");
+        told.date = field(row, "date");
+        if (!told.date.empty() && !is_iso_date(told.date)) {
+            return invalid(row.line, "date",
+                           words(VYBEG_MESSAGE("Words",
+                                               "\"%1\" is no date as in 2026-03-31, with "
+                                               "or without a time as in T14:05"),
+                                 {told.date}));
+        }
+        for (const auto& [column, value] :
+             {std::pair{"bias_v", &told.bias_v}, std::pair{"temperature_c", &told.temperature_c}}) {
+            const std::string& text = field(row, column);
+            const Result<double> number = read_number(column, text.empty() ? "0" : text);
+            if (!number) {
+                return invalid(row.line, column,
+                               words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {text}));
+            }
+            *value = text.empty() ? std::nullopt : std::optional(*number);
+        }
+        const std::string& exchanged = field(row, "exchanged");
+        told.exchanged = exchanged == "yes";
+        if (!exchanged.empty() && exchanged != "yes" && exchanged != "no") {
+            return invalid(
+                row.line, "exchanged",
+                words(VYBEG_MESSAGE("Words", "\"%1\" is neither yes nor no"), {exchanged}));
+        }
+        return {};
+    }
+
+    const std::filesystem::path& path_;
+    const ListDefaults& defaults_;
+    CsvRows table_;
+    std::map<std::string, std::size_t> columns_;
+    std::vector<std::vector<const CsvRow*>> rows_;  // of each set
+    std::map<std::string, std::string> shared_;     // options of the set that is read
+    MeasurementList list_;
+};
+
+}  // namespace
+
+Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
+                                              const ListDefaults& defaults) {
+    return Reader(path, defaults).read();
+}
+
+Result<MeasurementList> list_of_folder(
+    const std::filesystem::path& folder, const ListDefaults& defaults,
+    const std::function<bool(const std::filesystem::path&)>& left_out) {
+    std::error_code failed;
+    std::filesystem::directory_iterator entries(folder, failed);
+    std::vector<std::filesystem::path> files;
+    for (; !failed && entries != std::filesystem::directory_iterator(); entries.increment(failed)) {
+        const std::filesystem::path& path = entries->path();
+        std::error_code unknown;
+        if (entries->is_regular_file(unknown) && !path.filename().string().starts_with('.') &&
+            !left_out(path)) {
+            files.push_back(path);
+        }
+    }
+    if (failed) {
+        return Error{ErrorCode::file_read_failed, folder.string(), {system_reason(failed.value())}};
+    }
+    std::ranges::sort(files);
+    MeasurementList list;
+    for (const std::filesystem::path& path : files) {
+        const std::string name = path.filename().string();
+        list.sets.push_back({name, {{name, path, defaults.open, {}, {}}}, defaults.settings});
+    }
+    return list;
+}
+
+Status check_conditions(const MeasurementSet& set) {
+    struct Condition {
+        MessageArg name;
+        std::string (*text)(const Conditions&);  // empty: unknown
+    };
+    const std::array checked{
+        Condition{words(VYBEG_MESSAGE("Words", "the gyro")),
+                  [](const Conditions& c) { return c.gyro; }},
+        Condition{words(VYBEG_MESSAGE("Words", "the bias voltage")),
+                  [](const Conditions& c) {
+                      return c.bias_v ? round_trip_text(*c.bias_v) + " V" : std::string();
+                  }},
+        Condition{words(VYBEG_MESSAGE("Words", "the exchange of the amplifiers")),
+                  [](const Conditions& c) { return std::string(c.exchanged ? "yes" : "no"); }}};
+    for (const Condition& condition : checked) {
+        std::string told;
+        for (const ListedRecording& recording : set.recordings) {
+            const std::string text = condition.text(recording.conditions);
+            if (!told.empty() && !text.empty() && text != told) {
+                return Error{ErrorCode::conditions_differ, set.name, {condition.name, told, text}};
+            }
+            told = told.empty() ? text : told;
+        }
+    }
+    return {};
+}
+
+}  // namespace vybeg

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/analysis/identify_settings.h"
+#include "core/base/diagnostic.h"
+#include "core/base/result.h"
+#include "core/recording/samples/open_options.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// Conditions of one recording; empty where the list has none.
+struct Conditions {
+    std::string gyro;
+    std::string date;  // ISO 8601
+    std::optional<double> bias_v;
+    std::optional<double> temperature_c;
+    bool exchanged = false;  // pick-off C on amplifier 2
+    std::string operator_name;
+    std::string comment;
+};
+
+struct ListedRecording {
+    std::string file;  // as the list names it
+    std::filesystem::path path;
+    OpenOptions open;
+    Conditions conditions;
+    std::vector<std::string> others;  // fields of the unknown columns
+};
+
+// Recordings of one resonator, in the order of the list.
+struct MeasurementSet {
+    std::string name;
+    std::vector<ListedRecording> recordings;
+    IdentifySettings settings;
+};
+
+struct MeasurementList {
+    std::vector<std::string> other_columns;  // unknown ones
+    std::vector<MeasurementSet> sets;        // by their first recordings
+    std::vector<Diagnostic> warnings;        // columns without effect on an identification
+};
+
+// Values for every recording whose row does not give them.
+struct ListDefaults {
+    OpenOptions open;
+    IdentifySettings settings;
+};
+
+// Reads a measurement list (INTERFACE.md): a row for each recording, whose file is relative to the
+// list. A column named as an option of `analyze` or `identify` is that option; empty fields leave
+// the default. Window, model, tolerance, threads and gain ratio hold for the whole set: one row
+// suffices. In numbers a comma is a decimal sign; in lists of numbers with semicolons, too. Checks
+// all that can be checked without the recordings. Errors: those of read_csv(); list_invalid.
+Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
+                                              const ListDefaults& defaults);
+
+// Every regular file of a folder as a set of its own, by name; without hidden files and those of
+// which `left_out` is true. Errors: file_read_failed.
+Result<MeasurementList> list_of_folder(
+    const std::filesystem::path& folder, const ListDefaults& defaults,
+    const std::function<bool(const std::filesystem::path&)>& left_out);
+
+// Whether the recordings of a set have the same conditions, as far as the fit assumes it: gyro,
+// bias voltage, exchange of the amplifiers. Errors: conditions_differ.
+Status check_conditions(const MeasurementSet& set);
+
+}  // namespace vybeg

@@ -1,0 +1,234 @@
+#include "core/analysis/open_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg {
+namespace {
+
+using Row = SettingRow<OpenOptions>;
+
+// Row of an option whose reader gets the option's name, dashes included.
+template <class Read>
+Row row(const char* name, const char* placeholder, const char* help, Read read) {
+    Row made{name, placeholder, help};
+    made.read = [option = made.option(), read](const std::string& text, OpenOptions& options) {
+        return Status(read(option, text, options));
+    };
+    return made;
+}
+
+// A whole number from `least` on that fits into an int.
+Result<int> small_whole(const std::string& option, const std::string& text, int least,
+                        const std::string& allowed) {
+    const Result<std::int64_t> number = read_whole(option, text);
+    if (!number) {
+        return number.error();
+    }
+    if (*number < least || *number > std::numeric_limits<int>::max()) {
+        return refused_value(option, text, allowed);
+    }
+    return static_cast<int>(*number);
+}
+
+bool is_channel(double number) {
+    return number >= 1 && number <= std::numeric_limits<int>::max() && number == std::floor(number);
+}
+
+Status read_rate(const std::string& option, const std::string& text, OpenOptions& options) {
+    const Result<double> rate = read_number(option, text);
+    if (!rate) {
+        return rate.error();
+    }
+    options.rate_hz = *rate;
+    return {};
+}
+
+Status read_channels(const std::string& option, const std::string& text, OpenOptions& options) {
+    const std::string allowed = "it must be two channel numbers from 1, as in 1,2";
+    const auto pair = read_numbers(option, text, 2, allowed);
+    if (!pair) {
+        return pair.error();
+    }
+    if (!is_channel((*pair)[0]) || !is_channel((*pair)[1])) {
+        return refused_value(option, text, allowed);
+    }
+    options.channel_c = static_cast<int>((*pair)[0]);
+    options.channel_d = static_cast<int>((*pair)[1]);
+    return {};
+}
+
+// The names between the commas, of which only the middle one of three may be empty.
+Status read_variables(const std::string& option, const std::string& text, OpenOptions& options) {
+    std::vector<std::string> names;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        names.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    if (names.size() > 3 || names.front().empty() || names.back().empty()) {
+        return refused_value(option, text,
+                             "it is one to three names with commas, as in C,D,fs or XY,,fs");
+    }
+    options.variables = std::move(names);
+    return {};
+}
+
+Status read_raw(const std::string& option, const std::string& text, OpenOptions& options) {
+    constexpr std::array types{std::pair{"i16", RawType::i16}, std::pair{"i32", RawType::i32},
+                               std::pair{"f32", RawType::f32}, std::pair{"f64", RawType::f64}};
+    RawLayout layout;
+    std::string type = text;
+    if (const std::size_t colon = text.find(':'); colon != std::string::npos) {
+        const std::string order = text.substr(colon + 1);
+        layout.big_endian = order == "be";
+        type = order == "be" || order == "le" ? text.substr(0, colon) : text;
+    }
+    const auto* const found = std::ranges::find(types, type, [](const auto& t) { return t.first; });
+    if (found == types.end()) {
+        return refused_value(option, text, "it is i16, i32, f32 or f64, with :be for big-endian");
+    }
+    layout.type = found->second;
+    options.raw = layout;
+    return {};
+}
+
+Status read_raw_channels(const std::string& option, const std::string& text, OpenOptions& options) {
+    if (!options.raw) {
+        return refused_value(option, text, "it needs --raw");
+    }
+    const Result<int> channels = small_whole(option, text, 1, "it must be at least 1");
+    if (!channels) {
+        return channels.error();
+    }
+    options.raw->channels = *channels;
+    return {};
+}
+
+Status read_skip(const std::string& option, const std::string& text, OpenOptions& options) {
+    if (!options.raw) {
+        return refused_value(option, text, "it needs --raw");
+    }
+    const Result<std::int64_t> bytes = read_whole(option, text);
+    if (!bytes) {
+        return bytes.error();
+    }
+    if (*bytes < 0) {
+        return refused_value(option, text, "it cannot be negative");
+    }
+    options.raw->skip_bytes = *bytes;
+    return {};
+}
+
+// Row of an option of text files. `read` returns the fault of a value, or none.
+template <class Read>
+Row text_row(const char* name, const char* placeholder, const char* help, Read read) {
+    return row(
+        name, placeholder, help,
+        [read](const std::string& option, const std::string& text, OpenOptions& options) -> Status {
+            if (options.raw) {
+                return refused_value(option, text, "it is for text, and --raw reads no text");
+            }
+            TextChoice choice = options.text.value_or(TextChoice{});
+            if (Status done = read(option, text, choice); !done) {
+                return done;
+            }
+            options.text = choice;
+            return {};
+        });
+}
+
+Status read_delimiter(const std::string& option, const std::string& text, TextChoice& choice) {
+    choice.delimiter = delimiter_from_name(text);
+    return choice.delimiter
+               ? Status()
+               : refused_value(option, text, "it is comma, semicolon, tab, space or bar");
+}
+
+Status read_decimal(const std::string& option, const std::string& text, TextChoice& choice) {
+    choice.decimal_comma = text == "comma";
+    return text == "point" || text == "comma" ? Status()
+                                              : refused_value(option, text, "it is point or comma");
+}
+
+Status read_skip_lines(const std::string& option, const std::string& text, TextChoice& choice) {
+    const Result<std::int64_t> lines = read_whole(option, text);
+    if (!lines) {
+        return lines.error();
+    }
+    choice.lines_to_skip = *lines;
+    return {};
+}
+
+Status read_time_column(const std::string& option, const std::string& text, TextChoice& choice) {
+    const Result<int> column =
+        text == "none"
+            ? 0
+            : small_whole(option, text, 1, "it is the number of a column, from 1, or none");
+    if (!column) {
+        return column.error();
+    }
+    choice.time_column = *column;
+    return {};
+}
+
+Status read_time_unit(const std::string& option, const std::string& text, TextChoice& choice) {
+    choice.time_unit_s = time_unit_from_name(text);
+    return choice.time_unit_s ? Status() : refused_value(option, text, "it is s, ms, us or ns");
+}
+
+Status read_scale(const std::string& option, const std::string& text, OpenOptions& options) {
+    const Result<double> scale = read_number(option, text);
+    if (!scale) {
+        return scale.error();
+    }
+    if (options.raw) {
+        options.raw->scale = *scale;
+    } else {
+        TextChoice& choice = options.text ? *options.text : options.text.emplace();
+        choice.scale = *scale;
+    }
+    return {};
+}
+
+Status read_unit(const std::string& /*option*/, const std::string& text, OpenOptions& options) {
+    options.unit = text;
+    return {};
+}
+
+}  // namespace
+
+const std::vector<SettingRow<OpenOptions>>& open_settings() {
+    static const std::vector<Row> rows{
+        row("rate", "HZ", "Sample rate where the file has none, Hz", read_rate),
+        row("channels", "I,J",
+            "Which two channels or columns are C and D, from 1; a time column does not count "
+            "(default 1,2)",
+            read_channels),
+        row("variables", "C,D[,RATE]",
+            "Names of the variables of a MAT, HDF5 or NPZ file that hold C and D, and the rate; D "
+            "is left out where one holds both: XY or XY,,RATE",
+            read_variables),
+        row("raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]", read_raw),
+        row("raw-channels", "N", "Channels of --raw (default 2)", read_raw_channels),
+        row("skip", "BYTES", "Bytes before the first sample of --raw (default 0)", read_skip),
+        text_row("delimiter", "NAME",
+                 "Between the columns of a text file: comma, semicolon, tab, space or bar "
+                 "(default: guessed, as is all that follows)",
+                 read_delimiter),
+        text_row("decimal", "SIGN", "Decimal sign of a text file: point or comma", read_decimal),
+        text_row("skip-lines", "N", "Lines of a text file above its first row of numbers",
+                 read_skip_lines),
+        text_row("time-column", "N|none",
+                 "Column of a text file that is the time, from 1; none: every column is a channel",
+                 read_time_column),
+        text_row("time-unit", "UNIT", "Unit of the time column: s, ms, us or ns", read_time_unit),
+        row("scale", "X",
+            "Recording units per count of --raw, or per unit of a text file (default 1)",
+            read_scale),
+        row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)", read_unit),
+    };
+    return rows;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/analysis/identify.h"
+#include "core/analysis/measurement_list.h"
+#include "core/base/error.h"
+#include "core/output/identify_json.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// The table of a batch, RESULTS.csv of INTERFACE.md, line by line without line feeds.
+
+// "# " lines and the line of names, for a list with these unknown columns. An unknown column whose
+// name is one of the table's has "list_" before it.
+std::string batch_head(std::span<const std::string> header,
+                       std::span<const std::string> other_columns);
+
+// The row of a set that has no result.
+std::string batch_row(const MeasurementSet& set, const Error& error);
+
+// The row of a set; `comparison`: with its gyro's passport, null: there is none.
+std::string batch_row(const MeasurementSet& set, const Identification& found,
+                      const PassportComparison* comparison);
+
+// The first gyro that a recording of the set names; empty: none.
+std::string gyro_of(const MeasurementSet& set);
+
+}  // namespace vybeg

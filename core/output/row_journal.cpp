@@ -1,0 +1,211 @@
+#include "core/output/row_journal.h"
+
+#include "core/base/system_reason.h"
+#include "core/recording/bytes/sha256.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// The first line. Another one means another file, which is not to be lost.
+constexpr std::string_view head = "# rows of an unfinished vybeg batch, 1\n";
+constexpr std::size_t hash_digits = 16;
+constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
+
+// A line of the file: the hash of the rest, the key, the row.
+Result<std::string> line_of(const std::string& key, std::string_view row) {
+    const std::string rest = key + " " + std::string(row);
+    Result<std::string> hash = text_sha256(rest);
+    return hash ? hash->substr(0, hash_digits) + " " + rest + "\n" : hash;
+}
+
+// The name of a new file outlives a loss of power once its folder is on the disk, too. Some file
+// systems refuse this, and keep the name anyway.
+void keep_name(const std::filesystem::path& path) {
+    const std::filesystem::path folder = path.parent_path();
+    const int descriptor =
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        fsync(descriptor);
+        close(descriptor);
+    }
+}
+
+}  // namespace
+
+Result<RowJournal> RowJournal::open(const std::filesystem::path& path, bool resume) {
+    RowJournal journal(path);
+    if (path.empty()) {
+        journal.descriptor_ = memfd_create("rows", MFD_CLOEXEC);
+        return journal.descriptor_ >= 0 ? Result(std::move(journal)) : journal.failed(errno);
+    }
+    for (;;) {
+        journal.descriptor_ =
+            ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+        if (journal.descriptor_ < 0) {
+            return journal.failed(errno);
+        }
+        // A file system without locks lets two processes pass, as it does elsewhere.
+        if (flock(journal.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            return Error{ErrorCode::output_failed,
+                         path.string(),
+                         {words(VYBEG_MESSAGE("Words", "another program is writing it"))}};
+        }
+        struct stat status {};
+        if (fstat(journal.descriptor_, &status) == 0 && status.st_nlink > 0) {
+            break;
+        }
+        close(journal.descriptor_);  // removed by its owner before it was locked
+        journal.descriptor_ = -1;
+    }
+    const Status begun = journal.begin(resume);
+    return begun ? Result(std::move(journal)) : begun.error();
+}
+
+RowJournal::RowJournal(RowJournal&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      end_(other.end_),
+      rows_(std::move(other.rows_)) {}
+
+RowJournal::~RowJournal() {
+    if (descriptor_ >= 0) {
+        close(descriptor_);
+    }
+}
+
+Status RowJournal::begin(bool resume) {
+    const Result<std::string> first = read(0, head.size());
+    if (!first) {
+        return first.error();
+    }
+    // A part of the first line is that of a run that ended while it wrote it.
+    if (!head.starts_with(*first)) {
+        return Error{ErrorCode::output_failed,
+                     path_.string(),
+                     {words(VYBEG_MESSAGE("Words", "it is another kind of file"))}};
+    }
+    if (resume && *first == head) {
+        return find_rows();
+    }
+    if (ftruncate(descriptor_, 0) != 0) {
+        return failed(errno);
+    }
+    Status written = write(head);
+    if (written) {
+        keep_name(path_);
+    } else {
+        remove();
+    }
+    return written;
+}
+
+Status RowJournal::find_rows() {
+    end_ = static_cast<std::int64_t>(head.size());
+    std::string left;
+    for (;;) {
+        const Result<std::string> chunk =
+            read(end_ + static_cast<std::int64_t>(left.size()), chunk_bytes);
+        if (!chunk) {
+            return chunk.error();
+        }
+        left += *chunk;
+        for (std::size_t feed = left.find('\n'); feed != std::string::npos;
+             feed = left.find('\n')) {
+            const std::string line = left.substr(0, feed + 1);
+            const std::size_t key_end = line.find(' ', hash_digits + 1);
+            if (line.size() > hash_digits && key_end != std::string::npos) {
+                const std::string key = line.substr(hash_digits + 1, key_end - hash_digits - 1);
+                const std::string row = line.substr(key_end + 1, feed - key_end - 1);
+                const Result<std::string> whole = line_of(key, row);
+                if (!whole) {
+                    return whole.error();
+                }
+                if (*whole == line) {
+                    rows_[key] = {end_ + static_cast<std::int64_t>(key_end) + 1, row.size()};
+                }
+            }
+            end_ += static_cast<std::int64_t>(line.size());
+            left.erase(0, line.size());
+        }
+        if (chunk->empty()) {
+            // Otherwise the next row would continue a half one.
+            return ftruncate(descriptor_, end_) == 0 ? Status() : failed(errno);
+        }
+    }
+}
+
+Result<std::string> RowJournal::read(std::int64_t offset, std::size_t size) const {
+    std::string text(size, '\0');
+    std::size_t at = 0;
+    while (at < size) {
+        const ssize_t got = pread(descriptor_, text.data() + at, size - at,
+                                  static_cast<off_t>(offset) + static_cast<off_t>(at));
+        if (got < 0 && errno != EINTR) {
+            return Error{ErrorCode::file_read_failed, path_.string(), {system_reason(errno)}};
+        }
+        if (got == 0) {
+            break;
+        }
+        at += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+    }
+    text.resize(at);
+    return text;
+}
+
+Result<std::string> RowJournal::row(const std::string& key) const {
+    const Place& place = rows_.at(key);
+    return read(place.offset, place.size);
+}
+
+Status RowJournal::append(const std::string& key, std::string_view row) {
+    const Result<std::string> line = line_of(key, row);
+    if (!line) {
+        return line.error();
+    }
+    const auto offset = end_ + static_cast<std::int64_t>(line->size() - row.size()) - 1;
+    const Status written = write(*line);
+    if (written) {
+        rows_[key] = {offset, row.size()};
+    }
+    return written;
+}
+
+Status RowJournal::write(std::string_view bytes) {
+    for (std::size_t at = 0; at < bytes.size();) {
+        const ssize_t written = pwrite(descriptor_, bytes.data() + at, bytes.size() - at,
+                                       static_cast<off_t>(end_) + static_cast<off_t>(at));
+        if (written < 0 && errno != EINTR) {
+            const Error error = failed(errno);
+            // Half a row goes; where even that fails, its hash tells.
+            [[maybe_unused]] const int cut = ftruncate(descriptor_, end_);
+            return error;
+        }
+        at += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+    }
+    if (fdatasync(descriptor_) != 0) {
+        return failed(errno);
+    }
+    end_ += static_cast<std::int64_t>(bytes.size());
+    return {};
+}
+
+void RowJournal::remove() noexcept {
+    if (!path_.empty()) {
+        unlink(path_.c_str());
+    }
+}
+
+Error RowJournal::failed(int error) const {
+    return {ErrorCode::output_failed, path_.string(), {system_reason(error)}};
+}
+
+}  // namespace vybeg

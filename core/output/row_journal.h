@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace vybeg {
+
+// Finished rows of a table whose computation takes long, in a file beside it. Each row is on the
+// disk when append() returns; a later run reads the rows and computes only those that are missing.
+// A row that was half written when the program or the system ended does not count: each has its
+// own hash, and bytes after the last line feed are cut off. Not for two threads at once.
+class RowJournal {
+public:
+    // Opens the file, makes it if there is none, and locks it until this object goes. `resume`:
+    // keeps the rows found; otherwise begins without rows. An empty path: a file without a name,
+    // for rows of this run only. Errors: output_failed, also while another process holds the file
+    // and where another kind of file has this name; file_read_failed.
+    static Result<RowJournal> open(const std::filesystem::path& path, bool resume);
+
+    RowJournal(RowJournal&& other) noexcept;
+    RowJournal& operator=(RowJournal&&) = delete;
+    ~RowJournal();
+
+    // `key` names the row and all that it depends on, in one line without spaces.
+    bool has(const std::string& key) const { return rows_.contains(key); }
+    // Precondition: has(key). Errors: file_read_failed.
+    Result<std::string> row(const std::string& key) const;
+    // `row`: one line without its line feed. An error leaves the rows before. Errors:
+    // output_failed.
+    Status append(const std::string& key, std::string_view row);
+
+    // Removes the file: the rows are in their table, or there are none.
+    void remove() noexcept;
+
+private:
+    struct Place {
+        std::int64_t offset = 0;
+        std::size_t size = 0;
+    };
+
+    explicit RowJournal(std::filesystem::path path) : path_(std::move(path)) {}
+    Status begin(bool resume);
+    Status find_rows();
+    Status write(std::string_view bytes);
+    Result<std::string> read(std::int64_t offset, std::size_t size) const;
+    Error failed(int error) const;
+
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+    std::int64_t end_ = 0;
+    std::map<std::string, Place> rows_;
+};
+
+}  // namespace vybeg

@@ -1,0 +1,227 @@
+#include "core/recording/text/csv_rows.h"
+
+#include "core/base/number_text.h"
+#include "core/recording/bytes/file_bytes.h"
+#include "core/recording/bytes/text_encoding.h"
+#include "core/recording/samples/text_fields.h"
+#include "core/recording/text/text_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Bytes of the longest row of several lines: a quote that never closes ends there.
+constexpr std::size_t longest_row = std::size_t{1} << 16;
+
+enum class Fault { none, quote_open, text_after_quote };
+
+// The fields of a row. A quote that is open at the end of `text` may close in the next line.
+struct SplitRow {
+    std::vector<std::string> fields;
+    Fault fault = Fault::none;  // of the last field
+};
+
+// The end of a quoted field: the place of its closing quote, or npos.
+std::size_t closing_quote(const std::string& text, std::size_t at) {
+    for (at = text.find('"', at); at != std::string::npos; at = text.find('"', at + 2)) {
+        if (at + 1 >= text.size() || text[at + 1] != '"') {
+            break;
+        }
+    }
+    return at;
+}
+
+std::string without_doubled_quotes(std::string text) {
+    for (std::size_t at = text.find("\"\""); at != std::string::npos;
+         at = text.find("\"\"", at + 1)) {
+        text.erase(at, 1);
+    }
+    return text;
+}
+
+SplitRow split_row(const std::string& text, char separator) {
+    SplitRow row;
+    for (std::size_t at = 0;; ++at) {
+        const std::size_t begin = std::min(text.find_first_not_of(" \t", at), text.size());
+        if (begin == text.size() || text[begin] != '"') {
+            const std::size_t end = std::min(text.find(separator, at), text.size());
+            row.fields.emplace_back(trimmed(std::string_view(text).substr(at, end - at)));
+            at = end;
+        } else {
+            const std::size_t quote = closing_quote(text, begin + 1);
+            row.fields.push_back(without_doubled_quotes(text.substr(begin + 1, quote - begin - 1)));
+            if (quote == std::string::npos) {
+                row.fault = Fault::quote_open;
+                return row;
+            }
+            at = std::min(text.find_first_not_of(" \t", quote + 1), text.size());
+            if (at < text.size() && text[at] != separator) {
+                row.fault = Fault::text_after_quote;
+                return row;
+            }
+        }
+        if (at == text.size()) {
+            return row;
+        }
+    }
+}
+
+// The rows of a file one after the other, as texts that may span several lines.
+class RowTexts {
+public:
+    explicit RowTexts(std::shared_ptr<const FileBytes> file) : lines_(std::move(file)) {}
+
+    // Reads the next row, which goes on in further lines until its quotes close for `separator`;
+    // false at the end of the file.
+    Result<bool> next(char separator) {
+        text_.clear();
+        Result<bool> more = append_line();
+        line_ = lines_.number();
+        while (more && *more && split_row(text_, separator).fault == Fault::quote_open) {
+            text_ += '\n';
+            more = append_line();
+            if (more && (!*more || text_.size() > longest_row)) {
+                return true;  // with its open quote, which the caller finds
+            }
+        }
+        return more;
+    }
+
+    const std::string& text() const { return text_; }
+    std::int64_t begun_at() const { return line_; }
+
+private:
+    Result<bool> append_line() {
+        const auto found = lines_.next();
+        if (!found) {
+            return found.error();
+        }
+        text_ += *found ? to_utf8(**found) : "";
+        return found->has_value();
+    }
+
+    TextLines lines_;
+    std::string text_;
+    std::int64_t line_ = 0;
+};
+
+bool has_name(const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+class Reader {
+public:
+    Reader(std::shared_ptr<const FileBytes> file, std::string name)
+        : rows_(std::move(file)), name_(std::move(name)) {}
+
+    Result<CsvRows> read(const std::string& needed) {
+        if (const Status named = read_names(needed); !named) {
+            return named.error();
+        }
+        for (;;) {
+            const Result<bool> more = rows_.next(separator_);
+            if (!more) {
+                return more.error();
+            }
+            if (!*more) {
+                return std::move(table_);
+            }
+            if (const Status added = add_row(); !added) {
+                return added.error();
+            }
+        }
+    }
+
+private:
+    Status read_names(const std::string& needed) {
+        // The separator follows from the names, which hold no line end in either case.
+        const Result<bool> more = rows_.next(',');
+        if (!more) {
+            return more.error();
+        }
+        const std::vector<std::string> by_comma = split_row(rows_.text(), ',').fields;
+        const std::vector<std::string> by_semicolon = split_row(rows_.text(), ';').fields;
+        const bool semicolons =
+            has_name(by_semicolon, needed) &&
+            (!has_name(by_comma, needed) || by_semicolon.size() > by_comma.size());
+        separator_ = semicolons ? ';' : ',';
+        const SplitRow names = split_row(rows_.text(), separator_);
+        if (!has_name(names.fields, needed)) {
+            return invalid(1, needed, words(VYBEG_MESSAGE("Words", "the list needs this column")));
+        }
+        for (const std::string& name : names.fields) {
+            if (!name.empty() && std::ranges::count(names.fields, name) > 1) {
+                return invalid(1, name,
+                               words(VYBEG_MESSAGE("Words", "two columns have this name")));
+            }
+        }
+        table_.names = names.fields;
+        return checked(names);
+    }
+
+    Status add_row() {
+        SplitRow row = split_row(rows_.text(), separator_);
+        if (Status sound = checked(row); !sound) {
+            return sound;
+        }
+        const auto is_text = [](const std::string& field) { return !field.empty(); };
+        if (std::ranges::none_of(row.fields, is_text)) {
+            return {};
+        }
+        for (std::size_t k = 0; k < row.fields.size(); ++k) {
+            if (!row.fields[k].empty() && (k >= table_.names.size() || table_.names[k].empty())) {
+                return invalid(
+                    rows_.begun_at(), column(k),
+                    words(VYBEG_MESSAGE("Words", "\"%1\" stands below no name"), {row.fields[k]}));
+            }
+        }
+        row.fields.resize(table_.names.size());
+        table_.rows.push_back({rows_.begun_at(), std::move(row.fields)});
+        return {};
+    }
+
+    // No error but that of a quote.
+    Status checked(const SplitRow& row) const {
+        const std::string at = column(row.fields.size() - 1);
+        switch (row.fault) {
+            case Fault::none: break;
+            case Fault::quote_open:
+                return invalid(rows_.begun_at(), at,
+                               words(VYBEG_MESSAGE("Words", "its quotation mark does not close")));
+            case Fault::text_after_quote:
+                return invalid(
+                    rows_.begun_at(), at,
+                    words(VYBEG_MESSAGE("Words", "text follows its closing quotation mark")));
+        }
+        return {};
+    }
+
+    // The name of a column, or its number.
+    std::string column(std::size_t k) const {
+        const bool named = k < table_.names.size() && !table_.names[k].empty();
+        return named ? table_.names[k] : integer_text(static_cast<std::int64_t>(k) + 1);
+    }
+
+    Error invalid(std::int64_t line, const std::string& at, MessageArg reason) const {
+        return {ErrorCode::list_invalid, name_, {count_arg(line), at, std::move(reason)}};
+    }
+
+    RowTexts rows_;
+    std::string name_;
+    char separator_ = ',';
+    CsvRows table_;
+};
+
+}  // namespace
+
+Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed) {
+    auto file = FileBytes::open(path);
+    if (!file) {
+        return file.error();
+    }
+    return Reader(std::move(*file), path.string()).read(needed);
+}
+
+}  // namespace vybeg

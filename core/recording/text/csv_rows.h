@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// One row of a CSV file; `line` is that on which it begins, from 1.
+struct CsvRow {
+    std::int64_t line = 0;
+    std::vector<std::string> fields;
+};
+
+// A table of texts: a row of names, then the rows that hold any text. No row has more fields than
+// there are names; fields missing at its end are empty.
+struct CsvRows {
+    std::vector<std::string> names;
+    std::vector<CsvRow> rows;
+};
+
+// Reads a CSV file of spreadsheets: comma or semicolon, whichever separates a name `needed` from
+// the others; fields in double quotes (RFC 4180) may hold separators, line ends and doubled quotes.
+// UTF-8 with or without byte order mark, UTF-16 with it, otherwise Windows-1251. Spaces around a
+// field are removed. Errors: those of reading a file; format_damaged for a line longer than 1 MiB;
+// list_invalid with the line and the column.
+Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed);
+
+}  // namespace vybeg

@@ -1,0 +1,272 @@
+// A batch that is interrupted, killed or out of room goes on where it was: its table is, byte for
+// byte, that of a run without an end in between.
+#include "tests/app/batch_run.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <csignal>
+#include <random>
+
+using namespace vybeg::test;
+
+namespace {
+
+// Beside the table.
+const QString journal = "results.csv.unfinished";
+
+}  // namespace
+
+class TestCliBatchResume : public QObject, private CliFolder {
+    Q_OBJECT
+
+    const QStringList work_{"batch",  "list.csv", "-o",        "results.csv",
+                            "--json", "json",     "--threads", "1"};
+    QByteArray table_;
+    qint64 undisturbed_ms_ = 0;
+
+    void start(QProcess& process, const QStringList& options) const {
+        process.setWorkingDirectory(folder_.path());
+        process.start(VYBEG_CLI, work_ + options);
+        process.waitForStarted();
+    }
+
+    Outcome end_after(const QStringList& options, int signal, int after_ms) const {
+        QProcess process;
+        start(process, options);
+        QTest::qSleep(after_ms);  // the moment of the run
+        kill(static_cast<pid_t>(process.processId()), signal);
+        process.waitForFinished(30000);
+        const bool killed = process.exitStatus() == QProcess::CrashExit;
+        return {killed ? -1 : process.exitCode(), {}, process.readAllStandardError()};
+    }
+
+    void clear() const {
+        QFile::remove(path("results.csv"));
+        QFile::remove(path(journal));
+        QDir(path("json")).removeRecursively();
+    }
+
+    // Rows that are whole in the journal.
+    int rows_done() const {
+        return QFile::exists(path(journal)) ? std::max(int(file(journal).count('\n')) - 1, 0) : 0;
+    }
+
+    // Interrupts a run when some of its rows, but not all, are done.
+    bool leave_rows() const {
+        for (int attempt = 0; attempt < 50; ++attempt) {
+            clear();
+            QProcess process;
+            start(process, {});
+            if (!QTest::qWaitFor([this] { return rows_done() >= 4; }, 20000)) {
+                return false;
+            }
+            process.kill();
+            process.waitForFinished(20000);
+            if (process.exitStatus() == QProcess::CrashExit && rows_done() < 12) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void resume_and_compare() const {
+        const Outcome outcome = run(work_ + QStringList{"--resume"});
+        QVERIFY2(outcome.status == 0, outcome.err);
+        QCOMPARE(file("results.csv"), table_);
+        QVERIFY(!QFile::exists(path(journal)));
+        QCOMPARE(temporaries(), QStringList());
+        QCOMPARE(QDir(path("json")).entryList(QDir::Files | QDir::Hidden).size(), 9);
+    }
+
+private slots:
+    void initTestCase() {
+        QVERIFY(make_twelve_sets(folder_.path()));
+        QCOMPARE(run(work_).status, 0);
+        QElapsedTimer timer;
+        timer.start();
+        QCOMPARE(run(work_).status, 0);
+        undisturbed_ms_ = timer.elapsed();
+        table_ = file("results.csv");
+        QCOMPARE(rows_of(table_).size(), 12);
+    }
+
+    void interrupted_at_random_moments_the_table_is_the_same_data() {
+        QTest::addColumn<int>("signal");
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("SIGINT") << SIGINT << QStringList{};
+        QTest::newRow("SIGINT, two jobs") << SIGINT << QStringList{"--jobs", "2"};
+        QTest::newRow("SIGKILL") << SIGKILL << QStringList{};
+        QTest::newRow("SIGKILL, two jobs") << SIGKILL << QStringList{"--jobs", "2"};
+    }
+
+    void interrupted_at_random_moments_the_table_is_the_same() {
+        QFETCH(int, signal);
+        QFETCH(QStringList, options);
+        std::mt19937 random(static_cast<unsigned>(signal));
+        int with_rows = 0;
+        for (int trial = 0; trial < 5; ++trial) {
+            clear();
+            QVERIFY(put(path("results.csv"), "old"));
+            // Two interruptions at most, then the rest.
+            for (int times = 0; times < 2; ++times) {
+                const auto latest = static_cast<unsigned>(undisturbed_ms_ + 1);
+                const Outcome end = end_after(options + QStringList{"--resume"}, signal,
+                                              static_cast<int>(random() % latest));
+                if (end.status == 0) {
+                    break;
+                }
+                QVERIFY2(end.status == -1 || end.status == 130, end.err);
+                QCOMPARE(file("results.csv"), QByteArray("old"));
+                const int done = rows_done();
+                with_rows += done > 0 && done < 12 ? 1 : 0;
+                if (end.status == 130) {
+                    const QByteArray last = end.err_lines().last();
+                    QCOMPARE(last, done == 0
+                                       ? QByteArray("vybeg-cli: Interrupted; nothing was "
+                                                    "written.")
+                                       : "vybeg-cli: Interrupted; " + QByteArray::number(done) +
+                                             " of 12 sets are done. Continue with --resume.");
+                    QCOMPARE(QFile::exists(path(journal)), done > 0);
+                }
+            }
+            resume_and_compare();
+            if (QTest::currentTestFailed()) {
+                return;
+            }
+        }
+        QVERIFY2(with_rows >= 1, "too few signals met a run with rows for the test to mean much");
+    }
+
+    void finished_rows_are_not_computed_again() {
+        QVERIFY(leave_rows());
+        const int done = rows_done();
+        QVERIFY(done >= 4 && done < 12);
+        // Each of the first sets that has one recording warns while it is computed.
+        const Outcome outcome = run(work_ + QStringList{"--resume"});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY2(!outcome.err.contains("s2: ") && !outcome.err.contains("broken: "), outcome.err);
+        QVERIFY2(outcome.err.contains("s11: "), outcome.err);
+        QCOMPARE(file("results.csv"), table_);
+        // Without --resume all of them are.
+        QVERIFY(leave_rows());
+        const Outcome anew = run(work_);
+        QVERIFY2(anew.err.contains("s2: ") && anew.err.contains("broken: "), anew.err);
+        QCOMPARE(file("results.csv"), table_);
+    }
+
+    void a_half_written_row_is_computed_again() {
+        QVERIFY(leave_rows());
+        const QByteArray whole = file(journal);
+        QVERIFY(whole.count('\n') >= 4);
+        const qsizetype last = whole.lastIndexOf('\n', whole.size() - 2) + 1;
+        for (const qsizetype size : {last + 1, (last + whole.size()) / 2, whole.size() - 1}) {
+            QVERIFY(put(path(journal), whole.left(size)));
+            resume_and_compare();
+        }
+        QByteArray damaged = whole;
+        damaged[(last + whole.size()) / 2] = '\0';
+        QVERIFY(put(path(journal), damaged));
+        resume_and_compare();
+    }
+
+    void other_options_and_other_files_make_other_rows() {
+        QVERIFY(leave_rows());
+        const QStringList filtered = work_ + QStringList{"--filter", "5000,5600"};
+        QCOMPARE(run(filtered + QStringList{"--resume"}).status, 0);
+        const QByteArray resumed = file("results.csv");
+        QVERIFY(resumed != table_);
+        QCOMPARE(run(filtered).status, 0);
+        QCOMPARE(resumed, file("results.csv"));
+
+        QVERIFY(leave_rows());
+        const QByteArray recording = file("b.wav");
+        QVERIFY(put(path("b.wav"), file("c.wav")));
+        QCOMPARE(run(work_ + QStringList{"--resume"}).status, 0);
+        const QByteArray changed = file("results.csv");
+        QCOMPARE(run(work_).status, 0);
+        QCOMPARE(changed, file("results.csv"));
+        QVERIFY(changed != table_);
+        QVERIFY(put(path("b.wav"), recording));
+    }
+
+    void a_list_that_has_grown_keeps_its_rows() {
+        QVERIFY(leave_rows());
+        QVERIFY(put(path("list.csv"), twelve_sets + "s13,a.wav,,,0.7,\n"));
+        const Outcome outcome = run(work_ + QStringList{"--resume"});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY2(!outcome.err.contains("s2: ") && outcome.err.contains("s13: "), outcome.err);
+        QCOMPARE(rows_of(file("results.csv")).mid(0, 12), rows_of(table_));
+        QCOMPARE(rows_of(file("results.csv")).size(), 13);
+        QVERIFY(put(path("list.csv"), twelve_sets));
+    }
+
+    void two_runs_do_not_share_a_table() {
+        clear();
+        QProcess first;
+        start(first, {});
+        QVERIFY(QTest::qWaitFor([this] { return QFile::exists(path(journal)); }, 20000));
+        kill(static_cast<pid_t>(first.processId()), SIGSTOP);
+        const Outcome second = run(work_ + QStringList{"--resume"});
+        kill(static_cast<pid_t>(first.processId()), SIGCONT);
+        QVERIFY(first.waitForFinished(30000));
+        QCOMPARE(second.status, 5);
+        QVERIFY2(second.err.contains("another program is writing it"), second.err);
+        QCOMPARE(first.exitCode(), 0);
+        QCOMPARE(file("results.csv"), table_);
+    }
+
+    void a_file_that_may_not_grow_leaves_what_is_done() {
+        const int sizes = 8;
+        for (int k = 0; k < sizes; ++k) {
+            clear();
+            QVERIFY(put(path("results.csv"), "old"));
+            const qint64 most = table_.size() * k / sizes;
+            // No --json: its files are larger than the table.
+            const QStringList work = work_.mid(0, 4);
+            const Outcome outcome =
+                run_program(VYBEG_CLI, work + QStringList{"--resume"}, folder_.path(),
+                            limit(RLIMIT_FSIZE, static_cast<rlim_t>(most)));
+            const QByteArray about = QByteArray::number(most) + " bytes: " + outcome.err;
+            QVERIFY2(outcome.status == 5, about);
+            QVERIFY2(outcome.err_lines().last().contains("cannot be written"), about);
+            QCOMPARE(file("results.csv"), QByteArray("old"));
+            QCOMPARE(temporaries(), QStringList());
+            QCOMPARE(QFile::exists(path(journal)), rows_done() > 0);
+            QVERIFY2(k < sizes / 2 || rows_done() > 0, about);
+            QCOMPARE(run(work + QStringList{"--resume"}).status, 0);
+            QCOMPARE(file("results.csv"), table_);
+        }
+    }
+
+    // A disk in memory, mounted where only the child sees it, which gets more room afterwards.
+    void a_full_disk_leaves_what_is_done() {
+        QDir(folder_.path()).mkdir("out");
+        if (run_program("unshare", {"-rm", "mount", "-t", "tmpfs", "none", path("out")},
+                        folder_.path())
+                .status != 0) {
+            QSKIP(
+                "NOT TESTED: this system lets no disk of a chosen size be mounted (unshare -rm). "
+                "The limit of the file's size was tested instead.");
+        }
+        const QString command =
+            QString("%1 batch list.csv -o out/results.csv --json out/json --quiet").arg(VYBEG_CLI);
+        for (const int pages : {2, 4, 10, 40}) {
+            const QString script =
+                QString(
+                    "mount -t tmpfs -o size=%1 none out && printf old > out/results.csv; "
+                    "%2 2> err > /dev/null; echo $?; cat out/results.csv; echo; "
+                    "ls -A out | grep -c part; mount -o remount,size=9m out; "
+                    "%2 --resume 2> /dev/null; echo $?; cat out/results.csv")
+                    .arg(pages * 4096)
+                    .arg(command);
+            const Outcome outcome =
+                run_program("unshare", {"-rm", "sh", "-c", script}, folder_.path());
+            QCOMPARE(outcome.out, "5\nold\n0\n0\n" + table_);
+            QVERIFY2(file("err").contains("No space left on device"), file("err"));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliBatchResume)
+#include "test_cli_batch_resume.moc"

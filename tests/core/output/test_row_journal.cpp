@@ -1,0 +1,159 @@
+// Rows that outlive the program, and those of which only a part does.
+#include "core/base/messages.h"
+#include "core/output/row_journal.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <memory>
+#include <optional>
+#include <random>
+
+using namespace vybeg;
+
+namespace {
+
+QByteArray content(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be opened)");
+}
+
+void put(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
+std::string key_of(int k) {
+    return "key" + std::to_string(k);
+}
+
+std::string row_of(int k) {
+    return "set " + std::to_string(k) + ",1.5,\"a b\"" +
+           std::string(static_cast<std::size_t>(k), 'x');
+}
+
+}  // namespace
+
+class TestRowJournal : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> folder_;
+    QString path_;
+
+    RowJournal open(bool resume) const {
+        auto journal = RowJournal::open(path_.toStdString(), resume);
+        if (!journal) {
+            qFatal("%s", english(journal.error()).c_str());
+        }
+        return std::move(*journal);
+    }
+
+    void write_rows(int count) const {
+        RowJournal journal = open(false);
+        for (int k = 0; k < count; ++k) {
+            QVERIFY(journal.append(key_of(k), row_of(k)));
+        }
+    }
+
+private slots:
+    void init() {
+        folder_ = std::make_unique<QTemporaryDir>();
+        path_ = folder_->filePath("table.csv.unfinished");
+    }
+
+    void a_later_run_finds_the_rows() {
+        write_rows(5);
+        RowJournal journal = open(true);
+        for (int k = 4; k >= 0; --k) {
+            QVERIFY(journal.has(key_of(k)));
+            QCOMPARE(*journal.row(key_of(k)), row_of(k));
+        }
+        QVERIFY(!journal.has("key5"));
+        QVERIFY(journal.append("key5", row_of(5)));
+        QCOMPARE(*journal.row("key5"), row_of(5));
+        QCOMPARE(*journal.row("key2"), row_of(2));
+    }
+
+    void without_resume_it_begins_without_rows() {
+        write_rows(5);
+        QVERIFY(!open(false).has("key0"));
+        QVERIFY(!open(true).has("key0"));
+    }
+
+    // Every length to which a file may be cut, and a wrong byte at many places.
+    void a_damaged_row_does_not_count_and_the_others_do() {
+        write_rows(4);
+        const QByteArray whole = content(path_);
+        const auto rows_found = [this] {
+            RowJournal journal = open(true);
+            int found = 0;
+            for (int k = 0; k < 4; ++k) {
+                if (journal.has(key_of(k))) {
+                    const auto row = journal.row(key_of(k));
+                    found += row && *row == row_of(k) ? 1 : -100;
+                }
+            }
+            // A row after the damage is whole.
+            const bool appended = static_cast<bool>(journal.append("more", "row"));
+            return appended ? found : -1000;
+        };
+        for (qsizetype size = 0; size <= whole.size(); ++size) {
+            put(path_, whole.left(size));
+            const qsizetype lines = whole.left(size).count('\n');
+            QCOMPARE(rows_found(), static_cast<int>(std::max<qsizetype>(lines - 1, 0)));
+            RowJournal again = open(true);
+            QVERIFY(again.has("more"));
+            QCOMPARE(*again.row("more"), "row");
+        }
+        std::mt19937 random(7);
+        const qsizetype head = whole.indexOf('\n') + 1;
+        for (int trial = 0; trial < 200; ++trial) {
+            QByteArray damaged = whole;
+            const auto rest = static_cast<unsigned>(whole.size() - head);
+            const qsizetype at = head + static_cast<qsizetype>(random() % rest);
+            damaged[at] = static_cast<char>(damaged[at] ^ static_cast<char>(1 + random() % 255));
+            put(path_, damaged);
+            const int found = rows_found();
+            // A line feed that is damaged, or made, takes one row or the next one with it.
+            QVERIFY2(found == 3 || found == 2, qPrintable(QString::number(found)));
+        }
+    }
+
+    void another_run_at_work_keeps_it() {
+        const RowJournal at_work = open(false);
+        const auto second = RowJournal::open(path_.toStdString(), true);
+        QVERIFY(!second);
+        QCOMPARE(exit_status(second.error().code), 5);
+        QVERIFY(english(second.error()).find("another program") != std::string::npos);
+    }
+
+    void another_kind_of_file_is_not_lost() {
+        put(path_, "a,b\n1,2\n");
+        for (const bool resume : {false, true}) {
+            const auto journal = RowJournal::open(path_.toStdString(), resume);
+            QVERIFY(!journal);
+            QVERIFY(english(journal.error()).find("another kind of file") != std::string::npos);
+            QCOMPARE(content(path_), QByteArray("a,b\n1,2\n"));
+        }
+    }
+
+    void it_goes_when_the_rows_are_in_their_table() {
+        RowJournal journal = open(false);
+        QVERIFY(QFile::exists(path_));
+        journal.remove();
+        QVERIFY(!QFile::exists(path_));
+    }
+
+    void without_a_name_it_keeps_the_rows_of_one_run() {
+        auto journal = RowJournal::open("", false);
+        QVERIFY(journal);
+        QVERIFY(journal->append("a", "row a"));
+        QVERIFY(journal->append("b", "row b"));
+        QCOMPARE(*journal->row("a"), "row a");
+        journal->remove();
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRowJournal)
+#include "test_row_journal.moc"

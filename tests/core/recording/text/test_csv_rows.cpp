@@ -1,0 +1,144 @@
+// CSV tables as spreadsheets write them.
+#include "core/recording/text/csv_rows.h"
+#include "tests/core/recording/recording_files.h"
+
+#include <QTest>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+class TestCsvRows : public QObject {
+    Q_OBJECT
+
+    Folder folder_;
+
+    CsvRows table(std::string_view text) const {
+        const auto table = read_csv(folder_.write("list.csv", text), "file");
+        if (!table) {
+            qFatal("%s", english(table.error()).c_str());
+        }
+        return *table;
+    }
+
+    QString fault(std::string_view text) const {
+        const auto path = folder_.write("list.csv", text);
+        const auto table = read_csv(path, "file");
+        return table ? QString()
+                     : QString::fromStdString(english(table.error()))
+                           .remove(QString::fromStdString(path.string()));
+    }
+
+private slots:
+    void the_dialects_of_spreadsheets_read_alike_data() {
+        QTest::addColumn<QByteArray>("text");
+        const auto row = [](const char* name, const QByteArray& text) {
+            QTest::newRow(name) << text;
+        };
+        row("commas", "file,set\na.wav,A\nb.wav,B\n");
+        row("semicolons", "file;set\na.wav;A\nb.wav;B\n");
+        row("byte order mark",
+            "\xEF\xBB\xBF"
+            "file,set\na.wav,A\nb.wav,B\n");
+        row("mark and quotes", "\xEF\xBB\xBF\"file\";\"set\"\n\"a.wav\";\"A\"\nb.wav;B\n");
+        row("CRLF", "file,set\r\na.wav,A\r\nb.wav,B\r\n");
+        row("no line end", "file,set\na.wav,A\nb.wav,B");
+        row("blanks", " file , set \n a.wav , A\n\"b.wav\" , \"B\" \n");
+        row("empty rows", "file,set\n\na.wav,A\n,\n\"\",\nb.wav,B\n\n");
+        row("empty fields at the end", "file,set,,\na.wav,A,,\nb.wav,B\n");
+        row("semicolon in a quoted name", "file,set,\"x;y\"\na.wav,A\nb.wav,B\n");
+        QByteArray wide("\xFF\xFE");
+        for (const char letter : QByteArray("file;set\na.wav;A\nb.wav;B\n")) {
+            wide += letter;
+            wide += '\0';
+        }
+        row("UTF-16", wide);
+    }
+
+    void the_dialects_of_spreadsheets_read_alike() {
+        QFETCH(QByteArray, text);
+        const CsvRows read = table(text.toStdString());
+        QVERIFY(read.names.size() >= 2);
+        QCOMPARE(read.names[0], "file");
+        QCOMPARE(read.names[1], "set");
+        QCOMPARE(read.rows.size(), std::size_t{2});
+        for (const CsvRow& row : read.rows) {
+            QCOMPARE(row.fields.size(), read.names.size());
+        }
+        QCOMPARE(read.rows[0].fields[0], "a.wav");
+        QCOMPARE(read.rows[0].fields[1], "A");
+        QCOMPARE(read.rows[1].fields[0], "b.wav");
+        QCOMPARE(read.rows[1].fields[1], "B");
+    }
+
+    void quoted_fields_hold_anything() {
+        const CsvRows read = table(
+            "file,note\n\"a, b.wav\",\"says \"\"no\"\"\"\n"
+            "c.wav,\"two\nlines, \r\none field\"\nd.wav,5\" disk\n");
+        QVERIFY((read.rows[0].fields == Texts{"a, b.wav", "says \"no\""}));
+        QVERIFY((read.rows[1].fields == Texts{"c.wav", "two\nlines, \none field"}));
+        QVERIFY((read.rows[2].fields == Texts{"d.wav", "5\" disk"}));
+        QCOMPARE(read.rows[0].line, std::int64_t{2});
+        QCOMPARE(read.rows[1].line, std::int64_t{3});
+        QCOMPARE(read.rows[2].line, std::int64_t{6});
+    }
+
+    void russian_instruments_write_windows_1251() {
+        const CsvRows read = table("file;\xCF\xE0\xF0\xF2\xE8\xFF\na.wav;\xC0\n");
+        QCOMPARE(read.names[1], "Партия");
+        QCOMPARE(read.rows[0].fields[1], "А");
+    }
+
+    void a_fault_names_its_line_and_column_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("sentence");
+        const auto row = [](const char* name, const QByteArray& text, const QString& sentence) {
+            QTest::newRow(name) << text << sentence;
+        };
+        row("no column", "name,set\na.wav,A\n",
+            ", line 1, column \"file\": the list needs this column.");
+        row("tabs", "file\tset\na.wav\tA\n",
+            ", line 1, column \"file\": the list needs this column.");
+        row("a name twice", "file,set,set\na.wav,A,B\n",
+            ", line 1, column \"set\": two columns have this name.");
+        row("a field too many", "file,set\na.wav,A\nb.wav,B,C\n",
+            ", line 3, column \"3\": \"C\" stands below no name.");
+        row("below an empty name", "file,,set\na.wav,A\n",
+            ", line 2, column \"2\": \"A\" stands below no name.");
+        row("open quote", "file,set\na.wav,A\n\nb.wav,\"B\nc.wav,C\n",
+            ", line 4, column \"set\": its quotation mark does not close.");
+        row("text after a quote", "file,set\n\"a\"b.wav,A\n",
+            ", line 2, column \"file\": text follows its closing quotation mark.");
+    }
+
+    void a_fault_names_its_line_and_column() {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, sentence);
+        QCOMPARE(fault(text.toStdString()), sentence);
+    }
+
+    void a_quote_that_never_closes_ends_soon() {
+        std::string text = "file,set\na.wav,\"open\n";
+        for (int k = 0; k < 200000; ++k) {
+            text += "b.wav,B\n";
+        }
+        QElapsedTimer timer;
+        timer.start();
+        QVERIFY(fault(text).contains("line 2, column \"set\""));
+        QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
+    }
+
+    void what_is_no_file_has_the_sentence_of_any_file() {
+        QCOMPARE(read_csv(folder_.file("none.csv"), "file").error().code, ErrorCode::file_missing);
+        QCOMPARE(read_csv(folder_.write("empty.csv", ""), "file").error().code,
+                 ErrorCode::file_empty);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCsvRows)
+#include "test_csv_rows.moc"
