@@ -1,7 +1,8 @@
 #include "ui/session/session_json.h"
 
+#include "core/analysis/open_table.h"
 #include "core/analysis/setting_table.h"
-#include "ui/import/open_options_json.h"
+#include "ui/values/setting_json.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -29,28 +30,12 @@ QString text(const std::string& utf8) {
     return QString::fromStdString(utf8);
 }
 
-QJsonObject settingsToJson(const Settings& settings) {
-    QJsonObject json;
-    for (const auto& row : analysis_settings()) {
-        if (row.has_part) {
-            json[text(row.name)] = text(row.text(settings));
+Result<Settings> analysisFromJson(const QJsonObject& json) {
+    Result<Settings> settings = settingsFromJson(analysis_settings(), json);
+    if (settings) {
+        if (const Status valid = validate(*settings); !valid) {
+            return valid.error();
         }
-    }
-    return json;
-}
-
-Result<Settings> settingsFromJson(const QJsonObject& json) {
-    Settings settings;
-    for (const auto& row : analysis_settings()) {
-        const QJsonValue value = json[text(row.name)];
-        if (row.has_part && value.isString()) {
-            if (const Status read = row.read(value.toString().toStdString(), settings); !read) {
-                return read.error();
-            }
-        }
-    }
-    if (const Status valid = validate(settings); !valid) {
-        return valid.error();
     }
     return settings;
 }
@@ -67,11 +52,11 @@ QJsonObject runToJson(const RunWish& run) {
             {QStringLiteral("dash"), static_cast<int>(run.dash)},
             {QStringLiteral("visible"), run.visible},
             {QStringLiteral("live"), run.live},
-            {settings_key, settingsToJson(run.settings)}};
+            {settings_key, settingsToJson(analysis_settings(), run.settings)}};
 }
 
 Result<RunWish> runFromJson(const QJsonObject& json) {
-    const Result<Settings> settings = settingsFromJson(json[settings_key].toObject());
+    const Result<Settings> settings = analysisFromJson(json[settings_key].toObject());
     if (!settings) {
         return settings.error();
     }
@@ -101,7 +86,7 @@ QJsonObject recordingToJson(const SessionRecording& recording, const QDir& folde
     }
     return {{QStringLiteral("path"), storedPath(recording.path, folder)},
             {QStringLiteral("sha256"), recording.sha256},
-            {QStringLiteral("options"), optionsToJson(recording.options)},
+            {QStringLiteral("options"), settingsToJson(open_settings(), recording.options)},
             {QStringLiteral("runs"), runs}};
 }
 
@@ -110,7 +95,12 @@ Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& 
     recording.path =
         QDir::cleanPath(folder.absoluteFilePath(json[QStringLiteral("path")].toString()));
     recording.sha256 = json[QStringLiteral("sha256")].toString();
-    recording.options = optionsFromJson(json[QStringLiteral("options")].toObject());
+    const Result<OpenOptions> options =
+        settingsFromJson(open_settings(), json[QStringLiteral("options")].toObject());
+    if (!options) {
+        return options.error();
+    }
+    recording.options = *options;
     for (const auto& value : json[QStringLiteral("runs")].toArray()) {
         Result<RunWish> run = runFromJson(value.toObject());
         if (!run) {
@@ -257,7 +247,7 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     QJsonObject json = session.unknown;
     json[schema_key] = session_schema;
     json[program_key] = QStringLiteral("vybeg ") + QCoreApplication::applicationVersion();
-    json[settings_key] = settingsToJson(session.settings);
+    json[settings_key] = settingsToJson(analysis_settings(), session.settings);
     json[tolerance_key] = text(identifyRow("tolerance").text(tolerance));
     json[live_key] = session.live;
     json[recordings_key] = recordings;
@@ -271,7 +261,7 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
 
 Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     Session session;
-    const Result<Settings> settings = settingsFromJson(json[settings_key].toObject());
+    const Result<Settings> settings = analysisFromJson(json[settings_key].toObject());
     if (!settings) {
         return settings.error();
     }
