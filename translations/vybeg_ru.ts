@@ -2370,7 +2370,7 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::Document</name>
+    <name>vybeg::ui::RecordingStore</name>
     <message numerus="yes">
         <source>%n more finding(s) in the recording check.</source>
         <translation>

@@ -156,14 +156,14 @@ private slots:
         window.action(Command::identify)->trigger();
         QVERIFY(QTest::qWaitFor(
             [&] {
-                const RunSet* set = window.document().currentSet();
-                return set && window.document().outcome(*set);
+                const RunSet* set = window.document().sets().current();
+                return set && window.document().sets().outcome(*set);
             },
             20000));
         window.files().savePassportTo(home_.path("demo.json"));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("demo.json")); }));
-        window.document().openPassport(home_.path("demo.json"));
-        QVERIFY(QTest::qWaitFor([&] { return window.document().passport() != nullptr; }));
+        window.document().sets().openPassport(home_.path("demo.json"));
+        QVERIFY(QTest::qWaitFor([&] { return window.document().sets().passport() != nullptr; }));
         window.action(Command::compare)->trigger();
         // Both with every choice on the screen: text here, raw samples in the other.
         const QString table = home_.file("demo-2.csv", "t;C;D\n0,1;1;2\n0,2;3;4\n0,3;5;6\n");

@@ -71,8 +71,8 @@ class TestResonatorTab : public QObject {
     }
 
     std::shared_ptr<const ResonatorOutcome> outcome() {
-        const RunSet* set = document().currentSet();
-        return set ? document().outcome(*set) : nullptr;
+        const RunSet* set = document().sets().current();
+        return set ? document().sets().outcome(*set) : nullptr;
     }
 
     void identify() {
@@ -84,7 +84,7 @@ class TestResonatorTab : public QObject {
 
     void openSet() {
         openRuns(files_);
-        document().addToSet(ids());
+        document().sets().addToCurrent(ids());
     }
 
     // The text of a table's row by the beginning of its name.
@@ -107,16 +107,16 @@ private slots:
         openRuns({files_[0], files_[1]});
         std::unique_ptr<QMimeData> recordings(recordingMimeData(ids()));
         drop(*recordings);
-        QCOMPARE(document().currentSet()->recordings, ids());
+        QCOMPARE(document().sets().current()->recordings, ids());
         drop(*recordings);  // once more changes nothing
         QCOMPARE(the<SetMembers>().count(), 2);
         QMimeData urls;
         urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
         drop(urls);
         QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
-        QCOMPARE(document().currentSet()->recordings, ids());
+        QCOMPARE(document().sets().current()->recordings, ids());
         QCOMPARE(the<SetMembers>().count(), 3);
-        QVERIFY(document().canIdentify());
+        QVERIFY(document().sets().canIdentify());
         // The list follows the current recording with one row, however many were dragged.
         QCOMPARE(the<RecordingDragList>().selectedRecordings(),
                  std::vector<int>{document().currentRecording()->id});
@@ -129,35 +129,35 @@ private slots:
         list.setFocus();
         list.selectAll();
         QTest::keyClick(&list, Qt::Key_Insert);
-        QCOMPARE(document().currentSet()->recordings, ids());
+        QCOMPARE(document().sets().current()->recordings, ids());
         auto& members = the<SetMembers>();
         members.setFocus();
         members.setCurrentRow(1);
         QTest::keyClick(&members, Qt::Key_Delete);
-        QCOMPARE(document().currentSet()->recordings.size(), std::size_t(3));
+        QCOMPARE(document().sets().current()->recordings.size(), std::size_t(3));
         auto* menu = the<SetPanel>().findChild<QMenu*>();
         emit menu->aboutToShow();
         QCOMPARE(menu->actions().size(), 4);
         QVERIFY(!menu->actions().at(1)->isChecked());
         menu->actions().at(1)->trigger();
-        QCOMPARE(document().currentSet()->recordings.size(), std::size_t(4));
+        QCOMPARE(document().sets().current()->recordings.size(), std::size_t(4));
         document().closeRecording(ids().front());
-        QCOMPARE(document().currentSet()->recordings.size(), std::size_t(3));
+        QCOMPARE(document().sets().current()->recordings.size(), std::size_t(3));
     }
 
     void sets_are_named_and_removed() {
-        document().addSet();
+        document().sets().add();
         auto& sets = the<QComboBox>("sets");
         QCOMPARE(sets.currentText(), QStringLiteral("Set 1"));
         sets.lineEdit()->setFocus();
         sets.lineEdit()->selectAll();
         QTest::keyClicks(sets.lineEdit(), "gyro 17");
         QTest::keyClick(sets.lineEdit(), Qt::Key_Return);
-        QCOMPARE(document().currentSet()->name, QStringLiteral("gyro 17"));
+        QCOMPARE(document().sets().current()->name, QStringLiteral("gyro 17"));
         window_->action(Command::new_set)->trigger();
         QCOMPARE(sets.count(), 2);
         QCOMPARE(sets.currentText(), QStringLiteral("Set 2"));
-        document().removeSet(document().currentSet()->id);
+        document().sets().remove(document().sets().current()->id);
         QCOMPARE(sets.currentText(), QStringLiteral("gyro 17"));
     }
 
@@ -269,7 +269,7 @@ private slots:
         openRuns({resonatorRuns(home_, "still", {.split_hz = 1e-6})[1]});
         window_->action(Command::identify)->trigger();  // no set: one of the current recording
         QVERIFY(QTest::qWaitFor([&] { return !document().busy() && outcome(); }, 60000));
-        QCOMPARE(document().currentSet()->recordings, ids());
+        QCOMPARE(document().sets().current()->recordings, ids());
         const QString reason = cell("resonator", "Mean frequency");
         QVERIFY2(reason.contains("Add a recording that starts at"), qPrintable(reason));
         for (const char* row : {"Frequency split", "Stiffness axis"}) {
@@ -294,7 +294,7 @@ private slots:
     void an_edit_stops_the_identification_and_nothing_stale_arrives() {
         openSet();
         window_->action(Command::identify)->trigger();
-        document().removeFromSet(document().currentSet()->id, {ids().front()});
+        document().sets().removeFrom(document().sets().current()->id, {ids().front()});
         QVERIFY(!document().busy());
         QTest::qWait(300);  // nothing stale arrives in this time
         QVERIFY(!outcome());
@@ -305,11 +305,12 @@ private slots:
         identify();
         QVERIFY(!the<QLabel>("state").text().contains("Out of date"));
         QVERIFY(window_->action(Command::save_passport)->isEnabled());
-        document().removeFromSet(document().currentSet()->id, {ids().front()});
+        document().sets().removeFrom(document().sets().current()->id, {ids().front()});
         QVERIFY(the<QLabel>("state").text().contains("Out of date"));
         QVERIFY(!window_->action(Command::save_passport)->isEnabled());
         QCOMPARE(the<QuantityTable>("runs").columnCount(), 5);  // what was found stays
-        document().addToSet({ids().front()});  // now the last one: the order does not matter
+        document().sets().addToCurrent(
+            {ids().front()});  // now the last one: the order does not matter
         QVERIFY(!the<QLabel>("state").text().contains("Out of date"));
         Settings settings = document().settings();
         settings.calibration.angle_zero_deg = 3;
@@ -323,12 +324,12 @@ private slots:
         openSet();
         identify();
         const auto structured = outcome();
-        const int id = document().currentSet()->id;
-        document().setModel(id, FitOptions::Model::free);
-        QVERIFY(document().outOfDate(*document().currentSet(), *outcome()));
+        const int id = document().sets().current()->id;
+        document().sets().setModel(id, FitOptions::Model::free);
+        QVERIFY(document().sets().outOfDate(*document().sets().current(), *outcome()));
         identify();
         QCOMPARE(outcome()->identification.fit.model, ResonatorModel::free);
-        document().setModel(id, FitOptions::Model::automatic);
+        document().sets().setModel(id, FitOptions::Model::automatic);
         QCOMPARE(outcome(), structured);
     }
 
@@ -337,8 +338,8 @@ private slots:
         identify();
         window_->files().savePassportTo(home_.path("gyro.json"));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("gyro.json")); }));
-        window_->document().openPassport(home_.path("gyro.json"));
-        QVERIFY(QTest::qWaitFor([&] { return document().passport() != nullptr; }));
+        window_->document().sets().openPassport(home_.path("gyro.json"));
+        QVERIFY(QTest::qWaitFor([&] { return document().sets().passport() != nullptr; }));
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("= unchanged"));
         QCOMPARE(cell("differences", "Frequency split", 2), QStringLiteral("0.0"));
         QVERIFY(cell("differences", "Mean frequency", 4).endsWith("ppm") ||
@@ -346,25 +347,25 @@ private slots:
         QCOMPARE(the<QuantityTable>("differences").columnCount(), 7);
 
         const QStringList later = resonatorRuns(home_, "later", {.split_hz = 0.02});
-        document().addSet();
-        document().openIntoSet(later);
+        document().sets().add();
+        document().sets().openIntoCurrent(later);
         QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
         identify();
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("≠ changed"));
         QCOMPARE(cell("differences", "Decay time"), QStringLiteral("= unchanged"));
         QVERIFY2(cell("differences", "Frequency split", 4).contains("%"),
                  qPrintable(cell("differences", "Frequency split", 4)));
-        QCOMPARE(document().frequencyLimit(), 30.0);
+        QCOMPARE(document().sets().frequencyLimit(), 30.0);
         QCOMPARE(the<XYPlotView>("tracks").content().series.size(), std::size_t(8));
-        document().closePassport();
+        document().sets().closePassport();
         QVERIFY(!the<QuantityTable>("differences").isVisible());
     }
 
     void a_damaged_passport_is_told_of() {
-        window_->document().openPassport(home_.file("bad.json", "{"));
+        window_->document().sets().openPassport(home_.file("bad.json", "{"));
         QVERIFY(QTest::qWaitFor([&] { return !the<MessageBar>().texts().isEmpty(); }));
         QVERIFY(the<MessageBar>().texts().first().contains("bad.json"));
-        QVERIFY(!document().passport());
+        QVERIFY(!document().sets().passport());
     }
 
     void plots_go_into_files_and_to_the_clipboard() {

@@ -1,16 +1,19 @@
 #include "ui/panels/measure_panel.h"
 
-#include "ui/panels/reading.h"
+#include "ui/widgets/number_field.h"
+#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
+#include <QComboBox>
 #include <QEvent>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,20 +21,25 @@ namespace vybeg::ui {
 
 namespace {
 
-enum Column { symbol, at_a, at_b, difference, rate, column_count };
+enum Column { symbol, at_a, at_b, difference, trend, column_count };
+enum Kind { line_kind, beat_kind };
 
 constexpr int shown_count = static_cast<int>(shown_slow_variables.size());
-constexpr int curve_points = 50;
+constexpr int curve_points = 200;
+constexpr double turn = 2 * std::numbers::pi;
 
 // theta_A in degrees an hour, of 2theta_A in rad/s.
-constexpr double degrees_an_hour = 0.5 * 180 / std::numbers::pi * 3600;
+constexpr double degrees_an_hour = 0.5 * 360 / turn * 3600;
 
-SlowVariable variableOf(int line) {
-    return shown_slow_variables[static_cast<std::size_t>(line)];
+std::size_t lineOf(SlowVariable variable) {
+    return static_cast<std::size_t>(std::ranges::find(shown_slow_variables, variable) -
+                                    shown_slow_variables.begin());
 }
 
-QString secondsText(double seconds) {
-    return QLocale().toString(seconds, 'f', 5);
+QString nameOf(SlowVariable variable, const DisplayUnits& units) {
+    const QString unit = displayUnit(variable, units);
+    const QString name = displaySymbol(variable, units);
+    return unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit);
 }
 
 }  // namespace
@@ -39,10 +47,33 @@ QString secondsText(double seconds) {
 MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      times_(new QLabel(this)),
+      difference_(new QLabel(this)),
+      kind_name_(new QLabel(this)),
+      kind_(new QComboBox(this)),
       table_(new QTableWidget(shown_count, column_count, this)),
       sentences_(new QLabel(this)) {
-    for (QLabel* label : {times_, sentences_}) {
+    auto* grid = new QGridLayout;
+    grid->setContentsMargins(6, 2, 6, 2);
+    for (std::size_t which = 0; which < fields_.size(); ++which) {
+        auto* field = new NumberField(this);
+        field->setOptional(true);
+        field->setDigits(9);
+        field->setStep(0.1);
+        names_[which] = new QLabel(this);
+        names_[which]->setBuddy(field);
+        fields_[which] = field;
+        grid->addWidget(names_[which], 0, 2 * static_cast<int>(which));
+        grid->addWidget(field, 0, 2 * static_cast<int>(which) + 1);
+        connect(field, &NumberField::valueEdited, this,
+                [this] { emit cursorsEdited(fields_[0]->value(), fields_[1]->value()); });
+    }
+    kind_name_->setBuddy(kind_);
+    kind_->addItems({{}, {}});
+    kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    grid->addWidget(kind_name_, 1, 0);
+    grid->addWidget(kind_, 1, 1, 1, 3);
+    connect(kind_, &QComboBox::activated, this, &MeasurePanel::refresh);
+    for (QLabel* label : {difference_, sentences_}) {
         label->setContentsMargins(6, 2, 6, 2);
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -58,16 +89,19 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(times_);
+    layout->addLayout(grid);
+    layout->addWidget(difference_);
     layout->addWidget(table_, 1);
     layout->addWidget(sentences_);
     connect(&document_, &Document::runsChanged, this, &MeasurePanel::refresh);
-    refresh();
+    retranslate();
 }
 
 void MeasurePanel::setRun(int id) {
-    run_ = id;
-    refresh();
+    if (id != run_) {
+        run_ = id;
+        refresh();
+    }
 }
 
 void MeasurePanel::setCursors(std::optional<double> a_s, std::optional<double> b_s) {
@@ -87,50 +121,94 @@ const Analysis* MeasurePanel::analysis() const {
     return usable ? entry->run.analysis.get() : nullptr;
 }
 
+bool MeasurePanel::showsBeats() const {
+    return kind_->currentIndex() == beat_kind;
+}
+
+void MeasurePanel::retranslate() {
+    const std::array names{tr("A"), tr("B")};
+    const std::array accessible{tr("Time of cursor A"), tr("Time of cursor B")};
+    for (std::size_t which = 0; which < fields_.size(); ++which) {
+        names_[which]->setText(names[which]);
+        fields_[which]->setUnit(tr("s"));
+        fields_[which]->setAccessibleName(accessible[which]);
+        fields_[which]->setToolTip(
+            tr("Seconds from the start of the recording; empty: no cursor. The keys 1 and 2 in the "
+               "plots set the cursors at the mouse, 0 removes both."));
+    }
+    kind_name_->setText(tr("Trend"));
+    kind_->setItemText(line_kind, indexPlain(tr("Line, exponential for a_A")));
+    kind_->setItemText(beat_kind, tr("Beat: damped sinusoid"));
+    kind_->setAccessibleName(tr("Trend between the cursors"));
+    kind_->setToolTip(
+        tr("Fitted by weighted least squares to the windows between the cursors that share no "
+           "samples. Where they scatter more than their noise, the deviations grow by that."));
+    table_->setAccessibleName(tr("Readings at the cursors"));
+    refresh();
+}
+
 void MeasurePanel::refresh() {
     const Analysis* shown = analysis();
-    const bool any = shown && (a_s_ || b_s_);
-    setVisible(any);
-    if (!any) {
-        emit trendsChanged({});
+    setVisible(shown != nullptr);
+    lines_ = {};
+    beats_ = {};
+    if (shown) {
+        measure(*shown);
+        showTimes();
+        showTable(*shown);
+        showSentences();
+    }
+    drawTrends(shown);
+}
+
+void MeasurePanel::measure(const Analysis& analysis) {
+    if (!a_s_ || !b_s_) {
         return;
     }
-    QStringList times{document_.run(run_)->run.name};
-    if (a_s_) {
-        times << tr("A = %1 s").arg(secondsText(*a_s_));
+    for (std::size_t line = 0; line < shown_slow_variables.size(); ++line) {
+        const SlowVariable variable = shown_slow_variables[line];
+        lines_[line] = trendOf(analysis, variable, *a_s_, *b_s_);
+        if (showsBeats()) {
+            beats_[line] = beatOf(analysis, variable, *a_s_, *b_s_);
+        }
     }
-    if (b_s_) {
-        times << tr("B = %1 s").arg(secondsText(*b_s_));
+}
+
+void MeasurePanel::showTimes() {
+    fields_[0]->setValue(a_s_);
+    fields_[1]->setValue(b_s_);
+    const bool apart = a_s_ && b_s_ && *a_s_ != *b_s_;
+    difference_->setText(
+        apart ? tr("B − A = %1 s, 1/|B − A| = %2 Hz")
+                    .arg(QLocale().toString(*b_s_ - *a_s_, 'g', 8).replace('-', QChar(0x2212)),
+                         QLocale().toString(1 / std::abs(*b_s_ - *a_s_), 'g', 6))
+              : tr("The keys 1 and 2 in the plots set the cursors A and B at the mouse; the trend "
+                   "between them is measured."));
+}
+
+Reading MeasurePanel::trendReading(const Analysis& analysis, std::size_t line) const {
+    if (showsBeats()) {
+        const auto& beat = beats_[line];
+        return beat ? Reading{beat->frequency_hz, beat->sd_frequency_hz} : Reading();
     }
-    if (a_s_ && b_s_ && *a_s_ != *b_s_) {
-        const double span = *b_s_ - *a_s_;
-        times << tr("B − A = %1 s").arg(secondsText(span).replace(QLatin1Char('-'), QChar(0x2212)))
-              << tr("1/|B − A| = %1 Hz").arg(QLocale().toString(1 / std::abs(span), 'g', 6));
-    }
-    times_->setText(times.join(QStringLiteral(", ")));
-    showTable(*shown);
-    showSentences(*shown);
-    emit trendsChanged(a_s_ && b_s_ ? curves(*shown) : std::vector<TrendCurve>());
+    return lines_[line] ? rateOf(analysis, shown_slow_variables[line], *lines_[line], units_)
+                        : Reading();
 }
 
 void MeasurePanel::showTable(const Analysis& analysis) {
-    table_->setAccessibleName(tr("Readings at the cursors"));
-    table_->setHorizontalHeaderLabels(
-        {QString(), tr("A"), tr("B"), tr("B − A"), tr("Rate, per s")});
+    table_->setHorizontalHeaderLabels({QString(), tr("A"), tr("B"), tr("B − A"),
+                                       showsBeats() ? tr("Beat, Hz") : tr("Rate, per s")});
     const bool both = a_s_ && b_s_;
+    table_->setVisible(a_s_ || b_s_);
     table_->setColumnHidden(at_a, !a_s_);
     table_->setColumnHidden(at_b, !b_s_);
     table_->setColumnHidden(difference, !both);
-    table_->setColumnHidden(rate, !both);
+    table_->setColumnHidden(trend, !both);
     const std::size_t row_a = nearestRow(analysis.track, a_s_.value_or(0));
     const std::size_t row_b = nearestRow(analysis.track, b_s_.value_or(0));
     for (int line = 0; line < shown_count; ++line) {
-        const SlowVariable variable = variableOf(line);
-        const QString unit = displayUnit(variable, units_);
-        const QString name = displaySymbol(variable, units_);
-        table_->setItem(
-            line, symbol,
-            new QTableWidgetItem(unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit)));
+        const SlowVariable variable = shown_slow_variables[static_cast<std::size_t>(line)];
+        table_->setItem(line, symbol, new QTableWidgetItem(nameOf(variable, units_)));
         const auto set = [&](Column column, const Reading& reading) {
             auto* item = new QTableWidgetItem(
                 valueText(reading.value, reading.sd)
@@ -142,60 +220,90 @@ void MeasurePanel::showTable(const Analysis& analysis) {
         set(at_b, readingAt(analysis, variable, row_b, units_));
         if (both) {
             set(difference, differenceOf(analysis, variable, row_a, row_b, units_));
-            const auto trend = trendOf(analysis, variable, *a_s_, *b_s_);
-            set(rate, trend ? rateOf(analysis, variable, *trend, units_) : Reading());
+            set(trend, trendReading(analysis, static_cast<std::size_t>(line)));
         }
     }
 }
 
-void MeasurePanel::showSentences(const Analysis& analysis) {
-    QStringList lines;
-    if (!a_s_ || !b_s_) {
-        lines << tr("Keys 1 and 2 place the cursors A and B; between them the trend is measured.");
-    } else {
-        const auto amplitude = trendOf(analysis, SlowVariable::a_A, *a_s_, *b_s_);
-        if (const auto decay = amplitude ? decay_time(*amplitude) : std::nullopt) {
-            lines << tr("Decay time of a_A: %1 s").arg(valueText(decay->tau_s, decay->sd_s));
-        } else if (amplitude) {
-            lines << tr("The decay of a_A lies within its noise here.");
-        }
-        if (const auto angle = trendOf(analysis, SlowVariable::two_theta_A, *a_s_, *b_s_)) {
-            lines << tr("θ_A drifts by %1 °/h")
+QStringList MeasurePanel::lineSentences() const {
+    const auto& amplitude = lines_[lineOf(SlowVariable::a_A)];
+    const auto& angle = lines_[lineOf(SlowVariable::two_theta_A)];
+    const auto& f = lines_[lineOf(SlowVariable::f)];
+    QStringList sentences;
+    if (const auto decay = amplitude ? decay_time(*amplitude) : std::nullopt) {
+        sentences << tr("Decay time of a_A: %1 s").arg(valueText(decay->tau_s, decay->sd_s));
+    } else if (amplitude) {
+        sentences << tr("The decay of a_A lies within its noise here.");
+    }
+    if (angle) {
+        sentences << tr("Drift of θ_A: %1 °/h")
                          .arg(valueText(angle->slope_per_s * degrees_an_hour,
                                         angle->sd_slope_per_s * degrees_an_hour));
-        }
-        if (const auto f = trendOf(analysis, SlowVariable::f, *a_s_, *b_s_)) {
-            lines << tr("f drifts by %1 Hz/s").arg(valueText(f->slope_per_s, f->sd_slope_per_s))
+    }
+    if (f) {
+        sentences << tr("Drift of f: %1 Hz/s").arg(valueText(f->slope_per_s, f->sd_slope_per_s))
                   << tr("%n window(s) without common samples", nullptr,
                         static_cast<int>(f->windows));
-        } else {
-            lines << tr("Fewer than three windows lie between the cursors.");
-        }
     }
-    for (QString& line : lines) {
-        line = richText(line);
-    }
-    sentences_->setText(lines.join(QStringLiteral("<br>")));
+    return sentences.isEmpty() ? QStringList{tr("Fewer than three windows between the cursors.")}
+                               : sentences;
 }
 
-std::vector<TrendCurve> MeasurePanel::curves(const Analysis& analysis) const {
-    std::vector<TrendCurve> drawn;
-    for (const SlowVariable variable : shown_slow_variables) {
-        const auto trend = trendOf(analysis, variable, *a_s_, *b_s_);
-        if (!trend) {
+QStringList MeasurePanel::beatSentences(const Analysis& analysis) const {
+    QStringList sentences;
+    for (std::size_t line = 0; line < shown_slow_variables.size(); ++line) {
+        if (const auto& beat = beats_[line]) {
+            const SlowVariable variable = shown_slow_variables[line];
+            const Reading amplitude = amplitudeOf(analysis, variable, *beat, units_);
+            const QString unit = displayUnit(variable, units_);
+            sentences << tr("%1: amplitude %2 %3, damping %4 1/s")
+                             .arg(displaySymbol(variable, units_),
+                                  valueText(amplitude.value, amplitude.sd), unit,
+                                  valueText(beat->damping_per_s, beat->sd_damping_per_s));
+        }
+    }
+    return sentences.isEmpty() ? QStringList{tr("No beat of ¾ to 100 periods between the cursors.")}
+                               : sentences;
+}
+
+void MeasurePanel::showSentences() {
+    const bool both = a_s_ && b_s_;
+    sentences_->setVisible(both);
+    if (both) {
+        QStringList sentences = showsBeats() ? beatSentences(*analysis()) : lineSentences();
+        for (QString& sentence : sentences) {
+            sentence = richText(sentence);
+        }
+        sentences_->setText(sentences.join(QStringLiteral("<br>")));
+    }
+}
+
+void MeasurePanel::drawTrends(const Analysis* analysis) {
+    std::vector<TrendCurve> curves;
+    for (std::size_t line = 0; line < shown_slow_variables.size(); ++line) {
+        const auto& beat = beats_[line];
+        if (showsBeats() ? !beat : !lines_[line]) {
             continue;
         }
-        const DisplayScale scale = displayScale(variable, units_, analysis.f0_hz());
+        const SlowVariable variable = shown_slow_variables[line];
+        const DisplayScale scale = displayScale(variable, units_, analysis->f0_hz());
+        const double span = std::abs(*b_s_ - *a_s_);
+        const int points =
+            beat ? std::max(curve_points, static_cast<int>(20 * beat->frequency_hz * span))
+                 : curve_points;
         TrendCurve curve{variable, {}, {}};
-        for (int k = 0; k <= curve_points; ++k) {
-            const double time_s =
-                std::min(*a_s_, *b_s_) + std::abs(*b_s_ - *a_s_) * k / curve_points;
+        for (int k = 0; k <= points; ++k) {
+            const double time_s = std::min(*a_s_, *b_s_) + span * k / points;
             curve.time_s.push_back(time_s);
-            curve.value.push_back(scale.value(trendValue(variable, *trend, time_s)));
+            curve.value.push_back(
+                scale.value(beat ? beat->at(time_s) : trendValue(variable, *lines_[line], time_s)));
         }
-        drawn.push_back(std::move(curve));
+        curves.push_back(std::move(curve));
     }
-    return drawn;
+    if (curves != drawn_) {
+        drawn_ = std::move(curves);
+        emit trendsChanged(drawn_);
+    }
 }
 
 QString MeasurePanel::tableText() const {
@@ -205,30 +313,30 @@ QString MeasurePanel::tableText() const {
     }
     const std::size_t row_a = nearestRow(shown->track, *a_s_);
     const std::size_t row_b = nearestRow(shown->track, *b_s_);
-    QStringList lines{QStringList{times_->text(), tr("A"), tr("sd"), tr("B"), tr("sd"), tr("B − A"),
-                                  tr("sd"), tr("Rate, per s"), tr("sd")}
-                          .join(QLatin1Char('\t'))};
-    for (const SlowVariable variable : shown_slow_variables) {
-        const QString unit = displayUnit(variable, units_);
-        const QString name = displaySymbol(variable, units_);
-        QStringList cells{unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit)};
-        const auto trend = trendOf(*shown, variable, *a_s_, *b_s_);
+    const QString sd = tr("sd");
+    QStringList text{QStringList{document_.run(run_)->run.name,
+                                 tr("A = %1 s").arg(spreadsheetNumber(*a_s_)), sd,
+                                 tr("B = %1 s").arg(spreadsheetNumber(*b_s_)), sd, tr("B − A"), sd,
+                                 showsBeats() ? tr("Beat, Hz") : tr("Rate, per s"), sd}
+                         .join(QLatin1Char('\t'))};
+    for (std::size_t line = 0; line < shown_slow_variables.size(); ++line) {
+        const SlowVariable variable = shown_slow_variables[line];
+        QStringList cells{nameOf(variable, units_)};
         for (const Reading& reading :
              {readingAt(*shown, variable, row_a, units_),
               readingAt(*shown, variable, row_b, units_),
-              differenceOf(*shown, variable, row_a, row_b, units_),
-              trend ? rateOf(*shown, variable, *trend, units_) : Reading()}) {
+              differenceOf(*shown, variable, row_a, row_b, units_), trendReading(*shown, line)}) {
             cells << spreadsheetNumber(reading.value) << spreadsheetNumber(reading.sd);
         }
-        lines << cells.join(QLatin1Char('\t'));
+        text << cells.join(QLatin1Char('\t'));
     }
-    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+    return text.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
 void MeasurePanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
-        refresh();
+        retranslate();
     }
 }
 

@@ -1,21 +1,26 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/panels/reading.h"
 #include "ui/values/trend_curve.h"
 #include "ui/words/display_units.h"
 
 #include <QWidget>
 
+#include <array>
 #include <optional>
 #include <vector>
 
+class QComboBox;
 class QLabel;
 class QTableWidget;
 
 namespace vybeg::ui {
 
+class NumberField;
+
 // Readings of one run at the cursors A and B: values, their difference, the trend between them
-// (core/track/trend.h), decay time and drift. Hidden without a cursor.
+// (line or beat), decay time and drift. The times can be typed. Hidden without a run.
 class MeasurePanel : public QWidget {
     Q_OBJECT
 
@@ -25,32 +30,52 @@ public:
     void setRun(int id);
     void setCursors(std::optional<double> a_s, std::optional<double> b_s);
     void setUnits(const DisplayUnits& units);
-    // What is shown as tab-separated text, numbers as in CursorPanel::tableText(); empty without a
-    // cursor.
+    // The table as tab-separated text, numbers as in CursorPanel::tableText(); empty without both
+    // cursors.
     QString tableText() const;
 
 signals:
-    // Trends to draw over the plots; empty without two cursors.
+    void cursorsEdited(std::optional<double> a_s, std::optional<double> b_s);
+    // Trends to draw over the plots; empty without both cursors.
     void trendsChanged(const std::vector<TrendCurve>& trends);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void refresh();
-    void showTable(const Analysis& analysis);
-    void showSentences(const Analysis& analysis);
-    std::vector<TrendCurve> curves(const Analysis& analysis) const;
+    // Trends of the shown variables, in their order.
+    using Lines = std::array<std::optional<Trend>, shown_slow_variables.size()>;
+    using Beats = std::array<std::optional<Beat>, shown_slow_variables.size()>;
+
     const Analysis* analysis() const;
+    bool showsBeats() const;
+    void retranslate();
+    void refresh();
+    void measure(const Analysis& analysis);
+    void showTimes();
+    void showTable(const Analysis& analysis);
+    void showSentences();
+    QStringList lineSentences() const;
+    QStringList beatSentences(const Analysis& analysis) const;
+    void drawTrends(const Analysis* analysis);
+    // Rate or beat frequency of a line of the table.
+    Reading trendReading(const Analysis& analysis, std::size_t line) const;
 
     Document& document_;
-    QLabel* times_;
+    std::array<QLabel*, 2> names_{};
+    std::array<NumberField*, 2> fields_{};
+    QLabel* difference_;
+    QLabel* kind_name_;
+    QComboBox* kind_;
     QTableWidget* table_;
     QLabel* sentences_;
     int run_ = 0;
     std::optional<double> a_s_;
     std::optional<double> b_s_;
     DisplayUnits units_;
+    Lines lines_;
+    Beats beats_;
+    std::vector<TrendCurve> drawn_;
 };
 
 }  // namespace vybeg::ui

@@ -77,6 +77,18 @@ Reading rateOf(const Analysis& analysis, SlowVariable variable, const Trend& tre
             scale.sd(middle, trend.sd_slope_per_s * stored)};
 }
 
+std::optional<Beat> beatOf(const Analysis& analysis, SlowVariable variable, double from_s,
+                           double to_s) {
+    return find_beat(analysis.track, variable, std::min(from_s, to_s), std::max(from_s, to_s),
+                     apartIn(analysis));
+}
+
+Reading amplitudeOf(const Analysis& analysis, SlowVariable variable, const Beat& beat,
+                    const DisplayUnits& units) {
+    const DisplayScale scale = displayScale(variable, units, analysis.f0_hz());
+    return {scale.sd(beat.value, beat.amplitude), scale.sd(beat.value, beat.sd_amplitude)};
+}
+
 double trendValue(SlowVariable variable, const Trend& trend, double time_s) {
     const double value = trend.at(time_s);
     return kindOf(variable) == TrendOf::logarithm ? std::exp(value) : value;

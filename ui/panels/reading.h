@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
+#include "core/track/beat.h"
 #include "core/track/trend.h"
 #include "ui/words/display_units.h"
+
+#include <QString>
 
 #include <cstddef>
 #include <limits>
@@ -34,7 +37,12 @@ std::optional<Trend> trendOf(const Analysis& analysis, SlowVariable variable, do
 // Its rate per second at its centre.
 Reading rateOf(const Analysis& analysis, SlowVariable variable, const Trend& trend,
                const DisplayUnits& units);
-// Its stored value at a time.
+std::optional<Beat> beatOf(const Analysis& analysis, SlowVariable variable, double from_s,
+                           double to_s);
+// Its amplitude at its centre.
+Reading amplitudeOf(const Analysis& analysis, SlowVariable variable, const Beat& beat,
+                    const DisplayUnits& units);
+// Stored value of a trend at a time.
 double trendValue(SlowVariable variable, const Trend& trend, double time_s);
 
 // With the interface's decimal sign and all digits, for a spreadsheet; empty for NaN.

@@ -112,7 +112,7 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
         }
     });
     connect(add_to_set_, &QAction::triggered, this,
-            [this] { document_.addToSet(list_->selectedRecordings()); });
+            [this] { document_.sets().addToCurrent(list_->selectedRecordings()); });
     connect(reopen_, &QAction::triggered, this, [this] {
         if (const RecordingEntry* entry = document_.currentRecording()) {
             emit reopenWanted(entry->path, entry->options);

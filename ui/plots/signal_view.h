@@ -89,13 +89,7 @@ private:
     void editAnalysed(AxisRange range);
     void zoomVisible(double factor, double about_s);
     void drawEnvelope(QPainter& painter, const QRect& area) const;
-    void drawSignals(QPainter& painter, const QRect& area,
-                     const std::vector<EnvelopeBucket>& columns) const;
-    void drawMissing(QPainter& painter, const QRect& area,
-                     const std::vector<EnvelopeBucket>& columns) const;
     void drawFaults(QPainter& painter, const QRect& area) const;
-    void drawUnread(QPainter& painter, const QRect& area,
-                    const std::vector<EnvelopeBucket>& columns) const;
     void drawRanges(QPainter& painter, const QRect& area) const;
     void drawLabel(QPainter& painter, const QRect& area, int alignment, const QString& text) const;
     void drawTimes(QPainter& painter, const QRect& area) const;

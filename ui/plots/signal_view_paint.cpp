@@ -1,5 +1,6 @@
 // Painting of the overview strip; the rest is in signal_view.cpp.
 #include "ui/plots/axis_ticks.h"
+#include "ui/plots/envelope_paint.h"
 #include "ui/plots/signal_view.h"
 
 #include <QPainter>
@@ -12,7 +13,6 @@
 namespace vybeg::ui {
 namespace {
 
-constexpr int missing_row = 3;
 constexpr double fault_row = 4;
 
 QFont smallFont(const QWidget& widget) {
@@ -61,70 +61,7 @@ void SignalView::paintEvent(QPaintEvent*) {
 void SignalView::drawEnvelope(QPainter& painter, const QRect& area) const {
     const double ratio = painter.device()->devicePixelRatioF();
     const int count = std::max(1, static_cast<int>(area.width() * ratio));
-    const auto columns = envelope_->buckets(0, envelope_->frames(), count);
-    drawUnread(painter, area, columns);
-    drawSignals(painter, area, columns);
-    drawMissing(painter, area, columns);
-}
-
-void SignalView::drawSignals(QPainter& painter, const QRect& area,
-                             const std::vector<EnvelopeBucket>& columns) const {
-    const double ratio = painter.device()->devicePixelRatioF();
-    const int lane_height = (area.height() - 2) / 2;
-    // One scale for both, because their ratio shows the angle of the wave.
-    float top = 0;
-    for (const EnvelopeBucket& column : columns) {
-        for (const float v : {column.c_min, column.c_max, column.d_min, column.d_max}) {
-            top = std::isfinite(v) ? std::max(top, std::abs(v)) : top;
-        }
-    }
-    const double scale = top > 0 ? 0.5 * (lane_height - 2) / static_cast<double>(top) : 0;
-    struct Lane {
-        QColor color;
-        double middle;
-        float EnvelopeBucket::*low;
-        float EnvelopeBucket::*high;
-    };
-    const std::array lanes{Lane{theme_.signalC, area.top() + 0.5 * lane_height,
-                                &EnvelopeBucket::c_min, &EnvelopeBucket::c_max},
-                           Lane{theme_.signalD, area.bottom() - 0.5 * lane_height,
-                                &EnvelopeBucket::d_min, &EnvelopeBucket::d_max}};
-    for (const Lane& lane : lanes) {
-        QVector<QLineF> read;
-        QVector<QLineF> looked_at;
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            const auto low = static_cast<double>(columns[i].*lane.low);
-            const auto high = static_cast<double>(columns[i].*lane.high);
-            if (std::isfinite(low) && std::isfinite(high)) {
-                const double x = area.left() + (static_cast<double>(i) + 0.5) / ratio;
-                const double least = 0.5 / ratio;  // a constant signal remains visible as a line
-                auto& lines = columns[i].coverage == Coverage::all ? read : looked_at;
-                lines.append(
-                    {x, lane.middle - scale * high - least, x, lane.middle - scale * low + least});
-            }
-        }
-        painter.setPen(QPen(lane.color, 1 / ratio, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLines(read);
-        QColor pale = lane.color;
-        pale.setAlphaF(0.45f);
-        painter.setPen(QPen(pale, 1 / ratio, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLines(looked_at);
-    }
-}
-
-void SignalView::drawMissing(QPainter& painter, const QRect& area,
-                             const std::vector<EnvelopeBucket>& columns) const {
-    const double ratio = painter.device()->devicePixelRatioF();
-    QColor veil = theme_.warning;
-    veil.setAlphaF(0.35f);
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (columns[i].missing) {
-            const double x = area.left() + (static_cast<double>(i) + 0.5) / ratio;
-            painter.fillRect(QRectF(x - 0.5, area.top(), 1, area.height()), veil);
-            painter.fillRect(QRectF(x - 1, area.bottom() - missing_row + 1, 2, missing_row),
-                             theme_.warning);
-        }
-    }
+    paintEnvelope(painter, area, envelope_->buckets(0, envelope_->frames(), count), theme_);
 }
 
 void SignalView::drawFaults(QPainter& painter, const QRect& area) const {
@@ -157,23 +94,6 @@ void SignalView::drawFaults(QPainter& painter, const QRect& area) const {
                                        {x, area.top() + 1.5 * fault_row}}));
     }
     painter.restore();
-}
-
-void SignalView::drawUnread(QPainter& painter, const QRect& area,
-                            const std::vector<EnvelopeBucket>& columns) const {
-    const double ratio = painter.device()->devicePixelRatioF();
-    for (std::size_t i = 0; i < columns.size();) {
-        std::size_t end = i;
-        while (end < columns.size() && columns[end].coverage == Coverage::none) {
-            ++end;
-        }
-        if (end > i) {
-            painter.fillRect(QRectF(area.left() + static_cast<double>(i) / ratio, area.top(),
-                                    static_cast<double>(end - i) / ratio, area.height()),
-                             QBrush(theme_.grid, Qt::BDiagPattern));
-        }
-        i = std::max(end, i + 1);
-    }
 }
 
 void SignalView::drawRanges(QPainter& painter, const QRect& area) const {

@@ -3,8 +3,6 @@
 #include "ui/plots/plot_overlay.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
-#include "ui/widgets/panel_focus.h"
-#include "ui/words/number_label.h"
 
 #include <QEvent>
 #include <QVBoxLayout>
@@ -14,9 +12,6 @@
 
 namespace vybeg::ui {
 namespace {
-
-// Longest pause between steps of one entry of the zoom history.
-constexpr int gesture_pause_ms = 600;
 
 bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& b) {
     return displayScale(variable, a, 1) == displayScale(variable, b, 1);
@@ -31,7 +26,10 @@ bool hasOtherRecording(const std::vector<Run>& runs, const std::vector<Run>& bef
 
 }  // namespace
 
-TrackView::TrackView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+TrackView::TrackView(QWidget* parent)
+    : QWidget(parent),
+      zoom_([this](ZoomState state) { return clipped(std::move(state), content_.runs); }),
+      plot_(new QCustomPlot(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(plot_);
@@ -41,12 +39,15 @@ TrackView::TrackView(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
     setMouseTracking(true);
     setFocusPolicy(Qt::ClickFocus);
     setAccessibleName(tr("Slow variables over time"));
-    pause_.setSingleShot(true);
-    pause_.setInterval(gesture_pause_ms);
     preparePlot(*plot_, content_.theme);
     stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::run_names);
     overlay_ = new PlotOverlay(plot_, stack_.get());
     connect(plot_, &QCustomPlot::afterLayout, this, &TrackView::followLayout);
+    connect(&zoom_, &ZoomNavigator::moved, this, [this] {
+        redraw();
+        emit timeRangeChanged(timeRange().lower, timeRange().upper);
+    });
+    connect(&zoom_, &ZoomNavigator::historyChanged, this, &TrackView::zoomHistoryChanged);
     rebuild();
 }
 
@@ -64,14 +65,10 @@ void TrackView::setRuns(std::vector<Run> runs) {
     const bool fitted = shown == before;
     rebuild();
     if (!before || shown.lower >= full.upper || shown.upper <= full.lower) {
-        history_ = ZoomStack({full, {}});
+        zoom_.restart({full, {}});
     } else if ((fitted || joined) && coveredTime(content_.runs)) {
-        history_.visit({full, history_.current().fixed}, fitted);
-    } else {
-        return;
+        zoom_.goTo({full, zoom_.current().fixed}, fitted);
     }
-    goTo(history_.current());
-    emit zoomHistoryChanged();
 }
 
 void TrackView::setShownVariables(std::vector<SlowVariable> variables) {
@@ -80,15 +77,14 @@ void TrackView::setShownVariables(std::vector<SlowVariable> variables) {
 }
 
 void TrackView::setUnits(const DisplayUnits& units) {
-    ZoomState state = history_.current();
+    ZoomState state = zoom_.current();
     std::erase_if(state.fixed,
                   [&](const auto& entry) { return !sameUnit(entry.first, units, content_.units); });
-    if (!(units == content_.units)) {
-        // The history is cleared, because its ranges are in the old units.
-        history_ = ZoomStack(state);
-        emit zoomHistoryChanged();
-    }
+    const bool changed = !(units == content_.units);
     content_.units = units;
+    if (changed) {
+        zoom_.restart(state);  // the ranges of the history are in the old units
+    }
     rebuild();
 }
 
@@ -113,7 +109,7 @@ void TrackView::setTrends(std::vector<TrendCurve> trends) {
 
 PlotContent TrackView::content() const {
     PlotContent content = content_;
-    content.zoom = history_.current();
+    content.zoom = zoom_.current();
     return content;
 }
 
@@ -122,18 +118,18 @@ AxisRange TrackView::fullTimeRange() const {
 }
 
 void TrackView::setTimeRange(AxisRange range) {
-    ZoomState state = history_.current();
+    ZoomState state = zoom_.current();
     state.time = range;
-    visit(std::move(state), Gesture::outside);
+    zoom_.visit(std::move(state), Gesture::outside);
 }
 
 void TrackView::setValueRange(SlowVariable variable, std::optional<AxisRange> range) {
-    ZoomState state = history_.current();
+    ZoomState state = zoom_.current();
     state.fixed.erase(variable);
     if (range) {
         state.fixed.emplace(variable, *range);
     }
-    visit(std::move(state), Gesture::none);
+    zoom_.visit(std::move(state), Gesture::none);
 }
 
 std::optional<AxisRange> TrackView::valueRange(SlowVariable variable) const {
@@ -167,7 +163,7 @@ QSize TrackView::minimumSizeHint() const {
 
 void TrackView::rebuild() {
     PlotContent content = content_;
-    content.zoom = history_.current();
+    content.zoom = zoom_.current();
     stack_->prepare(plot_->size());
     stack_->setContent(content);
     overlay_->setTheme(content_.theme);
@@ -178,40 +174,16 @@ void TrackView::rebuild() {
     for (const char* name : {"background", "grid", "main", "axes"}) {
         plot_->layer(QString::fromLatin1(name))->setVisible(has_runs);
     }
-    matchFocusWidgets();
+    focus_.match(content_);
     updateGeometry();
     fillOverlay();
     redraw();
 }
 
-void TrackView::matchFocusWidgets() {
-    const bool same = std::equal(
-        focus_widgets_.begin(), focus_widgets_.end(), content_.variables.begin(),
-        content_.variables.end(),
-        [](const PanelFocus* widget, SlowVariable v) { return widget->variable() == v; });
-    if (!same) {
-        for (PanelFocus* widget : focus_widgets_) {
-            delete widget;
-        }
-        focus_widgets_.clear();
-        for (const SlowVariable variable : content_.variables) {
-            focus_widgets_.push_back(new PanelFocus(variable, this));
-            focus_widgets_.back()->show();
-        }
-    }
-    for (PanelFocus* widget : focus_widgets_) {
-        const SlowVariable variable = widget->variable();
-        widget->setColor(content_.theme.accent);
-        widget->setAccessibleName(tr("Plot of %1, %2")
-                                      .arg(indexPlain(displaySymbol(variable, content_.units)),
-                                           displayMeaning(variable)));
-    }
-}
-
 void TrackView::redraw() {
     // The number of strips may have changed since the last resize.
     stack_->prepare(plot_->size());
-    stack_->setZoom(history_.current());
+    stack_->setZoom(zoom_.current());
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -228,11 +200,7 @@ void TrackView::refreshOverlay() {
 }
 
 void TrackView::followLayout() {
-    for (PanelFocus* widget : focus_widgets_) {
-        if (const PlotPanel* panel = stack_->panel(widget->variable())) {
-            widget->setGeometry(panel->outerRect());
-        }
-    }
+    focus_.place(*stack_);
     if (!stack_->panels().empty()) {
         const QRect area = stack_->panels().front()->rect();
         emit timeAxisPlaced(area.left(), width() - 1 - area.right());

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "ui/plots/plot_content.h"
+#include "ui/plots/plot_focus.h"
+#include "ui/plots/zoom_navigator.h"
 #include "ui/values/run.h"
-#include "ui/values/zoom_stack.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 
-#include <QTimer>
 #include <QWidget>
 
 #include <array>
@@ -20,7 +20,6 @@ namespace vybeg::ui {
 
 class PlotOverlay;
 class PlotStack;
-class PanelFocus;
 
 // The two measuring cursors of the view.
 enum class Cursor { a, b };
@@ -52,7 +51,7 @@ public:
     const DisplayUnits& units() const { return content_.units; }
     void setTheme(const Theme& theme);
 
-    AxisRange timeRange() const { return history_.current().time; }
+    AxisRange timeRange() const { return zoom_.current().time; }
     // Clips the range to that of the runs; adds it to the zoom history.
     void setTimeRange(AxisRange range);
     // Time range of the visible runs; {0, 1} without any.
@@ -61,8 +60,8 @@ public:
     void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
     std::optional<AxisRange> valueRange(SlowVariable variable) const;
 
-    bool canZoomBack() const { return history_.canBack(); }
-    bool canZoomForward() const { return history_.canForward(); }
+    bool canZoomBack() const { return zoom_.canBack(); }
+    bool canZoomForward() const { return zoom_.canForward(); }
 
     std::optional<double> tracker() const { return tracker_; }
     void setTracker(std::optional<double> time_s);
@@ -83,8 +82,8 @@ public:
 
 public slots:
     void fit();
-    void zoomBack();
-    void zoomForward();
+    void zoomBack() { zoom_.back(); }
+    void zoomForward() { zoom_.forward(); }
     void zoomIn();
     void zoomOut();
 
@@ -111,40 +110,32 @@ protected:
 
 private:
     enum class Drag { none, pan, rubberBand, cursorA, cursorB };
-    // Kind of input of one entry of the zoom history.
-    enum class Gesture { none, wheelTime, wheelValue, drag, keyTime, keyValue, outside };
 
     // The instant and, in the plot with the mouse, the value at a position.
     double timeAt(const QPointF& position) const;
     std::optional<Cursor> cursorAt(const QPointF& position) const;
     void pan(const QPointF& position);
-    void zoomTime(double factor, double about_s, Gesture gesture);
-    void panTime(double fraction);
+    void zoomByKey(double factor);
     // Scales the value axis about a fraction of its height from below and shifts it by a fraction.
     void changeValues(SlowVariable variable, double factor, double about, double shift,
                       Gesture gesture);
     void zoomToBand(const QRectF& band);
     bool keyMoves(QKeyEvent* event);
 
-    // Goes to a view: clips it, draws it, stores it in the history and emits the signals.
-    void visit(ZoomState state, Gesture gesture);
-    void goTo(const ZoomState& state);
     void moveTracker(std::optional<double> time_s);
     void moveCursor(Cursor which, std::optional<double> time_s);
     void rebuild();
     void redraw();
     void fillOverlay();
     void refreshOverlay();
-    void matchFocusWidgets();
     void followLayout();
-    SlowVariable focusedVariable() const;
 
     PlotContent content_;
-    ZoomStack history_;
+    ZoomNavigator zoom_;
     QCustomPlot* plot_ = nullptr;
     std::unique_ptr<PlotStack> stack_;
     PlotOverlay* overlay_ = nullptr;
-    std::vector<PanelFocus*> focus_widgets_;
+    PlotFocus focus_{*this};
     std::optional<double> tracker_;
     std::array<std::optional<double>, 2> cursors_;
     Drag drag_ = Drag::none;
@@ -152,8 +143,6 @@ private:
     ZoomState press_state_;
     std::optional<SlowVariable> press_variable_;
     AxisRange press_values_;
-    QTimer pause_;  // active while the next step belongs to the same gesture
-    Gesture gesture_ = Gesture::none;
 };
 
 }  // namespace vybeg::ui

@@ -3,7 +3,6 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
-#include "ui/widgets/panel_focus.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -60,73 +59,24 @@ std::optional<Cursor> TrackView::cursorAt(const QPointF& position) const {
     return std::nullopt;
 }
 
-void TrackView::visit(ZoomState state, Gesture gesture) {
-    state = clipped(std::move(state), content_.runs);
-    if (state == history_.current()) {
-        return;
-    }
-    const bool same = gesture != Gesture::none && gesture == gesture_ && pause_.isActive();
-    gesture_ = gesture;
-    pause_.start();
-    history_.visit(state, same);
-    goTo(state);
-    emit zoomHistoryChanged();
-}
-
-void TrackView::goTo(const ZoomState& state) {
-    redraw();
-    emit timeRangeChanged(state.time.lower, state.time.upper);
-}
-
 void TrackView::fit() {
-    visit({fullTimeRange(), {}}, Gesture::none);
+    zoom_.visit({fullTimeRange(), {}}, Gesture::none);
 }
 
-void TrackView::zoomBack() {
-    if (history_.canBack()) {
-        gesture_ = Gesture::none;
-        history_.back();
-        goTo(history_.current());
-        emit zoomHistoryChanged();
-    }
-}
-
-void TrackView::zoomForward() {
-    if (history_.canForward()) {
-        gesture_ = Gesture::none;
-        history_.forward();
-        goTo(history_.current());
-        emit zoomHistoryChanged();
-    }
-}
-
-void TrackView::zoomTime(double factor, double about_s, Gesture gesture) {
-    ZoomState state = history_.current();
-    const AxisRange old = state.time;
-    state.time = {about_s + factor * (old.lower - about_s),
-                  about_s + factor * (old.upper - about_s)};
-    visit(std::move(state), gesture);
+// About the tracker where it is visible, else about the centre.
+void TrackView::zoomByKey(double factor) {
+    const AxisRange time = timeRange();
+    const bool at_tracker = tracker_ && time.contains(*tracker_);
+    zoom_.zoomTime(factor, at_tracker ? *tracker_ : 0.5 * (time.lower + time.upper),
+                   Gesture::key_time);
 }
 
 void TrackView::zoomIn() {
-    const AxisRange time = timeRange();
-    const bool at_tracker = tracker_ && time.contains(*tracker_);
-    zoomTime(notch_factor, at_tracker ? *tracker_ : 0.5 * (time.lower + time.upper),
-             Gesture::keyTime);
+    zoomByKey(notch_factor);
 }
 
 void TrackView::zoomOut() {
-    const AxisRange time = timeRange();
-    const bool at_tracker = tracker_ && time.contains(*tracker_);
-    zoomTime(1 / notch_factor, at_tracker ? *tracker_ : 0.5 * (time.lower + time.upper),
-             Gesture::keyTime);
-}
-
-void TrackView::panTime(double fraction) {
-    ZoomState state = history_.current();
-    const double step = fraction * state.time.span();
-    state.time = {state.time.lower + step, state.time.upper + step};
-    visit(std::move(state), Gesture::keyTime);
+    zoomByKey(1 / notch_factor);
 }
 
 void TrackView::changeValues(SlowVariable variable, double factor, double about, double shift,
@@ -135,9 +85,9 @@ void TrackView::changeValues(SlowVariable variable, double factor, double about,
     if (!panel) {
         return;
     }
-    ZoomState state = history_.current();
+    ZoomState state = zoom_.current();
     state.fixed[variable] = changed(*panel->valueAxis(), panel->values(), factor, about, shift);
-    visit(std::move(state), gesture);
+    zoom_.visit(std::move(state), gesture);
 }
 
 void TrackView::zoomToBand(const QRectF& band) {
@@ -145,13 +95,13 @@ void TrackView::zoomToBand(const QRectF& band) {
     if (!panel || band.width() < least_band) {
         return;
     }
-    ZoomState state = history_.current();
+    ZoomState state = zoom_.current();
     state.time = {timeAt(band.topLeft()), timeAt(band.topRight())};
     if (band.height() >= least_band) {
         state.fixed[panel->variable()] = {panel->valueAxis()->pixelToCoord(band.bottom()),
                                           panel->valueAxis()->pixelToCoord(band.top())};
     }
-    visit(std::move(state), Gesture::none);
+    zoom_.visit(std::move(state), Gesture::none);
 }
 
 void TrackView::moveTracker(std::optional<double> time_s) {
@@ -177,16 +127,12 @@ void TrackView::mousePressEvent(QMouseEvent* event) {
         QWidget::mousePressEvent(event);
         return;
     }
-    for (PanelFocus* widget : focus_widgets_) {
-        if (widget->variable() == panel->variable()) {
-            widget->setFocus(Qt::MouseFocusReason);
-        }
-    }
+    focus_.give(panel->variable());
     press_ = event->position();
-    press_state_ = history_.current();
+    press_state_ = zoom_.current();
     press_variable_ = panel->variable();
     press_values_ = panel->values();
-    gesture_ = Gesture::none;
+    zoom_.endGesture();
     if (const auto which = cursorAt(press_); which && event->modifiers() == Qt::NoModifier) {
         drag_ = *which == Cursor::a ? Drag::cursorA : Drag::cursorB;
     } else {
@@ -205,7 +151,7 @@ void TrackView::pan(const QPointF& position) {
         state.fixed[panel->variable()] = changed(*panel->valueAxis(), press_values_, 1, 0,
                                                  moved.y() / std::max(1, panel->height()));
     }
-    visit(std::move(state), Gesture::drag);
+    zoom_.visit(std::move(state), Gesture::drag);
 }
 
 void TrackView::mouseMoveEvent(QMouseEvent* event) {
@@ -238,7 +184,7 @@ void TrackView::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     const Drag finished = std::exchange(drag_, Drag::none);
-    gesture_ = Gesture::none;
+    zoom_.endGesture();
     if (finished == Drag::rubberBand) {
         const QRectF area(stack_->panel(*press_variable_)->rect());
         overlay_->setRubberBand(std::nullopt);
@@ -272,31 +218,26 @@ void TrackView::wheelEvent(QWheelEvent* event) {
     if (event->modifiers() & Qt::ControlModifier) {
         const double height = std::max(1, panel->height());
         const double about = std::clamp((panel->bottom() - event->position().y()) / height, 0., 1.);
-        changeValues(panel->variable(), factor, about, 0, Gesture::wheelValue);
+        changeValues(panel->variable(), factor, about, 0, Gesture::wheel_value);
     } else {
-        zoomTime(factor, timeAt(event->position()), Gesture::wheelTime);
+        zoom_.zoomTime(factor, timeAt(event->position()), Gesture::wheel_time);
     }
-}
-
-SlowVariable TrackView::focusedVariable() const {
-    const auto found = std::find_if(focus_widgets_.begin(), focus_widgets_.end(),
-                                    [](const PanelFocus* widget) { return widget->hasFocus(); });
-    return found == focus_widgets_.end() ? content_.variables.front() : (*found)->variable();
 }
 
 bool TrackView::keyMoves(QKeyEvent* event) {
     const bool control = event->modifiers() & Qt::ControlModifier;
     const auto values = [&](double factor, double shift) {
-        changeValues(focusedVariable(), factor, 0.5, shift, Gesture::keyValue);
+        changeValues(focus_.focused().value_or(content_.variables.front()), factor, 0.5, shift,
+                     Gesture::key_value);
     };
     switch (event->key()) {
         case Qt::Key_Home: fit(); return true;
         case Qt::Key_R: zoomBack(); return true;
         case Qt::Key_Left:
-            event->modifiers() & Qt::AltModifier ? zoomBack() : panTime(-pan_step);
+            event->modifiers() & Qt::AltModifier ? zoomBack() : zoom_.panTime(-pan_step);
             return true;
         case Qt::Key_Right:
-            event->modifiers() & Qt::AltModifier ? zoomForward() : panTime(pan_step);
+            event->modifiers() & Qt::AltModifier ? zoomForward() : zoom_.panTime(pan_step);
             return true;
         case Qt::Key_Up: values(1, pan_step); return true;
         case Qt::Key_Down: values(1, -pan_step); return true;

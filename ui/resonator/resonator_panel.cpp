@@ -133,13 +133,13 @@ ResonatorPanel::ResonatorPanel(Document& document, QWidget* parent)
     layout->addWidget(state_);
     layout->addWidget(scroll, 1);
 
-    connect(close_passport_, &QPushButton::clicked, &document_, &Document::closePassport);
+    connect(close_passport_, &QPushButton::clicked, &document_.sets(), &SetStore::closePassport);
     connect(limit_, &NumberField::valueEdited, this,
-            [this](auto ppm) { document_.setFrequencyLimit(*ppm); });
+            [this](auto ppm) { document_.sets().setFrequencyLimit(*ppm); });
     connect(track_choice_, &QComboBox::activated, this, &ResonatorPanel::rebuild);
-    connect(&document_, &Document::setsChanged, this, &ResonatorPanel::refresh);
+    connect(&document_.sets(), &SetStore::changed, this, &ResonatorPanel::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResonatorPanel::refresh);
-    connect(&document_, &Document::passportChanged, this, &ResonatorPanel::rebuild);
+    connect(&document_.sets(), &SetStore::passportChanged, this, &ResonatorPanel::rebuild);
     guardFromWheel(*this);
     retranslate();
 }
@@ -176,8 +176,8 @@ void ResonatorPanel::showComparison() {
 
 // Changes of the settings, many per second during a drag, affect only the state of the result.
 void ResonatorPanel::refresh() {
-    const RunSet* set = document_.currentSet();
-    const auto outcome = set ? document_.outcome(*set) : nullptr;
+    const RunSet* set = document_.sets().current();
+    const auto outcome = set ? document_.sets().outcome(*set) : nullptr;
     if (outcome != shown_) {
         rebuild();
     } else {
@@ -186,8 +186,8 @@ void ResonatorPanel::refresh() {
 }
 
 void ResonatorPanel::rebuild() {
-    const RunSet* set = document_.currentSet();
-    shown_ = set ? document_.outcome(*set) : nullptr;
+    const RunSet* set = document_.sets().current();
+    shown_ = set ? document_.sets().outcome(*set) : nullptr;
     showState(set, shown_.get());
     for (Section* section : {waves_section_, resonator_section_, sensitivities_section_,
                              modes_section_, runs_section_, drift_section_, balance_section_}) {
@@ -202,7 +202,7 @@ void ResonatorPanel::rebuild() {
 
 void ResonatorPanel::showState(const RunSet* set, const ResonatorOutcome* outcome) {
     if (!outcome) {
-        state_->setText(document_.canIdentify()
+        state_->setText(document_.sets().canIdentify()
                             ? tr("Nothing identified yet.")
                             : tr("Open recordings of a free decay to identify the resonator."));
         return;
@@ -213,7 +213,7 @@ void ResonatorPanel::showState(const RunSet* set, const ResonatorOutcome* outcom
     QString text = tr("%1, %n recording(s); χ² per degree of freedom %2", nullptr,
                       static_cast<int>(outcome->inputs.size()))
                        .arg(model, shortNumberText(fit.chi2_per_dof, 3));
-    if (document_.outOfDate(*set, *outcome)) {
+    if (document_.sets().outOfDate(*set, *outcome)) {
         text = QStringLiteral("<b style=\"color:%1\">⚠ %2</b> %3")
                    .arg(readable(theme_.warning, theme_).name(), tr("Out of date."),
                         tr("The set or its settings have changed since: identify again.")) +
@@ -255,19 +255,19 @@ QString ResonatorPanel::modesTitle(const ResonatorFit& fit) {
 }
 
 void ResonatorPanel::showDifferences(const ResonatorOutcome* outcome) {
-    const OpenPassport* passport = document_.passport();
+    const OpenPassport* passport = document_.sets().passport();
     comparison_section_->setVisible(passport != nullptr);
     if (!passport) {
         return;
     }
     const QString name = passport->name.toHtmlEscaped();
-    const std::vector<Difference> differences = document_.differences();
+    const std::vector<Difference> differences = document_.sets().differences();
     passport_->setText(outcome
                            ? tr("Compared with %1. Changed: by %2 uncertainties u of the "
                                 "difference or more; by chance in one comparison of 370.")
                                  .arg(name, QLocale().toString(changedFrom(differences), 'f', 1))
                            : tr("%1 is open: identify the set to compare.").arg(name));
-    limit_->setValue(document_.frequencyLimit());
+    limit_->setValue(document_.sets().frequencyLimit());
     const QStringList reasons = incomparableTexts(differences);
     for (QWidget* part : std::initializer_list<QWidget*>{differences_, track_choice_, tracks_}) {
         part->setVisible(outcome != nullptr);

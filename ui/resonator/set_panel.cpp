@@ -68,9 +68,9 @@ void SetMembers::dragMoveEvent(QDragMoveEvent* event) {
 void SetMembers::dropEvent(QDropEvent* event) {
     const QMimeData& dragged = *event->mimeData();
     if (const auto ids = draggedRecordings(dragged); !ids.empty()) {
-        document_.addToSet(ids);
+        document_.sets().addToCurrent(ids);
     } else {
-        document_.openIntoSet(localFiles(dragged));
+        document_.sets().openIntoCurrent(localFiles(dragged));
     }
     event->setDropAction(Qt::CopyAction);
     event->accept();
@@ -133,34 +133,34 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     layout->addLayout(buttons);
 
     connect(sets_, &QComboBox::activated, this,
-            [this](int row) { document_.setCurrentSet(sets_->itemData(row).toInt()); });
+            [this](int row) { document_.sets().setCurrent(sets_->itemData(row).toInt()); });
     connect(sets_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
-        const RunSet* set = document_.currentSet();
+        const RunSet* set = document_.sets().current();
         if (set && sets_->lineEdit()->isModified()) {
             sets_->lineEdit()->setModified(false);
-            document_.renameSet(set->id, sets_->currentText());
+            document_.sets().rename(set->id, sets_->currentText());
         }
     });
-    connect(add_, &QToolButton::clicked, this, [this] { document_.addSet(); });
+    connect(add_, &QToolButton::clicked, this, [this] { document_.sets().add(); });
     connect(remove_, &QToolButton::clicked, this,
-            [this] { document_.removeSet(document_.currentSet()->id); });
+            [this] { document_.sets().remove(document_.sets().current()->id); });
     connect(remove_member_, &QAction::triggered, this, [this] {
         std::vector<int> ids;
         for (const QListWidgetItem* item : members_->selectedItems()) {
             ids.push_back(item->data(Qt::UserRole).toInt());
         }
-        if (const RunSet* set = document_.currentSet()) {
-            document_.removeFromSet(set->id, ids);
+        if (const RunSet* set = document_.sets().current()) {
+            document_.sets().removeFrom(set->id, ids);
         }
     });
     connect(choices_, &QMenu::aboutToShow, this, &SetPanel::fillMenu);
     connect(model_, &QComboBox::activated, this, [this](int index) {
-        const RunSet* set = document_.currentSet();
-        document_.setModel(set ? set->id : document_.addSet(),
-                           static_cast<FitOptions::Model>(index));
+        const RunSet* set = document_.sets().current();
+        document_.sets().setModel(set ? set->id : document_.sets().add(),
+                                  static_cast<FitOptions::Model>(index));
     });
-    connect(identify_, &QPushButton::clicked, &document_, &Document::identify);
-    connect(&document_, &Document::setsChanged, this, &SetPanel::refresh);
+    connect(identify_, &QPushButton::clicked, &document_.sets(), &SetStore::identify);
+    connect(&document_.sets(), &SetStore::changed, this, &SetPanel::refresh);
     connect(&document_, &Document::recordingsChanged, this, &SetPanel::refresh);
     connect(&document_, &Document::recordingChanged, this, &SetPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SetPanel::refresh);
@@ -169,28 +169,28 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
 
 void SetPanel::fillMenu() {
     choices_->clear();
-    const RunSet* set = document_.currentSet();
+    const RunSet* set = document_.sets().current();
     for (const RecordingEntry& entry : document_.recordings()) {
         QAction* choice = choices_->addAction(entry.name);
         choice->setCheckable(true);
         choice->setChecked(set && std::ranges::count(set->recordings, entry.id) > 0);
         connect(choice, &QAction::triggered, this, [this, id = entry.id](bool in) {
             if (in) {
-                document_.addToSet({id});
+                document_.sets().addToCurrent({id});
             } else {
-                document_.removeFromSet(document_.currentSet()->id, {id});
+                document_.sets().removeFrom(document_.sets().current()->id, {id});
             }
         });
     }
 }
 
 void SetPanel::refresh() {
-    const RunSet* set = document_.currentSet();
+    const RunSet* set = document_.sets().current();
     const bool typing = sets_->lineEdit()->hasFocus() && sets_->lineEdit()->isModified();
     if (!typing) {
         const QSignalBlocker blocker(sets_);
         sets_->clear();
-        for (const RunSet& each : document_.sets()) {
+        for (const RunSet& each : document_.sets().all()) {
             sets_->addItem(setName(document_, each), each.id);
         }
         sets_->setCurrentIndex(set ? sets_->findData(set->id) : -1);
@@ -200,7 +200,7 @@ void SetPanel::refresh() {
     refreshMembers(set);
     choose_->setEnabled(!document_.recordings().empty());
     model_->setCurrentIndex(set ? static_cast<int>(set->model) : 0);
-    identify_->setEnabled(document_.canIdentify());
+    identify_->setEnabled(document_.sets().canIdentify());
 }
 
 void SetPanel::refreshMembers(const RunSet* set) {

@@ -11,6 +11,8 @@ struct TrendCurve {
     SlowVariable variable = SlowVariable::a_A;
     std::vector<double> time_s;
     std::vector<double> value;
+
+    friend bool operator==(const TrendCurve&, const TrendCurve&) = default;
 };
 
 }  // namespace vybeg::ui

@@ -44,7 +44,7 @@ void FileCommands::askForRecordings() {
 }
 
 void FileCommands::askForPassport() {
-    ask_.passport([this](const QString& path) { document_.openPassport(path); });
+    ask_.passport([this](const QString& path) { document_.sets().openPassport(path); });
 }
 
 void FileCommands::askWhereToPutPlots() {
@@ -88,7 +88,7 @@ void FileCommands::reportSaved(const Status& status, const QString& path) {
     if (status) {
         document_.report({Severity::info, [path] { return tr("Written: %1").arg(path); }, {}, {}});
     } else {
-        document_.reportError(status.error());
+        document_.report(errorMessage(status.error()));
     }
 }
 
@@ -121,7 +121,8 @@ void FileCommands::savePassportTo(const QString& path) {
         reportSaved(possible, path);
         return;
     }
-    document_.savePassport(path, [this, path](const Status& status) { reportSaved(status, path); });
+    document_.sets().savePassport(
+        path, [this, path](const Status& status) { reportSaved(status, path); });
 }
 
 void FileCommands::exportResonatorPlot(const XYPlot& plot) {

@@ -161,9 +161,9 @@ void MainWindow::connectDocument() {
     });
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
     connect(&document_, &Document::reported, messages_, &MessageBar::add);
-    connect(&document_, &Document::setsChanged, commands_, &Commands::refresh);
-    connect(&document_, &Document::passportChanged, this, [this] {
-        if (document_.passport()) {
+    connect(&document_.sets(), &SetStore::changed, commands_, &Commands::refresh);
+    connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
+        if (document_.sets().passport()) {
             readings_->setCurrentWidget(resonator_);
             resonator_->showComparison();
         }
@@ -191,6 +191,12 @@ void MainWindow::connectPanels() {
         measure_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
     });
     connect(measure_, &MeasurePanel::trendsChanged, tracks_, &TrackView::setTrends);
+    connect(measure_, &MeasurePanel::cursorsEdited, this,
+            [this](std::optional<double> a_s, std::optional<double> b_s) {
+                tracks_->setCursor(Cursor::a, a_s);
+                tracks_->setCursor(Cursor::b, b_s);
+                measure_->setCursors(a_s, b_s);
+            });
     connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
     connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
     connect(events_, &EventsPanel::eventChosen, this, &MainWindow::goToEvent);
@@ -231,11 +237,11 @@ void MainWindow::setUnits(const DisplayUnits& units) {
 
 void MainWindow::identify() {
     readings_->setCurrentWidget(resonator_);
-    document_.identify();
+    document_.sets().identify();
 }
 
 void MainWindow::addSet() {
-    document_.addSet();
+    document_.sets().add();
     readings_->setCurrentWidget(resonator_);
 }
 

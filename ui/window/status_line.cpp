@@ -45,8 +45,8 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
     connect(cancel_, &QPushButton::clicked, this, &StatusLine::cancel);
     connect(&document_, &Document::busyChanged, this, &StatusLine::whenBusyChanged);
     connect(&document_, &Document::progressChanged, this, &StatusLine::refresh);
-    connect(&document_, &Document::identified, this, [this](int set_id) {
-        const auto found = document_.outcome(*document_.set(set_id));
+    connect(&document_.sets(), &SetStore::identified, this, [this](int set_id) {
+        const auto found = document_.sets().outcome(*document_.sets().find(set_id));
         const auto count = static_cast<int>(found->inputs.size());
         tell([count, seconds = found->seconds] {
             return tr("Resonator of %n recording(s) in %1 s", nullptr, count)

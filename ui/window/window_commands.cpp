@@ -64,9 +64,9 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                                   "Save what was identified from the set as the gyro's passport"),
          .enabled =
              [to] {
-                 const RunSet* set = to.document.currentSet();
-                 const auto outcome = set ? to.document.outcome(*set) : nullptr;
-                 return outcome && !to.document.outOfDate(*set, *outcome);
+                 const RunSet* set = to.document.sets().current();
+                 const auto outcome = set ? to.document.sets().outcome(*set) : nullptr;
+                 return outcome && !to.document.sets().outOfDate(*set, *outcome);
              },
          .act = [to] { to.files.askWhereToPutPassport(); }},
         {.id = Command::compare_passport,
@@ -192,7 +192,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .text = QT_TRANSLATE_NOOP("Command", "&Identify resonator"),
          .tip = QT_TRANSLATE_NOOP("Command", "Fit one resonator to all recordings of the set"),
          .keys = {QKeySequence(Qt::Key_F7)},
-         .enabled = [to] { return to.document.canIdentify(); },
+         .enabled = [to] { return to.document.sets().canIdentify(); },
          .act = [to] { to.identify(); }},
         {.id = Command::new_set,
          .text = QT_TRANSLATE_NOOP("Command", "&New set of runs"),

@@ -31,20 +31,33 @@ void note_not_closed(Recording& recording) {
         {DiagnosticKind::file_not_closed, {count_arg(recording.frames())}, recording.frames(), 0});
 }
 
-// Whether samples rise by equal steps, as times and numbers of rows do and no vibration does.
-bool rises_evenly(std::span<const double> samples) {
+// Whether samples are times in s, ms, us or ns, or numbers of rows: they rise by equal steps of
+// that size.
+bool are_times_or_rows(std::span<const double> samples, double rate_hz) {
     constexpr double tolerance = 0.01;  // of a step
     const double step =
         (samples.back() - samples.front()) / static_cast<double>(samples.size() - 1);
-    return step > 0 && std::ranges::adjacent_find(samples, [&](double before, double after) {
-                           return !(std::abs(after - before - step) <= tolerance * step);
-                       }) == samples.end();
+    const auto is_close = [](double value, double expected) {
+        return std::abs(value - expected) <= tolerance * expected;
+    };
+    const double ticks = step * rate_hz;
+    const bool is_size_known = is_close(step, 1) || is_close(ticks, 1) || is_close(ticks, 1e3) ||
+                               is_close(ticks, 1e6) || is_close(ticks, 1e9);
+    return is_size_known && std::ranges::adjacent_find(samples, [&](double before, double after) {
+                                return !is_close(after - before, step);
+                            }) == samples.end();
 }
 
+// Only channels without a name are looked at: the names of others tell times from signals.
 // Errors: channel_is_time; those of the source.
 Status check_signals(const FileBytes& file, const Recording& recording) {
     constexpr std::int64_t looked_at = 1000;  // frames; a shorter start may rise by chance
-    if (recording.frames() < looked_at) {
+    const auto name = [&](int channel) {
+        return recording.channels[static_cast<std::size_t>(channel - 1)].name;
+    };
+    const auto is_nameless = [&](int channel) { return name(channel) == std::to_string(channel); };
+    if (recording.frames() < looked_at ||
+        !(is_nameless(recording.channel_c) || is_nameless(recording.channel_d))) {
         return {};
     }
     std::vector<double> c(looked_at);
@@ -54,9 +67,8 @@ Status check_signals(const FileBytes& file, const Recording& recording) {
     }
     for (const auto& [samples, channel] :
          {std::pair(&c, recording.channel_c), std::pair(&d, recording.channel_d)}) {
-        if (rises_evenly(*samples)) {
-            return file.error(ErrorCode::channel_is_time,
-                              {recording.channels[static_cast<std::size_t>(channel - 1)].name});
+        if (is_nameless(channel) && are_times_or_rows(*samples, recording.rate_hz)) {
+            return file.error(ErrorCode::channel_is_time, {name(channel)});
         }
     }
     return {};

@@ -161,7 +161,7 @@ inline std::string both_channels(const Tdms& t, std::uint32_t type, std::uint64_
     return t.metadata({t.object("/", t.no_values()), t.object("/'Run'", t.no_values()),
                        t.object(path_c, t.values(type, count),
                                 {t.real("wf_increment", 3e-5), t.words("unit_string", "V")}),
-                       t.object(path_d, t.values(type, count))});
+                       t.object(path_d, t.values(type, count), {t.words("unit_string", "V")})});
 }
 
 // One segment of one chunk.

@@ -75,8 +75,8 @@ for kind in 'iuf':
             np.save(name + '-F-rows', np.asfortranarray(pair.T))
 for version in (1, 2, 3):
     with open('version%d.npy' % version, 'wb') as file:
-        np.lib.format.write_array(file, np.stack([i, -i], axis=1).astype('<f8'), (version, 0))
-np.save('three', np.stack([i, -i, 2 * i], axis=1).astype('f4'))
+        np.lib.format.write_array(file, np.stack([3 * i, -i], axis=1).astype('<f8'), (version, 0))
+np.save('three', np.stack([3 * i, -i, 2 * i], axis=1).astype('f4'))
 np.save('gaps', np.array([[1, 2], [np.nan, 3], [np.inf, -np.inf], [4, 5], [6, 7]]))
 np.save('short', np.arange(12.0).reshape(6, 2))
 np.save('square', np.arange(25.0).reshape(5, 5))
@@ -172,7 +172,7 @@ void TestNpyReader::every_version_of_the_format_is_read() {
     QCOMPARE(int{bytes_of(path)[6]}, name[7].digitValue());
     const Samples read = read_all(opened(path, with_rate));
     QCOMPARE(read.c.size(), std::size_t{frames});
-    QCOMPARE(read.c[39999], 39999.0);
+    QCOMPARE(read.c[39999], 119997.0);
     QCOMPARE(read.d[39999], -39999.0);
 }
 
@@ -210,7 +210,7 @@ void TestNpyReader::channels_are_chosen_from_more_than_two() {
     QCOMPARE(recording.channel_c, 3);
     const Samples read = read_all(recording);
     QCOMPARE(read.c[30000], 60000.0);
-    QCOMPARE(read.d[30000], 30000.0);
+    QCOMPARE(read.d[30000], 90000.0);
     options.channel_d = 4;
     QCOMPARE(open(folder_.file("three.npy"), options).error().code,
              ErrorCode::channel_out_of_range);

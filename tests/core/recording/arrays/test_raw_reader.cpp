@@ -66,7 +66,7 @@ void TestRawReader::every_type_and_byte_order_gives_back_its_samples() {
     Samples written;
     std::vector<double> interleaved;
     for (int i = 0; i < 150000; ++i) {
-        written.c.push_back(i % 65536 - 32768);
+        written.c.push_back(i * 11 % 65536 - 32768);
         written.d.push_back(32767 - 7 * i % 32768);
         interleaved.insert(interleaved.end(), {written.c.back(), written.d.back()});
     }

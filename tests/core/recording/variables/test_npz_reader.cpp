@@ -27,7 +27,7 @@ Samples written() {
     Samples samples;
     for (int i = 0; i < frames; ++i) {
         samples.c.push_back(7 * i % 1000 - 500);
-        samples.d.push_back(i % 1201 - 600);
+        samples.d.push_back(i % 601 - 300);
     }
     return samples;
 }
@@ -67,7 +67,7 @@ void TestNpzReader::initTestCase() {
     run_python(folder_.file(""), R"(
 import zipfile
 i = np.arange(300000)
-c, d = (7 * i % 1000 - 500).astype('f8'), (i % 1201 - 600).astype('f8')
+c, d = (7 * i % 1000 - 500).astype('f8'), (i % 601 - 300).astype('f8')
 for kind, save in (('stored', np.savez), ('deflated', np.savez_compressed)):
     pair = np.stack([c, d], axis=1)
     save(kind + '-vectors', c=c, d=d, fs=20.0)

@@ -1,0 +1,90 @@
+#include "core/track/trend_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vybeg {
+namespace {
+
+constexpr double significant = 3;  // standard deviations of chi^2 per degree of freedom
+
+struct Measured {
+    double time_s;
+    double value;
+    double sd;
+    double noise;  // of its window, from which the deviation was made
+};
+
+bool counts(Flags flags) {
+    return !has(flags, Flag::gap) && !has(flags, Flag::clipped) &&
+           !has(flags, Flag::filter_transient) && !has(flags, Flag::delay_reach) &&
+           !has(flags, Flag::not_converged) && !has(flags, Flag::at_bound);
+}
+
+std::vector<Measured> measured(const Track& track, SlowVariable variable, double from_s,
+                               double to_s, std::size_t apart, TrendOf of) {
+    constexpr double turn = 2 * std::numbers::pi;
+    const bool wrapped = variable == SlowVariable::delta_phi_CD || variable == SlowVariable::alpha;
+    const auto times = track.time_s();
+    const auto values = track.values(variable);
+    const auto sds = track.sds(variable);
+    const auto noise = track.values(SlowVariable::noise);
+    const auto first =
+        static_cast<std::size_t>(std::ranges::lower_bound(times, from_s) - times.begin());
+    std::vector<Measured> found;
+    for (std::size_t k = first; k < times.size() && times[k] <= to_s;) {
+        double value = values[k];
+        double sd = sds[k];
+        if (of == TrendOf::logarithm) {
+            sd /= value;
+            value = std::log(value);
+        }
+        if (!counts(track.flags()[k]) || !std::isfinite(value) || !(sd > 0)) {
+            ++k;
+            continue;
+        }
+        if (wrapped && !found.empty()) {
+            value -= turn * std::round((value - found.back().value) / turn);
+        }
+        found.push_back({times[k], value, sd, noise[k]});
+        k += apart;
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<TrendPoint> trend_points(const Track& track, SlowVariable variable, double from_s,
+                                     double to_s, std::size_t apart, TrendOf of) {
+    if (track.sds(variable).empty()) {
+        return {};
+    }
+    const std::vector<Measured> windows = measured(track, variable, from_s, to_s, apart, of);
+    // The noise of a short window is known poorly, and weights that follow its scatter would favour
+    // windows with deviations that are too small: the windows share the mean square of their noise.
+    double squares = 0;
+    for (const Measured& window : windows) {
+        squares += window.noise * window.noise;
+    }
+    const double common = std::sqrt(squares / static_cast<double>(windows.size()));
+    std::vector<TrendPoint> points;
+    points.reserve(windows.size());
+    for (const Measured& window : windows) {
+        const double scale = common > 0 && window.noise > 0 ? common / window.noise : 1;
+        const double sd = window.sd * scale;
+        points.push_back({window.time_s, window.value, 1 / (sd * sd)});
+    }
+    return points;
+}
+
+double enlargement(double chi2_per_dof, double dof) {
+    const bool scatters = chi2_per_dof > 1 + significant * std::sqrt(2 / dof);
+    return scatters ? std::sqrt(chi2_per_dof) : 1;
+}
+
+std::size_t windows_apart(std::int64_t length, std::int64_t hop) {
+    return static_cast<std::size_t>(std::max<std::int64_t>((length + hop - 1) / hop, 1));
+}
+
+}  // namespace vybeg

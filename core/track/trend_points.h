@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/track/track.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vybeg {
+
+enum class TrendOf : std::uint8_t { value, logarithm };
+
+// A value of a slow variable for a trend, stored units or their logarithm; weight: 1/sd^2.
+struct TrendPoint {
+    double time_s = 0;
+    double value = 0;
+    double weight = 0;
+};
+
+// The windows of a slow variable between two times that count for a trend. Windows that share
+// samples have correlated errors, so only every k-th counts, where k hops reach over a window:
+// `apart` is that k. Their noise is pooled. Windows without value or with samples missing, clipped
+// or disturbed do not count. 2theta_A is taken as it is, unwrapped; delta_phi_CD and alpha are
+// unwrapped between successive windows. Empty for a variable without standard deviations; values
+// that are not positive have no logarithm and do not count.
+std::vector<TrendPoint> trend_points(const Track& track, SlowVariable variable, double from_s,
+                                     double to_s, std::size_t apart, TrendOf of = TrendOf::value);
+
+// Factor of a trend's deviations: where the points scatter about it by more than three standard
+// deviations of chi^2 allow, the scatter is no white noise or the motion not the trend's, and the
+// deviations grow by the root of chi^2 per degree of freedom.
+double enlargement(double chi2_per_dof, double dof);
+
+// Hops of a plan that reach over a window of `length` samples.
+std::size_t windows_apart(std::int64_t length, std::int64_t hop);
+
+}  // namespace vybeg

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/base/error.h"
+#include "core/recording/samples/open_options.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+
+namespace vybeg::ui {
+
+enum class Severity : std::uint8_t { info, warning, error };
+
+// A newer message of a topic replaces the older one; all of them disappear when the topic is
+// settled.
+enum class Topic : std::uint8_t { none, live };
+
+// A message to the engineer. The text is a function, so that a change of language reaches what is
+// already on the screen.
+struct Message {
+    Severity severity = Severity::info;
+    std::function<QString()> text;
+    // A file that opens with other import options (rate, channels, raw layout).
+    QString reopen_path;
+    OpenOptions reopen_options;
+    Topic topic = Topic::none;
+};
+
+Message errorMessage(const Error& error, Topic topic = Topic::none);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,253 @@
+#include "ui/document/recording_store.h"
+
+#include "ui/words/error_text.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Whether other import options may open the file.
+bool isFixableByImportOptions(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::setting_invalid:
+        case ErrorCode::format_unknown:
+        case ErrorCode::text_not_a_number:
+        case ErrorCode::text_time_backwards:
+        case ErrorCode::text_no_table:
+        case ErrorCode::text_lines_missing:
+        case ErrorCode::column_out_of_range:
+        case ErrorCode::channel_out_of_range:
+        case ErrorCode::channel_is_time:
+        case ErrorCode::rate_unknown:
+        case ErrorCode::variable_missing: return true;
+        default: return false;
+    }
+}
+
+Message warning(std::function<QString()> text) {
+    return {Severity::warning, std::move(text), {}, {}};
+}
+
+}  // namespace
+
+RecordingStore::RecordingStore(AnalysisJob& job, const SettingsModel& settings, IdCounter& ids,
+                               QObject* parent)
+    : QObject(parent), job_(job), settings_(settings), ids_(ids) {}
+
+const RecordingEntry* RecordingStore::find(int id) const {
+    const auto found = std::ranges::find(recordings_, id, &RecordingEntry::id);
+    return found == recordings_.end() ? nullptr : &*found;
+}
+
+RecordingEntry* RecordingStore::entry(int id) {
+    return const_cast<RecordingEntry*>(std::as_const(*this).find(id));
+}
+
+const RecordingEntry* RecordingStore::findPath(const QString& absolute_path) const {
+    const auto found = std::ranges::find(recordings_, absolute_path, &RecordingEntry::path);
+    return found == recordings_.end() ? nullptr : &*found;
+}
+
+std::size_t RecordingStore::place(int id) const {
+    const auto found = std::ranges::find(recordings_, id, &RecordingEntry::id);
+    return static_cast<std::size_t>(found - recordings_.begin());
+}
+
+void RecordingStore::setCurrent(int id) {
+    if (id != current_ && find(id)) {
+        current_ = id;
+        emit currentChanged();
+        emit carrierChanged();
+    }
+}
+
+void RecordingStore::open(const QStringList& paths, const OpenOptions& options) {
+    for (const QString& path : paths) {
+        const int id = ids_.next();
+        RecordingEntry entry;
+        entry.id = id;
+        entry.path = QFileInfo(path).absoluteFilePath();
+        entry.name = QFileInfo(path).fileName();
+        entry.options = options;
+        recordings_.push_back(std::move(entry));
+        job_.open(
+            id, path, options, [this, id](const FirstLook& look) { whenLookedAt(id, look); },
+            [this, id](Result<Recording> result) { whenOpened(id, std::move(result)); });
+    }
+    if (!paths.isEmpty()) {
+        emit listChanged();
+    }
+}
+
+void RecordingStore::close(int id) {
+    job_.forget(id);
+    std::erase_if(recordings_, [id](const RecordingEntry& entry) { return entry.id == id; });
+    const bool was_current = current_ == id;
+    if (was_current) {
+        current_ = recordings_.empty() ? 0 : recordings_.back().id;
+    }
+    emit listChanged();
+    if (was_current) {
+        emit currentChanged();
+        emit carrierChanged();
+    }
+}
+
+void RecordingStore::whenLookedAt(int id, const FirstLook& look) {
+    RecordingEntry& looked_at = *entry(id);
+    looked_at.envelope = look.envelope;
+    looked_at.envelope_rate_hz = look.rate_hz;
+    setCurrent(id);
+    emit changed(id);
+}
+
+void RecordingStore::whenOpened(int id, Result<Recording> result) {
+    RecordingEntry& loaded = *entry(id);
+    if (!result) {
+        Message message = errorMessage(result.error());
+        if (isFixableByImportOptions(result.error().code)) {
+            message.reopen_path = loaded.path;
+            message.reopen_options = loaded.options;
+        }
+        emit openFailed(id, message);
+        return;
+    }
+    loaded.recording = std::move(*result);
+    readEnvelope(id);
+    reportWarnings(loaded);
+    if (id == current_) {
+        emit currentChanged();  // an envelope was all that was known of it
+    }
+    setCurrent(id);
+    emit changed(id);
+    emit opened(id);
+}
+
+void RecordingStore::reportWarnings(const RecordingEntry& entry) {
+    for (const Diagnostic& diagnostic : entry.recording->diagnostics) {
+        if (diagnostic.kind != DiagnosticKind::text_lines_ignored) {
+            emit reported(warning([name = entry.name, diagnostic] {
+                return QStringLiteral("%1: %2").arg(name, diagnosticText(diagnostic));
+            }));
+        }
+    }
+}
+
+void RecordingStore::readEnvelope(int id) {
+    using Picture = std::shared_ptr<const Envelope>;
+    const auto show = [this, id](const Picture& picture) {
+        RecordingEntry& shown = *entry(id);
+        shown.envelope = picture;
+        shown.envelope_rate_hz = shown.recording->rate_hz;
+        emit envelopeGrown(id);
+    };
+    job_.buildEnvelope(id, *find(id)->recording, show, [this, id, show](Result<Picture> whole) {
+        if (whole) {
+            show(*whole);
+        } else {
+            emit reported(errorMessage(whole.error()));
+        }
+        // After what is seen first; the file then is in memory as far as it fits.
+        checkSamples(id);
+        hashFile(id);
+    });
+}
+
+void RecordingStore::hashFile(int id) {
+    job_.hash(id, *find(id)->recording, [this, id](Result<std::string> hash) {
+        if (hash) {
+            entry(id)->sha256 = QString::fromStdString(*hash);
+            emit changed(id);
+        }
+    });
+}
+
+void RecordingStore::checkSamples(int id) {
+    const RecordingEntry& checked = *find(id);
+    Settings settings = settings_.settings();
+    if (!settings.f0_hz) {
+        settings.f0_hz = checked.f0_hz;  // most often it has been found by now
+    }
+    job_.inspect(id, *checked.recording, settings, [this, id](Result<SampleFaults> faults) {
+        if (faults) {  // otherwise the envelope reports the unreadable file
+            whenChecked(id, std::move(*faults));
+        }
+    });
+}
+
+void RecordingStore::whenChecked(int id, SampleFaults faults) {
+    RecordingEntry& checked = *entry(id);
+    checked.faults = std::make_shared<const SampleFaults>(std::move(faults));
+    emit changed(id);
+    const std::vector<Diagnostic>& findings = checked.faults->findings;
+    const std::size_t known = checked.recording->diagnostics.size();
+    if (findings.size() == known) {
+        return;
+    }
+    const auto more = static_cast<int>(findings.size() - known) - 1;
+    emit reported(warning([name = checked.name, first = findings[known], more] {
+        const QString text = QStringLiteral("%1: %2").arg(name, diagnosticText(first));
+        return more == 0 ? text
+                         : text + QLatin1Char(' ') +
+                               tr("%n more finding(s) in the recording check.", nullptr, more);
+    }));
+}
+
+std::optional<double> RecordingStore::carrier() const {
+    if (settings_.settings().f0_hz) {
+        return settings_.settings().f0_hz;
+    }
+    const RecordingEntry* shown = current();
+    return shown ? shown->f0_hz : std::nullopt;
+}
+
+void RecordingStore::searchCarrier(int id) {
+    RecordingEntry& searched = *entry(id);
+    searched.f0_hz.reset();
+    const Settings& search = settings_.settings();
+    job_.findCarrier(id, *searched.recording, search, [this, id, search](Result<double> f0) {
+        if (f0) {
+            Settings used = search;
+            used.f0_hz = *f0;
+            learnCarrier(id, search, used);
+        }
+    });
+}
+
+Settings RecordingStore::withKnownCarrier(const RecordingEntry& entry, Settings settings) {
+    // The search for lost samples uses another carrier, that of the file itself.
+    const bool known = entry.f0_hz && entry.f0_search && !settings.repair_lost &&
+                       same_carrier_search(*entry.f0_search, settings);
+    if (known && !settings.f0_hz) {
+        settings.f0_hz = entry.f0_hz;
+        settings.calibration = entry.f0_calibration;
+    }
+    return settings;
+}
+
+void RecordingStore::learnCarrier(int id, const Settings& requested, const Settings& used) {
+    RecordingEntry* learnt = entry(id);
+    if (!learnt || requested.f0_hz || !same_carrier_search(requested, settings_.settings())) {
+        return;
+    }
+    const bool differs = learnt->f0_hz != used.f0_hz;
+    learnt->f0_hz = used.f0_hz;
+    learnt->f0_search = requested;
+    learnt->f0_calibration = used.calibration;
+    if (used.calibration.offset_auto) {
+        learnt->f0_search.reset();  // the offsets are not found yet, and depend on the carrier
+    }
+    if (differs) {
+        emit changed(id);
+        if (id == current_) {
+            emit carrierChanged();
+        }
+    }
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "ui/document/analysis_job.h"
+#include "ui/document/id_counter.h"
+#include "ui/document/message.h"
+#include "ui/document/settings_model.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vybeg::ui {
+
+// A recording in the window's list. `recording` is empty while the file is being opened; an
+// envelope exists earlier where opening takes long.
+struct RecordingEntry {
+    int id = 0;
+    QString path;
+    QString name;
+    OpenOptions options;
+    std::optional<Recording> recording;
+    std::optional<double> f0_hz;               // once the search has found it
+    std::optional<Settings> f0_search;         // with these settings
+    Calibration f0_calibration;                // of that search, offsets found
+    QString sha256;                            // once it is computed
+    std::shared_ptr<const Envelope> envelope;  // of what has been read so far, or of samples of it
+    double envelope_rate_hz = 0;               // frames of the envelope in a second
+    std::shared_ptr<const SampleFaults> faults;  // of the finished recording check
+};
+
+// The open recordings and what the background finds out about each: envelope, carrier, recording
+// check, hash.
+class RecordingStore : public QObject {
+    Q_OBJECT
+
+public:
+    RecordingStore(AnalysisJob& job, const SettingsModel& settings, IdCounter& ids,
+                   QObject* parent = nullptr);
+
+    const std::vector<RecordingEntry>& all() const { return recordings_; }
+    const RecordingEntry* find(int id) const;
+    const RecordingEntry* findPath(const QString& absolute_path) const;
+    // Its place in the list; the size of the list for one that is not open.
+    std::size_t place(int id) const;
+    const RecordingEntry* current() const { return find(current_); }
+    void setCurrent(int id);
+
+    void open(const QStringList& paths, const OpenOptions& options);
+    void close(int id);
+
+    // The carrier that counts windows: the setting, else that of the current recording.
+    std::optional<double> carrier() const;
+    void searchCarrier(int id);
+    // The settings with the recording's carrier and offsets where a search with these settings has
+    // found them: the search always gives the same and is the longest part of a short analysis.
+    static Settings withKnownCarrier(const RecordingEntry& entry, Settings settings);
+    // Takes the carrier from an analysis with the present settings.
+    void learnCarrier(int id, const Settings& requested, const Settings& used);
+
+signals:
+    void listChanged();
+    void changed(int id);        // something became known about one
+    void envelopeGrown(int id);  // it covers more
+    void currentChanged();
+    void carrierChanged();
+    void opened(int id);
+    void openFailed(int id, const Message& message);
+    void reported(const Message& message);
+
+private:
+    RecordingEntry* entry(int id);
+    void whenLookedAt(int id, const FirstLook& look);
+    void whenOpened(int id, Result<Recording> result);
+    void reportWarnings(const RecordingEntry& entry);
+    void readEnvelope(int id);
+    void checkSamples(int id);
+    void whenChecked(int id, SampleFaults faults);
+    void hashFile(int id);
+
+    AnalysisJob& job_;
+    const SettingsModel& settings_;
+    IdCounter& ids_;
+    std::vector<RecordingEntry> recordings_;
+    int current_ = 0;
+};
+
+}  // namespace vybeg::ui

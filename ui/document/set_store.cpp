@@ -1,0 +1,271 @@
+#include "ui/document/set_store.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+// In any order: the resonator is the same.
+bool sameRecordings(const std::vector<int>& a, const std::vector<int>& b) {
+    return std::ranges::is_permutation(a, b);
+}
+
+bool contains(const std::vector<int>& ids, int id) {
+    return std::ranges::find(ids, id) != ids.end();
+}
+
+}  // namespace
+
+SetStore::SetStore(AnalysisJob& job, const SettingsModel& settings, RecordingStore& recordings,
+                   RequestQueue& queue, IdCounter& ids, QObject* parent)
+    : QObject(parent),
+      job_(job),
+      settings_(settings),
+      recordings_(recordings),
+      queue_(queue),
+      ids_(ids) {
+    // Outcomes of other settings are out of date.
+    connect(&settings_, &SettingsModel::settingsChanged, this, &SetStore::changed);
+    connect(&settings_, &SettingsModel::toleranceChanged, this, &SetStore::changed);
+}
+
+const RunSet* SetStore::find(int id) const {
+    const auto found = std::ranges::find(sets_, id, &RunSet::id);
+    return found == sets_.end() ? nullptr : &*found;
+}
+
+RunSet* SetStore::entry(int id) {
+    return const_cast<RunSet*>(std::as_const(*this).find(id));
+}
+
+void SetStore::setCurrent(int id) {
+    if (id != current_ && find(id)) {
+        current_ = id;
+        emit changed();
+    }
+}
+
+int SetStore::add(const std::vector<int>& recording_ids) {
+    RunSet set;
+    set.id = ids_.next();
+    set.number = ++made_;
+    set.recordings = recording_ids;
+    current_ = set.id;
+    sets_.push_back(std::move(set));
+    emit changed();
+    return current_;
+}
+
+void SetStore::remove(int id) {
+    queue_.forget(queue_.keyOfSet(id));
+    std::erase_if(sets_, [id](const RunSet& set) { return set.id == id; });
+    if (!find(current_)) {
+        current_ = sets_.empty() ? 0 : sets_.back().id;
+    }
+    emit changed();
+}
+
+void SetStore::rename(int id, const QString& name) {
+    if (RunSet* set = entry(id); set && set->name != name.trimmed()) {
+        set->name = name.trimmed();
+        emit changed();
+    }
+}
+
+void SetStore::setModel(int id, FitOptions::Model model) {
+    if (RunSet* set = entry(id); set && set->model != model) {
+        queue_.forget(queue_.keyOfSet(id));
+        set->model = model;
+        emit changed();
+    }
+}
+
+void SetStore::edited(RunSet& set) {
+    queue_.forget(queue_.keyOfSet(set.id));
+    if (!set.outcomes.empty() && !sameRecordings(set.outcomes.back()->recordings, set.recordings)) {
+        set.outcomes.erase(set.outcomes.begin(), set.outcomes.end() - 1);
+    }
+    emit changed();
+}
+
+void SetStore::addTo(int id, const std::vector<int>& recording_ids) {
+    RunSet& set = *entry(id);
+    const std::size_t before = set.recordings.size();
+    for (const int recording : recording_ids) {
+        if (recordings_.find(recording) && !contains(set.recordings, recording)) {
+            set.recordings.push_back(recording);
+        }
+    }
+    if (set.recordings.size() > before) {
+        edited(set);
+    }
+}
+
+void SetStore::addToCurrent(const std::vector<int>& recording_ids) {
+    addTo(current() ? current_ : add(), recording_ids);
+}
+
+void SetStore::removeFrom(int id, const std::vector<int>& recording_ids) {
+    RunSet* set = entry(id);
+    const auto gone = [&](int recording) { return contains(recording_ids, recording); };
+    if (set && std::erase_if(set->recordings, gone) > 0) {
+        edited(*set);
+    }
+}
+
+void SetStore::removeFromAll(int recording_id) {
+    for (const int id : holding(recording_id)) {
+        removeFrom(id, {recording_id});
+    }
+}
+
+std::vector<int> SetStore::holding(int recording_id) const {
+    std::vector<int> ids;
+    for (const RunSet& set : sets_) {
+        if (contains(set.recordings, recording_id)) {
+            ids.push_back(set.id);
+        }
+    }
+    return ids;
+}
+
+void SetStore::openIntoCurrent(const QStringList& paths) {
+    std::vector<int> ids;
+    for (const QString& path : paths) {
+        const RecordingEntry* open = recordings_.findPath(QFileInfo(path).absoluteFilePath());
+        if (!open) {
+            recordings_.open({path}, {});
+            open = &recordings_.all().back();
+        }
+        ids.push_back(open->id);
+    }
+    addToCurrent(ids);
+}
+
+// The window is the identification's own: that of the tracks has another purpose.
+IdentifySettings SetStore::settingsOf(const RunSet& set) const {
+    IdentifySettings settings;
+    settings.signal = settings_.settings();
+    settings.model = set.model;
+    settings.tolerance = settings_.tolerance();
+    return settings;
+}
+
+bool SetStore::canIdentify() const {
+    const RunSet* set = current();
+    if (!set || set->recordings.empty()) {
+        return recordings_.current() && recordings_.current()->recording;
+    }
+    return std::ranges::all_of(
+        set->recordings, [this](int id) { return recordings_.find(id)->recording.has_value(); });
+}
+
+void SetStore::identify() {
+    if (!canIdentify()) {
+        return;
+    }
+    if (!current() || current()->recordings.empty()) {
+        addToCurrent({recordings_.current()->id});
+    }
+    const RunSet& set = *current();
+    queue_.forget(queue_.keyOfSet(set.id));
+    std::vector<Recording> recordings;
+    std::vector<IdentifiedInput> inputs;
+    for (const int id : set.recordings) {
+        const RecordingEntry& entry = *recordings_.find(id);
+        recordings.push_back(*entry.recording);
+        inputs.push_back({entry.name.toStdString(), entry.sha256.toStdString(),
+                          entry.recording->start, entry.recording->seconds(),
+                          entry.recording->rate_hz, 0});
+    }
+    const int key = ids_.next();
+    Request request;
+    request.set_id = set.id;
+    queue_.enter(key, request);
+    job_.identify(key, recordings, std::move(inputs), settingsOf(set),
+                  [this, key, members = set.recordings](Result<ResonatorOutcome> result) {
+                      if (result) {
+                          result->recordings = members;
+                      }
+                      whenIdentified(key, std::move(result));
+                  });
+}
+
+void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
+    const int id = queue_.find(key)->set_id;
+    if (result) {
+        RunSet& set = *entry(id);
+        // Older ones of other recordings, or of the same settings, have no use any more.
+        std::erase_if(set.outcomes, [&](const auto& older) {
+            return !sameRecordings(older->recordings, result->recordings) ||
+                   older->identification.settings == result->identification.settings;
+        });
+        set.outcomes.push_back(std::make_shared<const ResonatorOutcome>(std::move(*result)));
+        emit changed();
+        emit identified(id);
+    } else if (result.error().code != ErrorCode::interrupted) {
+        emit reported(errorMessage(result.error()));
+    }
+    queue_.done(key);
+}
+
+bool SetStore::outOfDate(const RunSet& set, const ResonatorOutcome& outcome) const {
+    return !sameRecordings(outcome.recordings, set.recordings) ||
+           outcome.identification.settings != settingsOf(set);
+}
+
+std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RunSet& set) const {
+    const auto up_to_date = std::ranges::find_if(
+        set.outcomes, [&](const auto& outcome) { return !outOfDate(set, *outcome); });
+    if (up_to_date != set.outcomes.end()) {
+        return *up_to_date;
+    }
+    return set.outcomes.empty() ? nullptr : set.outcomes.back();
+}
+
+void SetStore::savePassport(const QString& path, std::function<void(const Status&)> done) {
+    const RunSet* set = current();
+    if (const auto found = set ? outcome(*set) : nullptr) {
+        job_.writePassport(ids_.next(), found,
+                           QStringLiteral("vybeg ") + QCoreApplication::applicationVersion(), path,
+                           std::move(done));
+    }
+}
+
+void SetStore::openPassport(const QString& path) {
+    constexpr int one_at_a_time = 0;  // a newer one replaces one that is being read
+    job_.readPassport(one_at_a_time, path, [this, path](Result<Passport> passport) {
+        if (!passport) {
+            emit reported(errorMessage(passport.error()));
+            return;
+        }
+        passport_ = OpenPassport{QFileInfo(path).fileName(), std::move(*passport)};
+        emit passportChanged();
+    });
+}
+
+void SetStore::closePassport() {
+    passport_.reset();
+    emit passportChanged();
+}
+
+void SetStore::setFrequencyLimit(double ppm) {
+    if (ppm != compare_.f_limit_ppm) {
+        compare_.f_limit_ppm = ppm;
+        emit passportChanged();
+    }
+}
+
+std::vector<Difference> SetStore::differences() const {
+    const RunSet* set = current();
+    const auto found = set ? outcome(*set) : nullptr;
+    return passport_ && found ? compare(passport_->passport, found->identification.fit, compare_)
+                              : std::vector<Difference>();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "core/resonator/results/passport.h"
+#include "ui/document/recording_store.h"
+#include "ui/document/request_queue.h"
+#include "ui/values/run_set.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vybeg::ui {
+
+// Sets of recordings, the resonators identified from them, and the passport for comparison. An edit
+// of a set stops its identification; its older result stays, out of date.
+class SetStore : public QObject {
+    Q_OBJECT
+
+public:
+    SetStore(AnalysisJob& job, const SettingsModel& settings, RecordingStore& recordings,
+             RequestQueue& queue, IdCounter& ids, QObject* parent = nullptr);
+
+    const std::vector<RunSet>& all() const { return sets_; }
+    const RunSet* find(int id) const;
+    const RunSet* current() const { return find(current_); }
+    void setCurrent(int id);
+    int add(const std::vector<int>& recording_ids = {});  // becomes the current one
+    void remove(int id);
+    void rename(int id, const QString& name);
+    void setModel(int id, FitOptions::Model model);
+    // Recordings into a set, each once.
+    void addTo(int id, const std::vector<int>& recording_ids);
+    // Into the current set; without one, into a new one.
+    void addToCurrent(const std::vector<int>& recording_ids);
+    void removeFrom(int id, const std::vector<int>& recording_ids);
+    void removeFromAll(int recording_id);
+    std::vector<int> holding(int recording_id) const;
+    // Files from outside into the current set; those that are not open yet are opened.
+    void openIntoCurrent(const QStringList& paths);
+
+    // The current set, in the background; where it is empty, the current recording as a set of one.
+    void identify();
+    bool canIdentify() const;
+    // The newest of a set: with its present recordings and settings where there is one.
+    std::shared_ptr<const ResonatorOutcome> outcome(const RunSet& set) const;
+    bool outOfDate(const RunSet& set, const ResonatorOutcome& outcome) const;
+
+    // Passports are written and read in the background; errors are reported.
+    void savePassport(const QString& path, std::function<void(const Status&)> done);
+    void openPassport(const QString& path);
+    void closePassport();
+    const OpenPassport* passport() const { return passport_ ? &*passport_ : nullptr; }
+    // Smallest change of the frequency that counts, ppm.
+    void setFrequencyLimit(double ppm);
+    double frequencyLimit() const { return compare_.f_limit_ppm; }
+    // Of the current set's outcome from the passport; empty where one of them is missing.
+    std::vector<Difference> differences() const;
+
+signals:
+    void changed();          // the sets, their recordings and outcomes
+    void passportChanged();  // also its limits
+    void identified(int set_id);
+    void reported(const Message& message);
+
+private:
+    RunSet* entry(int id);
+    IdentifySettings settingsOf(const RunSet& set) const;
+    void edited(RunSet& set);
+    void whenIdentified(int key, Result<ResonatorOutcome> result);
+
+    AnalysisJob& job_;
+    const SettingsModel& settings_;
+    RecordingStore& recordings_;
+    RequestQueue& queue_;
+    IdCounter& ids_;
+    std::vector<RunSet> sets_;
+    int current_ = 0;
+    int made_ = 0;
+    std::optional<OpenPassport> passport_;
+    CompareOptions compare_;
+};
+
+}  // namespace vybeg::ui

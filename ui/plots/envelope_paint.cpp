@@ -1,0 +1,100 @@
+#include "ui/plots/envelope_paint.h"
+
+#include <QPainter>
+#include <QVector>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vybeg::ui {
+namespace {
+
+using Columns = std::vector<EnvelopeBucket>;
+
+constexpr int missing_row = 3;
+
+void drawSignals(QPainter& painter, const QRect& area, const Columns& columns, const Theme& theme) {
+    const double ratio = painter.device()->devicePixelRatioF();
+    const int lane_height = (area.height() - 2) / 2;
+    // One scale for both, because their ratio shows the angle of the wave.
+    float top = 0;
+    for (const EnvelopeBucket& column : columns) {
+        for (const float v : {column.c_min, column.c_max, column.d_min, column.d_max}) {
+            top = std::isfinite(v) ? std::max(top, std::abs(v)) : top;
+        }
+    }
+    const double scale = top > 0 ? 0.5 * (lane_height - 2) / static_cast<double>(top) : 0;
+    struct Lane {
+        QColor color;
+        double middle;
+        float EnvelopeBucket::*low;
+        float EnvelopeBucket::*high;
+    };
+    const std::array lanes{Lane{theme.signalC, area.top() + 0.5 * lane_height,
+                                &EnvelopeBucket::c_min, &EnvelopeBucket::c_max},
+                           Lane{theme.signalD, area.bottom() - 0.5 * lane_height,
+                                &EnvelopeBucket::d_min, &EnvelopeBucket::d_max}};
+    for (const Lane& lane : lanes) {
+        QVector<QLineF> read;
+        QVector<QLineF> looked_at;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const auto low = static_cast<double>(columns[i].*lane.low);
+            const auto high = static_cast<double>(columns[i].*lane.high);
+            if (std::isfinite(low) && std::isfinite(high)) {
+                const double x = area.left() + (static_cast<double>(i) + 0.5) / ratio;
+                const double least = 0.5 / ratio;  // a constant signal remains visible as a line
+                auto& lines = columns[i].coverage == Coverage::all ? read : looked_at;
+                lines.append(
+                    {x, lane.middle - scale * high - least, x, lane.middle - scale * low + least});
+            }
+        }
+        painter.setPen(QPen(lane.color, 1 / ratio, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(read);
+        QColor pale = lane.color;
+        pale.setAlphaF(0.45f);
+        painter.setPen(QPen(pale, 1 / ratio, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(looked_at);
+    }
+}
+
+void drawMissing(QPainter& painter, const QRect& area, const Columns& columns, const Theme& theme) {
+    const double ratio = painter.device()->devicePixelRatioF();
+    QColor veil = theme.warning;
+    veil.setAlphaF(0.35f);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (columns[i].missing) {
+            const double x = area.left() + (static_cast<double>(i) + 0.5) / ratio;
+            painter.fillRect(QRectF(x - 0.5, area.top(), 1, area.height()), veil);
+            painter.fillRect(QRectF(x - 1, area.bottom() - missing_row + 1, 2, missing_row),
+                             theme.warning);
+        }
+    }
+}
+
+void drawUnread(QPainter& painter, const QRect& area, const Columns& columns, const Theme& theme) {
+    const double ratio = painter.device()->devicePixelRatioF();
+    for (std::size_t i = 0; i < columns.size();) {
+        std::size_t end = i;
+        while (end < columns.size() && columns[end].coverage == Coverage::none) {
+            ++end;
+        }
+        if (end > i) {
+            painter.fillRect(QRectF(area.left() + static_cast<double>(i) / ratio, area.top(),
+                                    static_cast<double>(end - i) / ratio, area.height()),
+                             QBrush(theme.grid, Qt::BDiagPattern));
+        }
+        i = std::max(end, i + 1);
+    }
+}
+
+}  // namespace
+
+void paintEnvelope(QPainter& painter, const QRect& area, const Columns& columns,
+                   const Theme& theme) {
+    drawUnread(painter, area, columns, theme);
+    drawSignals(painter, area, columns, theme);
+    drawMissing(painter, area, columns, theme);
+}
+
+}  // namespace vybeg::ui

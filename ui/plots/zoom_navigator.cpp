@@ -1,0 +1,76 @@
+#include "ui/plots/zoom_navigator.h"
+
+#include <utility>
+
+namespace vybeg::ui {
+namespace {
+
+// Longest pause between steps of one entry of the zoom history.
+constexpr int gesture_pause_ms = 600;
+
+}  // namespace
+
+ZoomNavigator::ZoomNavigator(std::function<ZoomState(ZoomState)> clipped, QObject* parent)
+    : QObject(parent), clipped_(std::move(clipped)) {
+    pause_.setSingleShot(true);
+    pause_.setInterval(gesture_pause_ms);
+}
+
+void ZoomNavigator::announce() {
+    emit moved();
+    emit historyChanged();
+}
+
+void ZoomNavigator::visit(ZoomState state, Gesture gesture) {
+    state = clipped_(std::move(state));
+    if (state == current()) {
+        return;
+    }
+    const bool same = gesture != Gesture::none && gesture == gesture_ && pause_.isActive();
+    gesture_ = gesture;
+    pause_.start();
+    goTo(state, same);
+}
+
+void ZoomNavigator::goTo(const ZoomState& state, bool same_entry) {
+    history_.visit(state, same_entry);
+    announce();
+}
+
+void ZoomNavigator::restart(const ZoomState& state) {
+    history_ = ZoomStack(state);
+    announce();
+}
+
+void ZoomNavigator::back() {
+    if (canBack()) {
+        endGesture();
+        history_.back();
+        announce();
+    }
+}
+
+void ZoomNavigator::forward() {
+    if (canForward()) {
+        endGesture();
+        history_.forward();
+        announce();
+    }
+}
+
+void ZoomNavigator::zoomTime(double factor, double about_s, Gesture gesture) {
+    ZoomState state = current();
+    const AxisRange old = state.time;
+    state.time = {about_s + factor * (old.lower - about_s),
+                  about_s + factor * (old.upper - about_s)};
+    visit(std::move(state), gesture);
+}
+
+void ZoomNavigator::panTime(double fraction) {
+    ZoomState state = current();
+    const double step = fraction * state.time.span();
+    state.time = {state.time.lower + step, state.time.upper + step};
+    visit(std::move(state), Gesture::key_time);
+}
+
+}  // namespace vybeg::ui

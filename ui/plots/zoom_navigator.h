@@ -1,0 +1,59 @@
+#pragma once
+
+#include "ui/values/zoom_stack.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <cstdint>
+#include <functional>
+
+namespace vybeg::ui {
+
+// Kind of input of one entry of the zoom history; `none` is an entry of its own.
+enum class Gesture : std::uint8_t {
+    none,
+    wheel_time,
+    wheel_value,
+    drag,
+    key_time,
+    key_value,
+    outside
+};
+
+// The view that plots show, with its history. Successive steps of one gesture are one entry.
+class ZoomNavigator : public QObject {
+    Q_OBJECT
+
+public:
+    // `clipped`: a view limited to what can be shown.
+    explicit ZoomNavigator(std::function<ZoomState(ZoomState)> clipped, QObject* parent = nullptr);
+
+    const ZoomState& current() const { return history_.current(); }
+    bool canBack() const { return history_.canBack(); }
+    bool canForward() const { return history_.canForward(); }
+
+    void visit(ZoomState state, Gesture gesture);
+    // Goes there unclipped; with `same_entry` in the place of the current entry.
+    void goTo(const ZoomState& state, bool same_entry);
+    void restart(const ZoomState& state);
+    void back();
+    void forward();
+    void zoomTime(double factor, double about_s, Gesture gesture);
+    void panTime(double fraction);
+    void endGesture() { gesture_ = Gesture::none; }
+
+signals:
+    void moved();
+    void historyChanged();
+
+private:
+    void announce();
+
+    std::function<ZoomState(ZoomState)> clipped_;
+    ZoomStack history_;
+    QTimer pause_;  // active while the next step belongs to the same gesture
+    Gesture gesture_ = Gesture::none;
+};
+
+}  // namespace vybeg::ui
