@@ -29,7 +29,7 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::Document</name>
+        <name>vybeg::ui::RecordingStore</name>
         <message numerus="yes">
             <source>%n more finding(s) in the recording check.</source>
             <translation>
@@ -65,6 +65,16 @@
             <translation>
                 <numerusform>%1, %n recording; χ² per degree of freedom %2</numerusform>
                 <numerusform>%1, %n recordings; χ² per degree of freedom %2</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>vybeg::ui::MeasurePanel</name>
+        <message numerus="yes">
+            <source>%n window(s) without common samples</source>
+            <translation>
+                <numerusform>%n window without common samples</numerusform>
+                <numerusform>%n windows without common samples</numerusform>
             </translation>
         </message>
     </context>

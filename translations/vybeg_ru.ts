@@ -962,6 +962,13 @@
     </message>
 </context>
 <context>
+    <name>PlotFocus</name>
+    <message>
+        <source>Plot of %1, %2</source>
+        <translation>График %1, %2</translation>
+    </message>
+</context>
+<context>
     <name>PlotPanel</name>
     <message>
         <source>not estimated by this algorithm</source>
@@ -2370,17 +2377,6 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::RecordingStore</name>
-    <message numerus="yes">
-        <source>%n more finding(s) in the recording check.</source>
-        <translation>
-            <numerusform>В проверке записи ещё %n замечание.</numerusform>
-            <numerusform>В проверке записи ещё %n замечания.</numerusform>
-            <numerusform>В проверке записи ещё %n замечаний.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>vybeg::ui::EventsPanel</name>
     <message>
         <source>Axis crossings, gaps and windows without convergence of the chosen run appear here.</source>
@@ -2833,6 +2829,125 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::MeasurePanel</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Time of cursor A</source>
+        <translation>Время курсора A</translation>
+    </message>
+    <message>
+        <source>Time of cursor B</source>
+        <translation>Время курсора B</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>Seconds from the start of the recording; empty: no cursor. The keys 1 and 2 in the plots set the cursors at the mouse, 0 removes both.</source>
+        <translation>Секунды от начала записи; пусто — курсора нет. Клавиши 1 и 2 на графиках ставят курсоры под мышью, 0 убирает оба.</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>Тренд</translation>
+    </message>
+    <message>
+        <source>Line; exponential for the working wave</source>
+        <translation>Прямая; для рабочей волны — экспонента</translation>
+    </message>
+    <message>
+        <source>Beat: damped sinusoid</source>
+        <translation>Биение: затухающая синусоида</translation>
+    </message>
+    <message>
+        <source>Trend between the cursors</source>
+        <translation>Тренд между курсорами</translation>
+    </message>
+    <message>
+        <source>Fitted by weighted least squares to the windows between the cursors that share no samples. Where they scatter more than their noise, the deviations grow by that.</source>
+        <translation>Взвешенный метод наименьших квадратов по окнам между курсорами без общих отсчётов. Если разброс окон больше их шума, СКО увеличены в той же мере.</translation>
+    </message>
+    <message>
+        <source>Readings at the cursors</source>
+        <translation>Показания у курсоров</translation>
+    </message>
+    <message>
+        <source>B − A = %1 s, 1/|B − A| = %2 Hz</source>
+        <translation>B − A = %1 с, 1/|B − A| = %2 Гц</translation>
+    </message>
+    <message>
+        <source>The keys 1 and 2 in the plots set the cursors A and B at the mouse; the trend between them is measured.</source>
+        <translation>Клавиши 1 и 2 на графиках ставят курсоры A и B под мышью; между ними измеряется тренд.</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Beat, Hz</source>
+        <translation>Биение, Гц</translation>
+    </message>
+    <message>
+        <source>Rate, per s</source>
+        <translation>Скорость, в секунду</translation>
+    </message>
+    <message>
+        <source>Decay time of a_A: %1 s</source>
+        <translation>Постоянная времени a_A: %1 с</translation>
+    </message>
+    <message>
+        <source>The decay of a_A lies within its noise here.</source>
+        <translation>Спад a_A здесь в пределах шума.</translation>
+    </message>
+    <message>
+        <source>Drift of θ_A: %1 °/h</source>
+        <translation>Дрейф θ_A: %1 °/ч</translation>
+    </message>
+    <message>
+        <source>Drift of f: %1 Hz/s</source>
+        <translation>Уход f: %1 Гц/с</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n window(s) without common samples</source>
+        <translation>
+            <numerusform>%n окно без общих отсчётов</numerusform>
+            <numerusform>%n окна без общих отсчётов</numerusform>
+            <numerusform>%n окон без общих отсчётов</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fewer than three windows between the cursors.</source>
+        <translation>Между курсорами меньше трёх окон.</translation>
+    </message>
+    <message>
+        <source>%1: amplitude %2 %3, damping %4 1/s</source>
+        <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
+    </message>
+    <message>
+        <source>No beat of ¾ to 100 periods between the cursors.</source>
+        <translation>Между курсорами нет биения с числом периодов от ¾ до 100.</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>СКО</translation>
+    </message>
+    <message>
+        <source>A = %1 s</source>
+        <translation>A = %1 с</translation>
+    </message>
+    <message>
+        <source>B = %1 s</source>
+        <translation>B = %1 с</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::MessageBar</name>
     <message>
         <source>Close this message</source>
@@ -3012,6 +3127,17 @@
     <message>
         <source>Add to the set of the resonator</source>
         <translation>Добавить в набор резонатора</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::RecordingStore</name>
+    <message numerus="yes">
+        <source>%n more finding(s) in the recording check.</source>
+        <translation>
+            <numerusform>В проверке записи ещё %n замечание.</numerusform>
+            <numerusform>В проверке записи ещё %n замечания.</numerusform>
+            <numerusform>В проверке записи ещё %n замечаний.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3572,10 +3698,6 @@
 Open a recording and press Run.</source>
         <translation>Расчётов пока нет.
 Откройте запись и нажмите «Рассчитать».</translation>
-    </message>
-    <message>
-        <source>Plot of %1, %2</source>
-        <translation>График %1, %2</translation>
     </message>
 </context>
 <context>

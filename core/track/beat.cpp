@@ -172,7 +172,7 @@ std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double 
     }
     points = averaged(points, fitted_points);
     const Fit fit = refined(points, search(averaged(points, searched_points)));
-    const auto dof = static_cast<double>(points.size()) - parameter_count;
+    const auto dof = static_cast<double>(points.size()) - double{parameter_count};
     const Vector& x = fit.x;
     beat.chi2_per_dof = fit.chi2 / dof;
     const double larger = enlargement(beat.chi2_per_dof, dof);

@@ -1,6 +1,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
+#include "core/track/beat.h"
 #include "core/track/trend.h"
 #include "tests/statistical/simulated_recording.h"
 
@@ -13,8 +14,8 @@
 using namespace vybeg;
 using namespace vybeg::test;
 
-// Decay time, drift and drift of the frequency between two cursors, against the simulator, over 200
-// seeds each: the root mean square pull is known to 5 %, their mean to 7 %.
+// Decay time, drift, drift of the frequency and beat between two cursors, against the simulator,
+// over 200 seeds each: the root mean square pull is known to 5 %, their mean to 7 %.
 class Trends : public QObject {
     Q_OBJECT
 
@@ -37,7 +38,6 @@ private slots:
         QFETCH(int, algorithm);
         QFETCH(int, window);
         QFETCH(int, hop);
-        constexpr int seeds = 200;
         std::mt19937_64 random(7);
         std::uniform_real_distribution<double> any(-1, 1);
         enum { decay, turn, frequency, count };
@@ -82,13 +82,73 @@ private slots:
             }
         }
         for (std::size_t k = 0; k < count; ++k) {
-            const double rms = std::sqrt(squares[k] / seeds);
-            const QByteArray text = QByteArray::number(qulonglong(k)) + ": rms pull " +
-                                    QByteArray::number(rms) + ", mean " +
-                                    QByteArray::number(sums[k] / seeds);
-            QVERIFY2(rms > 0.9 && rms < 1.1, text);
-            QVERIFY2(std::abs(sums[k] / seeds) < 0.25, text);
+            check(k, sums[k], squares[k]);
         }
+    }
+
+    // A frequency split turns the wave to and fro and lets a_B beat with it. The angle to the axis
+    // is small, so that the third harmonic lies below the noise.
+    void beats_are_those_of_the_split_data() {
+        QTest::addColumn<int>("window");
+        QTest::addColumn<int>("hop");
+        QTest::newRow("windows") << 60 << 60;
+        QTest::newRow("overlapping") << 60 << 17;
+        QTest::newRow("longer") << 120 << 120;
+    }
+
+    void beats_are_those_of_the_split() {
+        QFETCH(int, window);
+        QFETCH(int, hop);
+        std::mt19937_64 random(11);
+        std::uniform_real_distribution<double> any(-1, 1);
+        enum { of_a_B, of_angle, damping, count };
+        std::array<double, count> squares{};
+        std::array<double, count> sums{};
+        for (int seed = 1; seed <= seeds; ++seed) {
+            FreeDecay wave;
+            wave.seconds = 2;
+            wave.seed = static_cast<std::uint64_t>(seed);
+            wave.f0_hz = 5300 + 37.3 * any(random);
+            wave.alpha = 3 * any(random);
+            wave.split_hz = 2.5 + any(random);
+            wave.theta_w = 1.5 * any(random);
+            wave.two_theta_A = 2 * wave.theta_w + 0.05;
+            wave.tau_s = 20;
+            wave.noise = 1e-3;
+            Settings settings;
+            settings.window = window;
+            settings.hop = hop;
+            const auto analysis = analyse(simulated_recording(wave), settings, {});
+            QVERIFY(analysis);
+            const std::size_t apart = windows_apart(analysis->plan.length, analysis->plan.hop);
+            const auto a_B = find_beat(analysis->track, SlowVariable::a_B, 0.2, 1.8, apart);
+            const auto angle =
+                find_beat(analysis->track, SlowVariable::two_theta_A, 0.2, 1.8, apart);
+            QVERIFY(a_B && angle);
+            const std::array<double, count> pulls{
+                (a_B->frequency_hz - wave.split_hz) / a_B->sd_frequency_hz,
+                (angle->frequency_hz - wave.split_hz) / angle->sd_frequency_hz,
+                (a_B->damping_per_s - 1 / wave.tau_s) / a_B->sd_damping_per_s};
+            for (std::size_t k = 0; k < count; ++k) {
+                sums[k] += pulls[k];
+                squares[k] += pulls[k] * pulls[k];
+            }
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            check(k, sums[k], squares[k]);
+        }
+    }
+
+private:
+    static constexpr int seeds = 200;
+
+    static void check(std::size_t k, double sum, double square) {
+        const double rms = std::sqrt(square / seeds);
+        const QByteArray text = QByteArray::number(qulonglong(k)) + ": rms pull " +
+                                QByteArray::number(rms) + ", mean " +
+                                QByteArray::number(sum / seeds);
+        QVERIFY2(rms > 0.9 && rms < 1.1, text);
+        QVERIFY2(std::abs(sum / seeds) < 0.25, text);
     }
 };
 

@@ -18,10 +18,8 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
-#include <QPushButton>
 #include <QTabWidget>
 #include <QTest>
 
@@ -36,6 +34,7 @@ class TestResonatorTab : public QObject {
     std::unique_ptr<MainWindow> window_;
 
     Document& document() { return window_->document(); }
+    SetStore& setStore() { return window_->document().sets(); }
 
     template <class Widget>
     Widget& the(const QString& name = {}) {
@@ -71,8 +70,8 @@ class TestResonatorTab : public QObject {
     }
 
     std::shared_ptr<const ResonatorOutcome> outcome() {
-        const RunSet* set = document().sets().current();
-        return set ? document().sets().outcome(*set) : nullptr;
+        const RunSet* set = setStore().current();
+        return set ? setStore().outcome(*set) : nullptr;
     }
 
     void identify() {
@@ -84,7 +83,7 @@ class TestResonatorTab : public QObject {
 
     void openSet() {
         openRuns(files_);
-        document().sets().addToCurrent(ids());
+        setStore().addToCurrent(ids());
     }
 
     // The text of a table's row by the beginning of its name.
@@ -107,16 +106,16 @@ private slots:
         openRuns({files_[0], files_[1]});
         std::unique_ptr<QMimeData> recordings(recordingMimeData(ids()));
         drop(*recordings);
-        QCOMPARE(document().sets().current()->recordings, ids());
+        QCOMPARE(setStore().current()->recordings, ids());
         drop(*recordings);  // once more changes nothing
         QCOMPARE(the<SetMembers>().count(), 2);
         QMimeData urls;
         urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
         drop(urls);
         QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
-        QCOMPARE(document().sets().current()->recordings, ids());
+        QCOMPARE(setStore().current()->recordings, ids());
         QCOMPARE(the<SetMembers>().count(), 3);
-        QVERIFY(document().sets().canIdentify());
+        QVERIFY(setStore().canIdentify());
         // The list follows the current recording with one row, however many were dragged.
         QCOMPARE(the<RecordingDragList>().selectedRecordings(),
                  std::vector<int>{document().currentRecording()->id});
@@ -129,35 +128,35 @@ private slots:
         list.setFocus();
         list.selectAll();
         QTest::keyClick(&list, Qt::Key_Insert);
-        QCOMPARE(document().sets().current()->recordings, ids());
+        QCOMPARE(setStore().current()->recordings, ids());
         auto& members = the<SetMembers>();
         members.setFocus();
         members.setCurrentRow(1);
         QTest::keyClick(&members, Qt::Key_Delete);
-        QCOMPARE(document().sets().current()->recordings.size(), std::size_t(3));
+        QCOMPARE(setStore().current()->recordings.size(), std::size_t(3));
         auto* menu = the<SetPanel>().findChild<QMenu*>();
         emit menu->aboutToShow();
         QCOMPARE(menu->actions().size(), 4);
         QVERIFY(!menu->actions().at(1)->isChecked());
         menu->actions().at(1)->trigger();
-        QCOMPARE(document().sets().current()->recordings.size(), std::size_t(4));
+        QCOMPARE(setStore().current()->recordings.size(), std::size_t(4));
         document().closeRecording(ids().front());
-        QCOMPARE(document().sets().current()->recordings.size(), std::size_t(3));
+        QCOMPARE(setStore().current()->recordings.size(), std::size_t(3));
     }
 
     void sets_are_named_and_removed() {
-        document().sets().add();
+        setStore().add();
         auto& sets = the<QComboBox>("sets");
         QCOMPARE(sets.currentText(), QStringLiteral("Set 1"));
         sets.lineEdit()->setFocus();
         sets.lineEdit()->selectAll();
         QTest::keyClicks(sets.lineEdit(), "gyro 17");
         QTest::keyClick(sets.lineEdit(), Qt::Key_Return);
-        QCOMPARE(document().sets().current()->name, QStringLiteral("gyro 17"));
+        QCOMPARE(setStore().current()->name, QStringLiteral("gyro 17"));
         window_->action(Command::new_set)->trigger();
         QCOMPARE(sets.count(), 2);
         QCOMPARE(sets.currentText(), QStringLiteral("Set 2"));
-        document().sets().remove(document().sets().current()->id);
+        setStore().remove(setStore().current()->id);
         QCOMPARE(sets.currentText(), QStringLiteral("gyro 17"));
     }
 
@@ -269,7 +268,7 @@ private slots:
         openRuns({resonatorRuns(home_, "still", {.split_hz = 1e-6})[1]});
         window_->action(Command::identify)->trigger();  // no set: one of the current recording
         QVERIFY(QTest::qWaitFor([&] { return !document().busy() && outcome(); }, 60000));
-        QCOMPARE(document().sets().current()->recordings, ids());
+        QCOMPARE(setStore().current()->recordings, ids());
         const QString reason = cell("resonator", "Mean frequency");
         QVERIFY2(reason.contains("Add a recording that starts at"), qPrintable(reason));
         for (const char* row : {"Frequency split", "Stiffness axis"}) {
@@ -294,7 +293,7 @@ private slots:
     void an_edit_stops_the_identification_and_nothing_stale_arrives() {
         openSet();
         window_->action(Command::identify)->trigger();
-        document().sets().removeFrom(document().sets().current()->id, {ids().front()});
+        setStore().removeFrom(setStore().current()->id, {ids().front()});
         QVERIFY(!document().busy());
         QTest::qWait(300);  // nothing stale arrives in this time
         QVERIFY(!outcome());
@@ -305,12 +304,11 @@ private slots:
         identify();
         QVERIFY(!the<QLabel>("state").text().contains("Out of date"));
         QVERIFY(window_->action(Command::save_passport)->isEnabled());
-        document().sets().removeFrom(document().sets().current()->id, {ids().front()});
+        setStore().removeFrom(setStore().current()->id, {ids().front()});
         QVERIFY(the<QLabel>("state").text().contains("Out of date"));
         QVERIFY(!window_->action(Command::save_passport)->isEnabled());
         QCOMPARE(the<QuantityTable>("runs").columnCount(), 5);  // what was found stays
-        document().sets().addToCurrent(
-            {ids().front()});  // now the last one: the order does not matter
+        setStore().addToCurrent({ids().front()});  // now the last one: the order does not matter
         QVERIFY(!the<QLabel>("state").text().contains("Out of date"));
         Settings settings = document().settings();
         settings.calibration.angle_zero_deg = 3;
@@ -324,12 +322,12 @@ private slots:
         openSet();
         identify();
         const auto structured = outcome();
-        const int id = document().sets().current()->id;
-        document().sets().setModel(id, FitOptions::Model::free);
-        QVERIFY(document().sets().outOfDate(*document().sets().current(), *outcome()));
+        const int id = setStore().current()->id;
+        setStore().setModel(id, FitOptions::Model::free);
+        QVERIFY(setStore().outOfDate(*setStore().current(), *outcome()));
         identify();
         QCOMPARE(outcome()->identification.fit.model, ResonatorModel::free);
-        document().sets().setModel(id, FitOptions::Model::automatic);
+        setStore().setModel(id, FitOptions::Model::automatic);
         QCOMPARE(outcome(), structured);
     }
 
@@ -338,8 +336,8 @@ private slots:
         identify();
         window_->files().savePassportTo(home_.path("gyro.json"));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("gyro.json")); }));
-        window_->document().sets().openPassport(home_.path("gyro.json"));
-        QVERIFY(QTest::qWaitFor([&] { return document().sets().passport() != nullptr; }));
+        setStore().openPassport(home_.path("gyro.json"));
+        QVERIFY(QTest::qWaitFor([&] { return setStore().passport() != nullptr; }));
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("= unchanged"));
         QCOMPARE(cell("differences", "Frequency split", 2), QStringLiteral("0.0"));
         QVERIFY(cell("differences", "Mean frequency", 4).endsWith("ppm") ||
@@ -347,25 +345,25 @@ private slots:
         QCOMPARE(the<QuantityTable>("differences").columnCount(), 7);
 
         const QStringList later = resonatorRuns(home_, "later", {.split_hz = 0.02});
-        document().sets().add();
-        document().sets().openIntoCurrent(later);
+        setStore().add();
+        setStore().openIntoCurrent(later);
         QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
         identify();
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("≠ changed"));
         QCOMPARE(cell("differences", "Decay time"), QStringLiteral("= unchanged"));
         QVERIFY2(cell("differences", "Frequency split", 4).contains("%"),
                  qPrintable(cell("differences", "Frequency split", 4)));
-        QCOMPARE(document().sets().frequencyLimit(), 30.0);
+        QCOMPARE(setStore().frequencyLimit(), 30.0);
         QCOMPARE(the<XYPlotView>("tracks").content().series.size(), std::size_t(8));
-        document().sets().closePassport();
+        setStore().closePassport();
         QVERIFY(!the<QuantityTable>("differences").isVisible());
     }
 
     void a_damaged_passport_is_told_of() {
-        window_->document().sets().openPassport(home_.file("bad.json", "{"));
+        setStore().openPassport(home_.file("bad.json", "{"));
         QVERIFY(QTest::qWaitFor([&] { return !the<MessageBar>().texts().isEmpty(); }));
         QVERIFY(the<MessageBar>().texts().first().contains("bad.json"));
-        QVERIFY(!document().sets().passport());
+        QVERIFY(!setStore().passport());
     }
 
     void plots_go_into_files_and_to_the_clipboard() {

@@ -1,7 +1,6 @@
 #include "ui/panels/measure_panel.h"
 
 #include "ui/widgets/number_field.h"
-#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
@@ -24,7 +23,7 @@ namespace {
 enum Column { symbol, at_a, at_b, difference, trend, column_count };
 enum Kind { line_kind, beat_kind };
 
-constexpr int shown_count = static_cast<int>(shown_slow_variables.size());
+constexpr int shown_count = static_cast<int>(main_slow_variables.size());
 constexpr int curve_points = 200;
 constexpr double turn = 2 * std::numbers::pi;
 
@@ -32,8 +31,8 @@ constexpr double turn = 2 * std::numbers::pi;
 constexpr double degrees_an_hour = 0.5 * 360 / turn * 3600;
 
 std::size_t lineOf(SlowVariable variable) {
-    return static_cast<std::size_t>(std::ranges::find(shown_slow_variables, variable) -
-                                    shown_slow_variables.begin());
+    return static_cast<std::size_t>(std::ranges::find(main_slow_variables, variable) -
+                                    main_slow_variables.begin());
 }
 
 QString nameOf(SlowVariable variable, const DisplayUnits& units) {
@@ -137,7 +136,7 @@ void MeasurePanel::retranslate() {
                "plots set the cursors at the mouse, 0 removes both."));
     }
     kind_name_->setText(tr("Trend"));
-    kind_->setItemText(line_kind, indexPlain(tr("Line, exponential for a_A")));
+    kind_->setItemText(line_kind, tr("Line; exponential for the working wave"));
     kind_->setItemText(beat_kind, tr("Beat: damped sinusoid"));
     kind_->setAccessibleName(tr("Trend between the cursors"));
     kind_->setToolTip(
@@ -165,8 +164,8 @@ void MeasurePanel::measure(const Analysis& analysis) {
     if (!a_s_ || !b_s_) {
         return;
     }
-    for (std::size_t line = 0; line < shown_slow_variables.size(); ++line) {
-        const SlowVariable variable = shown_slow_variables[line];
+    for (std::size_t line = 0; line < main_slow_variables.size(); ++line) {
+        const SlowVariable variable = main_slow_variables[line];
         lines_[line] = trendOf(analysis, variable, *a_s_, *b_s_);
         if (showsBeats()) {
             beats_[line] = beatOf(analysis, variable, *a_s_, *b_s_);
@@ -191,7 +190,7 @@ Reading MeasurePanel::trendReading(const Analysis& analysis, std::size_t line) c
         const auto& beat = beats_[line];
         return beat ? Reading{beat->frequency_hz, beat->sd_frequency_hz} : Reading();
     }
-    return lines_[line] ? rateOf(analysis, shown_slow_variables[line], *lines_[line], units_)
+    return lines_[line] ? rateOf(analysis, main_slow_variables[line], *lines_[line], units_)
                         : Reading();
 }
 
@@ -207,7 +206,7 @@ void MeasurePanel::showTable(const Analysis& analysis) {
     const std::size_t row_a = nearestRow(analysis.track, a_s_.value_or(0));
     const std::size_t row_b = nearestRow(analysis.track, b_s_.value_or(0));
     for (int line = 0; line < shown_count; ++line) {
-        const SlowVariable variable = shown_slow_variables[static_cast<std::size_t>(line)];
+        const SlowVariable variable = main_slow_variables[static_cast<std::size_t>(line)];
         table_->setItem(line, symbol, new QTableWidgetItem(nameOf(variable, units_)));
         const auto set = [&](Column column, const Reading& reading) {
             auto* item = new QTableWidgetItem(
@@ -251,9 +250,9 @@ QStringList MeasurePanel::lineSentences() const {
 
 QStringList MeasurePanel::beatSentences(const Analysis& analysis) const {
     QStringList sentences;
-    for (std::size_t line = 0; line < shown_slow_variables.size(); ++line) {
+    for (std::size_t line = 0; line < main_slow_variables.size(); ++line) {
         if (const auto& beat = beats_[line]) {
-            const SlowVariable variable = shown_slow_variables[line];
+            const SlowVariable variable = main_slow_variables[line];
             const Reading amplitude = amplitudeOf(analysis, variable, *beat, units_);
             const QString unit = displayUnit(variable, units_);
             sentences << tr("%1: amplitude %2 %3, damping %4 1/s")
@@ -280,12 +279,12 @@ void MeasurePanel::showSentences() {
 
 void MeasurePanel::drawTrends(const Analysis* analysis) {
     std::vector<TrendCurve> curves;
-    for (std::size_t line = 0; line < shown_slow_variables.size(); ++line) {
+    for (std::size_t line = 0; line < main_slow_variables.size(); ++line) {
         const auto& beat = beats_[line];
         if (showsBeats() ? !beat : !lines_[line]) {
             continue;
         }
-        const SlowVariable variable = shown_slow_variables[line];
+        const SlowVariable variable = main_slow_variables[line];
         const DisplayScale scale = displayScale(variable, units_, analysis->f0_hz());
         const double span = std::abs(*b_s_ - *a_s_);
         const int points =
@@ -319,8 +318,8 @@ QString MeasurePanel::tableText() const {
                                  tr("B = %1 s").arg(spreadsheetNumber(*b_s_)), sd, tr("B − A"), sd,
                                  showsBeats() ? tr("Beat, Hz") : tr("Rate, per s"), sd}
                          .join(QLatin1Char('\t'))};
-    for (std::size_t line = 0; line < shown_slow_variables.size(); ++line) {
-        const SlowVariable variable = shown_slow_variables[line];
+    for (std::size_t line = 0; line < main_slow_variables.size(); ++line) {
+        const SlowVariable variable = main_slow_variables[line];
         QStringList cells{nameOf(variable, units_)};
         for (const Reading& reading :
              {readingAt(*shown, variable, row_a, units_),

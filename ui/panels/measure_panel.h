@@ -44,8 +44,8 @@ protected:
 
 private:
     // Trends of the shown variables, in their order.
-    using Lines = std::array<std::optional<Trend>, shown_slow_variables.size()>;
-    using Beats = std::array<std::optional<Beat>, shown_slow_variables.size()>;
+    using Lines = std::array<std::optional<Trend>, main_slow_variables.size()>;
+    using Beats = std::array<std::optional<Beat>, main_slow_variables.size()>;
 
     const Analysis* analysis() const;
     bool showsBeats() const;

@@ -111,6 +111,8 @@ void MainWindow::buildDocks() {
     auto* at_cursor = new QSplitter(Qt::Vertical, readings_);
     at_cursor->addWidget(cursor_);
     at_cursor->addWidget(measure_);
+    at_cursor->setStretchFactor(1, 1);
+    at_cursor->setSizes({270, 430});
     readings_->addTab(at_cursor, QString());
     readings_->addTab(resonator_, QString());
     readings_->addTab(events_, QString());
@@ -120,7 +122,7 @@ void MainWindow::buildDocks() {
     readings->setTitleBarWidget(new QWidget(readings));
     auto* runs = dock(runs_, "runs", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea);
     resizeDocks({recordings, settings}, {340, 420}, Qt::Vertical);
-    resizeDocks({settings, readings}, {300, 330}, Qt::Horizontal);
+    resizeDocks({settings, readings}, {300, 390}, Qt::Horizontal);
     resizeDocks({runs}, {130}, Qt::Vertical);
 }
 
