@@ -28,7 +28,7 @@ std::optional<Band> filter_without(double line_hz, const SignalSettings& setting
     const double reach = rounded_down(std::min({0.49 * far, 0.5 * f0, 0.5 * (half_rate - f0)}));
     Band band{f0 - reach, f0 + reach};
     if (reach >= 20) {
-        band = {std::ceil(band.low_hz), std::floor(band.high_hz)};
+        band = {std::round(band.low_hz), std::round(band.high_hz)};
     }
     if (settings.filter) {
         if (line_hz < settings.filter->low_hz || line_hz > settings.filter->high_hz) {

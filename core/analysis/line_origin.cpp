@@ -30,7 +30,8 @@ public:
           lobe_hz_(rate_hz / static_cast<double>(analysis.plan.length)),
           window_rate_hz_(rate_hz / static_cast<double>(analysis.plan.hop)) {}
 
-    std::optional<Name> name(double f_hz) const {
+    std::optional<Name> name(const ResidualLine& line) const {
+        const double f_hz = line.f_hz;
         const double off = f_hz - f0_hz_;
         // Long windows have all their side lobes near the carrier.
         const bool beside_window_rate = window_rate_hz_ > 4 * tolerance_hz_;
@@ -40,8 +41,11 @@ public:
             return Name{LineOrigin::wave, 0, 0};
         }
         const double windows = std::round(off / window_rate_hz_);
-        if (beside_window_rate && windows != 0 && is_at_window_rate(off, windows)) {
+        if (beside_window_rate && windows != 0 && is_at_window_rate(line, windows)) {
             return Name{LineOrigin::window_rate, static_cast<int>(windows), window_rate_hz_};
+        }
+        if (const ResidualLine* source = imaged(line)) {
+            return Name{LineOrigin::window_image, 0, source->f_hz};
         }
         if (const auto found = mains(f_hz)) {
             return Name{LineOrigin::mains, found->order, found->base_hz};
@@ -56,16 +60,53 @@ public:
     }
 
 private:
-    // A high order counts where the order before it is there, too.
-    bool is_at_window_rate(double off_hz, double order) const {
-        if (std::abs(off_hz - order * window_rate_hz_) > tolerance_hz_) {
-            return false;
+    // Higher orders fall as those of a sawtooth, at least as fast as the inverse of the order: what
+    // is stronger lies there by chance.
+    bool is_at_window_rate(const ResidualLine& line, double order) const {
+        constexpr double above_sawtooth = 3;
+        const auto is_at = [&](const ResidualLine& other, double other_order) {
+            return std::abs(other.f_hz - f0_hz_ - other_order * window_rate_hz_) <= tolerance_hz_;
+        };
+        return is_at(line, order) &&
+               (std::abs(order) <= 1 || std::ranges::any_of(lines_, [&](const ResidualLine& first) {
+                    return (is_at(first, 1) || is_at(first, -1)) &&
+                           power(line) * order * order <=
+                               above_sawtooth * above_sawtooth * power(first);
+                }));
+    }
+
+    // The strongest line of which the windows make this one. What a window takes up of a line
+    // follows the phase of the carrier in it: the image lies beside the carrier, at the line or its
+    // mirror image about the carrier, plus a multiple of the rate of the windows.
+    const ResidualLine* imaged(const ResidualLine& image) const {
+        constexpr double least_ratio = 25;  // of the powers
+        // Where the images are sparse, so that a line lies at one of them by chance in a few per
+        // cent.
+        constexpr double sparse = 150;
+        const ResidualLine* found = nullptr;
+        if (window_rate_hz_ < sparse * tolerance_hz_ ||
+            std::abs(image.f_hz - f0_hz_) > 3 * lobe_hz_) {
+            return found;
         }
-        const double before = f0_hz_ + (order - std::copysign(1, order)) * window_rate_hz_;
-        return std::abs(order) <= highest_order ||
-               std::ranges::any_of(lines_, [&](const ResidualLine& line) {
-                   return std::abs(line.f_hz - before) <= tolerance_hz_;
-               });
+        for (const ResidualLine& line : lines_) {
+            if (power(line) < least_ratio * power(image) ||
+                (found && power(line) < power(*found))) {
+                continue;
+            }
+            for (const double side : {line.f_hz, -line.f_hz}) {
+                for (const double mirror : {0.0, 2 * f0_hz_}) {
+                    const double off = image.f_hz - side - mirror;
+                    if (std::abs(std::remainder(off, window_rate_hz_)) <= tolerance_hz_) {
+                        found = &line;
+                    }
+                }
+            }
+        }
+        return found;
+    }
+
+    static double power(const ResidualLine& line) {
+        return line.amplitude_c * line.amplitude_c + line.amplitude_d * line.amplitude_d;
     }
 
     // Of two supplies, that of which another line is there, too.
@@ -119,13 +160,14 @@ void name_lines(std::vector<ResidualLine>& lines, const Analysis& analysis, doub
                 double bin_hz) {
     const Namer namer(lines, analysis, rate_hz, bin_hz);
     for (ResidualLine& line : lines) {
-        if (const auto name = namer.name(line.f_hz)) {
+        if (const auto name = namer.name(line)) {
             line.origin = name->origin;
             line.order = name->order;
             line.base_hz = name->base_hz;
         }
-        if (line.origin == LineOrigin::wave || line.origin == LineOrigin::window_rate) {
-            line.filter.reset();  // part of the wave, which a filter must not touch
+        if (line.origin == LineOrigin::wave || line.origin == LineOrigin::window_rate ||
+            line.origin == LineOrigin::window_image) {
+            line.filter.reset();  // not in the samples by itself
         }
     }
 }

@@ -24,6 +24,7 @@ struct ResidualRange {
 enum class LineOrigin {
     wave,              // at the carrier: the wave that its windows do not follow
     window_rate,       // the carrier plus or minus `order` times the rate of the windows
+    window_image,      // of a stronger line, base_hz, by windows that take up a part of it
     mains,             // `order` times base_hz, 50, 60 or 400 Hz
     carrier_by_mains,  // the carrier modulated by that
     carrier_harmonic,  // `order` times the carrier

@@ -112,6 +112,23 @@ private slots:
         }
     }
 
+    // Windows of 1.8 ms take up a little of hum, at 555.55 Hz.
+    void images_of_a_line_by_the_windows_are_named_after_it() {
+        FreeDecay decay = still_wave(30);
+        decay.hum = 2 * noise;
+        const Recording recording = simulated_recording(decay);
+        const Residuals found = residuals(recording, analysed(recording, windows_of(60)));
+        const ResidualLine* hum = line_near(found, 50);
+        QVERIFY2(hum && hum->origin == LineOrigin::mains, qPrintable(names_of(found)));
+        QVERIFY2(found.lines.size() > 3, qPrintable(names_of(found)));
+        for (const ResidualLine& line : found.lines) {
+            if (&line != hum) {
+                QVERIFY2(line.origin == LineOrigin::window_image, qPrintable(names_of(found)));
+                VYBEG_CLOSE(line.base_hz, 50, 0.1);
+            }
+        }
+    }
+
     void the_offered_filter_takes_the_line_out() {
         for (const double f : {50.0, 4900.0, 5600.0, 9000.0}) {
             FreeDecay decay = still_wave(10);
