@@ -1,4 +1,5 @@
 // What the window keeps between sessions, and what changes while it stands: look and language.
+#include "ui/residuals/residuals_page.h"
 #include "ui/resonator/resonator_panel.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
@@ -82,6 +83,7 @@ void MainWindow::setThemeMode(ThemeMode mode) {
 void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
     tracks_page_->setTheme(theme_);
+    residuals_->setTheme(theme_);
     resonator_->setTheme(theme_);
     commands_->setIcons(theme_.palette);
 }
