@@ -15,13 +15,15 @@ constexpr std::size_t longest_segment = std::size_t{1} << 15;  // 1 Hz at 33333 
 constexpr std::size_t least_segment = 16;
 constexpr std::size_t most_lags = 1000;
 
-// A segment that the longest run has eight times, where that still resolves 256 bins.
+// A segment of which there are about eight in all samples and two in the longest run, but no less
+// than 256 bins where the samples suffice.
 std::size_t segment_of(const ResidualSamples& samples) {
     std::size_t longest = 0;
     for (std::size_t run = 0; run < samples.runs(); ++run) {
         longest = std::max(longest, samples.run_c(run).size());
     }
-    const std::size_t wished = std::clamp(longest / 8, std::size_t{512}, longest_segment);
+    const std::size_t wished =
+        std::clamp(std::min(samples.c.size() / 8, longest / 2), std::size_t{512}, longest_segment);
     return std::bit_floor(std::min(wished, longest));
 }
 

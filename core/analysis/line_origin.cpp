@@ -53,13 +53,20 @@ public:
         if (const auto found = harmonic(f_hz)) {
             return found;
         }
-        if (const auto found = mains(std::abs(off))) {
+        // A modulation makes lines on both sides.
+        if (const auto found = mains(std::abs(off)); found && is_there(f0_hz_ - off)) {
             return Name{LineOrigin::carrier_by_mains, found->order, found->base_hz};
         }
         return std::nullopt;
     }
 
 private:
+    bool is_there(double f_hz) const {
+        return std::ranges::any_of(lines_, [&](const ResidualLine& line) {
+            return std::abs(line.f_hz - f_hz) <= tolerance_hz_;
+        });
+    }
+
     // Higher orders fall as those of a sawtooth, at least as fast as the inverse of the order: what
     // is stronger lies there by chance.
     bool is_at_window_rate(const ResidualLine& line, double order) const {

@@ -30,7 +30,7 @@ void LaggedProducts::add(std::span<const double> x, std::span<const double> y) {
     for (std::size_t k = 0; k < size; ++k) {
         // The spectra of x and y are the even and the odd part of that of x + iy. Both powers are
         // even, so that their transforms are real and share one complex transform.
-        const std::complex<double> mirrored = std::conj(data[(size - k) % size]);
+        const std::complex<double> mirrored = std::conj(data[k == 0 ? 0 : size - k]);
         powers[k] = {0.25 * std::norm(data[k] + mirrored), 0.25 * std::norm(data[k] - mirrored)};
     }
     fft_->inverse(powers);

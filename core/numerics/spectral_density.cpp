@@ -27,7 +27,7 @@ void SpectralDensity::add_to(Densities& sums, std::span<const double> x,
     for (std::size_t k = 0; k < bins(); ++k) {
         // The spectra of x and y are the even and the odd part of that of x + iy.
         const std::complex<double> here = data_[k];
-        const std::complex<double> mirrored = std::conj(data_[(size - k) % size]);
+        const std::complex<double> mirrored = std::conj(data_[k == 0 ? 0 : size - k]);
         const double sides = k == 0 || 2 * k == size ? 1 : 2;
         const double scale = 0.25 * sides / (squares_ * rate_hz_);
         sums[0][k] += scale * std::norm(here + mirrored);

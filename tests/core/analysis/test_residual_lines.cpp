@@ -28,7 +28,6 @@ private slots:
         row("second harmonic", 10600, 1e300, LineOrigin::carrier_harmonic, 2);
         row("third harmonic", 15900, 20, LineOrigin::carrier_harmonic, 3);
         row("folded harmonic", 33333 - 4 * 5300.0, 1e300, LineOrigin::folded_harmonic, 4);
-        row("carrier and mains", 5400, 1e300, LineOrigin::carrier_by_mains, 2);
         row("another mode", 7123.4, 10, LineOrigin::other_mode, 0);
         row("a mode near the carrier", 5211.7, 10, LineOrigin::other_mode, 0);
         row("a steady line", 7123.4, 1e300, LineOrigin::unknown, 0);
@@ -109,6 +108,23 @@ private slots:
             QVERIFY2(line.origin == LineOrigin::wave || line.origin == LineOrigin::window_rate,
                      qPrintable(names_of(found)));
             QVERIFY(!line.filter);
+        }
+    }
+
+    // A line on one side alone is no modulation: modes of a bell lie at such distances by chance.
+    void a_modulation_by_the_mains_has_both_its_lines() {
+        for (const bool both : {true, false}) {
+            FreeDecay decay = still_wave(20);
+            decay.modes_beside = {{5400, 3e-4, 2e-4, 0.3, 1.1, 1e300}};
+            if (both) {
+                decay.modes_beside.push_back({5200, 2e-4, 2e-4, 0.2, 0.1, 1e300});
+            }
+            const Recording recording = simulated_recording(decay);
+            const Residuals found = residuals(recording, analysed(recording, windows_of(33333)));
+            const ResidualLine* line = line_near(found, 5400);
+            QVERIFY2(line, qPrintable(names_of(found)));
+            QCOMPARE(line->origin, both ? LineOrigin::carrier_by_mains : LineOrigin::unknown);
+            QCOMPARE(line->order, both ? 2 : 0);
         }
     }
 
