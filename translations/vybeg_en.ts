@@ -105,4 +105,14 @@
             </translation>
         </message>
     </context>
+<context>
+    <name>vybeg::ui::ResidualsPage</name>
+    <message numerus="yes">
+        <source>%n line(s) above the noise: choose one</source>
+        <translation>
+            <numerusform>%n line above the noise: choose one</numerusform>
+            <numerusform>%n lines above the noise: choose one</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -281,6 +281,22 @@
         <source>S&amp;ave session as…</source>
         <translation>Сохранить сеанс &amp;как…</translation>
     </message>
+    <message>
+        <source>Trac&amp;ks</source>
+        <translation>&amp;Ряды</translation>
+    </message>
+    <message>
+        <source>The page with the slow variables over time</source>
+        <translation>Страница с медленными переменными во времени</translation>
+    </message>
+    <message>
+        <source>Resi&amp;duals</source>
+        <translation>Невя&amp;зки</translation>
+    </message>
+    <message>
+        <source>The page with spectrum, distribution and autocorrelation of what the waves leave of the samples</source>
+        <translation>Страница со спектром, распределением и автокорреляцией того, что остаётся от отсчётов после вычитания волн</translation>
+    </message>
 </context>
 <context>
     <name>DisplayUnits</name>
@@ -990,6 +1006,17 @@
     </message>
 </context>
 <context>
+    <name>Pages</name>
+    <message>
+        <source>Tracks</source>
+        <translation>Ряды</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Невязки</translation>
+    </message>
+</context>
+<context>
     <name>PlotFocus</name>
     <message>
         <source>Plot of %1, %2</source>
@@ -1092,6 +1119,205 @@
     <message>
         <source>The modes of both sides are not named by the same: one by frequency, the other by decay.</source>
         <translation>Моды двух сторон названы по-разному: одни по частоте, другие по затуханию.</translation>
+    </message>
+</context>
+<context>
+    <name>Residuals</name>
+    <message>
+        <source>normal</source>
+        <translation>нормальное</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Невязка</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>СКО</translation>
+    </message>
+    <message>
+        <source>Probability density</source>
+        <translation>Плотность вероятности</translation>
+    </message>
+    <message>
+        <source>Amplitude density</source>
+        <translation>Амплитудная плотность</translation>
+    </message>
+    <message>
+        <source>Lag</source>
+        <translation>Сдвиг</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>Автокорреляция</translation>
+    </message>
+    <message>
+        <source>the wave itself</source>
+        <translation>сама волна</translation>
+    </message>
+    <message>
+        <source>the wave, at the rate of the windows</source>
+        <translation>волна, с частотой следования окон</translation>
+    </message>
+    <message>
+        <source>image of the line at %1 Hz by the windows</source>
+        <translation>отражение линии %1 Гц окнами</translation>
+    </message>
+    <message>
+        <source>Each window takes up a little of that line, which makes images beside the carrier. Without the line they are gone, too.</source>
+        <translation>Каждое окно забирает немного той линии, отчего рядом с несущей появляются её отражения. Без линии исчезают и они.</translation>
+    </message>
+    <message>
+        <source>supply of %1 Hz</source>
+        <translation>сеть %1 Гц</translation>
+    </message>
+    <message>
+        <source>supply of %1 Hz, harmonic %2</source>
+        <translation>сеть %1 Гц, гармоника %2</translation>
+    </message>
+    <message>
+        <source>carrier modulated at %1 Hz</source>
+        <translation>несущая, модулированная частотой %1 Гц</translation>
+    </message>
+    <message>
+        <source>harmonic %1 of the carrier</source>
+        <translation>гармоника %1 несущей</translation>
+    </message>
+    <message>
+        <source>harmonic %1 of the carrier, folded</source>
+        <translation>гармоника %1 несущей, наложенная</translation>
+    </message>
+    <message>
+        <source>another mode</source>
+        <translation>другая мода</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>источник неизвестен</translation>
+    </message>
+    <message>
+        <source>This is the wave itself: it changes inside the windows, or another mode lies beside it. Shorter windows follow a change.</source>
+        <translation>Это сама волна: она меняется внутри окон, или рядом с ней лежит другая мода. Более короткие окна успевают за изменением.</translation>
+    </message>
+    <message>
+        <source>The distance from the carrier is a multiple of the rate of the windows: the wave changes inside them. Shorter windows follow it.</source>
+        <translation>Расстояние до несущей кратно частоте следования окон: волна меняется внутри них. Более короткие окна успевают за ней.</translation>
+    </message>
+    <message>
+        <source>An electrical supply couples into the pick-offs.</source>
+        <translation>Наводка электрической сети на датчики.</translation>
+    </message>
+    <message>
+        <source>The distance from the carrier is that of the mains: they modulate the wave or its pick-off.</source>
+        <translation>Расстояние до несущей кратно частоте сети: сеть модулирует волну или её съём.</translation>
+    </message>
+    <message>
+        <source>A pick-off or the suspension is not linear, or samples are clipped.</source>
+        <translation>Датчик или подвес нелинеен, или отсчёты ограничены.</translation>
+    </message>
+    <message>
+        <source>It lies above half the sample rate and appears as an alias. A pick-off is not linear, or samples are clipped.</source>
+        <translation>Она лежит выше половины частоты дискретизации и видна из-за наложения спектров. Датчик нелинеен, или отсчёты ограничены.</translation>
+    </message>
+    <message>
+        <source>It decays in this range as a mode of the resonator does.</source>
+        <translation>На этом участке она затухает, как мода резонатора.</translation>
+    </message>
+    <message>
+        <source>It is no harmonic of the carrier or the mains, and no decay is seen in this range.</source>
+        <translation>Это не гармоника несущей или сети, и затухания на этом участке не видно.</translation>
+    </message>
+    <message>
+        <source>It is %1 times %2 Hz.</source>
+        <translation>Это %1 × %2 Гц.</translation>
+    </message>
+    <message>
+        <source>Samples per channel: %1.</source>
+        <translation>Отсчётов на канал: %1.</translation>
+    </message>
+    <message>
+        <source>The range has %1; blocks at even distances stand for all of them.</source>
+        <translation>На участке их %1; все их представляют блоки на равных расстояниях.</translation>
+    </message>
+    <message>
+        <source>Left out, because no wave was found there: %1.</source>
+        <translation>Исключено, так как волны там нет: %1.</translation>
+    </message>
+    <message>
+        <source>The windows take up %1 % of the noise, around the carrier.</source>
+        <translation>Окна забирают %1 % шума, вокруг несущей.</translation>
+    </message>
+    <message>
+        <source>sd of the residual</source>
+        <translation>СКО невязки</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the residual about its mean</source>
+        <translation>Среднеквадратическое отклонение невязки от её среднего</translation>
+    </message>
+    <message>
+        <source>Noise per sample</source>
+        <translation>Шум на отсчёт</translation>
+    </message>
+    <message>
+        <source>Standard deviation of white noise that leaves this residual: the parameters of a window take up a part of it. Unknown after a band-pass filter.</source>
+        <translation>СКО белого шума, который даёт такую невязку: часть его забирают параметры окна. После полосового фильтра неизвестен.</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Среднее</translation>
+    </message>
+    <message>
+        <source>Mean of the residual. Beyond four standard deviations: an offset of the channel, or a slow disturbance.</source>
+        <translation>Среднее невязки. Больше четырёх СКО — сдвиг канала или медленная помеха.</translation>
+    </message>
+    <message>
+        <source>Skewness</source>
+        <translation>Асимметрия</translation>
+    </message>
+    <message>
+        <source>0 for normal noise, with the standard deviation of so many independent samples</source>
+        <translation>Для нормального шума 0, с СКО для стольких независимых отсчётов</translation>
+    </message>
+    <message>
+        <source>Excess kurtosis</source>
+        <translation>Эксцесс</translation>
+    </message>
+    <message>
+        <source>0 for normal noise; below it with a steady line, above it with outliers or a noise that changes</source>
+        <translation>Для нормального шума 0; меньше при постоянной линии, больше при выбросах или меняющемся шуме</translation>
+    </message>
+    <message>
+        <source>Largest deviation, in sd</source>
+        <translation>Наибольшее отклонение, в СКО</translation>
+    </message>
+    <message>
+        <source>The largest deviation from the mean in standard deviations, and how many samples of normal noise lie beyond it on average</source>
+        <translation>Наибольшее отклонение от среднего в СКО и сколько отсчётов нормального шума в среднем отклоняются сильнее</translation>
+    </message>
+    <message>
+        <source>%1 (beyond: %2)</source>
+        <translation>%1 (дальше: %2)</translation>
+    </message>
+    <message>
+        <source>%1 Hz: %2</source>
+        <translation>%1 Гц: %2</translation>
+    </message>
+    <message>
+        <source>%1 … %2 Hz</source>
+        <translation>%1 … %2 Гц</translation>
+    </message>
+    <message>
+        <source>Amplitude: C %1, D %2.</source>
+        <translation>Амплитуда: C %1, D %2.</translation>
+    </message>
+    <message>
+        <source>A band-pass filter takes it out.</source>
+        <translation>Её убирает полосовой фильтр.</translation>
     </message>
 </context>
 <context>
@@ -3110,6 +3336,13 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::PageStack</name>
+    <message>
+        <source>Pages</source>
+        <translation>Страницы</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::QuantityTable</name>
     <message>
         <source>sd</source>
@@ -3266,6 +3499,117 @@
             <numerusform>В проверке записи ещё %n замечания.</numerusform>
             <numerusform>В проверке записи ещё %n замечаний.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::ResidualsPage</name>
+    <message>
+        <source>No run is chosen. Run (F5) analyses the current recording; a row of the list Runs chooses one.</source>
+        <translation>Расчёт не выбран. «Рассчитать» (F5) обрабатывает текущую запись; выбрать расчёт можно в списке «Расчёты».</translation>
+    </message>
+    <message>
+        <source>The residual appears when all windows of the run are there.</source>
+        <translation>Невязка появится, когда будут готовы все окна расчёта.</translation>
+    </message>
+    <message>
+        <source>The residual is being computed…</source>
+        <translation>Невязка вычисляется…</translation>
+    </message>
+    <message>
+        <source>No sample of this range has a wave: samples are missing, the wave is circular, or the range lies outside the analysed one.</source>
+        <translation>На этом участке нет отсчётов с волной: отсчёты пропущены, волна круговая или участок лежит вне обработанного.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) above the noise: choose one</source>
+        <translation>
+            <numerusform>%n линия выше шума: выберите</numerusform>
+            <numerusform>%n линии выше шума: выберите</numerusform>
+            <numerusform>%n линий выше шума: выберите</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No line above the noise</source>
+        <translation>Выше шума линий нет</translation>
+    </message>
+    <message>
+        <source>The range is too short for this plot.</source>
+        <translation>Для этого графика участок слишком короткий.</translation>
+    </message>
+    <message>
+        <source>Filter %1</source>
+        <translation>Фильтр %1</translation>
+    </message>
+    <message>
+        <source>Residual of</source>
+        <translation>Невязка:</translation>
+    </message>
+    <message>
+        <source>the window at the cursor</source>
+        <translation>окно под курсором</translation>
+    </message>
+    <message>
+        <source>the visible part</source>
+        <translation>видимая часть</translation>
+    </message>
+    <message>
+        <source>the whole run</source>
+        <translation>весь расчёт</translation>
+    </message>
+    <message>
+        <source>Range of the residual</source>
+        <translation>Участок невязки</translation>
+    </message>
+    <message>
+        <source>Samples less the wave of their window: of one window, of what the plots of the tracks show, or of all</source>
+        <translation>Отсчёты за вычетом волны их окна: одного окна, того, что показывают графики рядов, или всего расчёта</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>Time of the window</source>
+        <translation>Время окна</translation>
+    </message>
+    <message>
+        <source>The window nearest to this time, which cursor A or the mouse over the tracks sets, too</source>
+        <translation>Окно, ближайшее к этому времени; его задают также курсор A и мышь над рядами</translation>
+    </message>
+    <message>
+        <source>Lines above the noise</source>
+        <translation>Линии выше шума</translation>
+    </message>
+    <message>
+        <source>Peaks that rise above the noise around them; white noise shows one in one of a hundred spectra</source>
+        <translation>Пики, поднимающиеся над шумом вокруг них; белый шум даёт такой пик в одном спектре из ста</translation>
+    </message>
+    <message>
+        <source>Puts this band-pass into the panel Analysis; Undo takes it back</source>
+        <translation>Записывает этот полосовой фильтр на панель «Обработка»; отмена возвращает прежние настройки</translation>
+    </message>
+    <message>
+        <source>Spectrum of the residual</source>
+        <translation>Спектр невязки</translation>
+    </message>
+    <message>
+        <source>A click on a line names it; Left and Right go from line to line</source>
+        <translation>Щелчок называет линию; клавиши «влево» и «вправо» переходят от линии к линии</translation>
+    </message>
+    <message>
+        <source>Distribution of the residual</source>
+        <translation>Распределение невязки</translation>
+    </message>
+    <message>
+        <source>Autocorrelation of the residual</source>
+        <translation>Автокорреляция невязки</translation>
+    </message>
+    <message>
+        <source>Of white noise, 95 % of the lags lie between the dashed lines</source>
+        <translation>У белого шума 95 % значений лежат между штриховыми линиями</translation>
+    </message>
+    <message>
+        <source>Numbers of the residual</source>
+        <translation>Числа невязки</translation>
     </message>
 </context>
 <context>

@@ -2,19 +2,13 @@
 
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
+#include "core/analysis/time_range.h"
 #include "core/base/job_control.h"
 #include "core/recording/samples/recording.h"
 
 #include <functional>
-#include <limits>
 
 namespace vybeg {
-
-// Seconds from the start of the recording; all of it, where nothing is said.
-struct TimeRange {
-    double from_s = -std::numeric_limits<double>::infinity();
-    double to_s = std::numeric_limits<double>::infinity();
-};
 
 // Takes an analysis that has only some of its windows yet: fewer rows than plan.count, all of them
 // in their order, with the first and the last window among them. Settings and plan are those of the

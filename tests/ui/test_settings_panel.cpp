@@ -3,6 +3,7 @@
 #include "ui/panels/stale_mark.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/widgets/section.h"
+#include "ui/window/tracks_page.h"
 
 #include <QAction>
 #include <QApplication>
@@ -191,7 +192,7 @@ private slots:
 
     void plots_older_than_the_panel_say_so_until_they_are_analysed() {
         openOne();
-        const auto& mark = childOf<StaleMark>(*window_);
+        const auto& mark = childOf<StaleMark>(childOf<TracksPage>(*window_));
         const auto shown = [&](bool wanted) {
             return QTest::qWaitFor([&] { return mark.isVisible() == wanted; });
         };

@@ -1,5 +1,6 @@
 #include "ui/document/analysis_job.h"
 
+#include "core/analysis/find_residuals.h"
 #include "core/analysis/recording_carrier.h"
 #include "core/output/identify_json.h"
 #include "core/output/passport_json.h"
@@ -7,6 +8,7 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
+#include "ui/document/freed_in_background.h"
 
 #include <QElapsedTimer>
 
@@ -23,22 +25,6 @@ constexpr qint64 progress_interval_ms = 40;
 
 std::filesystem::path toPath(const QString& path) {
     return std::filesystem::path(path.toStdU16String());
-}
-
-// Not the global pool: Qt draws with its threads, and would wait for those that free.
-QThreadPool& freeing() {
-    static QThreadPool pool;
-    return pool;
-}
-
-// Gives the memory of a long recording's results back in the background: that takes longer than the
-// window may stand still.
-template <class Value>
-std::shared_ptr<const Value> freedInBackground(std::shared_ptr<const Value> value) {
-    const Value* place = value.get();
-    return {place, [value = std::move(value)](const Value*) mutable {
-                freeing().start([value = std::move(value)] {});
-            }};
 }
 
 // An analysis as the window takes it.
@@ -303,6 +289,18 @@ void AnalysisJob::identify(int key, const std::vector<Recording>& recordings,
                 outcome.inputs[k].f0_hz = outcome.identification.runs[k].f0_hz;
             }
             return outcome;
+        },
+        std::move(done));
+}
+
+void AnalysisJob::findResiduals(int key, const Recording& recording,
+                                std::shared_ptr<const Analysis> analysis,
+                                const ResidualRange& range,
+                                std::function<void(Result<Residuals>)> done) {
+    start<Residuals>(
+        others_, {Kind::residuals, key},
+        [recording, analysis = std::move(analysis), range](const Ticket& ticket) {
+            return find_residuals(recording, *analysis, range, JobControl(ticket.stop));
         },
         std::move(done));
 }

@@ -24,6 +24,11 @@
 #include <memory>
 #include <stop_token>
 
+namespace vybeg {
+struct ResidualRange;
+struct Residuals;
+}  // namespace vybeg
+
 namespace vybeg::ui {
 
 // What an analysis gives the window: the track, its curves, what one line says about it, and its
@@ -73,6 +78,11 @@ public:
                      const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
                      std::function<void(Result<AnalysisOutcome>)> done);
 
+    // The residual of an analysis that has all its windows.
+    void findResiduals(int key, const Recording& recording,
+                       std::shared_ptr<const Analysis> analysis, const ResidualRange& range,
+                       std::function<void(Result<Residuals>)> done);
+
     // One resonator behind all recordings. `inputs` as these; hashes that are missing are made.
     void identify(int key, const std::vector<Recording>& recordings,
                   std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
@@ -109,6 +119,7 @@ private:
         analysis,
         live,
         identification,
+        residuals,
         passport,
         write
     };

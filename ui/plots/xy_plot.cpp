@@ -63,6 +63,8 @@ public:
         axis(QCPAxis::atBottom)->setTickLength(0, 4);
         axis(QCPAxis::atLeft)->setTickLength(0, 4);
         x_ticker_->setSteps(content.x_in_degrees ? TickSteps::degrees : TickSteps::decimal);
+        makeLogarithmic(*axis(QCPAxis::atBottom), *x_ticker_, content.x_logarithmic);
+        makeLogarithmic(*axis(QCPAxis::atLeft), *y_ticker_, content.y_logarithmic);
         setAutoMargins(QCP::msLeft);
         setMinimumMargins({left_margin, 0, 0, 0});
         setMargins({left_margin, head_height, right_margin, foot_height});
@@ -92,6 +94,11 @@ protected:
     }
 
 private:
+    static void makeLogarithmic(QCPAxis& axis, PanelTicker& ticker, bool logarithmic) {
+        axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+        ticker.setLogarithmic(logarithmic);
+    }
+
     // At the left end above the plot, or centred below it.
     void name(QCPPainter& painter, double base, const QString& symbol, const QString& unit,
               bool takes_prefix, const AxisTicks& ticks, bool centred) const {
@@ -122,10 +129,22 @@ QVector<double> vectorOf(const std::vector<double>& values) {
     return {values.begin(), values.end()};
 }
 
+QColor colorOf(const XYSeries& series, const Theme& theme) {
+    switch (series.ink) {
+        case Ink::style: return readable(runStyle(series.style).color, theme);
+        case Ink::text: return theme.text;
+        case Ink::muted: return theme.mutedText;
+        case Ink::channel_c: return theme.signalC;
+        case Ink::channel_d: return theme.signalD;
+        case Ink::accent: return theme.accent;
+        case Ink::warning: return theme.warning;
+    }
+    return {};
+}
+
 QPen penOf(const XYSeries& series, const Theme& theme) {
-    const RunStyle style = runStyle(series.style);
     const Qt::PenStyle dash = series.dashed ? Qt::DashLine : Qt::SolidLine;
-    return {series.plain ? theme.text : readable(style.color, theme), 1.6, dash};
+    return {colorOf(series, theme), series.thin ? 1 : 1.6, dash};
 }
 
 void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {
@@ -159,6 +178,7 @@ void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, cons
         QCPGraph* graph = plot.addGraph(panel.axis(QCPAxis::atBottom), panel.axis(QCPAxis::atLeft));
         graph->setData(vectorOf(series.x), y);
         graph->setPen(deviations == 0 ? pen : QPen(Qt::NoPen));
+        graph->setLineStyle(series.steps ? QCPGraph::lsStepCenter : QCPGraph::lsLine);
         return graph;
     };
     if (!series.sd.empty()) {
@@ -173,20 +193,25 @@ void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, cons
 
 // Range of all values with a margin of a twentieth at both ends.
 AxisRange rangeOf(const XYPlot& content, bool of_y) {
+    const bool logarithmic = of_y ? content.y_logarithmic : content.x_logarithmic;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const XYSeries& series : content.series) {
         for (std::size_t k = 0; k < series.x.size(); ++k) {
             const double sd = of_y && !series.sd.empty() ? series.sd[k] : 0;
             const double value = of_y ? series.y[k] : series.x[k];
-            if (std::isfinite(value) && std::isfinite(sd)) {
+            if (std::isfinite(value) && std::isfinite(sd) && (!logarithmic || value - sd > 0)) {
                 low = std::min(low, value - sd);
                 high = std::max(high, value + sd);
             }
         }
     }
     if (low > high) {
-        return {0, 1};
+        return logarithmic ? AxisRange{0.1, 10} : AxisRange{0, 1};
+    }
+    if (logarithmic) {
+        const double spare = high > low ? std::pow(high / low, 0.05) : 2;
+        return {low / spare, high * spare};
     }
     const double spare = high > low ? 0.05 * (high - low) : std::max(0.05 * std::abs(high), 1e-12);
     return {low - spare, high + spare};
@@ -228,7 +253,7 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
         }
     }
     const AxisRange x = content.x_range.value_or(rangeOf(content, false));
-    const AxisRange y = rangeOf(content, true);
+    const AxisRange y = content.y_range.value_or(rangeOf(content, true));
     panel->axis(QCPAxis::atBottom)->setRange(x.lower, x.upper);
     panel->axis(QCPAxis::atLeft)->setRange(y.lower, y.upper);
 }

@@ -15,15 +15,20 @@ class QCustomPlot;
 
 namespace vybeg::ui {
 
+// Colours by meaning, so that a plot is the same value on screen, in both themes, and on paper.
+enum class Ink { style, text, muted, channel_c, channel_d, accent, warning };
+
 // Points with their standard deviations, or a line with its band; as many sd as points, or none.
 struct XYSeries {
     QString name;   // in the legend; empty: not in it
     int style = 0;  // of runStyle(): colour, dash, and the shape of points
+    Ink ink = Ink::style;
     bool points = false;
+    bool steps = false;  // a line of steps centred at the values
+    bool thin = false;   // a line of one pixel, quick for thousands of values
     std::vector<double> x;
     std::vector<double> y;
     std::vector<double> sd;
-    bool plain = false;  // a line in the colour of the text
     bool dashed = false;
 };
 
@@ -33,10 +38,13 @@ struct XYPlot {
     QString x_name;
     QString x_unit;
     bool x_in_degrees = false;
+    bool x_logarithmic = false;        // values at and below 0 are not drawn
     std::optional<AxisRange> x_range;  // otherwise the range of the series
     QString y_name;
     QString y_unit;
     bool y_takes_prefix = false;
+    bool y_logarithmic = false;
+    std::optional<AxisRange> y_range;  // as x_range
     std::vector<XYSeries> series;
     QString empty;  // text shown without series
 };

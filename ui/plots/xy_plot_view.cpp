@@ -5,11 +5,19 @@
 #include <QEvent>
 #include <QFocusEvent>
 #include <QGuiApplication>
+#include <QLineF>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
 namespace vybeg::ui {
+
+namespace {
+
+constexpr int height_in_panel = 250;
+
+}  // namespace
 
 XYPlotView::XYPlotView(QWidget* parent)
     : QWidget(parent),
@@ -24,7 +32,7 @@ XYPlotView::XYPlotView(QWidget* parent)
     plot_->setAttribute(Qt::WA_TransparentForMouseEvents);
     plot_->setFocusPolicy(Qt::NoFocus);
     setFocusPolicy(Qt::StrongFocus);
-    setFixedHeight(sizeHint().height());
+    setFixedHeight(height_in_panel);
     setContextMenuPolicy(Qt::ActionsContextMenu);
     copy_->setShortcut(QKeySequence::Copy);
     copy_->setShortcutContext(Qt::WidgetShortcut);
@@ -44,6 +52,55 @@ void XYPlotView::setContent(const XYPlot& content) {
 void XYPlotView::setTheme(const Theme& theme) {
     theme_ = theme;
     rebuild();
+}
+
+void XYPlotView::setPickable(std::optional<std::size_t> series) {
+    pickable_ = series;
+    setMouseTracking(pickable_.has_value());
+}
+
+QPointF XYPlotView::positionOf(std::size_t series, std::size_t point) const {
+    const QCPAxisRect* panel = plot_->axisRects().front();
+    const XYSeries& values = content_.series[series];
+    const QPointF in_plot(panel->axis(QCPAxis::atBottom)->coordToPixel(values.x[point]),
+                          panel->axis(QCPAxis::atLeft)->coordToPixel(values.y[point]));
+    return in_plot + QPointF(plot_->pos());
+}
+
+std::optional<std::size_t> XYPlotView::pointAt(const QPointF& position) const {
+    constexpr double reach = 14;  // pixels
+    std::optional<std::size_t> nearest;
+    double least = reach;
+    if (!pickable_ || *pickable_ >= content_.series.size()) {
+        return nearest;
+    }
+    for (std::size_t point = 0; point < content_.series[*pickable_].x.size(); ++point) {
+        const double distance = QLineF(position, positionOf(*pickable_, point)).length();
+        if (distance < least) {
+            least = distance;
+            nearest = point;
+        }
+    }
+    return nearest;
+}
+
+void XYPlotView::mouseMoveEvent(QMouseEvent* event) {
+    setCursor(pointAt(event->position()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+}
+
+void XYPlotView::mouseReleaseEvent(QMouseEvent* event) {
+    const auto point = pointAt(event->position());
+    if (point && event->button() == Qt::LeftButton) {
+        emit pointClicked(static_cast<int>(*point));
+    }
+}
+
+void XYPlotView::keyPressEvent(QKeyEvent* event) {
+    if (pickable_ && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
+        emit stepWanted(event->key() == Qt::Key_Left ? -1 : 1);
+    } else {
+        QWidget::keyPressEvent(event);
+    }
 }
 
 void XYPlotView::rebuild() {

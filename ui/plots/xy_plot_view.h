@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QAction;
 
 namespace vybeg::ui {
@@ -19,10 +21,18 @@ public:
     void setContent(const XYPlot& content);
     void setTheme(const Theme& theme);
     const XYPlot& content() const { return content_; }
-    QSize sizeHint() const override { return {260, 250}; }
+    // As high as a panel shows it, unless the minimum height is set to another one.
+    QSize sizeHint() const override { return {260, minimumHeight()}; }
+    // A click near a point of this series, by its number in the content, emits pointClicked(); Left
+    // and Right emit stepWanted().
+    void setPickable(std::optional<std::size_t> series);
+    // Where a point of a series lies in the widget.
+    QPointF positionOf(std::size_t series, std::size_t point) const;
 
 signals:
     void exportWanted();
+    void pointClicked(int point);
+    void stepWanted(int by);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -30,8 +40,13 @@ protected:
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    // The pickable point at a position.
+    std::optional<std::size_t> pointAt(const QPointF& position) const;
     void rebuild();
     void retranslate();
 
@@ -40,6 +55,7 @@ private:
     QAction* export_;
     XYPlot content_;
     Theme theme_;
+    std::optional<std::size_t> pickable_;
 };
 
 }  // namespace vybeg::ui

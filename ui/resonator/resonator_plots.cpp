@@ -33,7 +33,7 @@ double curveAngle(int step) {
 XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
     XYSeries curve;
     curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "fitted"));
-    curve.plain = true;
+    curve.ink = Ink::text;
     for (int k = 0; k <= curve_steps; ++k) {
         const double theta = curveAngle(k);
         curve.x.push_back(angle * theta);
@@ -48,7 +48,7 @@ XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
     const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
     XYSeries curve;
     curve.name = resonatorText(QT_TRANSLATE_NOOP("Resonator", "resonator"));
-    curve.plain = true;
+    curve.ink = Ink::text;
     curve.dashed = true;
     for (int k = 0; k <= curve_steps; ++k) {
         const double theta = curveAngle(k);

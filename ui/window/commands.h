@@ -30,6 +30,8 @@ enum class Command {
     redo,
     copy_plot,
     copy_table,
+    page_tracks,
+    page_residuals,
     zoom_in,
     zoom_out,
     zoom_fit,

@@ -190,8 +190,8 @@ void FileCommands::savePassportTo(const QString& path) {
         path, [this, path](const Status& status) { reportSaved(status, path); });
 }
 
-void FileCommands::exportResonatorPlot(const XYPlot& plot) {
-    ask_.resonatorPlotTarget([this, plot](const QString& path) {
+void FileCommands::exportPlot(const XYPlot& plot, const QString& name) {
+    ask_.plotTarget(name, [this, plot](const QString& path) {
         const Status possible = stayAsTheyAre(document_, path);
         reportSaved(possible ? exportXYPlot(plot, xy_paper_size, path) : possible, path);
     });

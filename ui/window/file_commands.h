@@ -47,7 +47,8 @@ public:
     void exportTrackTo(const QString& path);
     void exportFigureTo(const QString& path);
     void savePassportTo(const QString& path);
-    void exportResonatorPlot(const XYPlot& plot);
+    // `name`: the file's, as proposed.
+    void exportPlot(const XYPlot& plot, const QString& name);
 
 private:
     void reportSaved(const Status& status, const QString& path);

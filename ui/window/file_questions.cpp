@@ -108,8 +108,8 @@ void FileQuestions::passportTarget(const Save& save) {
     target(tr("Save passport"), QStringLiteral("passport.json"), {tr("Passport (*.json)")}, save);
 }
 
-void FileQuestions::resonatorPlotTarget(const Save& save) {
-    picture(tr("Export plot"), QStringLiteral("resonator.png"), save);
+void FileQuestions::plotTarget(const QString& name, const Save& save) {
+    picture(tr("Export plot"), name, save);
 }
 
 void FileQuestions::figureTarget(const Save& save) {

@@ -33,7 +33,7 @@ public:
     void plotsTarget(const Save& save);
     void trackTarget(const Save& save);
     void passportTarget(const Save& save);
-    void resonatorPlotTarget(const Save& save);
+    void plotTarget(const QString& name, const Save& save);
     void figureTarget(const Save& save);
 
 private:

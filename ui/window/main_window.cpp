@@ -8,12 +8,14 @@
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/run_list.h"
 #include "ui/plots/track_view.h"
+#include "ui/residuals/residuals_page.h"
 #include "ui/resonator/resonator_panel.h"
 #include "ui/session/session_keeper.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/window/about.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
+#include "ui/window/page_stack.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/status_line.h"
 #include "ui/window/tracks_page.h"
@@ -28,7 +30,6 @@
 #include <QFileInfo>
 #include <QMimeData>
 #include <QSplitter>
-#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
@@ -52,7 +53,8 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     commands_ = new Commands(
         windowCommands({document_, *tracks_, *cursor_, *measure_, *runs_, *settings_, *status_,
                         *files_, [this](const DisplayUnits& units) { setUnits(units); },
-                        [this] { identify(); }, [this] { addSet(); }, [this] { showHelp(); },
+                        [this](Page page) { pages_->showPage(page); }, [this] { identify(); },
+                        [this] { addSet(); }, [this] { showHelp(); },
                         [this] { showAbout(this, action(Command::copy_diagnostics)); },
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
         this);
@@ -73,12 +75,13 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
 }
 
 void MainWindow::buildPages() {
-    pages_ = new QStackedWidget(this);
-    welcome_ = new WelcomePage(pages_);
-    tracks_page_ = new TracksPage(document_, pages_);
+    welcome_ = new WelcomePage(this);
+    tracks_page_ = new TracksPage(document_, this);
     tracks_ = &tracks_page_->tracks();
-    pages_->addWidget(welcome_);
-    pages_->addWidget(tracks_page_);
+    residuals_ = new ResidualsPage(document_, this);
+    pages_ = new PageStack(welcome_, this);
+    pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
+    pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
 
     messages_ = new MessageBar(this);
     auto* center = new QWidget(this);
@@ -206,9 +209,20 @@ void MainWindow::connectPanels() {
     connect(tracks_page_, &TracksPage::runWanted, settings_, &SettingsPanel::run);
     connect(settings_, &SettingsPanel::visibleRangeWanted, tracks_page_,
             &TracksPage::analyseVisibleRange);
-    connect(tracks_, &TrackView::trackerMoved, this,
-            [this](double time_s) { cursor_->setTime(time_s); });
+    connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
+    connect(residuals_, &ResidualsPage::exportWanted, files_, [this](const XYPlot& plot) {
+        files_->exportPlot(plot, QStringLiteral("residual.png"));
+    });
+    connect(tracks_, &TrackView::timeRangeChanged, this,
+            [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
+    connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
+        cursor_->setTime(time_s);
+        residuals_->setCursor(tracks_->cursor(Cursor::a).value_or(time_s));
+    });
     connect(tracks_, &TrackView::cursorsChanged, this, [this] {
+        if (const auto a = tracks_->cursor(Cursor::a)) {
+            residuals_->setCursor(*a);
+        }
         measure_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
     });
     connect(measure_, &MeasurePanel::trendsChanged, tracks_, &TrackView::setTrends);
@@ -221,11 +235,13 @@ void MainWindow::connectPanels() {
     connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
     connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
     connect(events_, &EventsPanel::eventChosen, this, &MainWindow::goToEvent);
-    connect(resonator_, &ResonatorPanel::exportWanted, files_, &FileCommands::exportResonatorPlot);
+    connect(resonator_, &ResonatorPanel::exportWanted, files_, [this](const XYPlot& plot) {
+        files_->exportPlot(plot, QStringLiteral("resonator.png"));
+    });
 }
 
 void MainWindow::showCurrentRecording() {
-    pages_->setCurrentIndex(document_.recordings().empty() ? 0 : 1);
+    pages_->setWelcome(document_.recordings().empty());
     showTitle();
     commands_->refresh();
 }
@@ -253,6 +269,8 @@ void MainWindow::showRun(int id) {
     events_->setRun(id);
     measure_->setRun(id);
     tracks_page_->markRun(id);
+    residuals_->setVisibleRange(tracks_->timeRange());
+    residuals_->setRun(id);
 }
 
 void MainWindow::goToEvent(double time_s, double seconds) {

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-class QStackedWidget;
 class QTabWidget;
 class QToolBar;
 
@@ -24,7 +23,9 @@ class FileCommands;
 class HelpView;
 class MeasurePanel;
 class MessageBar;
+class PageStack;
 class RecordingPanel;
+class ResidualsPage;
 class ResonatorPanel;
 class RunList;
 class SessionKeeper;
@@ -97,11 +98,12 @@ private:
     std::vector<std::pair<QDockWidget*, const char*>> docks_;
     QToolBar* tools_ = nullptr;
 
-    QStackedWidget* pages_ = nullptr;
+    PageStack* pages_ = nullptr;
     WelcomePage* welcome_ = nullptr;
     MessageBar* messages_ = nullptr;
     TracksPage* tracks_page_ = nullptr;
     TrackView* tracks_ = nullptr;  // of the page
+    ResidualsPage* residuals_ = nullptr;
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
     CursorPanel* cursor_ = nullptr;

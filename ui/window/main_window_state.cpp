@@ -1,5 +1,6 @@
 // What the window keeps between sessions, and what changes while it stands: look and language.
 #include "ui/plots/track_view.h"
+#include "ui/residuals/residuals_page.h"
 #include "ui/resonator/resonator_panel.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_keeper.h"
@@ -117,6 +118,7 @@ void MainWindow::setThemeMode(ThemeMode mode) {
 void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
     tracks_page_->setTheme(theme_);
+    residuals_->setTheme(theme_);
     resonator_->setTheme(theme_);
     commands_->setIcons(theme_.palette);
 }

@@ -126,6 +126,20 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
              [to] {
                  QApplication::clipboard()->setText(to.cursor.tableText() + to.measure.tableText());
              }},
+        {.id = Command::page_tracks,
+         .text = QT_TRANSLATE_NOOP("Command", "Trac&ks"),
+         .tip = QT_TRANSLATE_NOOP("Command", "The page with the slow variables over time"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_1)},
+         .enabled = any,
+         .act = [to] { to.show_page(Page::tracks); }},
+        {.id = Command::page_residuals,
+         .text = QT_TRANSLATE_NOOP("Command", "Resi&duals"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "The page with spectrum, distribution and autocorrelation of "
+                                  "what the waves leave of the samples"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_2)},
+         .enabled = any,
+         .act = [to] { to.show_page(Page::residuals); }},
         {.id = Command::zoom_in,
          .text = QT_TRANSLATE_NOOP("Command", "Zoom &in"),
          .enabled = plots,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/window/commands.h"
+#include "ui/window/page_stack.h"
 #include "ui/words/display_units.h"
 
 #include <functional>
@@ -29,6 +30,7 @@ struct CommandTargets {
     FileCommands& files;
     // What the window itself does.
     std::function<void(const DisplayUnits&)> set_units;
+    std::function<void(Page)> show_page;
     std::function<void()> identify;
     std::function<void()> add_set;
     std::function<void()> show_help;

@@ -87,10 +87,10 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
     const std::size_t carrier_at = strongest(least_carrier_hz, rate_hz / 2);
     const double carrier = carrier_at > 0 ? amplitude(carrier_at) : 0;
     const double carrier_hz = bin_hz * static_cast<double>(carrier_at);
-    for (const double f : {50.0, 100.0, 150.0, 60.0, 120.0, 180.0, 400.0, 800.0}) {
+    const auto look_at = [&](double f) {
         // Skirts of a fast decaying carrier.
         if (f >= least_carrier_hz && std::abs(carrier_hz - f) < skirts_hz) {
-            continue;
+            return;
         }
         const std::size_t at_line = strongest(f - 1 - bin_hz, f + 1 + bin_hz);
         const double line = at_line > 0 ? amplitude(at_line) : 0;
@@ -103,6 +103,12 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
         }
         if (line > 8 * median(around) && line > 1e-3 * carrier) {
             lines.push_back({f, line / carrier});
+        }
+    };
+    for (const double supply : supplies_hz) {
+        const int harmonics = supply < least_carrier_hz ? 3 : 2;
+        for (int order = 1; order <= harmonics; ++order) {
+            look_at(order * supply);
         }
     }
     return lines;

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace vybeg {
 
 // Findings of the first seconds of a recording besides the wave (METHOD section 7).
+
+// Supplies whose lines are looked for: the mains, and an aircraft's.
+inline constexpr std::array<double, 3> supplies_hz{50, 60, 400};
 
 struct MainsLine {
     double f_hz = 0;

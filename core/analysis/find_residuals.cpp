@@ -1,0 +1,150 @@
+#include "core/analysis/find_residuals.h"
+
+#include "core/analysis/residual_lines.h"
+#include "core/analysis/residual_samples.h"
+#include "core/numerics/autocorrelation.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t longest_segment = std::size_t{1} << 15;  // 1 Hz at 33333 Hz
+constexpr std::size_t least_segment = 16;
+constexpr std::size_t most_lags = 1000;
+
+// A segment of which there are about eight in all samples and two in the longest run, but no less
+// than 256 bins where the samples suffice.
+std::size_t segment_of(const ResidualSamples& samples) {
+    std::size_t longest = 0;
+    for (std::size_t run = 0; run < samples.runs(); ++run) {
+        longest = std::max(longest, samples.run_c(run).size());
+    }
+    const std::size_t wished =
+        std::clamp(std::min(samples.c.size() / 8, longest / 2), std::size_t{512}, longest_segment);
+    return std::bit_floor(std::min(wished, longest));
+}
+
+void add(const Densities& from, Densities& to) {
+    for (std::size_t channel = 0; channel < to.size(); ++channel) {
+        to[channel].resize(from[channel].size());
+        for (std::size_t k = 0; k < from[channel].size(); ++k) {
+            to[channel][k] += from[channel][k];
+        }
+    }
+}
+
+void divide(Densities& sums, int count) {
+    for (std::vector<double>& sum : sums) {
+        for (double& density : sum) {
+            density /= std::max(count, 1);
+        }
+    }
+}
+
+Result<ResidualSpectrum> spectrum_of(const ResidualSamples& samples, double rate_hz,
+                                     const JobControl& job) {
+    ResidualSpectrum spectrum;
+    const std::size_t size = segment_of(samples);
+    if (size < least_segment) {
+        return spectrum;
+    }
+    SpectralDensity density(size, rate_hz);
+    spectrum.bin_hz = density.bin_hz();
+    for (std::size_t run = 0; run < samples.runs(); ++run) {
+        const auto c = samples.run_c(run);
+        const auto d = samples.run_d(run);
+        for (const std::size_t begin : segments_of(c.size(), size)) {
+            if (job.cancelled()) {
+                return Error{ErrorCode::interrupted, "", {}};
+            }
+            const std::size_t middle = samples.run_begins[run] + begin + size / 2;
+            const std::size_t half = 2 * middle < samples.c.size() ? 0 : 1;
+            density.add_to(spectrum.halves[half], c.subspan(begin, size), d.subspan(begin, size));
+            ++spectrum.segments_of_half[half];
+        }
+    }
+    for (std::size_t half = 0; half < spectrum.halves.size(); ++half) {
+        if (spectrum.segments_of_half[half] > 0) {
+            add(spectrum.halves[half], spectrum.mean);
+            divide(spectrum.halves[half], spectrum.segments_of_half[half]);
+        }
+        spectrum.segments += spectrum.segments_of_half[half];
+    }
+    divide(spectrum.mean, spectrum.segments);
+    return spectrum;
+}
+
+// Mean diagonal of the projection onto the parameters of a window, over the samples that belong to
+// it: one half for the phase and amplitude of each channel, and the square of the time from the
+// centre for the frequency, which weighs the ends of the window most.
+double taken_up_by(const Analysis& analysis) {
+    const auto n = static_cast<double>(analysis.plan.length);
+    const double own = std::min(1.0, static_cast<double>(analysis.plan.hop) / n);
+    const double at_centre = analysis.settings.algorithm == Algorithm::in_phase ? 3 : 4;
+    return (at_centre + own * own) / (2 * n);
+}
+
+ResidualChannel channel_of(const std::vector<double>& samples, bool white, double taken_up) {
+    ResidualChannel channel;
+    channel.moments = moments_of(samples);
+    channel.histogram = histogram_of(samples, channel.moments);
+    if (white && taken_up < 1) {
+        channel.noise_sd = channel.moments.sd / std::sqrt(1 - taken_up);
+    }
+    return channel;
+}
+
+}  // namespace
+
+Result<Residuals> find_residuals(const Recording& recording, const Analysis& analysis,
+                                 const ResidualRange& range, const JobControl& job) {
+    Result<ResidualSamples> samples = residual_samples(recording, analysis, range, job);
+    if (!samples) {
+        return samples.error();
+    }
+    Residuals found;
+    found.frames = samples->frames;
+    found.examined = samples->examined;
+    found.without = samples->without;
+    found.rate_hz = recording.rate_hz;
+    found.f0_hz = analysis.f0_hz();
+    found.taken_up = taken_up_by(analysis);
+    const bool white = !analysis.settings.filter;
+    found.c = channel_of(samples->c, white, found.taken_up);
+    found.d = channel_of(samples->d, white, found.taken_up);
+    if (samples->c.empty()) {
+        return found;
+    }
+    found.correlation_limit = 1.96 / std::sqrt(static_cast<double>(samples->c.size()));
+    for (double& value : samples->c) {
+        value -= found.c.moments.mean;
+    }
+    for (double& value : samples->d) {
+        value -= found.d.moments.mean;
+    }
+    Result<ResidualSpectrum> spectrum = spectrum_of(*samples, recording.rate_hz, job);
+    if (!spectrum) {
+        return spectrum.error();
+    }
+    LaggedProducts products(std::min(most_lags, samples->c.size() / 4));
+    for (std::size_t run = 0; run < samples->runs(); ++run) {
+        if (job.cancelled()) {
+            return Error{ErrorCode::interrupted, "", {}};
+        }
+        products.add(samples->run_c(run), samples->run_d(run));
+    }
+    found.lines = residual_lines(*spectrum, recording, analysis);
+    found.bin_hz = spectrum->bin_hz;
+    found.segments = spectrum->segments;
+    found.c.density = std::move(spectrum->mean[0]);
+    found.d.density = std::move(spectrum->mean[1]);
+    auto correlations = products.correlations();
+    found.c.autocorrelation = std::move(correlations[0]);
+    found.d.autocorrelation = std::move(correlations[1]);
+    return found;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/analysis/analysis.h"
+#include "core/analysis/residuals.h"
+
+#include <vector>
+
+namespace vybeg {
+
+// Names lines by their frequencies: the wave itself, the rate of the windows, images of
+// stronger lines by the windows, mains and their
+// harmonics up to the tenth, harmonics of the carrier up to the tenth, also folded, and the carrier
+// modulated by the mains. Lines of another origin keep theirs.
+void name_lines(std::vector<ResidualLine>& lines, const Analysis& analysis, double rate_hz,
+                double bin_hz);
+
+}  // namespace vybeg

@@ -1,0 +1,215 @@
+#include "core/analysis/residual_lines.h"
+
+#include "core/analysis/line_filter.h"
+#include "core/analysis/line_origin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t least_bins = 64;
+constexpr std::size_t most_peaks = 400;
+constexpr std::size_t most_lines = 24;
+constexpr std::ptrdiff_t main_lobe = 2;  // bins to each side, of a Hann window
+constexpr std::ptrdiff_t guard = 3;      // bins to each side that a line takes from its noise
+// Segments that overlap by half are not independent: their densities count for one part in 1.056
+// less (the correlation of 1/6 squared, twice), a line's product with the noise for 1.17.
+constexpr double overlap_of_densities = 1.056;
+constexpr double overlap_of_lines = 1.17;
+
+double median_of(std::vector<double>& values) {
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+// The noise around a bin: the higher of the medians on both sides, so that the edge of a band-pass
+// is no line.
+class NoiseFloor {
+public:
+    NoiseFloor(const std::vector<double>& density, int segments)
+        : density_(density),
+          span_(std::clamp<std::ptrdiff_t>(std::ssize(density) / 8, 8, 32)),
+          // Of the mean of exponential distributions, after E. B. Wilson and M. M. Hilferty (1931).
+          median_over_mean_(std::pow(1 - 1 / (9.0 * segments), 3)) {}
+
+    double at(std::ptrdiff_t bin) const {
+        return std::max(beside(bin - guard - span_, bin - guard),
+                        beside(bin + guard + 1, bin + guard + 1 + span_)) /
+               median_over_mean_;
+    }
+
+private:
+    // Zero where too few bins lie there. Bin 0 holds what the mean has left.
+    double beside(std::ptrdiff_t first, std::ptrdiff_t end) const {
+        first = std::max<std::ptrdiff_t>(first, 1);
+        end = std::min(end, std::ssize(density_));
+        if (end - first < span_ / 2) {
+            return 0;
+        }
+        std::vector<double> values(density_.begin() + first, density_.begin() + end);
+        return median_of(values);
+    }
+
+    const std::vector<double>& density_;
+    std::ptrdiff_t span_;
+    double median_over_mean_;
+};
+
+struct Peak {
+    std::ptrdiff_t bin = 0;
+    double ratio = 0;  // to the noise
+};
+
+// Bins that may hold a line: all but the ends, inside a band-pass. Beyond it line and noise are as
+// far apart as before, and both of no matter.
+struct Bins {
+    std::ptrdiff_t first = main_lobe;
+    std::ptrdiff_t end = 0;
+};
+
+Bins bins_of(const ResidualSpectrum& spectrum, const SignalSettings& settings) {
+    Bins bins{main_lobe, std::ssize(spectrum.mean[0]) - main_lobe};
+    if (settings.filter) {
+        const auto bin_at = [&](double f_hz) {
+            return static_cast<std::ptrdiff_t>(f_hz / spectrum.bin_hz);
+        };
+        bins.first = std::max(bins.first, bin_at(settings.filter->low_hz) + 1);
+        bins.end = std::min(bins.end, bin_at(settings.filter->high_hz) + 1);
+    }
+    return bins;
+}
+
+// Local maxima above `least` times their noise.
+void add_peaks(const std::vector<double>& density, int segments, double least, const Bins& bins,
+               std::vector<Peak>& peaks) {
+    const NoiseFloor noise(density, segments);
+    for (std::ptrdiff_t k = bins.first; k < bins.end; ++k) {
+        const auto at = [&](std::ptrdiff_t bin) { return density[static_cast<std::size_t>(bin)]; };
+        if (at(k) <= at(k - 1) || at(k) < at(k + 1)) {
+            continue;
+        }
+        if (const double floor = noise.at(k); floor > 0 && at(k) > least * floor) {
+            peaks.push_back({k, at(k) / floor});
+        }
+    }
+}
+
+// The highest of each group of peaks that one line makes in both channels.
+std::vector<Peak> distinct(std::vector<Peak> peaks) {
+    std::ranges::sort(peaks, std::ranges::greater{}, &Peak::ratio);
+    std::vector<Peak> kept;
+    for (const Peak& peak : peaks) {
+        const bool known = std::ranges::any_of(
+            kept, [&](const Peak& other) { return std::abs(other.bin - peak.bin) <= main_lobe; });
+        if (!known && kept.size() < most_peaks) {
+            kept.push_back(peak);
+        }
+    }
+    return kept;
+}
+
+// Mean square of a line, and its variance.
+struct LinePower {
+    double power = 0;
+    double variance = 0;
+};
+
+LinePower line_power(const std::vector<double>& density, std::ptrdiff_t bin, int segments,
+                     double bin_hz) {
+    const double floor = NoiseFloor(density, segments).at(bin);
+    LinePower line;
+    for (std::ptrdiff_t k = bin - main_lobe; k <= bin + main_lobe; ++k) {
+        line.power += (density[static_cast<std::size_t>(k)] - floor) * bin_hz;
+    }
+    line.power = std::max(line.power, 0.0);
+    // The product of the line with the noise in its five bins, and the noise by itself; both with
+    // the correlations -2/3 and 1/6 of neighbouring bins under a Hann window.
+    const double noise = floor * bin_hz;
+    line.variance = (3.89 * line.power * noise * overlap_of_lines +
+                     8.72 * noise * noise * overlap_of_densities) /
+                    segments;
+    return line;
+}
+
+// Frequency by the ratio of the two largest amplitudes, which is (2 - x)/(1 + x) at a distance of x
+// bins from the larger one. Both channels together.
+double frequency_of(const ResidualSpectrum& spectrum, std::ptrdiff_t bin) {
+    const auto amplitude = [&](std::ptrdiff_t k) {
+        const auto at = static_cast<std::size_t>(k);
+        return std::sqrt(spectrum.mean[0][at] + spectrum.mean[1][at]);
+    };
+    const std::ptrdiff_t side = amplitude(bin + 1) > amplitude(bin - 1) ? 1 : -1;
+    const double ratio = amplitude(bin + side) / amplitude(bin);
+    const double shift = std::clamp((2 * ratio - 1) / (ratio + 1), -0.5, 0.5);
+    return (static_cast<double>(bin) + static_cast<double>(side) * shift) * spectrum.bin_hz;
+}
+
+// Whether the power of both channels falls from the first half to the second by more than a fifth,
+// beyond doubt.
+bool decays(const ResidualSpectrum& spectrum, std::ptrdiff_t bin) {
+    std::array<LinePower, 2> halves;
+    for (std::size_t half = 0; half < halves.size(); ++half) {
+        if (spectrum.segments_of_half[half] == 0) {
+            return false;
+        }
+        for (const std::vector<double>& density : spectrum.halves[half]) {
+            const LinePower line =
+                line_power(density, bin, spectrum.segments_of_half[half], spectrum.bin_hz);
+            halves[half].power += line.power;
+            halves[half].variance += line.variance;
+        }
+    }
+    constexpr double least = 0.8;
+    const double doubt = std::sqrt(halves[1].variance + least * least * halves[0].variance);
+    return halves[1].power < least * halves[0].power - 4 * doubt;
+}
+
+}  // namespace
+
+std::vector<ResidualLine> residual_lines(const ResidualSpectrum& spectrum,
+                                         const Recording& recording, const Analysis& analysis) {
+    std::vector<ResidualLine> lines;
+    if (spectrum.mean[0].size() < least_bins) {
+        return lines;
+    }
+    const int independent = std::max(1, static_cast<int>(spectrum.segments / overlap_of_densities));
+    const auto bins = static_cast<double>(2 * spectrum.mean[0].size());
+    const double least = ratio_exceeded(independent, false_line_probability / bins);
+    const Bins looked_at = bins_of(spectrum, analysis.settings);
+    std::vector<Peak> peaks;
+    for (const std::vector<double>& density : spectrum.mean) {
+        add_peaks(density, spectrum.segments, least, looked_at, peaks);
+    }
+    for (const Peak& peak : distinct(std::move(peaks))) {
+        ResidualLine line;
+        line.f_hz = frequency_of(spectrum, peak.bin);
+        const auto channel = [&](std::size_t k, double& amplitude, double& sd) {
+            const LinePower found =
+                line_power(spectrum.mean[k], peak.bin, spectrum.segments, spectrum.bin_hz);
+            amplitude = std::sqrt(2 * found.power);
+            // Of a line below its noise the amplitude is known to its limit only.
+            sd = std::sqrt(found.variance / std::max(2 * found.power, std::sqrt(found.variance)));
+        };
+        channel(0, line.amplitude_c, line.sd_c);
+        channel(1, line.amplitude_d, line.sd_d);
+        if (decays(spectrum, peak.bin)) {
+            line.origin = LineOrigin::other_mode;
+        }
+        line.filter = filter_without(line.f_hz, analysis.settings, recording);
+        lines.push_back(line);
+    }
+    name_lines(lines, analysis, recording.rate_hz, spectrum.bin_hz);
+    // Waves that change inside long windows make dozens of these.
+    std::erase_if(lines, [](const ResidualLine& line) {
+        return line.origin == LineOrigin::window_rate && std::abs(line.order) > 2;
+    });
+    lines.resize(std::min(lines.size(), most_lines));
+    std::ranges::sort(lines, {}, &ResidualLine::f_hz);
+    return lines;
+}
+
+}  // namespace vybeg

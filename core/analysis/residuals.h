@@ -1,0 +1,87 @@
+#pragma once
+
+#include "core/analysis/settings.h"
+#include "core/analysis/time_range.h"
+#include "core/numerics/distribution.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace vybeg {
+
+// Which samples of an analysis: those of a time range, or those of one window.
+struct ResidualRange {
+    TimeRange time;
+    std::optional<std::int64_t> window;
+
+    friend bool operator==(const ResidualRange&, const ResidualRange&) = default;
+};
+
+// Where a line in the spectrum of a residual comes from.
+enum class LineOrigin {
+    wave,              // at the carrier: the wave that its windows do not follow
+    window_rate,       // the carrier plus or minus `order` times the rate of the windows
+    window_image,      // of a stronger line, base_hz, by windows that take up a part of it
+    mains,             // `order` times base_hz, 50, 60 or 400 Hz
+    carrier_by_mains,  // the carrier modulated by that
+    carrier_harmonic,  // `order` times the carrier
+    folded_harmonic,   // the same above half the sample rate, folded into the spectrum
+    other_mode,        // decays in the range, and is none of these
+    unknown            // as strong at the end of the range as at its start, or not known
+};
+
+// A line above the noise: amplitude of the sinusoid that has its mean power, recording units. A
+// window whose main lobe reaches to the line takes up some of it.
+struct ResidualLine {
+    double f_hz = 0;
+    double amplitude_c = 0;
+    double amplitude_d = 0;
+    double sd_c = 0;  // of the amplitudes
+    double sd_d = 0;
+    LineOrigin origin = LineOrigin::unknown;
+    int order = 0;
+    double base_hz = 0;
+    // A band-pass about the carrier that takes the line out; none where no filter can do so.
+    std::optional<Band> filter;
+};
+
+// The residual of one channel: samples less the wave of their window, recording units.
+struct ResidualChannel {
+    Moments moments;
+    // sd per sample of white noise that leaves this residual: a window takes up a part of the noise
+    // with its parameters. NaN after a band-pass, whose noise is not white.
+    double noise_sd = std::numeric_limits<double>::quiet_NaN();
+    Histogram histogram;
+    // One-sided power spectral density, squared units per Hz, bin k at k * bin_hz; the mean of the
+    // residual is taken off. Empty where no run of samples is long enough.
+    std::vector<double> density;
+    std::vector<double> autocorrelation;  // by lags of one sample, 1 at lag 0
+
+    double amplitude_density(std::size_t bin) const { return std::sqrt(density[bin]); }
+};
+
+// The residual of an analysis and what it should look like for white normal noise.
+struct Residuals {
+    std::int64_t frames = 0;    // of the range
+    std::int64_t examined = 0;  // of these, where the range is too long for all
+    std::int64_t without = 0;   // examined, but without a wave: gaps, circular waves, no window
+    double rate_hz = 0;
+    double f0_hz = 0;
+    double taken_up = 0;  // the share of white noise that the windows' parameters take up
+    ResidualChannel c;
+    ResidualChannel d;
+    double bin_hz = 0;
+    int segments = 0;                 // averaged in the spectrum
+    double correlation_limit = 0;     // 1.96 / sqrt(N): 95 % of the lags of white noise lie within
+    std::vector<ResidualLine> lines;  // in the order of frequency
+
+    std::int64_t used() const { return examined - without; }
+};
+
+// The probability of one line or more in the spectrum of white noise.
+inline constexpr double false_line_probability = 0.01;
+
+}  // namespace vybeg

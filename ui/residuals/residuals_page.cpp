@@ -1,0 +1,391 @@
+#include "ui/residuals/residuals_page.h"
+
+#include "ui/document/document.h"
+#include "ui/panels/reading.h"
+#include "ui/panels/stale_mark.h"
+#include "ui/plots/xy_plot_view.h"
+#include "ui/residuals/residual_plots.h"
+#include "ui/residuals/residual_text.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int pause_ms = 120;
+constexpr int job_key = 1;
+constexpr int least_spectrum_height = 172;
+constexpr int least_plot_height = 166;
+
+QLabel* sentence(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    label->setContentsMargins(6, 0, 6, 0);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label->setFocusPolicy(Qt::ClickFocus);
+    return label;
+}
+
+}  // namespace
+
+ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      range_(new QComboBox(this)),
+      range_label_(new QLabel(this)),
+      time_(new NumberField(this)),
+      stale_(new StaleMark(document, this)),
+      state_(sentence(this)),
+      theme_(lightTheme()) {
+    setObjectName(QStringLiteral("residuals"));
+    range_->setObjectName(QStringLiteral("residualRange"));
+    range_->addItems({QString(), QString(), QString()});
+    range_->setCurrentIndex(static_cast<int>(Range::whole));
+    time_->hide();
+    range_label_->setBuddy(range_);
+    time_->setLimits(0, 1e9);
+    state_->setObjectName(QStringLiteral("residualState"));
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(6, 4, 6, 0);
+    head->addWidget(range_label_);
+    head->addWidget(range_);
+    head->addWidget(time_);
+    head->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(buildContent());
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addLayout(head);
+    column->addWidget(stale_);
+    column->addWidget(state_);
+    column->addWidget(scroll, 1);
+
+    pause_.setSingleShot(true);
+    pause_.setInterval(pause_ms);
+    connect(&pause_, &QTimer::timeout, this, &ResidualsPage::compute);
+    connect(range_, &QComboBox::currentIndexChanged, this, &ResidualsPage::refresh);
+    connect(time_, &NumberField::valueEdited, this,
+            [this](std::optional<double> time_s) { setCursor(time_s.value_or(cursor_s_)); });
+    connect(stale_, &StaleMark::runWanted, this, &ResidualsPage::runWanted);
+    connect(&document_, &Document::runsChanged, this, &ResidualsPage::refresh);
+    connect(&document_, &Document::recordingChanged, this, &ResidualsPage::refresh);
+    retranslate();
+}
+
+QWidget* ResidualsPage::buildContent() {
+    auto* content = new QWidget(this);
+    spectrum_ = addPlot("spectrum");
+    spectrum_->setMinimumHeight(least_spectrum_height);
+    lines_ = new QComboBox(content);
+    lines_->setObjectName(QStringLiteral("residualLines"));
+    lines_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    lines_->setMinimumContentsLength(16);
+    filter_ = new QPushButton(content);
+    filter_->setObjectName(QStringLiteral("residualFilter"));
+    sentence_ = sentence(content);
+    sentence_->setObjectName(QStringLiteral("residualLine"));
+    histogram_ = addPlot("histogram");
+    correlation_ = addPlot("correlation");
+    numbers_ = new QuantityTable(content);
+    numbers_->setObjectName(QStringLiteral("residualNumbers"));
+    auto* choice = new QHBoxLayout;
+    choice->setContentsMargins(6, 0, 6, 0);
+    choice->addWidget(lines_, 1);
+    choice->addWidget(filter_);
+    auto* grid = new QGridLayout(content);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(4);
+    grid->addWidget(spectrum_, 0, 0, 1, 2);
+    grid->addLayout(choice, 1, 0, 1, 2);
+    grid->addWidget(sentence_, 2, 0, 1, 2);
+    grid->addWidget(histogram_, 3, 0);
+    grid->addWidget(correlation_, 3, 1);
+    grid->addWidget(numbers_, 4, 0, 1, 2);
+    grid->setRowStretch(0, 3);
+    grid->setRowStretch(3, 2);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    connect(spectrum_, &XYPlotView::pointClicked, this,
+            [this](int line) { chooseLine(static_cast<std::size_t>(line)); });
+    connect(spectrum_, &XYPlotView::stepWanted, this, [this](int by) {
+        const int count = lines_->count();
+        lines_->setCurrentIndex((lines_->currentIndex() + by + count) % count);
+    });
+    connect(lines_, &QComboBox::currentIndexChanged, this, [this](int index) {
+        chooseLine(index > 0 ? std::optional(static_cast<std::size_t>(index - 1)) : std::nullopt);
+    });
+    connect(filter_, &QPushButton::clicked, this, &ResidualsPage::putFilter);
+    return content;
+}
+
+XYPlotView* ResidualsPage::addPlot(const char* name) {
+    auto* plot = new XYPlotView(this);
+    plot->setObjectName(QLatin1String(name));
+    plot->setMinimumHeight(least_plot_height);
+    plot->setMaximumHeight(QWIDGETSIZE_MAX);
+    plot->setMinimumWidth(180);
+    connect(plot, &XYPlotView::exportWanted, this,
+            [this, plot] { emit exportWanted(plot->content()); });
+    return plot;
+}
+
+ResidualsPage::Range ResidualsPage::range() const {
+    return static_cast<Range>(range_->currentIndex());
+}
+
+const RunEntry* ResidualsPage::entry() const {
+    return document_.run(run_id_);
+}
+
+void ResidualsPage::setRun(int id) {
+    run_id_ = id;
+    refresh();
+}
+
+void ResidualsPage::setVisibleRange(const AxisRange& visible) {
+    visible_ = visible;
+    refresh();
+}
+
+void ResidualsPage::setCursor(double time_s) {
+    cursor_s_ = time_s;
+    refresh();
+}
+
+void ResidualsPage::setTheme(const Theme& theme) {
+    theme_ = theme;
+    for (XYPlotView* plot : {spectrum_, histogram_, correlation_}) {
+        plot->setTheme(theme);
+    }
+    showFound();
+}
+
+std::optional<ResidualsPage::Request> ResidualsPage::wanted() const {
+    const RunEntry* run = entry();
+    if (run == nullptr || run->partial() || run->run.analysis->track.rows() == 0) {
+        return std::nullopt;
+    }
+    Request request{run->run.analysis, {}};
+    switch (range()) {
+        case Range::window:
+            request.range.window =
+                static_cast<std::int64_t>(nearestRow(run->run.analysis->track, cursor_s_));
+            break;
+        case Range::visible: request.range.time = {visible_.lower, visible_.upper}; break;
+        case Range::whole: break;
+    }
+    return request;
+}
+
+QString ResidualsPage::unit() const {
+    const RunEntry* run = entry();
+    const RecordingEntry* recording = run ? document_.recording(run->recording_id) : nullptr;
+    return recording && recording->recording ? channelUnit(*recording->recording) : QString();
+}
+
+// Compares what is wanted with what is shown or under way. Hidden, the page waits.
+void ResidualsPage::refresh() {
+    time_->setVisible(range() == Range::window);
+    time_->setValue(cursor_s_);
+    if (!isVisible()) {
+        return;
+    }
+    const auto request = wanted();
+    if (request && request == asked_) {
+        return;
+    }
+    asked_ = request;
+    computing_ = request.has_value();
+    if (request) {
+        pause_.start();
+        state_->setText(stateText());
+    } else {
+        pause_.stop();
+        job_.forget(job_key);
+        found_.reset();
+        chosen_.reset();
+        showFound();
+    }
+}
+
+void ResidualsPage::compute() {
+    const RunEntry* run = entry();
+    const RecordingEntry* recording = run ? document_.recording(run->recording_id) : nullptr;
+    if (asked_ && recording && recording->recording) {
+        job_.findResiduals(job_key, *recording->recording, asked_->analysis, asked_->range,
+                           [this](Result<Residuals> result) { take(std::move(result)); });
+    }
+}
+
+void ResidualsPage::take(Result<Residuals> result) {
+    computing_ = false;
+    failure_.reset();
+    found_.reset();
+    chosen_.reset();
+    if (result) {
+        found_ = std::move(*result);
+    } else {
+        failure_ = result.error();
+    }
+    showFound();
+}
+
+QString ResidualsPage::stateText() const {
+    const RunEntry* run = entry();
+    if (!run) {
+        return tr(
+            "No run is chosen. Run (F5) analyses the current recording; a row of the list "
+            "Runs chooses one.");
+    }
+    const QString name = QStringLiteral("<b>%1, %2.</b> ")
+                             .arg(run->run.recording.toHtmlEscaped(), richText(run->run.name));
+    if (!asked_) {
+        return name + tr("The residual appears when all windows of the run are there.");
+    }
+    if (computing_) {
+        return name + tr("The residual is being computed…");
+    }
+    if (failure_) {
+        return name + errorText(*failure_).toHtmlEscaped();
+    }
+    if (found_ && found_->used() == 0) {
+        return name + tr("No sample of this range has a wave: samples are missing, the wave is "
+                         "circular, or the range lies outside the analysed one.");
+    }
+    return name + (found_ ? coverageText(*found_) : QString());
+}
+
+void ResidualsPage::showFound() {
+    state_->setText(stateText());
+    const bool any = found_ && found_->used() > 0;
+    const int count = any ? static_cast<int>(found_->lines.size()) : 0;
+    {
+        const QSignalBlocker quiet(lines_);
+        lines_->clear();
+        lines_->addItem(count > 0 ? tr("%n line(s) above the noise: choose one", nullptr, count)
+                                  : tr("No line above the noise"));
+        for (int k = 0; k < count; ++k) {
+            lines_->addItem(lineName(found_->lines[static_cast<std::size_t>(k)]));
+        }
+    }
+    lines_->setEnabled(count > 0);
+    lines_->setVisible(any);
+    numbers_->setVisible(any);
+    if (any) {
+        numbers_->setContent({QStringLiteral("C"), QStringLiteral("D")},
+                             residualRows(*found_, unit(), theme_.warning));
+    }
+    showPlots();
+    chooseLine(chosen_);
+}
+
+QString ResidualsPage::emptyText() const {
+    return found_ ? tr("The range is too short for this plot.") : QString();
+}
+
+void ResidualsPage::showPlots() {
+    const Residuals* found = residuals();
+    const QString empty = emptyText();
+    histogram_->setContent(histogramPlot(found, empty));
+    correlation_->setContent(correlationPlot(found, empty));
+}
+
+void ResidualsPage::chooseLine(std::optional<std::size_t> line) {
+    chosen_ = found_ && line && *line < found_->lines.size() ? line : std::nullopt;
+    const QSignalBlocker quiet(lines_);
+    lines_->setCurrentIndex(chosen_ ? static_cast<int>(*chosen_) + 1 : 0);
+    spectrum_->setContent(spectrumPlot(residuals(), unit(), chosen_, emptyText()));
+    spectrum_->setPickable(spectrum_lines);
+    showLine();
+}
+
+void ResidualsPage::showLine() {
+    sentence_->setVisible(chosen_.has_value());
+    filter_->setVisible(false);
+    if (!chosen_) {
+        return;
+    }
+    const ResidualLine& line = found_->lines[*chosen_];
+    sentence_->setText(lineSentence(line, *found_, unit()));
+    if (line.filter) {
+        filter_->setText(tr("Filter %1").arg(bandText(*line.filter)));
+        filter_->setVisible(true);
+    }
+}
+
+void ResidualsPage::putFilter() {
+    if (chosen_ && found_->lines[*chosen_].filter) {
+        Settings settings = document_.settings();
+        settings.filter = found_->lines[*chosen_].filter;
+        document_.setSettings(settings);
+    }
+}
+
+void ResidualsPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
+}
+
+// A computation under way is asked for again when the page is shown.
+void ResidualsPage::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    pause_.stop();
+    job_.forget(job_key);
+    if (computing_) {
+        asked_.reset();
+    }
+}
+
+void ResidualsPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void ResidualsPage::retranslate() {
+    range_label_->setText(tr("Residual of"));
+    range_->setItemText(static_cast<int>(Range::window), tr("the window at the cursor"));
+    range_->setItemText(static_cast<int>(Range::visible), tr("the visible part"));
+    range_->setItemText(static_cast<int>(Range::whole), tr("the whole run"));
+    range_->setAccessibleName(tr("Range of the residual"));
+    range_->setToolTip(
+        tr("Samples less the wave of their window: of one window, of what the plots "
+           "of the tracks show, or of all"));
+    time_->setUnit(tr("s"));
+    time_->setAccessibleName(tr("Time of the window"));
+    time_->setToolTip(
+        tr("The window nearest to this time, which cursor A or the mouse over the "
+           "tracks sets, too"));
+    lines_->setAccessibleName(tr("Lines above the noise"));
+    lines_->setToolTip(
+        tr("Peaks that rise above the noise around them; white noise shows one in "
+           "one of a hundred spectra"));
+    filter_->setToolTip(tr("Puts this band-pass into the panel Analysis; Undo takes it back"));
+    spectrum_->setAccessibleName(tr("Spectrum of the residual"));
+    spectrum_->setToolTip(tr("A click on a line names it; Left and Right go from line to line"));
+    histogram_->setAccessibleName(tr("Distribution of the residual"));
+    correlation_->setAccessibleName(tr("Autocorrelation of the residual"));
+    correlation_->setToolTip(tr("Of white noise, 95 % of the lags lie between the dashed lines"));
+    numbers_->setAccessibleName(tr("Numbers of the residual"));
+    showFound();
+}
+
+}  // namespace vybeg::ui

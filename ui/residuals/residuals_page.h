@@ -1,0 +1,108 @@
+#pragma once
+
+#include "core/analysis/residuals.h"
+#include "ui/document/analysis_job.h"
+#include "ui/plots/xy_plot.h"
+#include "ui/widgets/theme.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace vybeg::ui {
+
+class Document;
+class NumberField;
+class QuantityTable;
+class StaleMark;
+class XYPlotView;
+struct RunEntry;
+
+// The residual of the chosen run: its spectrum with the lines above the noise, its distribution and
+// its autocorrelation, of the window at the cursor, the visible part or the whole. Computed in the
+// background while the page is shown; a newer request replaces the one before.
+class ResidualsPage : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Range { window, visible, whole };
+
+    explicit ResidualsPage(Document& document, QWidget* parent = nullptr);
+
+    void setRun(int id);
+    void setVisibleRange(const AxisRange& visible);
+    // Time of the cursor whose window is meant.
+    void setCursor(double time_s);
+    void setTheme(const Theme& theme);
+    // What is shown; null until it is computed.
+    const Residuals* residuals() const { return found_ ? &*found_ : nullptr; }
+
+signals:
+    void runWanted();
+    void exportWanted(const XYPlot& plot);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    // A residual is that of this analysis in this range.
+    struct Request {
+        std::shared_ptr<const Analysis> analysis;
+        ResidualRange range;
+
+        friend bool operator==(const Request&, const Request&) = default;
+    };
+
+    QWidget* buildContent();
+    XYPlotView* addPlot(const char* name);
+    Range range() const;
+    const RunEntry* entry() const;
+    std::optional<Request> wanted() const;
+    QString unit() const;
+    void refresh();
+    void compute();
+    void take(Result<Residuals> result);
+    QString stateText() const;
+    QString emptyText() const;
+    void showFound();
+    void showPlots();
+    void chooseLine(std::optional<std::size_t> line);
+    void showLine();
+    void putFilter();
+    void retranslate();
+
+    Document& document_;
+    AnalysisJob job_;
+    QTimer pause_;  // between the last change and the computation
+    QComboBox* range_;
+    QLabel* range_label_;
+    NumberField* time_;
+    StaleMark* stale_;
+    QLabel* state_;
+    XYPlotView* spectrum_ = nullptr;
+    QComboBox* lines_ = nullptr;
+    QPushButton* filter_ = nullptr;
+    QLabel* sentence_ = nullptr;
+    XYPlotView* histogram_ = nullptr;
+    XYPlotView* correlation_ = nullptr;
+    QuantityTable* numbers_ = nullptr;
+    Theme theme_;
+    int run_id_ = 0;
+    AxisRange visible_;
+    double cursor_s_ = 0;
+    std::optional<Request> asked_;  // shown or under way
+    bool computing_ = false;
+    std::optional<Error> failure_;
+    std::optional<Residuals> found_;     // of what was asked before, while computing
+    std::optional<std::size_t> chosen_;  // of the lines found
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,70 @@
+#include "ui/window/page_stack.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QKeySequence>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+namespace vybeg::ui {
+
+PageStack::PageStack(QWidget* welcome, QWidget* parent)
+    : QWidget(parent), tabs_(new QTabBar(this)), stack_(new QStackedWidget(this)) {
+    tabs_->setObjectName(QStringLiteral("pages"));
+    tabs_->setDocumentMode(true);
+    tabs_->setExpanding(false);
+    tabs_->setDrawBase(false);
+    stack_->addWidget(welcome);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(tabs_);
+    column->addWidget(stack_, 1);
+    connect(tabs_, &QTabBar::currentChanged, this, &PageStack::showTab);
+    setWelcome(true);
+}
+
+void PageStack::add(QWidget* page, const char* title) {
+    titles_ << title;
+    stack_->addWidget(page);
+    tabs_->addTab(QString());
+    retranslate();
+}
+
+void PageStack::setWelcome(bool shown) {
+    welcome_ = shown;
+    tabs_->setVisible(!shown);
+    showTab(tabs_->currentIndex());
+}
+
+void PageStack::showPage(Page page) {
+    tabs_->setCurrentIndex(static_cast<int>(page));
+}
+
+Page PageStack::page() const {
+    return static_cast<Page>(tabs_->currentIndex());
+}
+
+// Page 0 of the stack is the welcome.
+void PageStack::showTab(int tab) {
+    stack_->setCurrentIndex(welcome_ ? 0 : tab + 1);
+}
+
+void PageStack::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void PageStack::retranslate() {
+    for (int tab = 0; tab < tabs_->count(); ++tab) {
+        tabs_->setTabText(tab, QCoreApplication::translate("Pages", titles_[tab]));
+        tabs_->setTabToolTip(tab, QKeySequence(QKeyCombination(Qt::CTRL, Qt::Key(Qt::Key_1 + tab)))
+                                      .toString(QKeySequence::NativeText));
+    }
+    tabs_->setAccessibleName(tr("Pages"));
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QWidget>
+
+class QStackedWidget;
+class QTabBar;
+
+namespace vybeg::ui {
+
+// The pages about the open recordings, in the order of their tabs.
+enum class Page { tracks, residuals };
+
+// The middle of the window: pages under a bar of tabs, or the welcome while no recording is open.
+class PageStack : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PageStack(QWidget* welcome, QWidget* parent = nullptr);
+
+    // Adds the next page in the order of Page. `title`: a text of context "Pages".
+    void add(QWidget* page, const char* title);
+    void setWelcome(bool shown);
+    void showPage(Page page);
+    Page page() const;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showTab(int tab);
+    void retranslate();
+
+    QTabBar* tabs_;
+    QStackedWidget* stack_;
+    QList<const char*> titles_;
+    bool welcome_ = true;
+};
+
+}  // namespace vybeg::ui
