@@ -1,5 +1,4 @@
 // The import dialog driven as a person drives it: choices, preview, opening, what is remembered.
-#include "core/analysis/open_table.h"
 #include "core/recording/bytes/byte_order.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
@@ -8,8 +7,8 @@
 #include "ui/import/import_dialog.h"
 #include "ui/import/import_fields.h"
 #include "ui/import/import_memory.h"
+#include "ui/import/open_options_json.h"
 #include "ui/panels/message_bar.h"
-#include "ui/values/setting_json.h"
 #include "ui/widgets/number_field.h"
 #include "ui/window/main_window.h"
 #include "ui/words/language.h"
@@ -263,14 +262,11 @@ private slots:
         options.text = TextChoice{'\t', true, 7, 0, 1e-6, -0.125};
         options.unit = "мкВ";
         options.variables = {"XY", "", "fs"};
-        const auto again = [](const OpenOptions& stored) {
-            return *settingsFromJson(open_settings(), settingsToJson(open_settings(), stored));
-        };
-        QCOMPARE(again(options), options);
+        QCOMPARE(optionsFromJson(optionsToJson(options)), options);
         OpenOptions raw;
         raw.raw = RawLayout{RawType::i32, true, 5, std::int64_t{1} << 40, 1e-9};
-        QCOMPARE(again(raw), raw);
-        QCOMPARE(again({}), OpenOptions{});
+        QCOMPARE(optionsFromJson(optionsToJson(raw)), raw);
+        QCOMPARE(optionsFromJson({}), OpenOptions{});
     }
 
     void the_window_opens_what_was_chosen() {

@@ -1,6 +1,5 @@
 #include "ui/document/analysis_job.h"
 
-#include "core/analysis/find_residuals.h"
 #include "core/analysis/recording_carrier.h"
 #include "core/output/identify_json.h"
 #include "core/output/passport_json.h"
@@ -8,6 +7,7 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
+#include "core/residuals/find_residuals.h"
 #include "ui/document/freed_in_background.h"
 
 #include <QElapsedTimer>

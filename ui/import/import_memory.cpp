@@ -1,7 +1,6 @@
 #include "ui/import/import_memory.h"
 
-#include "core/analysis/open_table.h"
-#include "ui/values/setting_json.h"
+#include "ui/import/open_options_json.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -42,17 +41,14 @@ QString importKind(const QString& path, const RecordingPreview& preview, bool ra
 std::optional<OpenOptions> rememberedImport(const QString& kind) {
     for (const QJsonValue& each : imports()) {
         if (each[kind_key].toString() == kind) {
-            // What another version remembered in another way is forgotten.
-            const auto options = settingsFromJson(open_settings(), each[options_key].toObject());
-            return options ? *options : OpenOptions();
+            return optionsFromJson(each[options_key].toObject());
         }
     }
     return {};
 }
 
 void rememberImport(const QString& kind, const OpenOptions& options) {
-    QJsonArray kept{
-        QJsonObject{{kind_key, kind}, {options_key, settingsToJson(open_settings(), options)}}};
+    QJsonArray kept{QJsonObject{{kind_key, kind}, {options_key, optionsToJson(options)}}};
     for (const QJsonValue& each : imports()) {
         if (each[kind_key].toString() != kind && kept.size() < most_kinds) {
             kept.append(each);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/analysis/residuals.h"
 #include "core/recording/samples/recording.h"
+#include "core/residuals/residuals.h"
 #include "ui/widgets/quantity_table.h"
 
 #include <QString>

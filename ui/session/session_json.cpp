@@ -1,7 +1,7 @@
 #include "ui/session/session_json.h"
 
-#include "core/analysis/open_table.h"
 #include "core/analysis/setting_table.h"
+#include "ui/import/open_options_json.h"
 #include "ui/values/setting_json.h"
 
 #include <QCoreApplication>
@@ -86,7 +86,7 @@ QJsonObject recordingToJson(const SessionRecording& recording, const QDir& folde
     }
     return {{QStringLiteral("path"), storedPath(recording.path, folder)},
             {QStringLiteral("sha256"), recording.sha256},
-            {QStringLiteral("options"), settingsToJson(open_settings(), recording.options)},
+            {QStringLiteral("options"), optionsToJson(recording.options)},
             {QStringLiteral("runs"), runs}};
 }
 
@@ -95,12 +95,7 @@ Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& 
     recording.path =
         QDir::cleanPath(folder.absoluteFilePath(json[QStringLiteral("path")].toString()));
     recording.sha256 = json[QStringLiteral("sha256")].toString();
-    const Result<OpenOptions> options =
-        settingsFromJson(open_settings(), json[QStringLiteral("options")].toObject());
-    if (!options) {
-        return options.error();
-    }
-    recording.options = *options;
+    recording.options = optionsFromJson(json[QStringLiteral("options")].toObject());
     for (const auto& value : json[QStringLiteral("runs")].toArray()) {
         Result<RunWish> run = runFromJson(value.toObject());
         if (!run) {

@@ -1,7 +1,7 @@
-#include "core/analysis/residual_lines.h"
+#include "core/residuals/residual_lines.h"
 
-#include "core/analysis/line_filter.h"
-#include "core/analysis/line_origin.h"
+#include "core/residuals/line_filter.h"
+#include "core/residuals/line_origin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
-#include "core/analysis/residuals.h"
 #include "core/numerics/spectral_density.h"
 #include "core/recording/samples/recording.h"
+#include "core/residuals/residuals.h"
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/analysis/analyse.h"
-#include "core/analysis/find_residuals.h"
+#include "core/residuals/find_residuals.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 

@@ -1,4 +1,4 @@
-#include "core/analysis/residual_samples.h"
+#include "core/residuals/residual_samples.h"
 
 #include "core/analysis/prepare.h"
 

@@ -1,4 +1,4 @@
-#include "core/analysis/line_origin.h"
+#include "core/residuals/line_origin.h"
 
 #include "core/recording/checks/start_check.h"
 

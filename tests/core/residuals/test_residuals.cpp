@@ -1,6 +1,6 @@
 // The residual of an analysis against the noise that was simulated.
-#include "core/analysis/residual_samples.h"
-#include "tests/core/analysis/simulated_residuals.h"
+#include "core/residuals/residual_samples.h"
+#include "tests/core/residuals/simulated_residuals.h"
 
 #include <QtTest>
 

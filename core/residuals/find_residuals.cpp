@@ -1,8 +1,8 @@
-#include "core/analysis/find_residuals.h"
+#include "core/residuals/find_residuals.h"
 
-#include "core/analysis/residual_lines.h"
-#include "core/analysis/residual_samples.h"
 #include "core/numerics/autocorrelation.h"
+#include "core/residuals/residual_lines.h"
+#include "core/residuals/residual_samples.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
-#include "core/analysis/residuals.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/samples/recording.h"
+#include "core/residuals/residuals.h"
 
 #include <cstddef>
 #include <cstdint>

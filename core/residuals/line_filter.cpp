@@ -1,4 +1,4 @@
-#include "core/analysis/line_filter.h"
+#include "core/residuals/line_filter.h"
 
 #include "core/recording/conditioning/filtered_source.h"
 

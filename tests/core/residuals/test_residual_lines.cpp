@@ -1,5 +1,5 @@
 // Lines in the spectrum of a residual against those that were simulated.
-#include "tests/core/analysis/simulated_residuals.h"
+#include "tests/core/residuals/simulated_residuals.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
-#include "core/analysis/residuals.h"
+#include "core/residuals/residuals.h"
 
 #include <vector>
 
