@@ -73,8 +73,10 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
     }
     for (const SetTask& task : tasks) {
         struct stat status {};
-        if (!task.json.empty() && stat(task.json.c_str(), &status) == 0 &&
-            taken.contains({status.st_dev, status.st_ino})) {
+        const bool is_taken =
+            stat(task.json.c_str(), &status) == 0 && taken.contains({status.st_dev, status.st_ino});
+        // The table and the folder of the results may both be still to come.
+        if (!task.json.empty() && (is_taken || same_file(task.json, request.output))) {
             return refused_value("--json", task.json, "it is an input, or the table");
         }
     }

@@ -3250,7 +3250,7 @@
     </message>
     <message>
         <source>Rate, per s</source>
-        <translation>Скорость, в секунду</translation>
+        <translation>За секунду</translation>
     </message>
     <message>
         <source>Decay time of a_A: %1 s</source>
@@ -3285,10 +3285,6 @@
         <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
     </message>
     <message>
-        <source>No beat of ¾ to 100 periods between the cursors.</source>
-        <translation>Между курсорами нет биения с числом периодов от ¾ до 100.</translation>
-    </message>
-    <message>
         <source>sd</source>
         <translation>СКО</translation>
     </message>
@@ -3299,6 +3295,18 @@
     <message>
         <source>B = %1 s</source>
         <translation>B = %1 с</translation>
+    </message>
+    <message>
+        <source>A cursor stands where the run has no windows.</source>
+        <translation>Курсор стоит там, где у расчёта нет окон.</translation>
+    </message>
+    <message>
+        <source>No line within the noise: %1. The deviations are enlarged.</source>
+        <translation>Отклонение от прямой больше шума: %1. СКО увеличены.</translation>
+    </message>
+    <message>
+        <source>No beat of 1¼ to 100 periods between the cursors.</source>
+        <translation>Между курсорами нет биения с числом периодов от 1¼ до 100.</translation>
     </message>
 </context>
 <context>

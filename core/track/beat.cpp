@@ -12,7 +12,7 @@ namespace vybeg {
 namespace {
 
 constexpr std::size_t least_windows = 10;
-constexpr double least_periods = 0.75;
+constexpr double least_periods = 1.25;
 constexpr double most_periods = 100;
 constexpr double steps_per_period = 6;        // of the search: frequencies 1/(6 span) apart
 constexpr std::size_t searched_points = 512;  // more than four a period
@@ -172,12 +172,13 @@ std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double 
     }
     points = averaged(points, fitted_points);
     const Fit fit = refined(points, search(averaged(points, searched_points)));
-    const auto dof = static_cast<double>(points.size()) - double{parameter_count};
     const Vector& x = fit.x;
-    beat.chi2_per_dof = fit.chi2 / dof;
-    const double larger = enlargement(beat.chi2_per_dof, dof);
+    Vector derivative;
+    const Scatter scatter =
+        scatter_about(points, parameter_count, [&](double u) { return model(x, u, derivative); });
+    beat.chi2_per_dof = scatter.chi2_per_dof;
     const auto sd = [&](const Vector& direction) {
-        return larger * std::sqrt(direction.dot(fit.covariance * direction));
+        return std::sqrt(direction.dot(fit.covariance * direction));
     };
     beat.value = first + x[offset];
     beat.slope_per_s = x[slope] / span;
@@ -192,6 +193,7 @@ std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double 
         sd((x[in_phase] * Vector::Unit(in_phase) + x[quadrature] * Vector::Unit(quadrature)) /
            beat.amplitude);
     const bool found = x[frequency] >= least_periods && x[frequency] <= most_periods + 1 &&
+                       scatter.enlargement == 1 &&
                        beat.amplitude > significant_amplitude * beat.sd_amplitude;
     return found ? std::optional(beat) : std::nullopt;
 }

@@ -42,16 +42,12 @@ std::optional<Trend> line_trend(const Track& track, SlowVariable variable, doubl
     trend.centre_s = found[0].time_s + time;
     trend.value = found[0].value + value;
     trend.slope_per_s = common / spread;
-    double chi2 = 0;
-    for (const TrendPoint& p : found) {
-        const double off = p.value - trend.at(p.time_s);
-        chi2 += p.weight * off * off;
-    }
-    const auto dof = static_cast<double>(found.size() - 2);
-    trend.chi2_per_dof = chi2 / dof;
-    const double larger = enlargement(trend.chi2_per_dof, dof);
-    trend.sd_value = larger / std::sqrt(weight);
-    trend.sd_slope_per_s = larger / std::sqrt(spread);
+    const Scatter scatter =
+        scatter_about(found, 2, [&trend](double time_s) { return trend.at(time_s); });
+    trend.chi2_per_dof = scatter.chi2_per_dof;
+    trend.enlargement = scatter.enlargement;
+    trend.sd_value = trend.enlargement / std::sqrt(weight);
+    trend.sd_slope_per_s = trend.enlargement / std::sqrt(spread);
     return trend;
 }
 

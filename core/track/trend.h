@@ -17,6 +17,7 @@ struct Trend {
     double slope_per_s = 0;
     double sd_slope_per_s = 0;
     double chi2_per_dof = 0;  // of the windows about the line, before the deviations are enlarged
+    double enlargement = 1;   // of the deviations, see scatter_about()
 
     double at(double time_s) const { return value + slope_per_s * (time_s - centre_s); }
 };

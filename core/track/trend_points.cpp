@@ -8,6 +8,8 @@ namespace vybeg {
 namespace {
 
 constexpr double significant = 3;  // standard deviations of chi^2 per degree of freedom
+constexpr std::size_t most_groups = 24;
+constexpr std::size_t least_in_group = 4;  // points
 
 struct Measured {
     double time_s;
@@ -78,9 +80,33 @@ std::vector<TrendPoint> trend_points(const Track& track, SlowVariable variable, 
     return points;
 }
 
-double enlargement(double chi2_per_dof, double dof) {
-    const bool scatters = chi2_per_dof > 1 + significant * std::sqrt(2 / dof);
-    return scatters ? std::sqrt(chi2_per_dof) : 1;
+Scatter scatter_about(const std::vector<TrendPoint>& points, int parameters,
+                      const std::function<double(double)>& trend) {
+    const std::size_t groups = std::min(most_groups, points.size() / least_in_group);
+    double chi2 = 0;
+    double chi2_of_means = 0;
+    for (std::size_t group = 0, k = 0; group < std::max<std::size_t>(groups, 1); ++group) {
+        const std::size_t end = groups == 0 ? points.size() : (group + 1) * points.size() / groups;
+        double weight = 0;
+        double off = 0;
+        for (; k < end; ++k) {
+            const TrendPoint& p = points[k];
+            const double residual = p.value - trend(p.time_s);
+            chi2 += p.weight * residual * residual;
+            weight += p.weight;
+            off += p.weight * residual;
+        }
+        chi2_of_means += off * off / weight;
+    }
+    Scatter scatter;
+    const auto larger = [&](double sum, std::size_t count) {
+        const double dof = static_cast<double>(count) - parameters;
+        return dof > 0 && sum / dof > 1 + significant * std::sqrt(2 / dof) ? std::sqrt(sum / dof)
+                                                                           : 1.0;
+    };
+    scatter.chi2_per_dof = chi2 / (static_cast<double>(points.size()) - parameters);
+    scatter.enlargement = std::max(larger(chi2, points.size()), larger(chi2_of_means, groups));
+    return scatter;
 }
 
 std::size_t windows_apart(std::int64_t length, std::int64_t hop) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace vybeg {
@@ -26,10 +27,17 @@ struct TrendPoint {
 std::vector<TrendPoint> trend_points(const Track& track, SlowVariable variable, double from_s,
                                      double to_s, std::size_t apart, TrendOf of = TrendOf::value);
 
-// Factor of a trend's deviations: where the points scatter about it by more than three standard
-// deviations of chi^2 allow, the scatter is no white noise or the motion not the trend's, and the
-// deviations grow by the root of chi^2 per degree of freedom.
-double enlargement(double chi2_per_dof, double dof);
+// How the points lie about a trend, in their standard deviations.
+struct Scatter {
+    double chi2_per_dof = 0;
+    // Factor of the trend's deviations, 1 for white noise of the stated size. Where the points, or
+    // the means of up to 24 groups of successive points, scatter by more than three standard
+    // deviations of chi^2 allow, it is the root of the larger chi^2 per degree of freedom. Groups
+    // see what single points hide: slow noise, and a motion that is not the trend's.
+    double enlargement = 1;
+};
+Scatter scatter_about(const std::vector<TrendPoint>& points, int parameters,
+                      const std::function<double(double time_s)>& trend);
 
 // Hops of a plan that reach over a window of `length` samples.
 std::size_t windows_apart(std::int64_t length, std::int64_t hop);

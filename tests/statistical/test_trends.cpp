@@ -103,6 +103,7 @@ private slots:
         std::uniform_real_distribution<double> any(-1, 1);
         enum { of_a_B, of_angle, damping, count };
         std::array<double, count> squares{};
+        int refused = 0;
         std::array<double, count> sums{};
         for (int seed = 1; seed <= seeds; ++seed) {
             FreeDecay wave;
@@ -112,7 +113,7 @@ private slots:
             wave.alpha = 3 * any(random);
             wave.split_hz = 2.5 + any(random);
             wave.theta_w = 1.5 * any(random);
-            wave.two_theta_A = 2 * wave.theta_w + 0.05;
+            wave.two_theta_A = 2 * wave.theta_w + 0.02;
             wave.tau_s = 20;
             wave.noise = 1e-3;
             Settings settings;
@@ -124,7 +125,10 @@ private slots:
             const auto a_B = find_beat(analysis->track, SlowVariable::a_B, 0.2, 1.8, apart);
             const auto angle =
                 find_beat(analysis->track, SlowVariable::two_theta_A, 0.2, 1.8, apart);
-            QVERIFY(a_B && angle);
+            if (!a_B || !angle) {
+                ++refused;
+                continue;
+            }
             const std::array<double, count> pulls{
                 (a_B->frequency_hz - wave.split_hz) / a_B->sd_frequency_hz,
                 (angle->frequency_hz - wave.split_hz) / angle->sd_frequency_hz,
@@ -134,6 +138,8 @@ private slots:
                 squares[k] += pulls[k] * pulls[k];
             }
         }
+        // Three standard deviations of chi^2 refuse about one beat in a hundred by chance.
+        QVERIFY2(refused <= 12, QByteArray::number(refused));
         for (std::size_t k = 0; k < count; ++k) {
             check(k, sums[k], squares[k]);
         }

@@ -77,6 +77,7 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }
+    difference_->setAlignment(Qt::AlignTop);
     table_->setItemDelegate(new IndexDelegate(table_));
     table_->verticalHeader()->hide();
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -124,6 +125,16 @@ bool MeasurePanel::showsBeats() const {
     return kind_->currentIndex() == beat_kind;
 }
 
+bool MeasurePanel::isInside(const std::optional<double>& time_s) const {
+    if (!time_s) {
+        return false;
+    }
+    const Run& run = document_.run(run_)->run;
+    const auto times = run.analysis->track.time_s();
+    const double window_s = static_cast<double>(run.analysis->plan.length) / run.rate_hz;
+    return *time_s >= times.front() - window_s && *time_s <= times.back() + window_s;
+}
+
 void MeasurePanel::retranslate() {
     const std::array names{tr("A"), tr("B")};
     const std::array accessible{tr("Time of cursor A"), tr("Time of cursor B")};
@@ -161,7 +172,7 @@ void MeasurePanel::refresh() {
 }
 
 void MeasurePanel::measure(const Analysis& analysis) {
-    if (!a_s_ || !b_s_) {
+    if (!isInside(a_s_) || !isInside(b_s_)) {
         return;
     }
     for (std::size_t line = 0; line < main_slow_variables.size(); ++line) {
@@ -177,12 +188,15 @@ void MeasurePanel::showTimes() {
     fields_[0]->setValue(a_s_);
     fields_[1]->setValue(b_s_);
     const bool apart = a_s_ && b_s_ && *a_s_ != *b_s_;
+    const bool outside = (a_s_ && !isInside(a_s_)) || (b_s_ && !isInside(b_s_));
     difference_->setText(
-        apart ? tr("B − A = %1 s, 1/|B − A| = %2 Hz")
-                    .arg(QLocale().toString(*b_s_ - *a_s_, 'g', 8).replace('-', QChar(0x2212)),
-                         QLocale().toString(1 / std::abs(*b_s_ - *a_s_), 'g', 6))
-              : tr("The keys 1 and 2 in the plots set the cursors A and B at the mouse; the trend "
-                   "between them is measured."));
+        outside ? tr("A cursor stands where the run has no windows.")
+        : apart
+            ? tr("B − A = %1 s, 1/|B − A| = %2 Hz")
+                  .arg(QLocale().toString(*b_s_ - *a_s_, 'g', 8).replace('-', QChar(0x2212)),
+                       QLocale().toString(1 / std::abs(*b_s_ - *a_s_), 'g', 6))
+            : tr("The keys 1 and 2 in the plots set the cursors A and B at the mouse; the trend "
+                 "between them is measured."));
 }
 
 Reading MeasurePanel::trendReading(const Analysis& analysis, std::size_t line) const {
@@ -215,9 +229,12 @@ void MeasurePanel::showTable(const Analysis& analysis) {
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             table_->setItem(line, column, item);
         };
-        set(at_a, readingAt(analysis, variable, row_a, units_));
-        set(at_b, readingAt(analysis, variable, row_b, units_));
-        if (both) {
+        set(at_a, isInside(a_s_) ? readingAt(analysis, variable, row_a, units_) : Reading());
+        set(at_b, isInside(b_s_) ? readingAt(analysis, variable, row_b, units_) : Reading());
+        if (both && (!isInside(a_s_) || !isInside(b_s_))) {
+            set(difference, {});
+            set(trend, {});
+        } else if (both) {
             set(difference, differenceOf(analysis, variable, row_a, row_b, units_));
             set(trend, trendReading(analysis, static_cast<std::size_t>(line)));
         }
@@ -244,6 +261,16 @@ QStringList MeasurePanel::lineSentences() const {
                   << tr("%n window(s) without common samples", nullptr,
                         static_cast<int>(f->windows));
     }
+    QStringList leaving;
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+        if (lines_[line] && lines_[line]->enlargement > 1) {
+            leaving << displaySymbol(main_slow_variables[line], units_);
+        }
+    }
+    if (!leaving.isEmpty()) {
+        sentences << tr("No line within the noise: %1. The deviations are enlarged.")
+                         .arg(leaving.join(QStringLiteral(", ")));
+    }
     return sentences.isEmpty() ? QStringList{tr("Fewer than three windows between the cursors.")}
                                : sentences;
 }
@@ -261,12 +288,13 @@ QStringList MeasurePanel::beatSentences(const Analysis& analysis) const {
                                   valueText(beat->damping_per_s, beat->sd_damping_per_s));
         }
     }
-    return sentences.isEmpty() ? QStringList{tr("No beat of ¾ to 100 periods between the cursors.")}
-                               : sentences;
+    return sentences.isEmpty()
+               ? QStringList{tr("No beat of 1¼ to 100 periods between the cursors.")}
+               : sentences;
 }
 
 void MeasurePanel::showSentences() {
-    const bool both = a_s_ && b_s_;
+    const bool both = isInside(a_s_) && isInside(b_s_);
     sentences_->setVisible(both);
     if (both) {
         QStringList sentences = showsBeats() ? beatSentences(*analysis()) : lineSentences();
@@ -307,7 +335,7 @@ void MeasurePanel::drawTrends(const Analysis* analysis) {
 
 QString MeasurePanel::tableText() const {
     const Analysis* shown = analysis();
-    if (!shown || !a_s_ || !b_s_) {
+    if (!shown || !isInside(a_s_) || !isInside(b_s_)) {
         return {};
     }
     const std::size_t row_a = nearestRow(shown->track, *a_s_);

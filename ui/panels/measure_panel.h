@@ -49,6 +49,8 @@ private:
 
     const Analysis* analysis() const;
     bool showsBeats() const;
+    // Whether a cursor stands where the run has windows.
+    bool isInside(const std::optional<double>& time_s) const;
     void retranslate();
     void refresh();
     void measure(const Analysis& analysis);

@@ -331,7 +331,9 @@ void ResidualsPage::showLine() {
 }
 
 void ResidualsPage::putFilter() {
-    if (chosen_ && found_->lines[*chosen_].filter) {
+    const RunEntry* run = document_.run(run_id_);
+    if (run && chosen_ && found_->lines[*chosen_].filter) {
+        document_.setCurrentRecording(run->recording_id);
         Settings settings = document_.settings();
         settings.filter = found_->lines[*chosen_].filter;
         document_.setSettings(settings);

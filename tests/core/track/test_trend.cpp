@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 using namespace vybeg;
 
@@ -80,6 +81,35 @@ private slots:
         QVERIFY(!decay_time(still));
         still.slope_per_s = -still.slope_per_s;
         QVERIFY(!decay_time(still));
+    }
+
+    // Slow noise that single windows do not show: the slope's scatter over many seeds is within its
+    // deviation, which is several times that of white noise.
+    void slow_noise_enlarges_the_deviations() {
+        double squares = 0;
+        constexpr int seeds = 100;
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+            std::mt19937_64 random(seed);
+            std::normal_distribution<double> noise;
+            double slow = 0;
+            const Track track = track_of(SlowVariable::a_B, 2000, 1e-3, [&](double) {
+                slow = 0.95 * slow + 1e-4 * noise(random);
+                return slow + 1e-3 * noise(random);
+            });
+            const auto trend = line_trend(track, SlowVariable::a_B, 100, 200, 1);
+            QVERIFY(trend && trend->enlargement > 1.3);
+            squares += std::pow(trend->slope_per_s / trend->sd_slope_per_s, 2);
+        }
+        const double rms = std::sqrt(squares / seeds);
+        QVERIFY2(rms > 0.8 && rms < 1.25, QByteArray::number(rms));
+    }
+
+    // A curve: the deviation of the slope grows to the size of what a line leaves.
+    void a_curve_is_no_line() {
+        const Track track =
+            track_of(SlowVariable::a_A, 1000, 1e-4, [](double t) { return 1 - 1e-3 * t * t; });
+        const auto trend = line_trend(track, SlowVariable::a_A, 100, 200, 1);
+        QVERIFY(trend && trend->enlargement > 10);
     }
 
     void a_scatter_above_the_deviations_enlarges_them() {
