@@ -100,7 +100,9 @@ int draw_figure(const FigureRequest& request, std::stop_token stop) {
     if (stop.stop_requested()) {
         return fail({ErrorCode::interrupted, {}, {}});
     }
-    const Status drawn = ui::renderFigure(columns, QString::fromStdString(request.figure));
+    const Status drawn =
+        ui::writeDrawing(ui::figureDrawing(columns), {ui::figureSize(columns.size(), {})},
+                         QString::fromStdString(request.figure));
     return drawn ? 0 : fail(drawn.error());
 }
 

@@ -1,6 +1,7 @@
 #include "app/analysis_options.h"
 #include "app/cli_interrupt.h"
 #include "app/gui_figure.h"
+#include "app/gui_screenshots.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
 #include "core/analysis/setting_table.h"
@@ -14,6 +15,7 @@
 
 #include <QApplication>
 #include <QIcon>
+#include <QProcess>
 
 #include <CLI/CLI.hpp>
 
@@ -46,7 +48,7 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
 }
 
 // The line is read before anything of Qt exists: --help and a wrong line need no display.
-void describe(CLI::App& app, FigureRequest& request) {
+void describe(CLI::App& app, FigureRequest& request, std::string& screenshots) {
     app.name("vybeg");
     app.set_version_flag("--version", "vybeg " VYBEG_VERSION);
     app.add_option("FILE", request.inputs, "Recordings to open")->type_name("");
@@ -62,8 +64,13 @@ void describe(CLI::App& app, FigureRequest& request) {
               })
         ->excludes(app.get_option("--window"))
         ->excludes(app.get_option("--periods"));
+    app.add_option("--screenshots", screenshots,
+                   "Write a picture of every page into this folder, in both languages, themes and "
+                   "scales; without FILE of simulated recordings")
+        ->type_name("DIR")
+        ->excludes(app.get_option("--figure"));
     app.footer(
-        "Without --figure the window opens, on the recordings named.\n"
+        "Without --figure and --screenshots the window opens, on the recordings named.\n"
         "Exit status: 0 done, 2 wrong usage, 3 the input cannot be read, 4 the analysis is "
         "impossible,\n5 the output cannot be written, 130 interrupted.");
 }
@@ -137,6 +144,31 @@ int figure_mode(int argc, char** argv, const FigureRequest& request) {
     return draw_figure(request, interrupt.token());
 }
 
+// Scale 1 in this program, scale 2, which Qt reads at its start, in another.
+int screenshot_mode(int argc, char** argv, const ScreenshotRequest& request) {
+    if (!platform_chosen()) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    constexpr const char* scale = "QT_SCALE_FACTOR";
+    const bool both_scales = !qEnvironmentVariableIsSet(scale);
+    std::optional<PlatformSearch> search(std::in_place, false);
+    QApplication application(argc, argv);
+    search.reset();
+    name_application();
+    int status = take_screenshots(request);
+    if (status == 0 && both_scales) {
+        QProcess twice;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QLatin1String(scale), QStringLiteral("2"));
+        twice.setProcessEnvironment(environment);
+        twice.setProcessChannelMode(QProcess::ForwardedChannels);
+        twice.start(QCoreApplication::applicationFilePath(), QCoreApplication::arguments().mid(1));
+        twice.waitForFinished(-1);
+        status = twice.exitStatus() == QProcess::NormalExit ? twice.exitCode() : 1;
+    }
+    return status;
+}
+
 int window_mode(int argc, char** argv, const FigureRequest& request) {
     std::optional<PlatformSearch> search(std::in_place, true);
     QApplication application(argc, argv);
@@ -167,8 +199,9 @@ int printed(const CLI::App& app, const CLI::ParseError& asked) {
 
 int run(int argc, char** argv) {
     FigureRequest request;
+    std::string screenshots;
     CLI::App app("Vybeg: standing waves in the free decay of a hemispherical resonator gyroscope.");
-    describe(app, request);
+    describe(app, request, screenshots);
     let_repeated_options_parse(app);
     try {
         app.parse(argc, argv);
@@ -180,6 +213,9 @@ int run(int argc, char** argv) {
     }
     if (const Status valid = validate(request.settings); !valid) {
         return usage(english(valid.error()));
+    }
+    if (!screenshots.empty()) {
+        return screenshot_mode(argc, argv, {screenshots, request.inputs, request.open});
     }
     if (!request.figure.empty()) {
         return request.inputs.empty() ? usage("--figure needs a recording to draw.")

@@ -38,7 +38,8 @@ Result<MeasurementSet> set_named(const MeasurementList& list, const std::string&
         names += (k == 0 ? "" : ", ") + list.sets[k].name;
     }
     names += list.sets.size() > most_names ? ", ..." : "";
-    return refused_value(option, name, "the sets of the list are " + names);
+    return name.empty() ? Error{ErrorCode::set_not_chosen, "", {option, names}}
+                        : refused_value(option, name, "the sets of the list are " + names);
 }
 
 std::filesystem::path json_in(const std::filesystem::path& folder, const std::string& name) {

@@ -10,7 +10,8 @@ namespace vybeg::cli {
 
 // Sets of a measurement list, and the files that belong to them.
 
-// The set that an option names. Errors: setting_invalid with the names that there are.
+// The set that an option names. Errors, with the names that there are: setting_invalid;
+// set_not_chosen without a name.
 Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
                                  const std::string& name);
 

@@ -59,7 +59,7 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::ResonatorPanel</name>
+        <name>vybeg::ui::ResonatorPage</name>
         <message numerus="yes">
             <source>%1, %n recording(s); χ² per degree of freedom %2</source>
             <translation>

@@ -114,16 +114,8 @@
         <translation>&amp;Отменить</translation>
     </message>
     <message>
-        <source>Take back the last change of the settings</source>
-        <translation>Отменить последнее изменение настроек</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Повторить</translation>
-    </message>
-    <message>
-        <source>Make the change of the settings again</source>
-        <translation>Вернуть отменённое изменение настроек</translation>
     </message>
     <message>
         <source>&amp;Copy plots</source>
@@ -296,6 +288,22 @@
     <message>
         <source>The page with spectrum, distribution and autocorrelation of what the waves leave of the samples</source>
         <translation>Страница со спектром, распределением и автокорреляцией того, что остаётся от отсчётов после вычитания волн</translation>
+    </message>
+    <message>
+        <source>Take back the last change of settings, runs or sets</source>
+        <translation>Отменить последнее изменение настроек, расчётов или наборов</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Повторить отменённое изменение</translation>
+    </message>
+    <message>
+        <source>Reso&amp;nator</source>
+        <translation>Ре&amp;зонатор</translation>
+    </message>
+    <message>
+        <source>The page with the resonator of a set: parameters, rim, drift</source>
+        <translation>Страница с резонатором набора: параметры, кромка, уход</translation>
     </message>
 </context>
 <context>
@@ -1004,6 +1012,14 @@
         <source>Interrupted; %2 of %3 sets are done.</source>
         <translation>Прервано; готово наборов: %2 из %3.</translation>
     </message>
+    <message>
+        <source>The column &quot;%1&quot; of the list is kept as it is and changes nothing. If &quot;%2&quot; is meant, rename it.</source>
+        <translation>Столбец «%1» списка сохраняется как есть и ничего не меняет. Если имеется в виду «%2», переименуйте его.</translation>
+    </message>
+    <message>
+        <source>The list has several sets. Choose one by %2: %3.</source>
+        <translation>В списке несколько наборов. Выберите один параметром %2: %3.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1014,6 +1030,10 @@
     <message>
         <source>Residuals</source>
         <translation>Невязки</translation>
+    </message>
+    <message>
+        <source>Resonator</source>
+        <translation>Резонатор</translation>
     </message>
 </context>
 <context>
@@ -1688,6 +1708,37 @@
     <message>
         <source>Set %1</source>
         <translation>Набор %1</translation>
+    </message>
+</context>
+<context>
+    <name>Settings</name>
+    <message>
+        <source>algorithm</source>
+        <translation>алгоритм</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>окно</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>участок</translation>
+    </message>
+    <message>
+        <source>carrier</source>
+        <translation>несущая</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>фильтр</translation>
+    </message>
+    <message>
+        <source>start values</source>
+        <translation>начальные значения</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>калибровка</translation>
     </message>
 </context>
 <context>
@@ -2684,6 +2735,61 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::ComparisonView</name>
+    <message>
+        <source>Compared with %1. Changed: by %2 uncertainties u of the difference or more; by chance in one comparison of 370.</source>
+        <translation>Сравнение с %1. Изменился: от %2 неопределённостей u разности; случайно — в одном сравнении из 370.</translation>
+    </message>
+    <message>
+        <source>%1 is open: identify the set to compare.</source>
+        <translation>Открыт %1: идентифицируйте набор, чтобы сравнить.</translation>
+    </message>
+    <message>
+        <source>Not comparable: %1</source>
+        <translation>Несравнимо: %1</translation>
+    </message>
+    <message>
+        <source>Comparison with the passport</source>
+        <translation>Сравнение с паспортом</translation>
+    </message>
+    <message>
+        <source>Frequencies change from</source>
+        <translation>Частоты изменились от</translation>
+    </message>
+    <message>
+        <source>Frequencies follow the temperature: smaller changes, in parts per million, are none of the gyro</source>
+        <translation>Частоты следуют за температурой: меньшие изменения, в миллионных долях, — не изменения гироскопа</translation>
+    </message>
+    <message>
+        <source>Tracks of the runs and of the passport</source>
+        <translation>Графики пусков и паспорта</translation>
+    </message>
+    <message>
+        <source>Lines: these recordings; dashed: the passport</source>
+        <translation>Линии — эти записи, штриховые — паспорт</translation>
+    </message>
+    <message>
+        <source>What to overlay</source>
+        <translation>Что наложить</translation>
+    </message>
+    <message>
+        <source>Amplitude of the working wave</source>
+        <translation>Амплитуда рабочей волны</translation>
+    </message>
+    <message>
+        <source>Amplitude of the quadrature wave</source>
+        <translation>Амплитуда квадратурной волны</translation>
+    </message>
+    <message>
+        <source>Wave angle</source>
+        <translation>Угол волны</translation>
+    </message>
+    <message>
+        <source>Close the passport</source>
+        <translation>Закрыть паспорт</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::CursorPanel</name>
     <message>
         <source>The values of every shown run at the mouse appear here.</source>
@@ -2704,6 +2810,17 @@
     <message>
         <source>Reason</source>
         <translation>Причина</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::Document</name>
+    <message>
+        <source>import of %1</source>
+        <translation>импорт %1</translation>
+    </message>
+    <message>
+        <source>close %1</source>
+        <translation>закрыть %1</translation>
     </message>
 </context>
 <context>
@@ -2739,6 +2856,136 @@
     <message>
         <source>%1: events are looked for when all windows are there.</source>
         <translation>%1: события ищутся, когда готовы все окна.</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::ExportDialog</name>
+    <message>
+        <source>Settings of the analyses below the plots</source>
+        <translation>Настройки расчётов под графиками</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Копировать</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Сохранить…</translation>
+    </message>
+    <message>
+        <source>Export plots</source>
+        <translation>Экспорт графиков</translation>
+    </message>
+    <message>
+        <source>Whether the figure holds this plot</source>
+        <translation>Входит ли этот график в рисунок</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Графики</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ширина</translation>
+    </message>
+    <message>
+        <source>Of the figure on paper</source>
+        <translation>Рисунка на бумаге</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Высота</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Разрешение</translation>
+    </message>
+    <message>
+        <source>Pixels per inch of a PNG image; SVG and PDF are vectors and need none</source>
+        <translation>Точек на дюйм в изображении PNG; SVG и PDF — векторные, им разрешение не нужно</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>точек/дюйм</translation>
+    </message>
+    <message>
+        <source>No title</source>
+        <translation>Без заголовка</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Заголовок</translation>
+    </message>
+    <message>
+        <source>Above the plots; empty: none</source>
+        <translation>Над графиками; пусто — без заголовка</translation>
+    </message>
+    <message>
+        <source>As PNG, SVG or PDF, by the ending of the name</source>
+        <translation>В PNG, SVG или PDF — по расширению имени</translation>
+    </message>
+    <message>
+        <source>To the clipboard, as an image and as vectors</source>
+        <translation>В буфер обмена — как изображение и как векторный рисунок</translation>
+    </message>
+    <message>
+        <source>The figure as it will be</source>
+        <translation>Рисунок, каким он будет</translation>
+    </message>
+    <message>
+        <source>Choose at least one plot.</source>
+        <translation>Выберите хотя бы один график.</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::FiguresView</name>
+    <message>
+        <source>Rim, drift and balance of the channels appear here when the resonator is identified.</source>
+        <translation>Кромка, уход и баланс каналов появятся здесь после идентификации резонатора.</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Кромка</translation>
+    </message>
+    <message>
+        <source>Drift function</source>
+        <translation>Функция дрейфа</translation>
+    </message>
+    <message>
+        <source>Channel balance, condition (30)</source>
+        <translation>Баланс каналов, условие (30)</translation>
+    </message>
+    <message>
+        <source>The rim from the side of the electrodes, clockwise from C: electrodes, the axes of the faster mode (θ_w) and of larger damping (θ_τ) as wide as their standard deviations, and the wave of each recording at its start, out of scale</source>
+        <translation>Кромка со стороны электродов, по часовой стрелке от C: электроды, оси более высокочастотной моды (θ_w) и большего затухания (θ_τ) шириной в их СКО и волна каждой записи в её начале, не в масштабе</translation>
+    </message>
+    <message>
+        <source>What the balance is drawn against</source>
+        <translation>По какой оси показан баланс</translation>
+    </message>
+    <message>
+        <source>over time</source>
+        <translation>по времени</translation>
+    </message>
+    <message>
+        <source>over the wave angle</source>
+        <translation>по углу волны</translation>
+    </message>
+    <message>
+        <source>Harmonics of the drift function</source>
+        <translation>Гармоники функции дрейфа</translation>
+    </message>
+    <message>
+        <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator. Without what the quadrature adds</source>
+        <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору. Без того, что добавляет квадратура</translation>
+    </message>
+    <message>
+        <source>Zero within its band while the channels are balanced as the fit has them</source>
+        <translation>Нуль в пределах полосы, пока каналы сбалансированы так, как в подгонке</translation>
     </message>
 </context>
 <context>
@@ -2805,10 +3052,6 @@
     <message>
         <source>Save passport</source>
         <translation>Сохранение паспорта</translation>
-    </message>
-    <message>
-        <source>Export plot</source>
-        <translation>Экспорт графика</translation>
     </message>
     <message>
         <source>Export figure</source>
@@ -3178,8 +3421,8 @@
         <translation>Закрыть панель</translation>
     </message>
     <message>
-        <source>Resonator</source>
-        <translation>Резонатор</translation>
+        <source>Wave</source>
+        <translation>Волна</translation>
     </message>
 </context>
 <context>
@@ -3341,6 +3584,41 @@
     <message>
         <source>At most %1 is possible.</source>
         <translation>Нужно не больше %1.</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::NumbersView</name>
+    <message>
+        <source>Modes</source>
+        <translation>Моды</translation>
+    </message>
+    <message>
+        <source>Modes, by decay</source>
+        <translation>Моды, по затуханию</translation>
+    </message>
+    <message>
+        <source>Modes, by frequency</source>
+        <translation>Моды, по частоте</translation>
+    </message>
+    <message>
+        <source>What the waves did</source>
+        <translation>Поведение волн</translation>
+    </message>
+    <message>
+        <source>Resonator</source>
+        <translation>Резонатор</translation>
+    </message>
+    <message>
+        <source>Sensitivity to the channels</source>
+        <translation>Чувствительность к ошибкам каналов</translation>
+    </message>
+    <message>
+        <source>Runs of the set</source>
+        <translation>Пуски набора</translation>
+    </message>
+    <message>
+        <source>± is the statistical standard deviation; u, where it differs, holds the tolerances of the channels (Calibration) too. Errors of the channels without a tolerance count as none: the next table shows what they would change.</source>
+        <translation>± — статистическое СКО; u, если отличается, включает и допуски каналов (Калибровка). Ошибки каналов без допуска считаются отсутствующими: что они изменили бы, показывает следующая таблица.</translation>
     </message>
 </context>
 <context>
@@ -3621,7 +3899,7 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::ResonatorPanel</name>
+    <name>vybeg::ui::ResonatorPage</name>
     <message>
         <source>Nothing identified yet.</source>
         <translation>Пока ничего не идентифицировано.</translation>
@@ -3654,109 +3932,16 @@
         <source>The set or its settings have changed since: identify again.</source>
         <translation>Набор или его параметры с тех пор изменились: идентифицируйте снова.</translation>
     </message>
+</context>
+<context>
+    <name>vybeg::ui::RoundView</name>
     <message>
-        <source>%1 is open: identify the set to compare.</source>
-        <translation>Открыт %1: идентифицируйте набор, чтобы сравнить.</translation>
+        <source>Copy plot</source>
+        <translation>Копировать график</translation>
     </message>
     <message>
-        <source>Resonator</source>
-        <translation>Резонатор</translation>
-    </message>
-    <message>
-        <source>Modes</source>
-        <translation>Моды</translation>
-    </message>
-    <message>
-        <source>Runs of the set</source>
-        <translation>Пуски набора</translation>
-    </message>
-    <message>
-        <source>Drift function</source>
-        <translation>Функция дрейфа</translation>
-    </message>
-    <message>
-        <source>Channel balance, condition (30)</source>
-        <translation>Баланс каналов, условие (30)</translation>
-    </message>
-    <message>
-        <source>Comparison with the passport</source>
-        <translation>Сравнение с паспортом</translation>
-    </message>
-    <message>
-        <source>Harmonics of the drift function</source>
-        <translation>Гармоники функции дрейфа</translation>
-    </message>
-    <message>
-        <source>Zero within its band while the channels are balanced as the fit has them</source>
-        <translation>Нуль в пределах полосы, пока каналы сбалансированы так, как в подгонке</translation>
-    </message>
-    <message>
-        <source>Tracks of the runs and of the passport</source>
-        <translation>Графики пусков и паспорта</translation>
-    </message>
-    <message>
-        <source>Lines: these recordings; dashed: the passport</source>
-        <translation>Линии — эти записи, штриховые — паспорт</translation>
-    </message>
-    <message>
-        <source>What to overlay</source>
-        <translation>Что наложить</translation>
-    </message>
-    <message>
-        <source>Amplitude of the working wave</source>
-        <translation>Амплитуда рабочей волны</translation>
-    </message>
-    <message>
-        <source>Amplitude of the quadrature wave</source>
-        <translation>Амплитуда квадратурной волны</translation>
-    </message>
-    <message>
-        <source>Wave angle</source>
-        <translation>Угол волны</translation>
-    </message>
-    <message>
-        <source>Close the passport</source>
-        <translation>Закрыть паспорт</translation>
-    </message>
-    <message>
-        <source>Not comparable: %1</source>
-        <translation>Несравнимо: %1</translation>
-    </message>
-    <message>
-        <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator. Without what the quadrature adds</source>
-        <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору. Без того, что добавляет квадратура</translation>
-    </message>
-    <message>
-        <source>Modes, by decay</source>
-        <translation>Моды, по затуханию</translation>
-    </message>
-    <message>
-        <source>Modes, by frequency</source>
-        <translation>Моды, по частоте</translation>
-    </message>
-    <message>
-        <source>Compared with %1. Changed: by %2 uncertainties u of the difference or more; by chance in one comparison of 370.</source>
-        <translation>Сравнение с %1. Изменился: от %2 неопределённостей u разности; случайно — в одном сравнении из 370.</translation>
-    </message>
-    <message>
-        <source>What the waves did</source>
-        <translation>Поведение волн</translation>
-    </message>
-    <message>
-        <source>Sensitivity to the channels</source>
-        <translation>Чувствительность к ошибкам каналов</translation>
-    </message>
-    <message>
-        <source>± is the statistical standard deviation; u, where it differs, holds the tolerances of the channels (Calibration) too. Errors of the channels without a tolerance count as none: the next table shows what they would change.</source>
-        <translation>± — статистическое СКО; u, если отличается, включает и допуски каналов (Калибровка). Ошибки каналов без допуска считаются отсутствующими: что они изменили бы, показывает следующая таблица.</translation>
-    </message>
-    <message>
-        <source>Frequencies change from</source>
-        <translation>Частоты изменились от</translation>
-    </message>
-    <message>
-        <source>Frequencies follow the temperature: smaller changes, in parts per million, are none of the gyro</source>
-        <translation>Частоты следуют за температурой: меньшие изменения, в миллионных долях, — не изменения гироскопа</translation>
+        <source>Export plot…</source>
+        <translation>Экспорт графика…</translation>
     </message>
 </context>
 <context>
@@ -3860,6 +4045,25 @@
     <message>
         <source>Follows the settings while Live is on; Run keeps a run as it is</source>
         <translation>Следует за настройками, пока включено «На лету»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::RunStore</name>
+    <message>
+        <source>show %1</source>
+        <translation>показать %1</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>скрыть %1</translation>
+    </message>
+    <message>
+        <source>rename %1</source>
+        <translation>переименовать %1</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>удалить %1</translation>
     </message>
 </context>
 <context>
@@ -3985,10 +4189,40 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::SetStore</name>
+    <message>
+        <source>new set</source>
+        <translation>новый набор</translation>
+    </message>
+    <message>
+        <source>remove the set</source>
+        <translation>удалить набор</translation>
+    </message>
+    <message>
+        <source>rename the set</source>
+        <translation>переименовать набор</translation>
+    </message>
+    <message>
+        <source>model of the set</source>
+        <translation>модель набора</translation>
+    </message>
+    <message>
+        <source>recordings of the set</source>
+        <translation>записи набора</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::SettingsFields</name>
     <message>
         <source>Not in effect: %1</source>
         <translation>Не действует: %1</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::SettingsModel</name>
+    <message>
+        <source>tolerances of the channels</source>
+        <translation>допуски каналов</translation>
     </message>
 </context>
 <context>
@@ -4059,34 +4293,6 @@
 </context>
 <context>
     <name>vybeg::ui::StaleMark</name>
-    <message>
-        <source>algorithm</source>
-        <translation>алгоритм</translation>
-    </message>
-    <message>
-        <source>window</source>
-        <translation>окно</translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation>участок</translation>
-    </message>
-    <message>
-        <source>carrier</source>
-        <translation>несущая</translation>
-    </message>
-    <message>
-        <source>filter</source>
-        <translation>фильтр</translation>
-    </message>
-    <message>
-        <source>start values</source>
-        <translation>начальное приближение</translation>
-    </message>
-    <message>
-        <source>calibration</source>
-        <translation>калибровка</translation>
-    </message>
     <message>
         <source>The plots are older than the Analysis panel. Changed since: %1.</source>
         <translation>Графики старше панели «Обработка». С тех пор изменено: %1.</translation>
@@ -4224,6 +4430,41 @@ Open a recording and press Run.</source>
     <message>
         <source>Overview of the recording</source>
         <translation>Обзор записи</translation>
+    </message>
+    <message>
+        <source>%1: %2; window %3, hop %4 samples; f0 = %5 Hz</source>
+        <translation>%1: %2; окно %3, шаг %4 отсчётов; f0 = %5 Гц</translation>
+    </message>
+    <message>
+        <source>; filter %1 to %2 Hz</source>
+        <translation>; фильтр от %1 до %2 Гц</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::WavePanel</name>
+    <message>
+        <source>No wave here</source>
+        <translation>Здесь волны нет</translation>
+    </message>
+    <message>
+        <source>t = %1 s</source>
+        <translation>t = %1 с</translation>
+    </message>
+    <message>
+        <source>Amplitude of the wave around the rim</source>
+        <translation>Амплитуда волны по кромке</translation>
+    </message>
+    <message>
+        <source>Amplitude against the angle on the rim, from the electrode of channel C at the top, clockwise: a_A at the four antinodes, |a_B| between them</source>
+        <translation>Амплитуда по углу на кромке, от электрода канала C наверху по часовой стрелке: a_A в четырёх пучностях, |a_B| между ними</translation>
+    </message>
+    <message>
+        <source>Ellipse of the channels</source>
+        <translation>Эллипс каналов</translation>
+    </message>
+    <message>
+        <source>D against C over one period: the semi-axes are a_A and |a_B|, and the major axis stands at 2θ_A from C</source>
+        <translation>D от C за один период: полуоси a_A и |a_B|, большая ось стоит под углом 2θ_A к C</translation>
     </message>
 </context>
 <context>

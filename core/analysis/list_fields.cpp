@@ -73,7 +73,34 @@ bool take_date(std::string_view& text) {
                       .ok();
 }
 
+// A name without capitals, with "-" between its words.
+std::string plain_name(std::string name) {
+    for (char& c : name) {
+        c = c == '_' || c == ' ' ? '-' : c;
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return name;
+}
+
 }  // namespace
+
+bool names_resemble(const std::string& one, const std::string& other) {
+    constexpr std::size_t shortest = 4;
+    std::string a = plain_name(one);
+    std::string b = plain_name(other);
+    if (std::min(a.size(), b.size()) < shortest) {
+        return a == b;
+    }
+    const auto [begin_a, begin_b] = std::ranges::mismatch(a, b);
+    a.erase(a.begin(), begin_a);
+    b.erase(b.begin(), begin_b);
+    while (!a.empty() && !b.empty() && a.back() == b.back()) {
+        a.pop_back();
+        b.pop_back();
+    }
+    const bool exchanged = a.size() == 2 && b.size() == 2 && a[0] == b[1] && a[1] == b[0];
+    return exchanged || std::max(a.size(), b.size()) <= 1;
+}
 
 std::string usual_option(const std::string& field, bool several) {
     std::string text = field;

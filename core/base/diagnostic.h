@@ -60,6 +60,7 @@ enum class DiagnosticKind {
     fitted_phase_step,            // args: recording, step (rad), at time (s). The phase is fitted.
     fit_not_converged,            // the fit stopped early
     option_without_effect,        // args: option of the command line, why
+    column_like_option,           // args: column of a list that is kept, the option it resembles
 };
 
 // first_frame is -1 where the diagnostic has no place in the recording; count is in frames.

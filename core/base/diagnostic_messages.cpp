@@ -322,6 +322,11 @@ MessageRow message_row(DiagnosticKind kind) {
         case DiagnosticKind::option_without_effect:
             return {"option-without-effect", goes_on,
                     VYBEG_MESSAGE("Message", "%1 has no effect: %2.")};
+        case DiagnosticKind::column_like_option:
+            return {"column-like-option", goes_on,
+                    VYBEG_MESSAGE("Message",
+                                  "The column \"%1\" of the list is kept as it is and changes "
+                                  "nothing. If \"%2\" is meant, rename it.")};
     }
     return {"", 0, ""};
 }

@@ -36,6 +36,7 @@ enum class ErrorCode {
     passport_schema,   // args: schema of the file, newest schema known here
     variable_missing,  // args: variable asked for, the variables that the file has
     file_changed,      // after it was opened: its size, or the time of its last change
+    set_not_chosen,    // args: option that chooses, names of the sets of a list
     list_invalid,      // args: line, column, reason. Of a measurement list.
     // The analysis is impossible: exit status 4.
     window_too_long,          // args: window in samples, samples in the range

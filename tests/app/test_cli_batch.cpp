@@ -206,6 +206,16 @@ private slots:
         QVERIFY(rows_of(file("x.csv"))[0].endsWith(",new,\"a, b\""));
     }
 
+    void the_table_is_no_result_of_a_set_even_where_none_exists_yet() {
+        QVERIFY(put(path("one.csv"), "set,file\nx,a.wav\n"));
+        QVERIFY(QDir(folder_.path()).mkdir("same"));
+        const Outcome outcome =
+            run({"batch", "one.csv", "-o", "same/x.json", "--json", "./same/../same"});
+        QCOMPARE(outcome.status, 2);
+        QVERIFY2(outcome.err.contains("it is an input, or the table"), outcome.err);
+        QVERIFY(QDir(path("same")).isEmpty());
+    }
+
     void wrong_usage_is_refused_with_its_reason_data() {
         QTest::addColumn<QString>("arguments");
         QTest::addColumn<int>("status");

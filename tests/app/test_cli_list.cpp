@@ -110,7 +110,7 @@ private slots:
         row("neither list nor file", good, "", 2, "FILE or --list is required");
         row("both", good, "a.wav --list list.csv", 2, "excludes");
         row("a set without a list", good, "a.wav --set A", 2, "--set requires --list");
-        row("several sets", good, "--list list.csv", 2, "the sets of the list are A, B");
+        row("several sets", good, "--list list.csv", 2, "Choose one by --set: A, B.");
         row("no such set", good, "--list list.csv --set C", 2, "--set cannot be \"C\"");
         row("a wrong option", good, "--list list.csv --set A --channels 1,1", 2,
             "--channels cannot be \"1,1\"");

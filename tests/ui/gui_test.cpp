@@ -3,9 +3,13 @@
 #include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/tracks_page.h"
 
 #include <QFile>
 #include <QTest>
+
+#include <numeric>
 
 namespace vybeg::ui {
 
@@ -72,6 +76,14 @@ std::unique_ptr<MainWindow> shownWindow() {
         qFatal("the window does not appear");
     }
     return window;
+}
+
+bool exportPlotsTo(MainWindow& window, const QString& path) {
+    const FigureSource source = childOf<TracksPage>(window).figures();
+    std::vector<int> all(static_cast<std::size_t>(source.plots.size()));
+    std::iota(all.begin(), all.end(), 0);
+    const Figure figure = source.figure(all);
+    return window.files().writeFigure(figure, {figure.size}, path);
 }
 
 }  // namespace vybeg::ui

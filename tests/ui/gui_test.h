@@ -60,4 +60,7 @@ public:
 
 std::unique_ptr<MainWindow> shownWindow();
 
+// All plots of the page of the tracks, in the size they propose, as the window writes them.
+bool exportPlotsTo(MainWindow& window, const QString& path);
+
 }  // namespace vybeg::ui

@@ -1,15 +1,20 @@
 // The questions for a file, and what may not be written over.
+#include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/track_view.h"
+#include "ui/window/export_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
 #include <QTest>
 
 #include <array>
@@ -32,6 +37,7 @@ class TestFileDialogs : public QObject {
     }
 
     void openOne() {
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         document().open({home_.recording("demo.wav")});
         QVERIFY(QTest::qWaitFor([&] { return !document().busy() && document().runs().size() == 1; },
                                 20000));
@@ -54,8 +60,8 @@ private slots:
             dialog->reject();
             QTest::qWait(5);
         };
-        const std::array commands{Command::open, Command::import_file, Command::export_plots,
-                                  Command::export_track, Command::compare_passport};
+        const std::array commands{Command::open, Command::import_file, Command::export_track,
+                                  Command::compare_passport};
         std::size_t before = 0;
         constexpr int warm = 4;
         constexpr int rounds = 12;
@@ -81,9 +87,12 @@ private slots:
         QCOMPARE(dialog.defaultSuffix(), QStringLiteral("csv"));
         dialog.reject();
         window_->action(Command::export_plots)->trigger();
+        auto& plots = childOf<ExportDialog>(*window_);
+        QTest::keyClick(&plots, Qt::Key_Return);
         QCOMPARE(dialog.defaultSuffix(), QStringLiteral("png"));
         QVERIFY(dialog.selectedFiles().value(0).endsWith(".png"));
         dialog.reject();
+        plots.reject();
         window_->action(Command::open)->trigger();
         QCOMPARE(dialog.acceptMode(), QFileDialog::AcceptOpen);
         QCOMPARE(dialog.fileMode(), QFileDialog::ExistingFiles);
@@ -95,6 +104,77 @@ private slots:
         dialog.reject();
         QVERIFY(QTest::qWaitFor(
             [&] { return qsizetype(document().recordings().size()) == recordings + 1; }));
+    }
+
+    void a_figure_has_the_plots_size_and_caption_that_are_asked_for() {
+        openOne();
+        QVERIFY(window_->action(Command::export_plots)->isEnabled());
+        QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
+        auto& dialog = childOf<ExportDialog>(*window_);
+        const auto boxes = dialog.findChildren<QCheckBox*>();
+        QCOMPARE(boxes.size(), 6);  // five plots and the settings
+        typeInto(fieldOf(dialog, "Width"), "120");
+        typeInto(fieldOf(dialog, "Height"), "80");
+        typeInto(fieldOf(dialog, "Resolution"), "254");
+        auto& title = childOf<QLineEdit>(dialog, "title");
+        QCOMPARE(title.text(), QStringLiteral("demo.wav"));
+        title.setText("Free decay of gyro_17");
+        const auto save = [&](ExportDialog& to, const QString& path) {
+            QTest::mouseClick(to.findChild<QPushButton*>("save"), Qt::LeftButton);
+            auto& question = childOf<QFileDialog>(*window_);
+            emit question.fileSelected(path);
+            question.reject();
+        };
+        save(dialog, home_.path("paper.png"));
+        const QImage image(home_.path("paper.png"));
+        VYBEG_CLOSE(image.width(), 1200, 12);
+        VYBEG_CLOSE(image.height(), 800, 12);
+        VYBEG_CLOSE(image.dotsPerMeterX(), 10000, 1);
+        QTRY_VERIFY(!window_->findChild<ExportDialog*>());
+
+        // Its resolution is kept; two plots only, as text.
+        QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
+        auto& again = childOf<ExportDialog>(*window_);
+        QCOMPARE(fieldOf(again, "Resolution").value(), std::optional(254.));
+        const double five = *fieldOf(again, "Height").value();
+        const auto plots = again.findChildren<QCheckBox*>();
+        for (const int off : {0, 1, 4}) {
+            QTest::mouseClick(plots[off], Qt::LeftButton, {}, QPoint(8, plots[off]->height() / 2));
+        }
+        QVERIFY(*fieldOf(again, "Height").value() < five);
+        save(again, home_.path("two.svg"));
+        QFile file(home_.path("two.svg"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString svg = QString::fromUtf8(file.readAll());
+        QVERIFY(svg.contains("demo.wav") && svg.contains("window 60"));
+        QVERIFY(svg.contains(">2θ") && !svg.contains(">Δφ"));
+        QTRY_VERIFY(!window_->findChild<ExportDialog*>());
+    }
+
+    void nothing_is_exported_without_a_plot_or_with_a_wrong_size() {
+        openOne();
+        QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
+        auto& dialog = childOf<ExportDialog>(*window_);
+        auto& save = *dialog.findChild<QPushButton*>("save");
+        QVERIFY(save.isEnabled());
+        typeInto(fieldOf(dialog, "Width"), "5");
+        QVERIFY(!save.isEnabled());
+        QVERIFY(!fieldOf(dialog, "Width").fault().isEmpty());
+        typeInto(fieldOf(dialog, "Width"), "100");
+        QVERIFY(save.isEnabled());
+        for (QCheckBox* box : dialog.findChildren<QCheckBox*>().mid(0, 5)) {
+            box->setChecked(false);
+        }
+        QVERIFY(!save.isEnabled());
+        dialog.reject();
+    }
+
+    void a_copied_figure_is_an_image_and_vectors() {
+        openOne();
+        QTest::keyClick(window_.get(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+        const QMimeData* data = QApplication::clipboard()->mimeData();
+        QVERIFY(data->hasImage());
+        QVERIFY(data->data("image/svg+xml").contains("<svg"));
     }
 
     void no_export_takes_the_place_of_an_open_recording() {
@@ -113,7 +193,7 @@ private slots:
         for (const QString& path : {recording, around, link}) {
             window_->files().exportTrackTo(path);
             QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
-            window_->files().exportPlotsTo(path);
+            QVERIFY(!exportPlotsTo(*window_, path));
             QVERIFY(the<MessageBar>().texts().first().contains("is one of the open recordings"));
             window_->files().savePassportTo(path);
             QTest::qWait(100);  // nothing is written in this time
@@ -125,7 +205,7 @@ private slots:
     void an_exported_figure_has_its_size_whatever_else_is_in_the_window() {
         openOne();
         const auto size = [this] {
-            window_->files().exportPlotsTo(home_.path("size.png"));
+            [&] { QVERIFY(exportPlotsTo(*window_, home_.path("size.png"))); }();
             window_->action(Command::copy_plot)->trigger();
             const QSize written = QImage(home_.path("size.png")).size();
             return std::pair(written, QApplication::clipboard()->image().size());

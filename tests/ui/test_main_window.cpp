@@ -271,14 +271,14 @@ private slots:
     void plots_are_exported_by_the_ending_of_the_name() {
         openOne();
         for (const char* name : {"plots.png", "plots.svg", "plots.pdf"}) {
-            window_->files().exportPlotsTo(home_.path(name));
+            QVERIFY(exportPlotsTo(*window_, home_.path(name)));
         }
         QVERIFY(!QImage(home_.path("plots.png")).isNull());
         QFile pdf(home_.path("plots.pdf"));
         QVERIFY(pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-");
         QFile svg(home_.path("plots.svg"));
         QVERIFY(svg.open(QIODevice::ReadOnly) && svg.read(200).contains("<svg"));
-        window_->files().exportPlotsTo(home_.path("no/such/folder/plots.png"));
+        QVERIFY(!exportPlotsTo(*window_, home_.path("no/such/folder/plots.png")));
         QVERIFY(the<MessageBar>().texts().first().contains("cannot be written"));
     }
 

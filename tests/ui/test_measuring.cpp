@@ -172,6 +172,22 @@ private slots:
         }
     }
 
+    void a_cursor_outside_the_run_reads_nothing() {
+        setCursors(0.5, 1.5);
+        const QString inside = cell(0, 1);
+        typeInto(fieldOf(panel(), "Time of cursor B"), "7");  // the recording ends at 2 s
+        QCOMPARE(cell(0, 1), inside);
+        for (const int column : {2, 3, 4}) {
+            QVERIFY2(std::isnan(number(cell(0, column)).first), qPrintable(cell(0, column)));
+        }
+        const auto labels = panel().findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->isVisible() && label->text().contains("no windows");
+        }));
+        QVERIFY(the<TrackView>().content().trends.empty());
+        QVERIFY(panel().tableText().isEmpty());
+    }
+
     void a_hidden_run_is_not_measured() {
         setCursors(0.5, 1.5);
         window_->document().setRunVisible(window_->document().runs().front().run.id, false);

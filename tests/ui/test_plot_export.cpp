@@ -49,6 +49,12 @@ double ink(const QImage& image) {
     return double(dark) / image.width() / image.height();
 }
 
+Status drawnFigure(const std::vector<FigureColumn>& columns, const QString& path,
+                   const FigureOptions& options = {}) {
+    return writeDrawing(figureDrawing(columns, options), {figureSize(columns.size(), options)},
+                        path);
+}
+
 // All texts of an SVG, one after the other.
 QString textsOf(const QByteArray& svg) {
     QString all;
@@ -76,7 +82,7 @@ private slots:
         // Amplitudes about one lie above the first, below the second.
         for (const AxisRange& values : {AxisRange{0, 0.1}, AxisRange{10, 11}}) {
             content.zoom.fixed[SlowVariable::a_A] = values;
-            const QImage image = plotImage(content, {800, 300}, 1);
+            const QImage image = toImage(plotsDrawing(content), {{800, 300}, pixels_per_inch});
             for (const Run& run : content.runs) {
                 const QColor color = readable(run.color, lightTheme());
                 int pixels = 0;
@@ -97,7 +103,7 @@ private slots:
 
     void a_png_has_twice_the_size_and_a_white_ground() {
         const QString path = dir_.filePath(QStringLiteral("plots.png"));
-        QVERIFY(exportPlots(twoRuns(), {800, 600}, path));
+        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
         const QImage image(path);
         QCOMPARE(image.size(), QSize(1600, 1200));
         QCOMPARE(image.pixel(2, 1190), qRgb(255, 255, 255));
@@ -106,7 +112,7 @@ private slots:
 
     void an_svg_parses_and_names_runs_and_units() {
         const QString path = dir_.filePath(QStringLiteral("plots.svg"));
-        QVERIFY(exportPlots(twoRuns(), {800, 600}, path));
+        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
         const QByteArray svg = bytesOf(path);
         QVERIFY(QSvgRenderer().load(svg));
         const QString texts = textsOf(svg);
@@ -118,7 +124,7 @@ private slots:
 
     void a_pdf_is_one_page_of_vectors() {
         const QString path = dir_.filePath(QStringLiteral("plots.pdf"));
-        QVERIFY(exportPlots(twoRuns(), {800, 600}, path));
+        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
         const QByteArray pdf = bytesOf(path);
         QVERIFY(pdf.startsWith("%PDF-1."));
         QVERIFY(pdf.trimmed().endsWith("%%EOF"));
@@ -131,39 +137,41 @@ private slots:
 
     void one_plot_alone_holds_one_variable() {
         const QString path = dir_.filePath(QStringLiteral("one.svg"));
-        QVERIFY(exportPlots(onePlot(twoRuns(), SlowVariable::two_theta_A), {800, 300}, path));
+        QVERIFY(writeDrawing(plotsDrawing(onePlot(twoRuns(), SlowVariable::two_theta_A)),
+                             {{800, 300}}, path));
         const QString texts = textsOf(bytesOf(path));
         QVERIFY(texts.contains(QStringLiteral("2θ")));
         QVERIFY(!texts.contains(QStringLiteral("ω")));
     }
 
     void an_unknown_ending_is_refused() {
-        const Status status =
-            exportPlots(twoRuns(), {800, 600}, dir_.filePath(QStringLiteral("plots.bmp")));
+        const Status status = writeDrawing(plotsDrawing(twoRuns()), {{800, 600}},
+                                           dir_.filePath(QStringLiteral("plots.bmp")));
         QVERIFY(!status);
         QVERIFY(status.error().code == ErrorCode::output_format_unknown);
         QCOMPARE(status.error().args, std::vector<MessageArg>{"bmp"});
     }
 
     void a_failure_leaves_the_old_file() {
-        const Status status = exportPlots(twoRuns(), {800, 600},
-                                          dir_.filePath(QStringLiteral("no/such/place/plots.pdf")));
+        const Status status =
+            writeDrawing(plotsDrawing(twoRuns()), {{800, 600}},
+                         dir_.filePath(QStringLiteral("no/such/place/plots.pdf")));
         QVERIFY(!status);
         QVERIFY(status.error().code == ErrorCode::output_failed);
         QVERIFY(!english(status.error().args.at(0)).empty());
         const QString folder = dir_.filePath(QStringLiteral("taken.svg"));
         QVERIFY(QDir().mkpath(folder + QStringLiteral("/inside")));
-        QVERIFY(!exportPlots(twoRuns(), {800, 600}, folder));
+        QVERIFY(!writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, folder));
         QVERIFY(QFileInfo::exists(folder + QStringLiteral("/inside")));
     }
 
     void the_clipboard_gets_the_image() {
-        copyPlots(twoRuns(), {400, 300});
+        copyDrawing(plotsDrawing(twoRuns()), {{400, 300}});
         QCOMPARE(QApplication::clipboard()->image().size(), QSize(800, 600));
     }
 
     void a_picture_draws_into_any_page() {
-        const QPicture picture = plotPicture(twoRuns(), {400, 300});
+        const QPicture picture = toPicture(plotsDrawing(twoRuns()), {400, 300});
         QImage page(1200, 900, QImage::Format_RGB32);
         page.fill(Qt::white);
         QPainter painter(&page);
@@ -176,7 +184,7 @@ private slots:
 
     void the_articles_figure_has_eight_lettered_panels() {
         const QString path = dir_.filePath(QStringLiteral("figure.svg"));
-        QVERIFY(renderFigure(twoColumns(), path));
+        QVERIFY(drawnFigure(twoColumns(), path));
         const QString texts = textsOf(bytesOf(path));
         for (const char* part : {"n = 6 ", "n = 60 ", "rad", "Hz", "t, s"}) {
             QVERIFY2(texts.contains(QString::fromUtf8(part)), part);
@@ -189,11 +197,11 @@ private slots:
 
     void a_figure_is_written_in_every_format() {
         const QString base = dir_.filePath(QStringLiteral("figure"));
-        QVERIFY(renderFigure(twoColumns(), base + QStringLiteral(".png")));
+        QVERIFY(drawnFigure(twoColumns(), base + QStringLiteral(".png")));
         QCOMPARE(QImage(base + QStringLiteral(".png")).size(), 2 * figureSize(2, {}));
-        QVERIFY(renderFigure(twoColumns(), base + QStringLiteral(".pdf")));
+        QVERIFY(drawnFigure(twoColumns(), base + QStringLiteral(".pdf")));
         QVERIFY(bytesOf(base + QStringLiteral(".pdf")).startsWith("%PDF-1."));
-        QVERIFY(!renderFigure(twoColumns(), base + QStringLiteral(".gif")));
+        QVERIFY(!drawnFigure(twoColumns(), base + QStringLiteral(".gif")));
     }
 
     void columns_share_their_value_axes() {
@@ -205,7 +213,7 @@ private slots:
             options.common_value_axes = common;
             options.units.sigma_bands = false;
             const QString path = dir_.filePath(QStringLiteral("axes.png"));
-            if (!renderFigure(twoColumns(), path, options)) {
+            if (!drawnFigure(twoColumns(), path, options)) {
                 return -1.;
             }
             const QImage image(path);
@@ -227,9 +235,9 @@ private slots:
     void a_disk_that_fills_leaves_the_old_file() {
         QFETCH(QString, ending);
         const QString path = dir_.filePath(QStringLiteral("full.") + ending);
-        QVERIFY(exportPlots(twoRuns(), {800, 600}, path));
+        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
         const qint64 plots_size = QFileInfo(path).size();
-        QVERIFY(renderFigure(twoColumns(), path));
+        QVERIFY(drawnFigure(twoColumns(), path));
         const qint64 whole = std::min(plots_size, QFileInfo(path).size());
         constexpr int sizes = 15;
         QVERIFY(whole > sizes);
@@ -243,8 +251,8 @@ private slots:
             old.close();
             const rlimit now{static_cast<rlim_t>(whole * k / sizes), before.rlim_max};
             QCOMPARE(setrlimit(RLIMIT_FSIZE, &now), 0);
-            const Status plots = exportPlots(twoRuns(), {800, 600}, path);
-            const Status figure = renderFigure(twoColumns(), path);
+            const Status plots = writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path);
+            const Status figure = drawnFigure(twoColumns(), path);
             QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
             const QByteArray about = QByteArray::number(qulonglong(now.rlim_cur));
             QVERIFY2(!plots && plots.error().code == ErrorCode::output_failed, about);
@@ -261,7 +269,7 @@ private slots:
 
     void a_figure_without_columns_is_an_empty_page() {
         const QString path = dir_.filePath(QStringLiteral("empty.png"));
-        QVERIFY(renderFigure({}, path));
+        QVERIFY(drawnFigure({}, path));
         QCOMPARE(ink(QImage(path)), 0.);
     }
 };

@@ -3,6 +3,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
+#include "ui/panels/run_list.h"
 #include "ui/panels/stale_mark.h"
 #include "ui/plots/track_view.h"
 #include "ui/plots/xy_plot_view.h"
@@ -71,7 +72,7 @@ class TestResidualsPage : public QObject {
     }
 
     void goToResiduals() {
-        QTest::keyClick(window_.get(), Qt::Key_2, Qt::ControlModifier);
+        QTest::keyClick(window_.get(), Qt::Key_3, Qt::ControlModifier);
         QVERIFY(page().isVisible());
     }
 
@@ -110,13 +111,13 @@ private slots:
         QVERIFY(!window_->action(Command::page_residuals)->isEnabled());
         open(home_.recording("demo.wav"));
         QVERIFY(tabs.isVisible());
-        QCOMPARE(tabs.count(), 2);
+        QCOMPARE(tabs.count(), 3);
         goToResiduals();
-        QCOMPARE(tabs.currentIndex(), 1);
+        QCOMPARE(tabs.currentIndex(), 2);
         QVERIFY(!the<TrackView>().isVisible());
         QTest::keyClick(window_.get(), Qt::Key_1, Qt::ControlModifier);
         QVERIFY(the<TrackView>().isVisible() && !page().isVisible());
-        QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(1).center());
+        QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(2).center());
         QVERIFY(page().isVisible());
         document().closeRecording(document().currentRecording()->id);
         QVERIFY(!tabs.isVisible() && !page().isVisible());
@@ -212,6 +213,27 @@ private slots:
         for (const ResidualLine& left : page().residuals()->lines) {
             QVERIFY(left.f_hz > band->low_hz && left.f_hz < band->high_hz);
         }
+    }
+
+    void the_filter_belongs_to_the_recording_of_the_run() {
+        open(disturbed("first.wav"));
+        goToResiduals();
+        QVERIFY(computed(533 * 60));
+        const int first = document().currentRecording()->id;
+        document().open({home_.recording("second.wav")});
+        QVERIFY(idle(2));
+        const int second = document().currentRecording()->id;
+        QVERIFY(second != first);
+        auto& runs = the<RunList>();
+        runs.setCurrentRun(document().runs().front().run.id);
+        document().setCurrentRecording(second);
+        QVERIFY(computed(533 * 60));
+        clickLine(2345);
+        QTest::mouseClick(&filter(), Qt::LeftButton);
+        QCOMPARE(document().currentRecording()->id, first);
+        QVERIFY(document().settings().filter.has_value());
+        document().setCurrentRecording(second);
+        QVERIFY(!document().settings().filter.has_value());
     }
 
     void lines_are_chosen_by_keys() {

@@ -6,7 +6,7 @@
 #include "ui/panels/recording_drag.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/parameter_text.h"
-#include "ui/resonator/resonator_panel.h"
+#include "ui/resonator/resonator_page.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/settings/signal_fields.h"
@@ -20,7 +20,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
-#include <QTabWidget>
 #include <QTest>
 
 using namespace vybeg;
@@ -123,7 +122,7 @@ private slots:
 
     void a_set_is_edited_by_keyboard_and_menu() {
         openRuns(files_);
-        the<QTabWidget>().setCurrentWidget(&the<ResonatorPanel>());
+        window_->action(Command::page_resonator)->trigger();
         auto& list = the<RecordingDragList>();
         list.setFocus();
         list.selectAll();
@@ -202,7 +201,7 @@ private slots:
         auto& resonator = the<QuantityTable>("resonator");
         auto& sensitivities = the<QuantityTable>("sensitivities");
         const auto top = [this](QWidget& widget) {
-            return widget.mapTo(&the<ResonatorPanel>(), QPoint()).y();
+            return widget.mapTo(&the<ResonatorPage>(), QPoint()).y();
         };
         QVERIFY(top(waves) < top(resonator) && top(resonator) < top(sensitivities));
         QCOMPARE(waves.rowCount(), 4);
@@ -372,7 +371,7 @@ private slots:
         identify();
         const XYPlot plot = the<XYPlotView>("drift").content();
         for (const char* name : {"drift.png", "drift.svg", "drift.pdf"}) {
-            QVERIFY(exportXYPlot(plot, {400, 300}, home_.path(name)));
+            QVERIFY(writeDrawing(xyDrawing(plot), {{400, 300}}, home_.path(name)));
             QVERIFY(QFileInfo(home_.path(name)).size() > 1000);
         }
         auto& view = the<XYPlotView>("balance");
@@ -391,7 +390,7 @@ private slots:
         const auto& axis = rows.at(2);
         QVERIFY(axis.name.endsWith("°"));
         VYBEG_CLOSE(axis.cells.front().exact.front().toDouble(), 11.46, 2);
-        the<ResonatorPanel>().setUnits(units);
+        the<ResonatorPage>().setUnits(units);
         QCOMPARE(cell("resonator", "Stiffness axis"), axis.cells.front().text);
     }
 };

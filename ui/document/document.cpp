@@ -9,7 +9,7 @@ Document::Document(QObject* parent) : QObject(parent) {
     connect(&recordings_, &RecordingStore::opened, this, &Document::whenOpened);
     connect(&recordings_, &RecordingStore::openFailed, this,
             [this](int id, const Message& message) {
-                closeRecording(id);
+                close(id);
                 emit reported(message);
             });
     connect(&recordings_, &RecordingStore::currentChanged, this, [this] {
@@ -46,17 +46,20 @@ void Document::open(const QStringList& paths, const OpenOptions& options) {
 }
 
 void Document::reopen(int id, const OpenOptions& options) {
-    const RecordingEntry* entry = recordings_.find(id);
-    if (!entry) {
+    if (!recordings_.find(id)) {
         return;
     }
-    const QString path = entry->path;
-    const std::vector<int> holders = sets_.holding(id);
-    closeRecording(id);
-    recordings_.open({path}, options);
-    for (const int set : holders) {
-        sets_.addTo(set, {recordings_.all().back().id});
-    }
+    const Closed before = whatCloses(id);
+    Closed after = before;
+    after.options = options;
+    after.runs.reset();
+    const auto become = [this](const Closed& wanted) {
+        close(wanted.id);
+        bringBack(wanted);
+    };
+    steps_.add([name = recordings_.find(id)->name] { return tr("import of %1").arg(name); },
+               [become, before] { become(before); }, [become, after] { become(after); });
+    become(after);
 }
 
 int Document::restore(const QString& path, const OpenOptions& options, std::vector<RunWish> runs) {
@@ -77,7 +80,37 @@ void Document::restoreRuns(int id, const std::vector<RunWish>& runs) {
     }
 }
 
+Document::Closed Document::whatCloses(int id) {
+    runs_.keepPlaces();
+    const RecordingEntry& entry = *recordings_.find(id);
+    Closed closed{id, recordings_.place(id), entry.path, entry.options, {}, sets_.holding(id)};
+    closed.runs.emplace();
+    for (std::size_t place = 0; place < runs().size(); ++place) {
+        if (runs()[place].recording_id == id) {
+            closed.runs->push_back(wish_of(runs()[place], static_cast<int>(place)));
+        }
+    }
+    return closed;
+}
+
+void Document::bringBack(const Closed& closed) {
+    if (closed.runs) {
+        restored_[closed.id] = *closed.runs;
+    }
+    recordings_.openAs(closed.id, closed.place, closed.path, closed.options);
+    sets_.putInto(closed.sets, closed.id);
+}
+
 void Document::closeRecording(int id) {
+    if (const RecordingEntry* entry = recordings_.find(id)) {
+        steps_.add([name = entry->name] { return tr("close %1").arg(name); },
+                   [this, closed = whatCloses(id)] { bringBack(closed); },
+                   [this, id] { close(id); });
+        close(id);
+    }
+}
+
+void Document::close(int id) {
     restored_.erase(id);
     for (const int key : queue_.keysOfRecording(id)) {
         queue_.forget(key);

@@ -35,7 +35,7 @@ public:
     void reopen(int id, const OpenOptions& options);
     // Opens a recording of a session and computes its runs; returns its id.
     int restore(const QString& path, const OpenOptions& options, std::vector<RunWish> runs);
-    void closeRecording(int id);  // and its runs
+    void closeRecording(int id);  // and its runs; a step of undo, which reads the file again
     void setCurrentRecording(int id) { recordings_.setCurrent(id); }
     const std::vector<RecordingEntry>& recordings() const { return recordings_.all(); }
     const RecordingEntry* recording(int id) const { return recordings_.find(id); }
@@ -50,8 +50,11 @@ public:
     void startWith(const Settings& settings, const Tolerance& tolerance = {}) {
         settings_.startWith(settings, tolerance);
     }
-    QUndoStack& undoStack() { return settings_.undoStack(); }
-    const QUndoStack& undoStack() const { return settings_.undoStack(); }
+    // Steps of undo: settings, tolerances, runs, sets, closed recordings.
+    UndoSteps& undoSteps() { return steps_; }
+    const UndoSteps& undoSteps() const { return steps_; }
+    QUndoStack& undoStack() { return steps_.stack(); }
+    const QUndoStack& undoStack() const { return steps_.stack(); }
 
     // Analyses, in the background.
     void analyse();
@@ -100,7 +103,19 @@ signals:
     void settled(Topic topic);  // messages of this topic hold no more
 
 private:
+    // A recording that was closed: read again from its file, under the id that other steps know.
+    struct Closed {
+        int id = 0;
+        std::size_t place = 0;
+        QString path;
+        OpenOptions options;
+        std::optional<std::vector<RunWish>> runs;  // none: those of a new recording
+        std::vector<int> sets;
+    };
+    Closed whatCloses(int id);
+    void bringBack(const Closed& closed);
     void connectStores();
+    void close(int id);
     void whenOpened(int id);
     void whenSettingsChanged(const Settings& before);
     void restoreRuns(int id, const std::vector<RunWish>& runs);
@@ -110,12 +125,13 @@ private:
 
     AnalysisJob job_;
     IdCounter ids_;
-    SettingsModel settings_;
+    UndoSteps steps_;
+    SettingsModel settings_{steps_};
     RecordingStore recordings_{job_, settings_, ids_};
-    RunStore runs_{job_, recordings_, ids_};
+    RunStore runs_{job_, recordings_, ids_, steps_};
     RequestQueue queue_{job_};
     LiveFollower live_{job_, settings_, recordings_, runs_, queue_};
-    SetStore sets_{job_, settings_, recordings_, queue_, ids_};
+    SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
     std::map<int, std::vector<RunWish>> restored_;  // by recording, until it is open
 };
 

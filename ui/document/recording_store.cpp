@@ -68,20 +68,30 @@ void RecordingStore::setCurrent(int id) {
 
 void RecordingStore::open(const QStringList& paths, const OpenOptions& options) {
     for (const QString& path : paths) {
-        const int id = ids_.next();
-        RecordingEntry entry;
-        entry.id = id;
-        entry.path = QFileInfo(path).absoluteFilePath();
-        entry.name = QFileInfo(path).fileName();
-        entry.options = options;
-        recordings_.push_back(std::move(entry));
-        job_.open(
-            id, path, options, [this, id](const FirstLook& look) { whenLookedAt(id, look); },
-            [this, id](Result<Recording> result) { whenOpened(id, std::move(result)); });
+        begin(ids_.next(), recordings_.size(), path, options);
     }
     if (!paths.isEmpty()) {
         emit listChanged();
     }
+}
+
+void RecordingStore::openAs(int id, std::size_t place, const QString& path,
+                            const OpenOptions& options) {
+    begin(id, std::min(place, recordings_.size()), path, options);
+    emit listChanged();
+}
+
+void RecordingStore::begin(int id, std::size_t place, const QString& path,
+                           const OpenOptions& options) {
+    RecordingEntry entry;
+    entry.id = id;
+    entry.path = QFileInfo(path).absoluteFilePath();
+    entry.name = QFileInfo(path).fileName();
+    entry.options = options;
+    recordings_.insert(recordings_.begin() + static_cast<std::ptrdiff_t>(place), std::move(entry));
+    job_.open(
+        id, path, options, [this, id](const FirstLook& look) { whenLookedAt(id, look); },
+        [this, id](Result<Recording> result) { whenOpened(id, std::move(result)); });
 }
 
 void RecordingStore::close(int id) {

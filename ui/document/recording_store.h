@@ -51,6 +51,8 @@ public:
     void setCurrent(int id);
 
     void open(const QStringList& paths, const OpenOptions& options);
+    // Under the id and at the place of one that was closed.
+    void openAs(int id, std::size_t place, const QString& path, const OpenOptions& options);
     void close(int id);
 
     // The carrier that counts windows: the setting, else that of the current recording.
@@ -73,6 +75,7 @@ signals:
     void reported(const Message& message);
 
 private:
+    void begin(int id, std::size_t place, const QString& path, const OpenOptions& options);
     RecordingEntry* entry(int id);
     void whenLookedAt(int id, const FirstLook& look);
     void whenOpened(int id, Result<Recording> result);

@@ -54,9 +54,19 @@ void setOutcome(RunEntry& entry, const Settings& requested, AnalysisOutcome outc
 
 }  // namespace
 
+RunWish wish_of(const RunEntry& entry, int place) {
+    return {.settings = entry.requested,
+            .name = entry.run.name,
+            .color = entry.run.color,
+            .dash = entry.run.dash,
+            .visible = entry.run.visible,
+            .live = entry.live,
+            .place = place};
+}
+
 RunStore::RunStore(AnalysisJob& job, const RecordingStore& recordings, IdCounter& ids,
-                   QObject* parent)
-    : QObject(parent), job_(job), recordings_(recordings), ids_(ids) {}
+                   UndoSteps& steps, QObject* parent)
+    : QObject(parent), job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
 
 const RunEntry* RunStore::find(int id) const {
     const auto found =
@@ -94,10 +104,11 @@ int RunStore::show(int recording_id, const Settings& requested, AnalysisOutcome 
         shown = &*same;
         shown->run.visible = true;
     } else if (shown = addExpected(recording_id, requested, false); !shown) {
-        runs_.push_back(newRun(recording, QStringLiteral("%1, n = %2")
-                                              .arg(QFileInfo(recording.path).completeBaseName())
-                                              .arg(outcome.analysis->plan.length)));
-        shown = &runs_.back();
+        shown = &add(newRun(recording,
+                            QStringLiteral("%1, n = %2")
+                                .arg(QFileInfo(recording.path).completeBaseName())
+                                .arg(outcome.analysis->plan.length),
+                            styleWish(recording_id)));
     }
     setOutcome(*shown, requested, std::move(outcome));
     const int id = shown->run.id;
@@ -122,18 +133,39 @@ int RunStore::showLive(int recording_id, const Settings& requested, AnalysisOutc
     return id;
 }
 
-// In the order and with the colour of its recording, whichever analysis ends first.
+// The first run of a recording has the colour of the recording's place.
+int RunStore::styleWish(int recording_id) const {
+    const bool first =
+        std::ranges::find(runs_, recording_id, &RunEntry::recording_id) == runs_.end();
+    return first ? static_cast<int>(recordings_.place(recording_id)) : 0;
+}
+
+// The first run of each recording stands in the order of the recordings, whichever analysis ends
+// first; later ones at the end.
+RunEntry& RunStore::add(RunEntry entry) {
+    const auto is_first = [this](auto run) {
+        return std::ranges::find(runs_.begin(), run, run->recording_id, &RunEntry::recording_id) ==
+               run;
+    };
+    auto next = runs_.end();
+    if (std::ranges::find(runs_, entry.recording_id, &RunEntry::recording_id) == runs_.end()) {
+        const std::size_t own = recordings_.place(entry.recording_id);
+        for (next = runs_.begin(); next != runs_.end(); ++next) {
+            if (is_first(next) && recordings_.place(next->recording_id) > own) {
+                break;
+            }
+        }
+    }
+    return *runs_.insert(next, std::move(entry));
+}
+
 RunEntry& RunStore::addLive(int recording_id) {
-    const std::size_t own = recordings_.place(recording_id);
     const RecordingEntry& recording = *recordings_.find(recording_id);
     // Its settings change, so they are in its row and not in its name.
-    RunEntry added =
-        newRun(recording, QFileInfo(recording.path).completeBaseName(), static_cast<int>(own));
+    RunEntry added = newRun(recording, QFileInfo(recording.path).completeBaseName(),
+                            static_cast<int>(recordings_.place(recording_id)));
     added.live = true;
-    const auto next = std::ranges::find_if(runs_, [&](const RunEntry& other) {
-        return other.live && recordings_.place(other.recording_id) > own;
-    });
-    return *runs_.insert(next, std::move(added));
+    return add(std::move(added));
 }
 
 void RunStore::expect(int recording_id, const RunWish& wish) {
@@ -173,27 +205,77 @@ RunEntry RunStore::newRun(const RecordingEntry& recording, const QString& name, 
     return entry;
 }
 
-void RunStore::setVisible(int id, bool visible) {
+void RunStore::change(int id, const std::function<void(Run&)>& edit) {
     for (RunEntry& entry : runs_) {
-        if (entry.run.id == id && entry.run.visible != visible) {
-            entry.run.visible = visible;
+        if (entry.run.id == id) {
+            edit(entry.run);
             emit changed();
         }
     }
+}
+
+void RunStore::setVisible(int id, bool visible) {
+    const RunEntry* entry = find(id);
+    if (!entry || entry->run.visible == visible) {
+        return;
+    }
+    const auto set = [this, id](bool shown) {
+        change(id, [shown](Run& run) { run.visible = shown; });
+    };
+    steps_.add(
+        [visible, name = entry->run.name] {
+            return (visible ? tr("show %1") : tr("hide %1")).arg(name);
+        },
+        [set, visible] { set(!visible); }, [set, visible] { set(visible); });
+    set(visible);
 }
 
 void RunStore::rename(int id, const QString& name) {
-    for (RunEntry& entry : runs_) {
-        if (entry.run.id == id && entry.run.name != name && !name.trimmed().isEmpty()) {
-            entry.run.name = name.trimmed();
-            emit changed();
-        }
+    const RunEntry* entry = find(id);
+    const QString wanted = name.trimmed();
+    if (!entry || wanted.isEmpty() || entry->run.name == wanted) {
+        return;
     }
+    const QString before = entry->run.name;
+    const auto set = [this, id](const QString& text) {
+        change(id, [text](Run& run) { run.name = text; });
+    };
+    steps_.add([before] { return tr("rename %1").arg(before); }, [set, before] { set(before); },
+               [set, wanted] { set(wanted); });
+    set(wanted);
 }
 
 void RunStore::remove(int id) {
+    const RunEntry* found = find(id);
+    if (!found) {
+        return;
+    }
+    const auto place = static_cast<std::size_t>(found - runs_.data());
+    steps_.add([name = found->run.name] { return tr("remove %1").arg(name); },
+               [this, entry = *found, place] { putBack(entry, place); },
+               [this, id] { takeOut(id); });
+    takeOut(id);
+}
+
+// A live run that has come meanwhile stays; the recording may be closed.
+void RunStore::putBack(const RunEntry& entry, std::size_t place) {
+    const bool replaced = entry.live && liveOf(entry.recording_id);
+    if (recordings_.find(entry.recording_id) && !replaced) {
+        runs_.insert(runs_.begin() + static_cast<std::ptrdiff_t>(std::min(place, runs_.size())),
+                     entry);
+        emit changed();
+    }
+}
+
+void RunStore::takeOut(int id) {
     if (std::erase_if(runs_, [id](const RunEntry& entry) { return entry.run.id == id; }) > 0) {
         emit changed();
+    }
+}
+
+void RunStore::keepPlaces() {
+    for (std::size_t place = 0; place < runs_.size(); ++place) {
+        runs_[place].place = static_cast<int>(place);
     }
 }
 

@@ -44,12 +44,15 @@ struct RunWish {
     int place = 0;
 };
 
+// The wish that gives an equal run.
+RunWish wish_of(const RunEntry& entry, int place);
+
 // The runs of the open recordings, with names, colours and dashes of their own.
 class RunStore : public QObject {
     Q_OBJECT
 
 public:
-    RunStore(AnalysisJob& job, const RecordingStore& recordings, IdCounter& ids,
+    RunStore(AnalysisJob& job, const RecordingStore& recordings, IdCounter& ids, UndoSteps& steps,
              QObject* parent = nullptr);
 
     const std::vector<RunEntry>& all() const { return runs_; }
@@ -64,9 +67,12 @@ public:
     int showLive(int recording_id, const Settings& requested, AnalysisOutcome outcome);
     // The next run of that recording with these settings gets the look and place of the wish.
     void expect(int recording_id, const RunWish& wish);
+    // Steps of undo.
     void setVisible(int id, bool visible);
     void rename(int id, const QString& name);
     void remove(int id);
+    // From now on every run keeps its place, also among those that come back.
+    void keepPlaces();
     void removeOf(int recording_id);
 
     // Track CSV in the background; `done` gets the result. A partial run is not written.
@@ -77,8 +83,13 @@ signals:
     void added(int id);
 
 private:
+    void change(int id, const std::function<void(Run&)>& edit);
+    void putBack(const RunEntry& entry, std::size_t place);
+    void takeOut(int id);
     // `wish`: its style, where no other run has it.
     RunEntry newRun(const RecordingEntry& recording, const QString& name, int wish = 0);
+    int styleWish(int recording_id) const;
+    RunEntry& add(RunEntry entry);
     RunEntry& addLive(int recording_id);
     // The run that is expected, in its place; null where none is.
     RunEntry* addExpected(int recording_id, const Settings& requested, bool live);
@@ -86,6 +97,7 @@ private:
     AnalysisJob& job_;
     const RecordingStore& recordings_;
     IdCounter& ids_;
+    UndoSteps& steps_;
     std::vector<RunEntry> runs_;
     std::multimap<int, RunWish> expected_;  // by recording
 };

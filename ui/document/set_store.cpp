@@ -22,13 +22,14 @@ bool contains(const std::vector<int>& ids, int id) {
 }  // namespace
 
 SetStore::SetStore(AnalysisJob& job, const SettingsModel& settings, RecordingStore& recordings,
-                   RequestQueue& queue, IdCounter& ids, QObject* parent)
+                   RequestQueue& queue, IdCounter& ids, UndoSteps& steps, QObject* parent)
     : QObject(parent),
       job_(job),
       settings_(settings),
       recordings_(recordings),
       queue_(queue),
-      ids_(ids) {
+      ids_(ids),
+      steps_(steps) {
     // Outcomes of other settings are out of date.
     connect(&settings_, &SettingsModel::settingsChanged, this, &SetStore::changed);
     connect(&settings_, &SettingsModel::toleranceChanged, this, &SetStore::changed);
@@ -50,29 +51,65 @@ void SetStore::setCurrent(int id) {
     }
 }
 
+void SetStore::step(UndoSteps::Words words, const std::function<void()>& edit) {
+    const State before{sets_, current_};
+    edit();
+    steps_.add(
+        std::move(words), [this, before] { restore(before); },
+        [this, after = State{sets_, current_}] { restore(after); });
+}
+
+// Results found meanwhile stay with their recordings; closed recordings stay away.
+void SetStore::restore(const State& state) {
+    std::vector<RunSet> sets = state.sets;
+    for (RunSet& set : sets) {
+        std::erase_if(set.recordings, [this](int id) { return !recordings_.find(id); });
+        if (const RunSet* now = find(set.id);
+            now && sameRecordings(now->recordings, set.recordings)) {
+            set.outcomes = now->outcomes;
+        } else {
+            queue_.forget(queue_.keyOfSet(set.id));
+        }
+    }
+    for (const RunSet& set : sets_) {
+        if (std::ranges::find(sets, set.id, &RunSet::id) == sets.end()) {
+            queue_.forget(queue_.keyOfSet(set.id));
+        }
+    }
+    sets_ = std::move(sets);
+    current_ = find(state.current) ? state.current : sets_.empty() ? 0 : sets_.back().id;
+    emit changed();
+}
+
 int SetStore::add(const std::vector<int>& recording_ids) {
-    RunSet set;
-    set.id = ids_.next();
-    set.number = ++made_;
-    set.recordings = recording_ids;
-    current_ = set.id;
-    sets_.push_back(std::move(set));
+    step([] { return tr("new set"); },
+         [&] {
+             RunSet set;
+             set.id = ids_.next();
+             set.number = ++made_;
+             set.recordings = recording_ids;
+             current_ = set.id;
+             sets_.push_back(std::move(set));
+         });
     emit changed();
     return current_;
 }
 
 void SetStore::remove(int id) {
     queue_.forget(queue_.keyOfSet(id));
-    std::erase_if(sets_, [id](const RunSet& set) { return set.id == id; });
-    if (!find(current_)) {
-        current_ = sets_.empty() ? 0 : sets_.back().id;
-    }
+    step([] { return tr("remove the set"); },
+         [&] {
+             std::erase_if(sets_, [id](const RunSet& set) { return set.id == id; });
+             if (!find(current_)) {
+                 current_ = sets_.empty() ? 0 : sets_.back().id;
+             }
+         });
     emit changed();
 }
 
 void SetStore::rename(int id, const QString& name) {
     if (RunSet* set = entry(id); set && set->name != name.trimmed()) {
-        set->name = name.trimmed();
+        step([] { return tr("rename the set"); }, [&] { set->name = name.trimmed(); });
         emit changed();
     }
 }
@@ -80,7 +117,7 @@ void SetStore::rename(int id, const QString& name) {
 void SetStore::setModel(int id, FitOptions::Model model) {
     if (RunSet* set = entry(id); set && set->model != model) {
         queue_.forget(queue_.keyOfSet(id));
-        set->model = model;
+        step([] { return tr("model of the set"); }, [&] { set->model = model; });
         emit changed();
     }
 }
@@ -93,7 +130,7 @@ void SetStore::edited(RunSet& set) {
     emit changed();
 }
 
-void SetStore::addTo(int id, const std::vector<int>& recording_ids) {
+void SetStore::insertInto(int id, const std::vector<int>& recording_ids) {
     RunSet& set = *entry(id);
     const std::size_t before = set.recordings.size();
     for (const int recording : recording_ids) {
@@ -106,11 +143,7 @@ void SetStore::addTo(int id, const std::vector<int>& recording_ids) {
     }
 }
 
-void SetStore::addToCurrent(const std::vector<int>& recording_ids) {
-    addTo(current() ? current_ : add(), recording_ids);
-}
-
-void SetStore::removeFrom(int id, const std::vector<int>& recording_ids) {
+void SetStore::eraseFrom(int id, const std::vector<int>& recording_ids) {
     RunSet* set = entry(id);
     const auto gone = [&](int recording) { return contains(recording_ids, recording); };
     if (set && std::erase_if(set->recordings, gone) > 0) {
@@ -118,9 +151,41 @@ void SetStore::removeFrom(int id, const std::vector<int>& recording_ids) {
     }
 }
 
+void SetStore::addTo(int id, const std::vector<int>& recording_ids) {
+    const RunSet& set = *entry(id);
+    const auto is_new = [&](int recording) { return !contains(set.recordings, recording); };
+    if (std::ranges::any_of(recording_ids, is_new)) {
+        step([] { return tr("recordings of the set"); }, [&] { insertInto(id, recording_ids); });
+    }
+}
+
+void SetStore::addToCurrent(const std::vector<int>& recording_ids) {
+    if (current()) {
+        addTo(current_, recording_ids);
+    } else {
+        add(recording_ids);
+    }
+}
+
+void SetStore::removeFrom(int id, const std::vector<int>& recording_ids) {
+    const RunSet* set = find(id);
+    const auto is_there = [&](int recording) { return contains(set->recordings, recording); };
+    if (set && std::ranges::any_of(recording_ids, is_there)) {
+        step([] { return tr("recordings of the set"); }, [&] { eraseFrom(id, recording_ids); });
+    }
+}
+
 void SetStore::removeFromAll(int recording_id) {
     for (const int id : holding(recording_id)) {
-        removeFrom(id, {recording_id});
+        eraseFrom(id, {recording_id});
+    }
+}
+
+void SetStore::putInto(const std::vector<int>& set_ids, int recording_id) {
+    for (const int id : set_ids) {
+        if (find(id)) {
+            insertInto(id, {recording_id});
+        }
     }
 }
 

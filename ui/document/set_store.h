@@ -23,12 +23,13 @@ class SetStore : public QObject {
 
 public:
     SetStore(AnalysisJob& job, const SettingsModel& settings, RecordingStore& recordings,
-             RequestQueue& queue, IdCounter& ids, QObject* parent = nullptr);
+             RequestQueue& queue, IdCounter& ids, UndoSteps& steps, QObject* parent = nullptr);
 
     const std::vector<RunSet>& all() const { return sets_; }
     const RunSet* find(int id) const;
     const RunSet* current() const { return find(current_); }
     void setCurrent(int id);
+    // Steps of undo, up to removeFrom().
     int add(const std::vector<int>& recording_ids = {});  // becomes the current one
     void remove(int id);
     void rename(int id, const QString& name);
@@ -38,7 +39,10 @@ public:
     // Into the current set; without one, into a new one.
     void addToCurrent(const std::vector<int>& recording_ids);
     void removeFrom(int id, const std::vector<int>& recording_ids);
+    // No step: the recording is gone.
     void removeFromAll(int recording_id);
+    // The reverse, for the undo of that.
+    void putInto(const std::vector<int>& set_ids, int recording_id);
     std::vector<int> holding(int recording_id) const;
     // Files from outside into the current set; those that are not open yet are opened.
     void openIntoCurrent(const QStringList& paths);
@@ -68,6 +72,16 @@ signals:
     void reported(const Message& message);
 
 private:
+    // What a step of undo brings back.
+    struct State {
+        std::vector<RunSet> sets;
+        int current = 0;
+    };
+    // Makes an edit a step.
+    void step(UndoSteps::Words words, const std::function<void()>& edit);
+    void restore(const State& state);
+    void insertInto(int id, const std::vector<int>& recording_ids);
+    void eraseFrom(int id, const std::vector<int>& recording_ids);
     RunSet* entry(int id);
     IdentifySettings settingsOf(const RunSet& set) const;
     void edited(RunSet& set);
@@ -78,6 +92,7 @@ private:
     RecordingStore& recordings_;
     RequestQueue& queue_;
     IdCounter& ids_;
+    UndoSteps& steps_;
     std::vector<RunSet> sets_;
     int current_ = 0;
     int made_ = 0;

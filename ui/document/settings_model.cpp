@@ -1,49 +1,35 @@
 #include "ui/document/settings_model.h"
 
+#include "ui/words/settings_text.h"
+
 #include <utility>
 
 namespace vybeg::ui {
 
-// A step of undo: one change of the settings or of the tolerances.
-template <class Value>
-class ValueChange : public QUndoCommand {
-public:
-    ValueChange(SettingsModel& model, Value before, Value after, int gesture = -1)
-        : model_(model), before_(std::move(before)), after_(std::move(after)), gesture_(gesture) {}
-
-    void undo() override { model_.apply(before_); }
-    void redo() override { model_.apply(after_); }
-    int id() const override { return gesture_; }
-    bool mergeWith(const QUndoCommand* other) override {
-        after_ = static_cast<const ValueChange*>(other)->after_;
-        return true;
-    }
-
-private:
-    SettingsModel& model_;
-    Value before_;
-    Value after_;
-    int gesture_;
-};
-
-SettingsModel::SettingsModel(QObject* parent) : QObject(parent) {
-    undo_.setUndoLimit(200);
-}
+SettingsModel::SettingsModel(UndoSteps& steps, QObject* parent) : QObject(parent), steps_(steps) {}
 
 void SettingsModel::setSettings(const Settings& settings, int gesture) {
-    if (!(settings == settings_)) {
-        undo_.push(new ValueChange<Settings>(*this, settings_, settings, gesture));
+    if (settings == settings_) {
+        return;
     }
+    const Settings before = settings_;
+    steps_.add([before, settings] { return changedGroups(before, settings).join(", "); },
+               [this, before] { apply(before); }, [this, settings] { apply(settings); }, gesture);
+    apply(settings);
 }
 
 void SettingsModel::setTolerance(const Tolerance& tolerance) {
-    if (!(tolerance == tolerance_)) {
-        undo_.push(new ValueChange<Tolerance>(*this, tolerance_, tolerance));
+    if (tolerance == tolerance_) {
+        return;
     }
+    const Tolerance before = tolerance_;
+    steps_.add([] { return tr("tolerances of the channels"); }, [this, before] { apply(before); },
+               [this, tolerance] { apply(tolerance); });
+    apply(tolerance);
 }
 
 void SettingsModel::startWith(const Settings& settings, const Tolerance& tolerance) {
-    undo_.clear();
+    steps_.stack().clear();
     apply(tolerance);
     apply(settings);
 }

@@ -2,9 +2,9 @@
 
 #include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
+#include "ui/document/undo_steps.h"
 
 #include <QObject>
-#include <QUndoStack>
 
 namespace vybeg::ui {
 
@@ -13,7 +13,7 @@ class SettingsModel : public QObject {
     Q_OBJECT
 
 public:
-    explicit SettingsModel(QObject* parent = nullptr);
+    explicit SettingsModel(UndoSteps& steps, QObject* parent = nullptr);
 
     const Settings& settings() const { return settings_; }
     // Changes with the same gesture (>= 0) in a row, a drag, are one step.
@@ -21,10 +21,8 @@ public:
     // Uncertainty of the channels; only the identification uses it.
     const Tolerance& tolerance() const { return tolerance_; }
     void setTolerance(const Tolerance& tolerance);
-    // Settings of the program's start: no undo step.
+    // Settings of the program's start: no step, and none before them.
     void startWith(const Settings& settings, const Tolerance& tolerance = {});
-    QUndoStack& undoStack() { return undo_; }
-    const QUndoStack& undoStack() const { return undo_; }
 
 signals:
     void settingsChanged(const Settings& before);
@@ -34,10 +32,7 @@ private:
     void apply(const Settings& settings);
     void apply(const Tolerance& tolerance);
 
-    template <class Value>
-    friend class ValueChange;
-
-    QUndoStack undo_;
+    UndoSteps& steps_;
     Settings settings_;
     Tolerance tolerance_;
 };

@@ -1,6 +1,7 @@
 #include "ui/panels/stale_mark.h"
 
 #include "ui/document/document.h"
+#include "ui/words/settings_text.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -11,33 +12,13 @@ namespace vybeg::ui {
 
 namespace {
 
-// Titles of the groups of the panel in which two settings differ.
-QStringList differences(const Settings& a, const Settings& b) {
-    QStringList names;
-    const auto name = [&names](bool differ, const QString& group) {
-        if (differ) {
-            names << group;
-        }
-    };
-    name(a.algorithm != b.algorithm, StaleMark::tr("algorithm"));
-    name(a.window != b.window || a.periods != b.periods || a.snap != b.snap || a.hop != b.hop,
-         StaleMark::tr("window"));
-    name(a.from_s != b.from_s || a.to_s != b.to_s, StaleMark::tr("range"));
-    name(a.f0_hz != b.f0_hz || a.band != b.band, StaleMark::tr("carrier"));
-    name(a.filter != b.filter, StaleMark::tr("filter"));
-    name(a.initial != b.initial || a.start != b.start, StaleMark::tr("start values"));
-    name(!(a.calibration == b.calibration) || a.repair_lost != b.repair_lost,
-         StaleMark::tr("calibration"));
-    return names;
-}
-
 // Differences between the plots of the current recording and the panel; empty without differences.
 QStringList staleness(const Document& document) {
     const RecordingEntry* current = document.currentRecording();
     QStringList newest;
     for (const RunEntry& entry : document.runs()) {
         if (current && entry.recording_id == current->id && entry.run.visible) {
-            newest = differences(entry.requested, document.settings());
+            newest = changedGroups(entry.requested, document.settings());
             if (newest.isEmpty()) {
                 return {};
             }

@@ -1,6 +1,5 @@
 #include "ui/plots/figure.h"
 
-#include "ui/plots/plot_file.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 
@@ -51,10 +50,8 @@ void setLetters(const Stacks& stacks, std::size_t rows) {
     }
 }
 
-// The figure laid out on a plot; calls draw(plot, size).
-template <class Draw>
-void layOut(const Columns& columns, const FigureOptions& options, const Draw& draw) {
-    const QSize size = figureSize(columns.size(), options);
+void drawFigure(const Columns& columns, const FigureOptions& options, QCPPainter& painter,
+                QSize size) {
     const QSize column_size(size.width() / std::max(1, static_cast<int>(columns.size())),
                             size.height());
     QCustomPlot plot;
@@ -86,7 +83,7 @@ void layOut(const Columns& columns, const FigureOptions& options, const Draw& dr
     if (options.letters) {
         setLetters(stacks, options.variables.size());
     }
-    draw(plot, size);
+    plot.toPainter(&painter, size.width(), size.height());
 }
 
 }  // namespace
@@ -100,19 +97,10 @@ QSize figureSize(std::size_t columns, const FigureOptions& options) {
             strips + 150 * static_cast<int>(options.variables.size())};
 }
 
-Status renderFigure(const std::vector<FigureColumn>& columns, const QString& path,
-                    const FigureOptions& options) {
-    Status status;
-    layOut(columns, options,
-           [&](QCustomPlot& plot, QSize size) { status = writePlot(plot, size, path); });
-    return status;
-}
-
-QPicture figurePicture(const std::vector<FigureColumn>& columns, const FigureOptions& options) {
-    QPicture picture;
-    layOut(columns, options,
-           [&](QCustomPlot& plot, QSize size) { picture = toPicture(plot, size); });
-    return picture;
+Drawing figureDrawing(const std::vector<FigureColumn>& columns, const FigureOptions& options) {
+    return [columns, options](QCPPainter& painter, QSize size) {
+        drawFigure(columns, options, painter, size);
+    };
 }
 
 }  // namespace vybeg::ui

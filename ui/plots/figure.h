@@ -1,10 +1,9 @@
 #pragma once
 
-#include "core/base/result.h"
+#include "ui/plots/plot_file.h"
 #include "ui/values/run.h"
 #include "ui/words/display_units.h"
 
-#include <QPicture>
 #include <QSize>
 #include <QString>
 
@@ -30,13 +29,8 @@ struct FigureOptions {
 };
 
 // The article's figure: a row of panels per variable, a column per window length, one time axis.
-// Format by the ending of `path`: .svg, .pdf (vectors) or .png (scale 2). Needs a QApplication but
-// no window and no display (offscreen platform). Errors: output_format_unknown, output_failed.
-Status renderFigure(const std::vector<FigureColumn>& columns, const QString& path,
-                    const FigureOptions& options = {});
-
-// The same as drawing commands, for a report's page.
-QPicture figurePicture(const std::vector<FigureColumn>& columns, const FigureOptions& options = {});
+// Needs a QApplication but no window and no display (offscreen platform).
+Drawing figureDrawing(const std::vector<FigureColumn>& columns, const FigureOptions& options = {});
 
 // Size by `options`.
 QSize figureSize(std::size_t columns, const FigureOptions& options);

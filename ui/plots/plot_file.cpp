@@ -3,7 +3,10 @@
 #include "core/output/output_file.h"
 
 #include <QBuffer>
+#include <QClipboard>
 #include <QFileInfo>
+#include <QGuiApplication>
+#include <QMimeData>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QSvgGenerator>
@@ -15,83 +18,128 @@
 namespace vybeg::ui {
 namespace {
 
-constexpr double file_scale = 2;
-constexpr int screen_dpi = 96;
+constexpr int title_height = 26;
+constexpr int settings_height = 34;  // two lines
 
-void drawVectors(QCustomPlot& plot, QPaintDevice& device, QSize size, double scale) {
+void drawVectors(const Drawing& draw, QPaintDevice& device, QSize size, double scale) {
     QCPPainter painter;
     painter.setMode(QCPPainter::pmVectorized);
     painter.setMode(QCPPainter::pmNonCosmetic);
     painter.begin(&device);
     painter.scale(scale, scale);
-    plot.toPainter(&painter, size.width(), size.height());
+    draw(painter, size);
     painter.end();
 }
 
-void writeSvg(QCustomPlot& plot, QSize size, QIODevice& device) {
+void writeSvg(const Drawing& draw, QSize size, QIODevice& device) {
     QSvgGenerator svg;
     svg.setOutputDevice(&device);
-    svg.setResolution(screen_dpi);
+    svg.setResolution(static_cast<int>(pixels_per_inch));
     svg.setSize(size);
     svg.setViewBox(QRect(QPoint(0, 0), size));
-    drawVectors(plot, svg, size, 1);
+    drawVectors(draw, svg, size, 1);
 }
 
-void writePdf(QCustomPlot& plot, QSize size, QIODevice& device) {
-    constexpr double points_per_pixel = 72. / screen_dpi;
+void writePdf(const Drawing& draw, QSize size, QIODevice& device) {
+    constexpr double points_per_pixel = 72. / pixels_per_inch;
     constexpr int resolution = 1200;
     QPdfWriter pdf(&device);
     pdf.setResolution(resolution);
     pdf.setPageMargins(QMarginsF());
     pdf.setPageSize(QPageSize(QSizeF(size) * points_per_pixel, QPageSize::Point));
-    drawVectors(plot, pdf, size, double(resolution) / screen_dpi);
+    drawVectors(draw, pdf, size, resolution / pixels_per_inch);
+}
+
+// SVG and PDF are drawn in memory, because their writers ignore errors of the disk.
+template <class Draw>
+QByteArray drawn(const Draw& draw) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    draw(buffer);
+    return bytes;
 }
 
 }  // namespace
 
-QImage toImage(QCustomPlot& plot, QSize size, double scale) {
-    QImage image((QSizeF(size) * scale).toSize(), QImage::Format_RGB32);
-    // 96 dpi per unit of scale, so that a pasted picture has its natural size.
-    const int per_metre = static_cast<int>(std::lround(screen_dpi * scale / 0.0254));
+QImage toImage(const Drawing& draw, const Paper& paper) {
+    const double scale = paper.dpi / pixels_per_inch;
+    QImage image((QSizeF(paper.size) * scale).toSize(), QImage::Format_RGB32);
+    // So that a pasted picture has its natural size.
+    const int per_metre = static_cast<int>(std::lround(paper.dpi / mm_per_inch * 1000));
     image.setDotsPerMeterX(per_metre);
     image.setDotsPerMeterY(per_metre);
     image.fill(Qt::white);
-    QCPPainter painter(&image);
-    painter.scale(scale, scale);
-    plot.toPainter(&painter, size.width(), size.height());
+    if (!image.isNull()) {
+        QCPPainter painter(&image);
+        painter.scale(scale, scale);
+        draw(painter, paper.size);
+    }
     return image;
 }
 
-QPicture toPicture(QCustomPlot& plot, QSize size) {
+QPicture toPicture(const Drawing& draw, QSize size) {
     QPicture picture;
-    drawVectors(plot, picture, size, 1);
+    drawVectors(draw, picture, size, 1);
     picture.setBoundingRect(QRect(QPoint(0, 0), size));
     return picture;
 }
 
-Status writePlot(QCustomPlot& plot, QSize size, const QString& path) {
+int captionHeight(const QString& title, const QString& settings) {
+    return (title.isEmpty() ? 0 : title_height) + (settings.isEmpty() ? 0 : settings_height);
+}
+
+Drawing withCaption(const Drawing& draw, const QString& title, const QString& settings) {
+    return [draw, title, settings](QCPPainter& painter, QSize size) {
+        const int above = captionHeight(title, {});
+        const int below = captionHeight({}, settings);
+        QFont font = QGuiApplication::font();
+        const auto text = [&](const QString& what, int pixels, QRect room) {
+            font.setPixelSize(pixels);
+            painter.setFont(font);
+            painter.setPen(Qt::black);
+            painter.drawText(room.adjusted(8, 0, -8, 0), Qt::AlignCenter | Qt::TextWordWrap, what);
+        };
+        painter.save();
+        painter.fillRect(QRect(QPoint(0, 0), size), Qt::white);
+        text(title, 15, QRect(0, 0, size.width(), above));
+        text(settings, 11, QRect(0, size.height() - below, size.width(), below));
+        painter.translate(0, above);
+        draw(painter, QSize(size.width(), size.height() - above - below));
+        painter.restore();
+    };
+}
+
+Status writeDrawing(const Drawing& draw, const Paper& paper, const QString& path) {
     const QString ending = QFileInfo(path).suffix().toLower();
-    if (ending != QStringLiteral("png") && ending != QStringLiteral("svg") &&
-        ending != QStringLiteral("pdf")) {
+    bool known = true;
+    const QByteArray bytes = drawn([&](QIODevice& device) {
+        if (ending == QStringLiteral("png")) {
+            toImage(draw, paper).save(&device, "PNG");
+        } else if (ending == QStringLiteral("svg")) {
+            writeSvg(draw, paper.size, device);
+        } else if (ending == QStringLiteral("pdf")) {
+            writePdf(draw, paper.size, device);
+        } else {
+            known = false;
+        }
+    });
+    if (!known) {
         return Error{ErrorCode::output_format_unknown, path.toStdString(), {ending.toStdString()}};
     }
-    // SVG and PDF are drawn in memory, because their writers ignore errors of the disk.
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    bool drawn = true;
-    if (ending == QStringLiteral("png")) {
-        drawn = toImage(plot, size, file_scale).save(&buffer, "PNG");
-    } else if (ending == QStringLiteral("svg")) {
-        writeSvg(plot, size, buffer);
-    } else {
-        writePdf(plot, size, buffer);
-    }
-    if (!drawn || bytes.isEmpty()) {
+    if (bytes.isEmpty()) {
         return Error{ErrorCode::out_of_memory, {}, {}};
     }
     return write_file(std::filesystem::path(path.toStdU16String()),
                       {bytes.constData(), static_cast<std::size_t>(bytes.size())}, JobControl());
+}
+
+void copyDrawing(const Drawing& draw, const Paper& paper) {
+    auto* data = new QMimeData;
+    data->setImageData(toImage(draw, paper));
+    data->setData(QStringLiteral("image/svg+xml"),
+                  drawn([&](QIODevice& device) { writeSvg(draw, paper.size, device); }));
+    QGuiApplication::clipboard()->setMimeData(data);
 }
 
 }  // namespace vybeg::ui

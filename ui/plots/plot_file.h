@@ -4,19 +4,47 @@
 
 #include <QImage>
 #include <QPicture>
+#include <QSize>
 #include <QString>
 
-class QCustomPlot;
+#include <functional>
+
+class QCPPainter;
 
 namespace vybeg::ui {
 
-// A plot without a window, drawn at a size in device-independent pixels.
+// Draws a figure of a size in device-independent pixels, 96 to the inch, without a window.
+using Drawing = std::function<void(QCPPainter&, QSize)>;
 
-QImage toImage(QCustomPlot& plot, QSize size, double scale);
-QPicture toPicture(QCustomPlot& plot, QSize size);
+inline constexpr double pixels_per_inch = 96;
+inline constexpr double mm_per_inch = 25.4;
 
-// Format by the ending of `path`: .png (scale 2), .svg or .pdf (vectors, text as text). Drawn in
-// memory and written by write_file(). Errors: output_format_unknown, output_failed, out_of_memory.
-Status writePlot(QCustomPlot& plot, QSize size, const QString& path);
+// Size of a figure, device-independent pixels, and the pixels to the inch of its image.
+struct Paper {
+    QSize size;
+    double dpi = 2 * pixels_per_inch;
+};
+
+// A figure that can be exported.
+struct Figure {
+    Drawing draw;
+    QSize size;    // as proposed
+    QString name;  // of the file, as proposed, without its ending
+};
+
+QImage toImage(const Drawing& draw, const Paper& paper);
+QPicture toPicture(const Drawing& draw, QSize size);
+
+// A title above the figure, a line of settings below it; each only where it is not empty.
+Drawing withCaption(const Drawing& draw, const QString& title, const QString& settings);
+// Height that the caption adds to a figure.
+int captionHeight(const QString& title, const QString& settings);
+
+// Format by the ending of `path`: .png, .svg or .pdf (vectors, text as text). Drawn in memory and
+// written by write_file(). Errors: output_format_unknown, output_failed, out_of_memory.
+Status writeDrawing(const Drawing& draw, const Paper& paper, const QString& path);
+
+// To the clipboard: as image and, for programs that take vectors, as SVG.
+void copyDrawing(const Drawing& draw, const Paper& paper);
 
 }  // namespace vybeg::ui

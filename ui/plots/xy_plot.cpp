@@ -1,7 +1,6 @@
 #include "ui/plots/xy_plot.h"
 
 #include "ui/plots/panel_ticker.h"
-#include "ui/plots/plot_file.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/plot_strip.h"
 #include "ui/words/index_text.h"
@@ -129,22 +128,9 @@ QVector<double> vectorOf(const std::vector<double>& values) {
     return {values.begin(), values.end()};
 }
 
-QColor colorOf(const XYSeries& series, const Theme& theme) {
-    switch (series.ink) {
-        case Ink::style: return readable(runStyle(series.style).color, theme);
-        case Ink::text: return theme.text;
-        case Ink::muted: return theme.mutedText;
-        case Ink::channel_c: return theme.signalC;
-        case Ink::channel_d: return theme.signalD;
-        case Ink::accent: return theme.accent;
-        case Ink::warning: return theme.warning;
-    }
-    return {};
-}
-
 QPen penOf(const XYSeries& series, const Theme& theme) {
     const Qt::PenStyle dash = series.dashed ? Qt::DashLine : Qt::SolidLine;
-    return {colorOf(series, theme), series.thin ? 1 : 1.6, dash};
+    return {inkColor(series.ink, series.style, theme), series.thin ? 1 : 1.6, dash};
 }
 
 void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {
@@ -258,17 +244,12 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
     panel->axis(QCPAxis::atLeft)->setRange(y.lower, y.upper);
 }
 
-Status exportXYPlot(const XYPlot& content, QSize size, const QString& path) {
-    QCustomPlot plot;
-    layOutXYPlot(plot, content, lightTheme(), size);
-    return writePlot(plot, size, path);
-}
-
-QImage xyPlotImage(const XYPlot& content, QSize size) {
-    constexpr double scale = 2;
-    QCustomPlot plot;
-    layOutXYPlot(plot, content, lightTheme(), size);
-    return toImage(plot, size, scale);
+Drawing xyDrawing(const XYPlot& content) {
+    return [content](QCPPainter& painter, QSize size) {
+        QCustomPlot plot;
+        layOutXYPlot(plot, content, lightTheme(), size);
+        plot.toPainter(&painter, size.width(), size.height());
+    };
 }
 
 }  // namespace vybeg::ui

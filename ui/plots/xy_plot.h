@@ -1,10 +1,9 @@
 #pragma once
 
-#include "core/base/result.h"
+#include "ui/plots/plot_file.h"
 #include "ui/values/zoom_stack.h"
 #include "ui/widgets/theme.h"
 
-#include <QImage>
 #include <QSize>
 #include <QString>
 
@@ -14,9 +13,6 @@
 class QCustomPlot;
 
 namespace vybeg::ui {
-
-// Colours by meaning, so that a plot is the same value on screen, in both themes, and on paper.
-enum class Ink { style, text, muted, channel_c, channel_d, accent, warning };
 
 // Points with their standard deviations, or a line with its band; as many sd as points, or none.
 struct XYSeries {
@@ -55,9 +51,7 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
 // Size of an exported figure of one plot, independent of the window.
 inline constexpr QSize xy_paper_size{640, 420};
 
-// Exports a plot in the light theme, format by the ending of the path: .png, .svg, .pdf. Errors:
-// output_format_unknown, output_failed.
-Status exportXYPlot(const XYPlot& content, QSize size, const QString& path);
-QImage xyPlotImage(const XYPlot& content, QSize size);
+// A plot in the light theme.
+Drawing xyDrawing(const XYPlot& content);
 
 }  // namespace vybeg::ui

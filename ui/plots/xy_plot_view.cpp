@@ -1,10 +1,8 @@
 #include "ui/plots/xy_plot_view.h"
 
 #include <QAction>
-#include <QClipboard>
 #include <QEvent>
 #include <QFocusEvent>
-#include <QGuiApplication>
 #include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
@@ -37,10 +35,9 @@ XYPlotView::XYPlotView(QWidget* parent)
     copy_->setShortcut(QKeySequence::Copy);
     copy_->setShortcutContext(Qt::WidgetShortcut);
     addActions({copy_, export_});
-    connect(copy_, &QAction::triggered, this, [this] {
-        QGuiApplication::clipboard()->setImage(xyPlotImage(content_, xy_paper_size));
-    });
-    connect(export_, &QAction::triggered, this, &XYPlotView::exportWanted);
+    connect(copy_, &QAction::triggered, this,
+            [this] { copyDrawing(xyDrawing(content_), {xy_paper_size}); });
+    connect(export_, &QAction::triggered, this, [this] { emit exportWanted(figure()); });
     retranslate();
 }
 
@@ -52,6 +49,10 @@ void XYPlotView::setContent(const XYPlot& content) {
 void XYPlotView::setTheme(const Theme& theme) {
     theme_ = theme;
     rebuild();
+}
+
+Figure XYPlotView::figure() const {
+    return {xyDrawing(content_), xy_paper_size, objectName()};
 }
 
 void XYPlotView::setPickable(std::optional<std::size_t> series) {

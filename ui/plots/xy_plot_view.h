@@ -29,8 +29,11 @@ public:
     // Where a point of a series lies in the widget.
     QPointF positionOf(std::size_t series, std::size_t point) const;
 
+    // The plot, under the name of this widget.
+    Figure figure() const;
+
 signals:
-    void exportWanted();
+    void exportWanted(const Figure& figure);
     void pointClicked(int point);
     void stepWanted(int by);
 

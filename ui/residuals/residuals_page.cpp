@@ -141,9 +141,19 @@ XYPlotView* ResidualsPage::addPlot(const char* name) {
     plot->setMinimumHeight(least_plot_height);
     plot->setMaximumHeight(QWIDGETSIZE_MAX);
     plot->setMinimumWidth(180);
-    connect(plot, &XYPlotView::exportWanted, this,
-            [this, plot] { emit exportWanted(plot->content()); });
+    connect(plot, &XYPlotView::exportWanted, this, &ResidualsPage::exportWanted);
     return plot;
+}
+
+FigureSource ResidualsPage::figures() const {
+    const RunEntry* run = entry();
+    std::vector<std::pair<QString, Figure>> figures;
+    for (const XYPlotView* plot : {spectrum_, histogram_, correlation_}) {
+        if (run && residuals() && !plot->content().series.empty()) {
+            figures.emplace_back(plot->accessibleName(), plot->figure());
+        }
+    }
+    return sourceOf(figures, QStringLiteral("residuals"), run ? run->run.recording : QString());
 }
 
 ResidualsPage::Range ResidualsPage::range() const {
@@ -255,7 +265,7 @@ QString ResidualsPage::stateText() const {
             "Runs chooses one.");
     }
     const QString name = QStringLiteral("<b>%1, %2.</b> ")
-                             .arg(run->run.recording.toHtmlEscaped(), richText(run->run.name));
+                             .arg(run->run.recording.toHtmlEscaped(), run->run.name.toHtmlEscaped());
     if (!asked_) {
         return name + tr("The residual appears when all windows of the run are there.");
     }

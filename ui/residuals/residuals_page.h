@@ -2,6 +2,7 @@
 
 #include "core/residuals/residuals.h"
 #include "ui/document/analysis_job.h"
+#include "ui/plots/figure_source.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/widgets/theme.h"
 
@@ -43,9 +44,11 @@ public:
     // What is shown; null until it is computed.
     const Residuals* residuals() const { return found_ ? &*found_ : nullptr; }
 
+    FigureSource figures() const;
+
 signals:
     void runWanted();
-    void exportWanted(const XYPlot& plot);
+    void exportWanted(const Figure& figure);
 
 protected:
     void changeEvent(QEvent* event) override;

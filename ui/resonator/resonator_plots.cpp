@@ -7,6 +7,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace vybeg::ui {
@@ -21,6 +22,70 @@ std::vector<double> times(double factor, const std::vector<double>& values) {
     std::vector<double> scaled(values);
     std::ranges::transform(scaled, scaled.begin(), [factor](double v) { return factor * v; });
     return scaled;
+}
+
+// The rim, in degrees and radii of the rim.
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double quarter = 90;
+constexpr double axis_length = 0.92;
+
+RoundSeries rim() {
+    RoundSeries circle;
+    circle.ink = Ink::muted;
+    circle.width = 1;
+    for (int angle = 0; angle <= 360; angle += 3) {
+        circle.x.push_back(angle);
+        circle.y.push_back(1);
+    }
+    return circle;
+}
+
+RoundSeries electrodes(const QString& name, Ink ink, double first) {
+    RoundSeries points;
+    points.name = name;
+    points.ink = ink;
+    points.points = true;
+    for (int k = 0; k < 4; ++k) {
+        points.x.push_back(first + k * quarter);
+        points.y.push_back(1);
+    }
+    return points;
+}
+
+// Four spokes, as wide as plus and minus one standard deviation.
+RoundSeries axes(const QString& name, Ink ink, const Estimate& angle) {
+    RoundSeries spokes;
+    spokes.name = name;
+    spokes.ink = ink;
+    constexpr double widest = 40;
+    const double width = std::min(angle.uncertainty() / degree, widest);
+    const double first = std::fmod(angle.value / degree + 4 * quarter, quarter);
+    const auto add = [&spokes](double at, double radius) {
+        spokes.x.push_back(std::clamp(at, 0., 4 * quarter));
+        spokes.y.push_back(radius);
+    };
+    for (int k = 0; k < 4; ++k) {
+        const double spoke = first + k * quarter;
+        add(spoke, 0);
+        for (const double part : {-1., -0.5, 0., 0.5, 1.}) {
+            add(spoke + part * width, axis_length);
+        }
+        add(spoke, 0);
+    }
+    return spokes;
+}
+
+// The deflected rim of a wave, out of scale.
+RoundSeries wave(const QString& name, int style, double two_theta_A) {
+    RoundSeries curve;
+    curve.name = name;
+    curve.color = runStyle(style).color;
+    for (int angle = 0; angle <= 360; angle += 2) {
+        curve.x.push_back(angle);
+        curve.y.push_back(0.72 + 0.16 * std::cos(2 * angle * degree - two_theta_A));
+    }
+    return curve;
 }
 
 constexpr int curve_steps = 180;
@@ -117,22 +182,55 @@ XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units) {
     return plot;
 }
 
-XYPlot balancePlot(const ResonatorOutcome& outcome) {
+XYPlot balancePlot(const ResonatorOutcome& outcome, BalanceAxis axis, const DisplayUnits& units) {
     const std::vector<ChannelBalance>& balance = outcome.identification.balance;
+    const bool over_time = axis == BalanceAxis::time;
     XYPlot plot;
-    plot.x_name = QStringLiteral("t");
-    plot.x_unit = resonatorText(QT_TRANSLATE_NOOP("Resonator", "s"));
+    plot.x_name = over_time ? QStringLiteral("t") : QStringLiteral("θ_A");
+    plot.x_unit = over_time ? resonatorText(QT_TRANSLATE_NOOP("Resonator", "s")) : angleUnit(units);
+    plot.x_in_degrees = !over_time && units.angle == AngleUnit::degrees;
     plot.y_name = displaySymbol(SlowVariable::orthogonality, {});
     plot.empty = reasonText({ReasonCode::free_model, {}});
     for (std::size_t run = 0; run < balance.size(); ++run) {
         if (!balance[run].time_s.empty()) {
-            XYSeries line;
-            line.name = shortName(outcome.inputs[run].name);
-            line.style = static_cast<int>(run);
-            line.x = balance[run].time_s;
-            line.y = balance[run].orthogonality;
-            line.sd = balance[run].sd;
-            plot.series.push_back(std::move(line));
+            XYSeries series;
+            series.name = shortName(outcome.inputs[run].name);
+            series.style = static_cast<int>(run);
+            series.points = !over_time;
+            series.x =
+                over_time ? balance[run].time_s : times(angleFactor(units), balance[run].theta_rad);
+            series.y = balance[run].orthogonality;
+            series.sd = balance[run].sd;
+            plot.series.push_back(std::move(series));
+        }
+    }
+    return plot;
+}
+
+RoundPlot rimPlot(const ResonatorOutcome& outcome) {
+    RoundPlot plot;
+    plot.reach = 1.1;
+    plot.scale = false;
+    const ResonatorFit& fit = outcome.identification.fit;
+    plot.empty = reasonText({ReasonCode::free_model, {}});
+    if (fit.model == ResonatorModel::free) {
+        return plot;
+    }
+    plot.series.push_back(rim());
+    plot.series.push_back(electrodes(QStringLiteral("C"), Ink::channel_c, 0));
+    plot.series.push_back(electrodes(QStringLiteral("D"), Ink::channel_d, quarter / 2));
+    if (fit.resonator.theta_w_rad.given()) {
+        plot.series.push_back(axes(QStringLiteral("θw"), Ink::text, fit.resonator.theta_w_rad));
+    }
+    if (fit.resonator.theta_tau_rad.given()) {
+        plot.series.push_back(
+            axes(QStringLiteral("θτ"), Ink::warning, fit.resonator.theta_tau_rad));
+        plot.series.back().dashed = true;
+    }
+    for (std::size_t run = 0; run < fit.runs.size(); ++run) {
+        if (fit.runs[run].two_theta_A_rad.given()) {
+            plot.series.push_back(wave(shortName(outcome.inputs[run].name), static_cast<int>(run),
+                                       fit.runs[run].two_theta_A_rad.value));
         }
     }
     return plot;

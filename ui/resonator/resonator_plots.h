@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/charts/round_plot.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/values/run_set.h"
 #include "ui/words/display_units.h"
@@ -12,8 +13,15 @@ namespace vybeg::ui {
 // with their band, and the curve of the fitted resonator.
 XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units);
 
-// Condition (30) of each run over time; structured model only.
-XYPlot balancePlot(const ResonatorOutcome& outcome);
+// What condition (30) is drawn against.
+enum class BalanceAxis { time, angle };
+
+// Condition (30) of each run; structured model only.
+XYPlot balancePlot(const ResonatorOutcome& outcome, BalanceAxis axis, const DisplayUnits& units);
+
+// The rim from above: electrodes, axes of stiffness and damping with their standard deviations, and
+// the wave of each recording at its start. Empty for the free model.
+RoundPlot rimPlot(const ResonatorOutcome& outcome);
 
 // Slow variable of a run to plot.
 enum class TrackVariable { a_A, a_B, two_theta_A };

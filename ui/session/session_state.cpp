@@ -6,16 +6,6 @@ namespace vybeg::ui {
 
 namespace {
 
-RunWish wishOf(const RunEntry& entry, int place) {
-    return {.settings = entry.requested,
-            .name = entry.run.name,
-            .color = entry.run.color,
-            .dash = entry.run.dash,
-            .visible = entry.run.visible,
-            .live = entry.live,
-            .place = place};
-}
-
 int placeOf(const std::vector<RecordingEntry>& recordings, int id) {
     const auto found = std::ranges::find(recordings, id, &RecordingEntry::id);
     return found == recordings.end() ? -1 : static_cast<int>(found - recordings.begin());
@@ -33,7 +23,7 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
         for (std::size_t place = 0; place < document.runs().size(); ++place) {
             const RunEntry& run = document.runs()[place];
             if (run.recording_id == entry.id) {
-                recording.runs.push_back(wishOf(run, static_cast<int>(place)));
+                recording.runs.push_back(wish_of(run, static_cast<int>(place)));
             }
         }
         session.recordings.push_back(std::move(recording));
@@ -90,6 +80,7 @@ std::vector<int> restoreSession(const Session& session, Document& document) {
     if (session.current_set >= 0) {
         document.sets().setCurrent(set_ids[static_cast<std::size_t>(session.current_set)]);
     }
+    document.undoStack().clear();  // of this session alone
     return ids;
 }
 

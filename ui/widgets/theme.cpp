@@ -161,4 +161,17 @@ double contrast(const QColor& a, const QColor& b) {
     return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
 }
 
+QColor inkColor(Ink ink, int style, const Theme& theme) {
+    switch (ink) {
+        case Ink::style: return readable(runStyle(style).color, theme);
+        case Ink::text: return theme.text;
+        case Ink::muted: return theme.mutedText;
+        case Ink::channel_c: return theme.signalC;
+        case Ink::channel_d: return theme.signalD;
+        case Ink::accent: return theme.accent;
+        case Ink::warning: return theme.warning;
+    }
+    return {};
+}
+
 }  // namespace vybeg::ui

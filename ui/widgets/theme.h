@@ -35,6 +35,9 @@ struct RunStyle {
     Qt::PenStyle dash = Qt::SolidLine;
 };
 
+// Colours by meaning, so that a plot is the same value on screen, in both themes, and on paper.
+enum class Ink { style, text, muted, channel_c, channel_d, accent, warning };
+
 Theme lightTheme();
 Theme darkTheme();
 
@@ -51,6 +54,9 @@ RunStyle runStyle(int index);
 // The run's colour with its lightness changed until it is readable on the theme's panels: contrast
 // 3.2 in the light, 4.5 in the dark theme.
 QColor readable(const QColor& color, const Theme& theme);
+
+// The colour of an ink; `style`: number of runStyle() for Ink::style.
+QColor inkColor(Ink ink, int style, const Theme& theme);
 
 // Contrast of two opaque colours after WCAG 2, 1 to 21.
 double contrast(const QColor& a, const QColor& b);

@@ -38,6 +38,11 @@ void Commands::refresh() {
         if (row.enabled) {
             action(row.id)->setEnabled(row.enabled());
         }
+        if (row.object) {
+            const QString object = row.object();
+            action(row.id)->setText(translated(row.text) +
+                                    (object.isEmpty() ? object : QStringLiteral(": ") + object));
+        }
     }
 }
 
@@ -52,6 +57,7 @@ void Commands::retranslate() {
         }
         shown.setToolTip(tip);
     }
+    refresh();
 }
 
 void Commands::setIcons(const QPalette& palette) {

@@ -31,6 +31,7 @@ enum class Command {
     copy_plot,
     copy_table,
     page_tracks,
+    page_resonator,
     page_residuals,
     zoom_in,
     zoom_out,
@@ -60,6 +61,7 @@ struct CommandRow {
     const char* icon = nullptr;
     QList<QKeySequence> keys{};
     std::function<bool()> enabled{};
+    std::function<QString()> object{};  // words behind the text, as of what is undone
     std::function<void()> act{};
     std::function<void(bool)> switched{};
 };

@@ -103,7 +103,8 @@ void CompareDialog::setBusy(bool busy) {
 
 void CompareDialog::showFigure(std::vector<FigureColumn> columns, const FigureOptions& options) {
     columns_ = std::move(columns);
-    figure_->setPicture(figurePicture(columns_, options), figureSize(columns_.size(), options));
+    const QSize size = figureSize(columns_.size(), options);
+    figure_->setPicture(toPicture(figureDrawing(columns_, options), size), size);
     hint_->hide();
     figure_->show();
     refreshButtons();

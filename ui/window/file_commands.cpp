@@ -3,10 +3,10 @@
 #include "core/output/same_file.h"
 #include "ui/import/import_dialog.h"
 #include "ui/panels/run_list.h"
-#include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/compare_dialog.h"
+#include "ui/window/export_dialog.h"
 #include "ui/window/file_questions.h"
 
 #include <QFileInfo>
@@ -112,10 +112,6 @@ void FileCommands::askForPassport() {
     ask_.passport([this](const QString& path) { document_.sets().openPassport(path); });
 }
 
-void FileCommands::askWhereToPutPlots() {
-    ask_.plotsTarget([this](const QString& path) { exportPlotsTo(path); });
-}
-
 void FileCommands::askWhereToPutTrack() {
     ask_.trackTarget([this](const QString& path) { exportTrackTo(path); });
 }
@@ -157,10 +153,27 @@ void FileCommands::reportSaved(const Status& status, const QString& path) {
     }
 }
 
-void FileCommands::exportPlotsTo(const QString& path) {
-    const Status possible = stayAsTheyAre(document_, path);
-    const PlotContent content = tracks_.content();
-    reportSaved(possible ? exportPlots(content, paperSize(content), path) : possible, path);
+void FileCommands::exportPlots(const FigureSource& source) {
+    auto* dialog = new ExportDialog(source, window_);
+    connect(dialog, &ExportDialog::saveWanted, this, [this, dialog] {
+        ask_.picture(dialog->figure().name, [this, dialog = QPointer(dialog)](const QString& path) {
+            if (dialog && writeFigure(dialog->figure(), dialog->paper(), path)) {
+                dialog->accept();
+            }
+        });
+    });
+    dialog->open();
+}
+
+void FileCommands::exportPlot(const Figure& figure) {
+    exportPlots({{figure.name}, [figure](const auto&) { return figure; }, {}, {}});
+}
+
+bool FileCommands::writeFigure(const Figure& figure, const Paper& paper, const QString& path) {
+    Status done = stayAsTheyAre(document_, path);
+    done = done ? writeDrawing(figure.draw, paper, path) : done;
+    reportSaved(done, path);
+    return bool(done);
 }
 
 void FileCommands::exportTrackTo(const QString& path) {
@@ -176,8 +189,10 @@ void FileCommands::exportFigureTo(const QString& path) {
     if (compare_) {
         FigureOptions options;
         options.units = tracks_.units();
-        const Status possible = stayAsTheyAre(document_, path);
-        reportSaved(possible ? renderFigure(compare_->columns(), path, options) : possible, path);
+        const auto& columns = compare_->columns();
+        const Figure figure{
+            figureDrawing(columns, options), figureSize(columns.size(), options), {}};
+        writeFigure(figure, {figure.size}, path);
     }
 }
 
@@ -188,13 +203,6 @@ void FileCommands::savePassportTo(const QString& path) {
     }
     document_.sets().savePassport(
         path, [this, path](const Status& status) { reportSaved(status, path); });
-}
-
-void FileCommands::exportPlot(const XYPlot& plot, const QString& name) {
-    ask_.plotTarget(name, [this, plot](const QString& path) {
-        const Status possible = stayAsTheyAre(document_, path);
-        reportSaved(possible ? exportXYPlot(plot, xy_paper_size, path) : possible, path);
-    });
 }
 
 void FileCommands::openCompare() {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/plots/xy_plot.h"
+#include "ui/plots/figure_source.h"
 
 #include <QObject>
 #include <QPointer>
@@ -36,19 +36,20 @@ public:
     void askForRecordings();
     void askForImport();
     void askForPassport();
-    void askWhereToPutPlots();
     void askWhereToPutTrack();
     void askWhereToPutPassport();
     void openImport(const QString& path, const OpenOptions& options);
     void openCompare();
 
     // By the ending of the path.
-    void exportPlotsTo(const QString& path);
     void exportTrackTo(const QString& path);
     void exportFigureTo(const QString& path);
     void savePassportTo(const QString& path);
-    // `name`: the file's, as proposed.
-    void exportPlot(const XYPlot& plot, const QString& name);
+    // By a dialog: plots, size, caption.
+    void exportPlots(const FigureSource& source);
+    void exportPlot(const Figure& figure);
+    // By the ending of the path; says so in the window.
+    bool writeFigure(const Figure& figure, const Paper& paper, const QString& path);
 
 private:
     void reportSaved(const Status& status, const QString& path);

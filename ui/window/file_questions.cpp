@@ -96,10 +96,6 @@ void FileQuestions::sessionTarget(const QString& name, const Save& save) {
     target(tr("Save session"), name + QStringLiteral(".vybeg"), {tr("Session (*.vybeg)")}, save);
 }
 
-void FileQuestions::plotsTarget(const Save& save) {
-    picture(tr("Export plots"), QStringLiteral("vybeg.png"), save);
-}
-
 void FileQuestions::trackTarget(const Save& save) {
     target(tr("Export track"), QStringLiteral("track.csv"), {tr("Track (*.csv)")}, save);
 }
@@ -108,12 +104,12 @@ void FileQuestions::passportTarget(const Save& save) {
     target(tr("Save passport"), QStringLiteral("passport.json"), {tr("Passport (*.json)")}, save);
 }
 
-void FileQuestions::plotTarget(const QString& name, const Save& save) {
-    picture(tr("Export plot"), name, save);
+void FileQuestions::picture(const QString& name, const Save& save) {
+    pictureTarget(tr("Export plots"), name + QStringLiteral(".png"), save);
 }
 
 void FileQuestions::figureTarget(const Save& save) {
-    picture(tr("Export figure"), QStringLiteral("figure.pdf"), save);
+    pictureTarget(tr("Export figure"), QStringLiteral("figure.pdf"), save);
 }
 
 void FileQuestions::target(const QString& title, const QString& name, const QStringList& filters,
@@ -131,7 +127,7 @@ void FileQuestions::target(const QString& title, const QString& name, const QStr
     asked.open();
 }
 
-void FileQuestions::picture(const QString& title, const QString& name, const Save& save) {
+void FileQuestions::pictureTarget(const QString& title, const QString& name, const Save& save) {
     QStringList filters{tr("PNG image (*.png)"), tr("SVG drawing (*.svg)"),
                         tr("PDF document (*.pdf)")};
     const QString ending = QFileInfo(name).suffix();

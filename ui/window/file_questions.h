@@ -30,10 +30,10 @@ public:
     // Where to write what.
     // `name` without its ending.
     void sessionTarget(const QString& name, const Save& save);
-    void plotsTarget(const Save& save);
     void trackTarget(const Save& save);
     void passportTarget(const Save& save);
-    void plotTarget(const QString& name, const Save& save);
+    // A PNG, SVG or PDF; `name` without its ending.
+    void picture(const QString& name, const Save& save);
     void figureTarget(const Save& save);
 
 private:
@@ -41,8 +41,8 @@ private:
     // `name` with its ending is proposed.
     void target(const QString& title, const QString& name, const QStringList& filters,
                 const Save& save);
-    // PNG, SVG or PDF, the ending of `name` first.
-    void picture(const QString& title, const QString& name, const Save& save);
+    // The ending of `name` first.
+    void pictureTarget(const QString& title, const QString& name, const Save& save);
 
     QWidget* window_;
 };

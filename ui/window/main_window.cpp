@@ -7,9 +7,10 @@
 #include "ui/panels/recording_drag.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/run_list.h"
+#include "ui/panels/wave_panel.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
-#include "ui/resonator/resonator_panel.h"
+#include "ui/resonator/resonator_page.h"
 #include "ui/session/session_keeper.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/window/about.h"
@@ -53,8 +54,8 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     commands_ = new Commands(
         windowCommands({document_, *tracks_, *cursor_, *measure_, *runs_, *settings_, *status_,
                         *files_, [this](const DisplayUnits& units) { setUnits(units); },
-                        [this](Page page) { pages_->showPage(page); }, [this] { identify(); },
-                        [this] { addSet(); }, [this] { showHelp(); },
+                        [this](Page page) { pages_->showPage(page); }, [this] { return figures(); },
+                        [this] { identify(); }, [this] { addSet(); }, [this] { showHelp(); },
                         [this] { showAbout(this, action(Command::copy_diagnostics)); },
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
         this);
@@ -78,9 +79,11 @@ void MainWindow::buildPages() {
     welcome_ = new WelcomePage(this);
     tracks_page_ = new TracksPage(document_, this);
     tracks_ = &tracks_page_->tracks();
+    resonator_ = new ResonatorPage(document_, this);
     residuals_ = new ResidualsPage(document_, this);
     pages_ = new PageStack(welcome_, this);
     pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
+    pages_->add(resonator_, QT_TRANSLATE_NOOP("Pages", "Resonator"));
     pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
 
     messages_ = new MessageBar(this);
@@ -98,7 +101,7 @@ void MainWindow::buildDocks() {
     settings_ = new SettingsPanel(document_, this);
     cursor_ = new CursorPanel(document_, this);
     measure_ = new MeasurePanel(document_, this);
-    resonator_ = new ResonatorPanel(document_, this);
+    wave_ = new WavePanel(document_, this);
     events_ = new EventsPanel(document_, this);
     runs_ = new RunList(document_, this);
     const auto dock = [this](QWidget* panel, const char* name, const char* title,
@@ -121,7 +124,7 @@ void MainWindow::buildDocks() {
     at_cursor->setStretchFactor(1, 1);
     at_cursor->setSizes({270, 430});
     readings_->addTab(at_cursor, QString());
-    readings_->addTab(resonator_, QString());
+    readings_->addTab(wave_, QString());
     readings_->addTab(events_, QString());
     auto* readings =
         dock(readings_, "readings", QT_TR_NOOP("Values and events"), Qt::RightDockWidgetArea);
@@ -173,7 +176,7 @@ void MainWindow::connectDocument() {
     connect(&document_.sets(), &SetStore::changed, commands_, &Commands::refresh);
     connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
         if (document_.sets().passport()) {
-            readings_->setCurrentWidget(resonator_);
+            pages_->showPage(Page::resonator);
             resonator_->showComparison();
         }
     });
@@ -196,6 +199,7 @@ void MainWindow::connectSession() {
 }
 
 void MainWindow::connectPanels() {
+    connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
     connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
     connect(menus_, &WindowMenus::recentChosen, this,
@@ -210,13 +214,12 @@ void MainWindow::connectPanels() {
     connect(settings_, &SettingsPanel::visibleRangeWanted, tracks_page_,
             &TracksPage::analyseVisibleRange);
     connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
-    connect(residuals_, &ResidualsPage::exportWanted, files_, [this](const XYPlot& plot) {
-        files_->exportPlot(plot, QStringLiteral("residual.png"));
-    });
+    connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(tracks_, &TrackView::timeRangeChanged, this,
             [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
     connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
         cursor_->setTime(time_s);
+        wave_->setTime(time_s);
         residuals_->setCursor(tracks_->cursor(Cursor::a).value_or(time_s));
     });
     connect(tracks_, &TrackView::cursorsChanged, this, [this] {
@@ -235,9 +238,8 @@ void MainWindow::connectPanels() {
     connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
     connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
     connect(events_, &EventsPanel::eventChosen, this, &MainWindow::goToEvent);
-    connect(resonator_, &ResonatorPanel::exportWanted, files_, [this](const XYPlot& plot) {
-        files_->exportPlot(plot, QStringLiteral("resonator.png"));
-    });
+    connect(resonator_, &ResonatorPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(wave_, &WavePanel::exportWanted, files_, &FileCommands::exportPlot);
 }
 
 void MainWindow::showCurrentRecording() {
@@ -276,6 +278,7 @@ void MainWindow::showRun(int id) {
 void MainWindow::goToEvent(double time_s, double seconds) {
     tracks_page_->goToEvent(time_s, seconds);
     cursor_->setTime(time_s);
+    wave_->setTime(time_s);
 }
 
 void MainWindow::setUnits(const DisplayUnits& units) {
@@ -287,14 +290,23 @@ void MainWindow::setUnits(const DisplayUnits& units) {
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }
 
+FigureSource MainWindow::figures() const {
+    switch (pages_->page()) {
+        case Page::tracks: return tracks_page_->figures();
+        case Page::resonator: return resonator_->figures();
+        case Page::residuals: return residuals_->figures();
+    }
+    return {};
+}
+
 void MainWindow::identify() {
-    readings_->setCurrentWidget(resonator_);
+    pages_->showPage(Page::resonator);
     document_.sets().identify();
 }
 
 void MainWindow::addSet() {
     document_.sets().add();
-    readings_->setCurrentWidget(resonator_);
+    pages_->showPage(Page::resonator);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -337,7 +349,7 @@ void MainWindow::retranslate() {
         name("qt_dockwidget_closebutton", tr("Close this panel"));
     }
     readings_->setTabText(0, tr("At the cursor"));
-    readings_->setTabText(1, tr("Resonator"));
+    readings_->setTabText(1, tr("Wave"));
     readings_->setTabText(2, tr("Events"));
     tools_->setWindowTitle(tr("Tools"));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/plots/figure_source.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/commands.h"
 #include "ui/words/display_units.h"
@@ -26,13 +27,14 @@ class MessageBar;
 class PageStack;
 class RecordingPanel;
 class ResidualsPage;
-class ResonatorPanel;
+class ResonatorPage;
 class RunList;
 class SessionKeeper;
 class SettingsPanel;
 class StatusLine;
 class TrackView;
 class TracksPage;
+class WavePanel;
 class WelcomePage;
 class WindowMenus;
 
@@ -74,6 +76,8 @@ private:
     void showRun(int id);
     void goToEvent(double time_s, double seconds);
     void setUnits(const DisplayUnits& units);
+    // Of the page that is shown.
+    FigureSource figures() const;
     void identify();
     void addSet();
     void showHelp();
@@ -108,7 +112,8 @@ private:
     SettingsPanel* settings_ = nullptr;
     CursorPanel* cursor_ = nullptr;
     MeasurePanel* measure_ = nullptr;
-    ResonatorPanel* resonator_ = nullptr;
+    ResonatorPage* resonator_ = nullptr;
+    WavePanel* wave_ = nullptr;
     EventsPanel* events_ = nullptr;
     RunList* runs_ = nullptr;
     QTabWidget* readings_ = nullptr;

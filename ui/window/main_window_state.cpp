@@ -1,7 +1,8 @@
 // What the window keeps between sessions, and what changes while it stands: look and language.
+#include "ui/panels/wave_panel.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
-#include "ui/resonator/resonator_panel.h"
+#include "ui/resonator/resonator_page.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/file_commands.h"
@@ -120,6 +121,7 @@ void MainWindow::applyLook() {
     tracks_page_->setTheme(theme_);
     residuals_->setTheme(theme_);
     resonator_->setTheme(theme_);
+    wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);
 }
 

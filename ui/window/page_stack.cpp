@@ -49,6 +49,7 @@ Page PageStack::page() const {
 // Page 0 of the stack is the welcome.
 void PageStack::showTab(int tab) {
     stack_->setCurrentIndex(welcome_ ? 0 : tab + 1);
+    emit pageShown();
 }
 
 void PageStack::changeEvent(QEvent* event) {

@@ -2,10 +2,13 @@
 
 #include "ui/document/document.h"
 #include "ui/panels/stale_mark.h"
+#include "ui/plots/plot_export.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
+#include "ui/words/algorithm_text.h"
 
 #include <QEvent>
+#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -16,6 +19,25 @@ namespace {
 
 // Edits of the analysed range closer together than this are one drag, and one step of undo.
 constexpr qint64 one_gesture_ms = 700;
+
+// "2θ_A" as "2θA", for texts without indices.
+QString plainSymbol(QString symbol) {
+    return symbol.remove(QLatin1Char('_'));
+}
+
+QString settingsText(const RunEntry& entry) {
+    const Analysis& analysis = *entry.run.analysis;
+    QString text = TracksPage::tr("%1: %2; window %3, hop %4 samples; f0 = %5 Hz")
+                       .arg(entry.run.recording, algorithmText(analysis.settings.algorithm))
+                       .arg(analysis.plan.length)
+                       .arg(analysis.plan.hop)
+                       .arg(QLocale().toString(analysis.f0_hz(), 'f', 3));
+    if (const auto& band = analysis.settings.filter) {
+        text += TracksPage::tr("; filter %1 to %2 Hz")
+                    .arg(QLocale().toString(band->low_hz), QLocale().toString(band->high_hz));
+    }
+    return text;
+}
 
 }  // namespace
 
@@ -138,6 +160,37 @@ void TracksPage::editAnalysedRange(double from_s, double to_s) {
     settings.from_s = from_s > 0 ? std::optional(from_s) : std::nullopt;
     settings.to_s = to_s < entry->recording->seconds() ? std::optional(to_s) : std::nullopt;
     document_.setSettings(settings, range_gesture_);
+}
+
+FigureSource TracksPage::figures() const {
+    const PlotContent content = tracks_->content();
+    FigureSource source;
+    QStringList recordings;
+    QStringList settings;
+    for (const RunEntry& entry : document_.runs()) {
+        if (entry.run.visible) {
+            recordings << entry.run.recording;
+            settings << settingsText(entry);
+        }
+    }
+    recordings.removeDuplicates();
+    if (settings.isEmpty()) {
+        return source;
+    }
+    for (const SlowVariable variable : content.variables) {
+        source.plots << plainSymbol(displaySymbol(variable, content.units));
+    }
+    source.figure = [content](const std::vector<int>& places) {
+        PlotContent some = content;
+        some.variables.clear();
+        for (const int place : places) {
+            some.variables.push_back(content.variables[static_cast<std::size_t>(place)]);
+        }
+        return Figure{plotsDrawing(some), paperSize(some), QStringLiteral("vybeg")};
+    };
+    source.title = recordings.join(QStringLiteral(", "));
+    source.settings = settings.join(QStringLiteral("; "));
+    return source;
 }
 
 void TracksPage::setTheme(const Theme& theme) {

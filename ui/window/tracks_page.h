@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/plots/figure_source.h"
 #include "ui/widgets/theme.h"
 
 #include <QElapsedTimer>
@@ -28,6 +29,7 @@ public:
     // Analyses from now on what the plots show.
     void analyseVisibleRange();
     void setTheme(const Theme& theme);
+    FigureSource figures() const;
 
 signals:
     void runWanted();

@@ -22,6 +22,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
         return entry != nullptr && entry->recording.has_value();
     };
     const auto plots = [to] { return !to.document.runs().empty(); };
+    const auto figures = [to] { return !to.figures().plots.isEmpty(); };
     return {
         {.id = Command::open,
          .text = QT_TRANSLATE_NOOP("Command", "&Open…"),
@@ -58,8 +59,8 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP("Command", "Save the plots as PNG, SVG or PDF"),
          .icon = "export",
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_E)},
-         .enabled = plots,
-         .act = [to] { to.files.askWhereToPutPlots(); }},
+         .enabled = figures,
+         .act = [to] { to.files.exportPlots(to.figures()); }},
         {.id = Command::export_track,
          .text = QT_TRANSLATE_NOOP("Command", "Export &track…"),
          .tip = QT_TRANSLATE_NOOP("Command", "Save the slow variables of the chosen run as CSV"),
@@ -92,29 +93,34 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .act = [to] { to.close(); }},
         {.id = Command::undo,
          .text = QT_TRANSLATE_NOOP("Command", "&Undo"),
-         .tip = QT_TRANSLATE_NOOP("Command", "Take back the last change of the settings"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Take back the last change of settings, runs or sets"),
          .icon = "undo",
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_Z)},
          .enabled = [to] { return to.document.undoStack().canUndo(); },
+         .object = [to] { return to.document.undoSteps().undoWords(); },
          .act = [to] { to.document.undoStack().undo(); }},
         {.id = Command::redo,
          .text = QT_TRANSLATE_NOOP("Command", "&Redo"),
-         .tip = QT_TRANSLATE_NOOP("Command", "Make the change of the settings again"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Make the change again that was taken back"),
          .icon = "redo",
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_Z),
                   QKeyCombination(Qt::CTRL, Qt::Key_Y)},
          .enabled = [to] { return to.document.undoStack().canRedo(); },
+         .object = [to] { return to.document.undoSteps().redoWords(); },
          .act = [to] { to.document.undoStack().redo(); }},
         {.id = Command::copy_plot,
          .text = QT_TRANSLATE_NOOP("Command", "&Copy plots"),
          .tip = QT_TRANSLATE_NOOP("Command", "The plots as an image to the clipboard"),
          .icon = "copy",
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_C)},
-         .enabled = plots,
+         .enabled = figures,
          .act =
              [to] {
-                 const PlotContent content = to.tracks.content();
-                 copyPlots(content, paperSize(content));
+                 const FigureSource source = to.figures();
+                 std::vector<int> all(static_cast<std::size_t>(source.plots.size()));
+                 std::iota(all.begin(), all.end(), 0);
+                 const Figure figure = source.figure(all);
+                 copyDrawing(figure.draw, {figure.size});
              }},
         {.id = Command::copy_table,
          .text = QT_TRANSLATE_NOOP("Command", "Copy &table"),
@@ -132,12 +138,19 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_1)},
          .enabled = any,
          .act = [to] { to.show_page(Page::tracks); }},
+        {.id = Command::page_resonator,
+         .text = QT_TRANSLATE_NOOP("Command", "Reso&nator"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "The page with the resonator of a set: parameters, rim, drift"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_2)},
+         .enabled = any,
+         .act = [to] { to.show_page(Page::resonator); }},
         {.id = Command::page_residuals,
          .text = QT_TRANSLATE_NOOP("Command", "Resi&duals"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with spectrum, distribution and autocorrelation of "
                                   "what the waves leave of the samples"),
-         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_2)},
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_3)},
          .enabled = any,
          .act = [to] { to.show_page(Page::residuals); }},
         {.id = Command::zoom_in,

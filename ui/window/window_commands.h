@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/plots/figure_source.h"
 #include "ui/window/commands.h"
 #include "ui/window/page_stack.h"
 #include "ui/words/display_units.h"
@@ -31,6 +32,8 @@ struct CommandTargets {
     // What the window itself does.
     std::function<void(const DisplayUnits&)> set_units;
     std::function<void(Page)> show_page;
+    // Of the page that is shown.
+    std::function<FigureSource()> figures;
     std::function<void()> identify;
     std::function<void()> add_set;
     std::function<void()> show_help;

@@ -18,6 +18,7 @@ ChannelBalance channel_balance(const PhasorRun& run, const FittedMotion& motion,
         double time = 0;
         double sum = 0;
         double variance = 0;
+        std::complex<double> direction;  // its period is 90 degrees of theta
         for (std::size_t k = point * windows / points; k < (point + 1) * windows / points; ++k) {
             const WaveState wave = to_wave_state(fitted[k]);
             if (wave.a_A - std::abs(wave.a_B) < 6 * run.sd[k]) {
@@ -31,10 +32,12 @@ ChannelBalance channel_balance(const PhasorRun& run, const FittedMotion& motion,
             count += 1;
             time += run.time_s[k];
             sum += (s_A * std::conj(s_B)).real() / power;
+            direction += std::polar(1.0, 2 * wave.two_theta_A);
             variance += run.sd[k] * run.sd[k] / power;
         }
         if (count > 0) {
             balance.time_s.push_back(time / count);
+            balance.theta_rad.push_back(std::arg(direction) / 4);
             balance.orthogonality.push_back(sum / count);
             balance.sd.push_back(std::sqrt(variance) / count);
         }

@@ -14,6 +14,7 @@ namespace vybeg {
 // amplitude. A constant error looks like a damping anisotropy and is absorbed by the fit.
 struct ChannelBalance {
     std::vector<double> time_s;
+    std::vector<double> theta_rad;  // mean direction of the fitted wave, (-pi/4, pi/4]
     std::vector<double> orthogonality;
     std::vector<double> sd;
 };

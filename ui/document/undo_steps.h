@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+#include <QUndoStack>
+
+#include <functional>
+
+namespace vybeg::ui {
+
+// The steps of undo and redo of a document, each with words for the menu in the present language.
+class UndoSteps {
+public:
+    using Words = std::function<QString()>;
+    using Act = std::function<void()>;
+
+    UndoSteps() { stack_.setUndoLimit(200); }
+
+    QUndoStack& stack() { return stack_; }
+    const QUndoStack& stack() const { return stack_; }
+    // A step that is done already. Steps in a row with the same gesture (>= 0), a drag, are one.
+    void add(Words words, Act undo, Act redo, int gesture = -1);
+    // What would be undone and redone; empty: nothing.
+    QString undoWords() const;
+    QString redoWords() const;
+
+private:
+    QString wordsAt(int index) const;
+
+    QUndoStack stack_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,145 @@
+#include "ui/panels/wave_panel.h"
+
+#include "core/track/wave_pattern.h"
+#include "ui/charts/round_view.h"
+#include "ui/panels/reading.h"
+#include "ui/words/rich_text.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int steps = 180;
+constexpr std::size_t most_waves = 6;  // more would hide each other
+constexpr double degree = std::numbers::pi / 180;
+
+RoundSeries curveOf(const Run& run, ClosedCurve curve, double x_factor) {
+    RoundSeries series;
+    series.name = run.name;
+    series.color = run.color;
+    series.x = std::move(curve.x);
+    series.y = std::move(curve.y);
+    for (double& x : series.x) {
+        x *= x_factor;
+    }
+    return series;
+}
+
+// The next of 1, 2, 5 times a power of ten, so that the scale stays while a wave decays.
+double roundReach(double amplitude) {
+    const double power = std::pow(10, std::floor(std::log10(amplitude)));
+    for (const double step : {1., 2., 5.}) {
+        if (amplitude <= step * power) {
+            return step * power;
+        }
+    }
+    return 10 * power;
+}
+
+}  // namespace
+
+WavePanel::WavePanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      time_(new QLabel(this)),
+      pattern_(new RoundView(true, this)),
+      ellipse_(new RoundView(false, this)) {
+    time_->setContentsMargins(6, 2, 6, 2);
+    pattern_->setObjectName(QStringLiteral("pattern"));
+    ellipse_->setObjectName(QStringLiteral("ellipse"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(time_);
+    layout->addWidget(pattern_, 1);
+    layout->addWidget(ellipse_, 1);
+    connect(pattern_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
+    connect(ellipse_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
+    connect(&document_, &Document::runsChanged, this, &WavePanel::refresh);
+    retranslate();
+}
+
+void WavePanel::setTime(std::optional<double> time_s) {
+    time_s_ = time_s;
+    refresh();
+}
+
+void WavePanel::setTheme(const Theme& theme) {
+    pattern_->setTheme(theme);
+    ellipse_->setTheme(theme);
+}
+
+// A hidden panel draws nothing: the mouse moves over the plots all the time.
+void WavePanel::refresh() {
+    if (!isVisible()) {
+        return;
+    }
+    RoundPlot pattern;
+    RoundPlot ellipse;
+    ellipse.polar = false;
+    ellipse.x_name = QStringLiteral("C");
+    ellipse.y_name = QStringLiteral("D");
+    pattern.empty = ellipse.empty = tr("No wave here");
+    double largest = 0;
+    std::optional<double> shown_s = time_s_;
+    for (const RunEntry& entry : document_.runs()) {
+        const Track& track = entry.run.analysis->track;
+        if (!entry.run.visible || track.rows() == 0 || pattern.series.size() == most_waves) {
+            continue;
+        }
+        shown_s = shown_s.value_or(track.time_s().front());
+        const std::size_t row = nearestRow(track, *shown_s);
+        const StandingWave wave{track.values(SlowVariable::a_A)[row],
+                                track.values(SlowVariable::a_B)[row],
+                                track.values(SlowVariable::two_theta_A)[row]};
+        if (!std::isfinite(wave.a_A + wave.a_B + wave.two_theta_A)) {
+            continue;
+        }
+        largest = std::max({largest, wave.a_A, std::abs(wave.a_B)});
+        pattern.series.push_back(curveOf(entry.run, polar_pattern(wave, steps), 1 / degree));
+        ellipse.series.push_back(curveOf(entry.run, channel_ellipse(wave, steps), 1));
+    }
+    if (pattern.series.size() == 1) {  // a single wave needs no legend
+        pattern.series.front().name.clear();
+        ellipse.series.front().name.clear();
+    }
+    pattern.reach = ellipse.reach = largest > 0 ? roundReach(largest) : 1;
+    time_->setText(shown_s ? tr("t = %1 s").arg(QLocale().toString(*shown_s, 'f', 5)) : QString());
+    pattern_->setContent(pattern);
+    ellipse_->setContent(ellipse);
+}
+
+void WavePanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
+}
+
+void WavePanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void WavePanel::retranslate() {
+    pattern_->setAccessibleName(tr("Amplitude of the wave around the rim"));
+    pattern_->setToolTip(richTip(
+        tr("Amplitude against the angle on the rim, from the electrode of channel C at the top, "
+           "clockwise: a_A at the four antinodes, |a_B| between them")));
+    ellipse_->setAccessibleName(tr("Ellipse of the channels"));
+    ellipse_->setToolTip(
+        richTip(tr("D against C over one period: the semi-axes are a_A and |a_B|, "
+                   "and the major axis stands at 2θ_A from C")));
+    refresh();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,144 @@
+#include "ui/resonator/comparison_view.h"
+
+#include "ui/plots/xy_plot_view.h"
+#include "ui/resonator/difference_text.h"
+#include "ui/resonator/page_parts.h"
+#include "ui/resonator/resonator_plots.h"
+#include "ui/widgets/number_field.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/widgets/section.h"
+#include "ui/words/rich_text.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+double changedFrom(const std::vector<Difference>& differences) {
+    const auto compared = std::ranges::count_if(differences, [](const Difference& each) {
+        return each.verdict != Verdict::not_comparable;
+    });
+    return changed_from(static_cast<std::size_t>(compared));
+}
+
+}  // namespace
+
+ComparisonView::ComparisonView(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      theme_(lightTheme()),
+      passport_(sentence(this)),
+      differences_(new QuantityTable(this)),
+      incomparable_(sentence(this)),
+      track_choice_(new QComboBox(this)),
+      tracks_(new XYPlotView(this)),
+      close_(new QPushButton(this)) {
+    differences_->setObjectName(QStringLiteral("differences"));
+    tracks_->setObjectName(QStringLiteral("tracks"));
+    auto* limit = new QWidget(this);
+    limit_label_ = new QLabel(limit);
+    limit_ = new NumberField(limit);
+    limit_->setLimits(0, 1e6);
+    limit_->setUnit(QStringLiteral("ppm"));
+    limit_label_->setBuddy(limit_);
+    auto* limit_line = new QHBoxLayout(limit);
+    limit_line->setContentsMargins(6, 0, 6, 0);
+    limit_line->addWidget(limit_label_);
+    limit_line->addWidget(limit_, 1);
+    track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    section_ = addSection(
+        *column, {passport_, limit, differences_, incomparable_, track_choice_, tracks_, close_});
+    connect(close_, &QPushButton::clicked, &document_.sets(), &SetStore::closePassport);
+    connect(limit_, &NumberField::valueEdited, this,
+            [this](auto ppm) { document_.sets().setFrequencyLimit(*ppm); });
+    connect(track_choice_, &QComboBox::activated, this, &ComparisonView::rebuild);
+    connect(tracks_, &XYPlotView::exportWanted, this, &ComparisonView::exportWanted);
+    connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::rebuild);
+    retranslate();
+}
+
+void ComparisonView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
+    shown_ = std::move(outcome);
+    rebuild();
+}
+
+void ComparisonView::setUnits(const DisplayUnits& units) {
+    units_ = units;
+    rebuild();
+}
+
+void ComparisonView::setTheme(const Theme& theme) {
+    theme_ = theme;
+    tracks_->setTheme(theme);
+    rebuild();
+}
+
+void ComparisonView::open() {
+    section_->setOpen(true);
+}
+
+void ComparisonView::rebuild() {
+    const OpenPassport* passport = document_.sets().passport();
+    setVisible(passport != nullptr);
+    if (!passport) {
+        return;
+    }
+    const QString name = passport->name.toHtmlEscaped();
+    const std::vector<Difference> differences = document_.sets().differences();
+    passport_->setText(shown_ ? tr("Compared with %1. Changed: by %2 uncertainties u of the "
+                                   "difference or more; by chance in one comparison of 370.")
+                                    .arg(name, QLocale().toString(changedFrom(differences), 'f', 1))
+                              : tr("%1 is open: identify the set to compare.").arg(name));
+    limit_->setValue(document_.sets().frequencyLimit());
+    const QStringList reasons = incomparableTexts(differences);
+    for (QWidget* part : std::initializer_list<QWidget*>{differences_, track_choice_, tracks_}) {
+        part->setVisible(shown_ != nullptr);
+    }
+    incomparable_->setVisible(!reasons.isEmpty());
+    if (shown_) {
+        differences_->setContent(differenceHeaders(), differenceRows(differences, units_, theme_));
+        incomparable_->setText(paragraphs(reasons, tr("Not comparable: %1")));
+        tracks_->setContent(trackPlot(*shown_, passport->passport,
+                                      static_cast<TrackVariable>(track_choice_->currentIndex()),
+                                      units_));
+    }
+}
+
+void ComparisonView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void ComparisonView::retranslate() {
+    section_->setTitle(tr("Comparison with the passport"));
+    differences_->setAccessibleName(tr("Comparison with the passport"));
+    limit_label_->setText(tr("Frequencies change from"));
+    limit_->setAccessibleName(tr("Frequencies change from"));
+    limit_->setToolTip(
+        richTip(tr("Frequencies follow the temperature: smaller changes, in parts per million, are "
+                   "none of the gyro")));
+    tracks_->setAccessibleName(tr("Tracks of the runs and of the passport"));
+    tracks_->setToolTip(richTip(tr("Lines: these recordings; dashed: the passport")));
+    track_choice_->setAccessibleName(tr("What to overlay"));
+    const QString variables[] = {tr("Amplitude of the working wave"),
+                                 tr("Amplitude of the quadrature wave"), tr("Wave angle")};
+    for (int index = 0; index < track_choice_->count(); ++index) {
+        track_choice_->setItemText(index, variables[index]);
+    }
+    close_->setText(tr("Close the passport"));
+    rebuild();
+}
+
+}  // namespace vybeg::ui

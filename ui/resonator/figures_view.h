@@ -1,0 +1,67 @@
+#pragma once
+
+#include "ui/plots/figure_source.h"
+#include "ui/values/run_set.h"
+#include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+
+namespace vybeg::ui {
+
+class QuantityTable;
+class RoundView;
+class XYPlotView;
+
+// An identification as figures: the rim, the drift function and the balance of the channels; for
+// the free model, the reason for their absence.
+class FiguresView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FiguresView(QWidget* parent = nullptr);
+
+    void setOutcome(std::shared_ptr<const ResonatorOutcome> outcome);
+    void setUnits(const DisplayUnits& units);
+    void setTheme(const Theme& theme);
+
+    FigureSource figures() const;
+
+signals:
+    void exportWanted(const Figure& figure);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    QWidget* buildPlots();
+    // The rim beside the drift function, or above it where the page is narrow.
+    void place(bool side_by_side);
+    void rebuild();
+    void showBalance();
+    void retranslate();
+
+    std::shared_ptr<const ResonatorOutcome> shown_;
+    DisplayUnits units_;
+    QLabel* hint_;
+    QWidget* plots_ = nullptr;
+    QGridLayout* grid_ = nullptr;
+    bool side_by_side_ = true;
+    QLabel* rim_name_ = nullptr;
+    RoundView* rim_ = nullptr;
+    QLabel* drift_name_ = nullptr;
+    XYPlotView* drift_plot_ = nullptr;
+    QuantityTable* drift_ = nullptr;
+    QLabel* balance_name_ = nullptr;
+    QComboBox* balance_axis_ = nullptr;
+    XYPlotView* balance_plot_ = nullptr;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,125 @@
+#include "ui/resonator/numbers_view.h"
+
+#include "ui/resonator/page_parts.h"
+#include "ui/resonator/resonator_text.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/widgets/section.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Names of the recordings, with a mark at those with a finding below the table.
+QStringList markedNames(const ResonatorOutcome& outcome) {
+    QStringList names;
+    for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
+        const bool warned = !outcome.identification.runs[k].diagnostics.empty();
+        names << (warned ? QStringLiteral("⚠ ") : QString()) +
+                     QString::fromStdString(outcome.inputs[k].name);
+    }
+    return names;
+}
+
+}  // namespace
+
+NumbersView::NumbersView(QWidget* parent)
+    : QWidget(parent),
+      findings_(sentence(this)),
+      warnings_(sentence(this)),
+      statistical_(sentence(this)),
+      waves_(table("waves")),
+      resonator_(table("resonator")),
+      sensitivities_(table("sensitivities")),
+      modes_(table("modes")),
+      runs_(table("runs")) {
+    findings_->setObjectName(QStringLiteral("findings"));
+    warnings_->setObjectName(QStringLiteral("warnings"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    waves_section_ = addSection(*column, {waves_, findings_});
+    column->addWidget(warnings_);
+    resonator_section_ = addSection(*column, {resonator_, statistical_});
+    sensitivities_section_ = addSection(*column, {sensitivities_});
+    modes_section_ = addSection(*column, {modes_});
+    runs_section_ = addSection(*column, {runs_});
+    retranslate();
+}
+
+QuantityTable* NumbersView::table(const char* name) {
+    auto* made = new QuantityTable(this);
+    made->setObjectName(QLatin1String(name));
+    return made;
+}
+
+void NumbersView::setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
+    shown_ = std::move(outcome);
+    rebuild();
+}
+
+void NumbersView::setUnits(const DisplayUnits& units) {
+    units_ = units;
+    rebuild();
+}
+
+void NumbersView::rebuild() {
+    setVisible(shown_ != nullptr);
+    if (!shown_) {
+        return;
+    }
+    const ResonatorOutcome& outcome = *shown_;
+    const Identification& found = outcome.identification;
+    const QStringList warnings = warningTexts(outcome);
+    warnings_->setText(paragraphs(warnings, QStringLiteral("⚠ %1")));
+    warnings_->setVisible(!warnings.isEmpty());
+    const QStringList findings = findingTexts(outcome);
+    findings_->setText(paragraphs(findings, QStringLiteral("⚠ %1")));
+    findings_->setVisible(!findings.isEmpty());
+    waves_->setContent(markedNames(outcome), waveRows(found, units_));
+    const auto rows = resonatorRows(found, units_);
+    resonator_->setContent({}, rows);
+    resonator_section_->setVisible(!rows.empty());
+    const auto sensitivities = sensitivityRows(found, units_);
+    sensitivities_->setContent(sensitivityHeaders(), sensitivities);
+    sensitivities_section_->setVisible(!sensitivities.empty());
+    modes_section_->setTitle(modesTitle(found.fit));
+    modes_->setContent({}, modeRows(found.fit));
+    runs_->setContent(markedNames(outcome), runRows(found, units_));
+}
+
+QString NumbersView::modesTitle(const ResonatorFit& fit) {
+    if (fit.modes.empty()) {
+        return tr("Modes");
+    }
+    return fit.mode_order == ModeOrder::decay ? tr("Modes, by decay") : tr("Modes, by frequency");
+}
+
+void NumbersView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void NumbersView::retranslate() {
+    const auto name = [](Section* section, QWidget* widget, const QString& title) {
+        section->setTitle(title);
+        widget->setAccessibleName(title);
+    };
+    name(waves_section_, waves_, tr("What the waves did"));
+    name(resonator_section_, resonator_, tr("Resonator"));
+    name(sensitivities_section_, sensitivities_, tr("Sensitivity to the channels"));
+    name(modes_section_, modes_, tr("Modes"));
+    name(runs_section_, runs_, tr("Runs of the set"));
+    statistical_->setText(
+        tr("± is the statistical standard deviation; u, where it differs, holds the tolerances of "
+           "the channels (Calibration) too. Errors of the channels without a tolerance count as "
+           "none: the next table shows what they would change."));
+    rebuild();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ui/values/run_set.h"
+#include "ui/words/display_units.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+
+namespace vybeg::ui {
+
+class QuantityTable;
+class Section;
+
+// An identification as tables, with the sentences that belong to them.
+class NumbersView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit NumbersView(QWidget* parent = nullptr);
+
+    // Null: nothing is shown.
+    void setOutcome(std::shared_ptr<const ResonatorOutcome> outcome);
+    void setUnits(const DisplayUnits& units);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QuantityTable* table(const char* name);
+    void rebuild();
+    void retranslate();
+    static QString modesTitle(const ResonatorFit& fit);
+
+    std::shared_ptr<const ResonatorOutcome> shown_;
+    DisplayUnits units_;
+    QLabel* findings_;
+    QLabel* warnings_;
+    QLabel* statistical_;
+    QuantityTable* waves_;
+    QuantityTable* resonator_;
+    QuantityTable* sensitivities_;
+    QuantityTable* modes_;
+    QuantityTable* runs_;
+    Section* waves_section_;
+    Section* resonator_section_;
+    Section* sensitivities_section_;
+    Section* modes_section_;
+    Section* runs_section_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,56 @@
+#include "ui/resonator/page_parts.h"
+
+#include "ui/widgets/section.h"
+#include "ui/words/rich_text.h"
+
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace vybeg::ui {
+
+QLabel* sentence(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::RichText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setContentsMargins(6, 2, 6, 2);
+    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    return label;
+}
+
+QString paragraphs(const QStringList& texts, const QString& form) {
+    QString html;
+    for (const QString& text : texts) {
+        html += QStringLiteral("<p style=\"margin:2px 0\">%1</p>").arg(form.arg(richText(text)));
+    }
+    return html;
+}
+
+Section* addSection(QVBoxLayout& layout, std::initializer_list<QWidget*> parts) {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 4);
+    column->setSpacing(2);
+    for (QWidget* part : parts) {
+        column->addWidget(part);
+    }
+    auto* section = new Section(content);
+    layout.addWidget(section);
+    return section;
+}
+
+// A column that scrolls up and down.
+QScrollArea* scrolled(QVBoxLayout* column) {
+    auto* content = new QWidget;
+    column->setContentsMargins(0, 0, 0, 0);
+    content->setLayout(column);
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return scroll;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/plots/figure_source.h"
+#include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace vybeg::ui {
+
+class ComparisonView;
+class FiguresView;
+class NumbersView;
+class SetPanel;
+
+// The resonator of the current set: recordings and numbers at the left, figures and the comparison
+// with a passport at the right.
+class ResonatorPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ResonatorPage(Document& document, QWidget* parent = nullptr);
+
+    void setUnits(const DisplayUnits& units);
+    void setTheme(const Theme& theme);
+    // Opens the comparison.
+    void showComparison();
+
+    FigureSource figures() const;
+
+signals:
+    void exportWanted(const Figure& figure);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+    void rebuild();
+    void showState(const RunSet* set, const ResonatorOutcome* outcome);
+
+    Document& document_;
+    Theme theme_;
+    std::shared_ptr<const ResonatorOutcome> shown_;
+    SetPanel* set_;
+    QLabel* state_;
+    NumbersView* numbers_;
+    FiguresView* figures_;
+    ComparisonView* comparison_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,195 @@
+#include "ui/window/export_dialog.h"
+
+#include "ui/widgets/number_field.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+const QString dpi_key = QStringLiteral("export/dpi");
+const QString titled_key = QStringLiteral("export/titled");
+const QString settings_key = QStringLiteral("export/settings");
+
+constexpr double least_mm = 20;
+constexpr double most_mm = 1200;
+constexpr double least_dpi = 36;
+constexpr double most_dpi = 1200;
+constexpr double default_dpi = 300;
+
+double toMm(int pixels) {
+    return std::round(pixels * mm_per_inch / pixels_per_inch);
+}
+
+int toPixels(double mm) {
+    return static_cast<int>(std::lround(mm / mm_per_inch * pixels_per_inch));
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
+    : QDialog(parent),
+      source_(std::move(source)),
+      preview_(new QLabel(this)),
+      width_mm_(new NumberField(this)),
+      height_mm_(new NumberField(this)),
+      dpi_(new NumberField(this)),
+      title_(new QLineEdit(this)),
+      settings_(new QCheckBox(tr("Settings of the analyses below the plots"), this)),
+      copy_(new QPushButton(tr("&Copy"), this)),
+      save_(new QPushButton(tr("&Save…"), this)) {
+    setWindowTitle(tr("Export plots"));
+    title_->setObjectName(QStringLiteral("title"));
+    save_->setObjectName(QStringLiteral("save"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    resize(900, 620);
+    auto* form = new QFormLayout;
+    if (source_.plots.size() > 1) {
+        auto* list = new QVBoxLayout;
+        for (const QString& name : source_.plots) {
+            auto* box = new QCheckBox(name, this);
+            box->setChecked(true);
+            box->setToolTip(tr("Whether the figure holds this plot"));
+            connect(box, &QCheckBox::toggled, this, [this] {
+                propose();
+                refresh();
+            });
+            plots_.push_back(box);
+            list->addWidget(box);
+        }
+        form->addRow(tr("Plots"), list);
+    }
+    const auto number = [&](NumberField* field, const QString& name, const QString& tip,
+                            const QString& unit, double least, double most) {
+        field->setLimits(least, most);
+        field->setUnit(unit);
+        field->setAccessibleName(name);
+        field->setToolTip(tip);
+        form->addRow(name, field);
+        connect(field, &NumberField::valueEdited, this, &ExportDialog::refresh);
+        connect(field, &NumberField::faultChanged, this, &ExportDialog::refresh);
+    };
+    number(width_mm_, tr("Width"), tr("Of the figure on paper"), tr("mm"), least_mm, most_mm);
+    number(height_mm_, tr("Height"), tr("Of the figure on paper"), tr("mm"), least_mm, most_mm);
+    number(dpi_, tr("Resolution"),
+           tr("Pixels per inch of a PNG image; SVG and PDF are vectors and need none"), tr("dpi"),
+           least_dpi, most_dpi);
+    const QSettings kept;
+    dpi_->setValue(kept.value(dpi_key, default_dpi).toDouble());
+    if (kept.value(titled_key, true).toBool()) {
+        title_->setText(source_.title);
+    }
+    title_->setPlaceholderText(tr("No title"));
+    title_->setClearButtonEnabled(true);
+    title_->setAccessibleName(tr("Title"));
+    title_->setToolTip(tr("Above the plots; empty: none"));
+    form->addRow(tr("Title"), title_);
+    settings_->setChecked(kept.value(settings_key, true).toBool() && !source_.settings.isEmpty());
+    settings_->setEnabled(!source_.settings.isEmpty());
+    settings_->setToolTip(source_.settings);
+    form->addRow(settings_);
+    connect(title_, &QLineEdit::textChanged, this, &ExportDialog::refresh);
+    connect(settings_, &QCheckBox::toggled, this, &ExportDialog::refresh);
+
+    auto* buttons = new QDialogButtonBox(this);
+    buttons->addButton(save_, QDialogButtonBox::AcceptRole);
+    buttons->addButton(copy_, QDialogButtonBox::ActionRole);
+    buttons->addButton(QDialogButtonBox::Cancel);
+    save_->setDefault(true);
+    save_->setToolTip(tr("As PNG, SVG or PDF, by the ending of the name"));
+    copy_->setToolTip(tr("To the clipboard, as an image and as vectors"));
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+        QSettings keep;
+        keep.setValue(dpi_key, *dpi_->value());
+        keep.setValue(titled_key, !title_->text().isEmpty());
+        if (settings_->isEnabled()) {
+            keep.setValue(settings_key, settings_->isChecked());
+        }
+        emit saveWanted();
+    });
+    connect(copy_, &QPushButton::clicked, this,
+            [this] { copyDrawing(figure().draw, {paper().size}); });
+
+    preview_->setAccessibleName(tr("The figure as it will be"));
+    preview_->setAlignment(Qt::AlignCenter);
+    preview_->setMinimumSize(420, 300);
+    auto* sides = new QHBoxLayout;
+    auto* left = new QWidget(this);
+    left->setLayout(form);
+    left->setMaximumWidth(340);
+    sides->addWidget(left);
+    sides->addWidget(preview_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(sides, 1);
+    column->addWidget(buttons);
+    propose();
+    refresh();
+}
+
+std::vector<int> ExportDialog::chosen() const {
+    std::vector<int> places;
+    for (int k = 0; k < source_.plots.size(); ++k) {
+        if (plots_.empty() || plots_[static_cast<std::size_t>(k)]->isChecked()) {
+            places.push_back(k);
+        }
+    }
+    return places;
+}
+
+void ExportDialog::propose() {
+    if (!chosen().empty()) {
+        const QSize size = source_.figure(chosen()).size;
+        width_mm_->setValue(toMm(size.width()));
+        height_mm_->setValue(toMm(
+            size.height() +
+            captionHeight(title_->text(), settings_->isChecked() ? source_.settings : QString())));
+    }
+}
+
+Figure ExportDialog::figure() const {
+    Figure figure = source_.figure(chosen());
+    figure.draw = withCaption(figure.draw, title_->text().trimmed(),
+                              settings_->isChecked() ? source_.settings : QString());
+    figure.size = paper().size;
+    return figure;
+}
+
+Paper ExportDialog::paper() const {
+    return {{toPixels(*width_mm_->value()), toPixels(*height_mm_->value())}, *dpi_->value()};
+}
+
+void ExportDialog::refresh() {
+    const bool possible =
+        !chosen().empty() && width_mm_->isValid() && height_mm_->isValid() && dpi_->isValid();
+    save_->setEnabled(possible);
+    copy_->setEnabled(possible);
+    if (!possible) {
+        preview_->setText(chosen().empty() ? tr("Choose at least one plot.") : QString());
+        return;
+    }
+    const QSize size = paper().size;
+    const double scale = devicePixelRatioF() * std::min(double(preview_->width()) / size.width(),
+                                                        double(preview_->height()) / size.height());
+    QImage image = toImage(figure().draw, {size, scale * pixels_per_inch});
+    image.setDevicePixelRatio(devicePixelRatioF());
+    preview_->setPixmap(QPixmap::fromImage(image));
+}
+
+void ExportDialog::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    refresh();
+}
+
+}  // namespace vybeg::ui
