@@ -90,15 +90,16 @@ private:
     posix_spawnattr_t attributes_;
 };
 
-// Beside the running program where that was built; apart from users' programs where it is installed.
+// Beside the running program where that was built; apart from users' programs where it is
+// installed.
 std::filesystem::path helper_path(const std::string& name) {
     std::error_code ignored;  // without /proc the path is that of no program, and starting fails
     const std::filesystem::path folder =
         std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
     const std::filesystem::path beside = folder / name;
-    const std::filesystem::path installed = (folder / VYBEG_HELPER_FOLDER / name).lexically_normal();
-    return !std::filesystem::exists(beside, ignored) &&
-                   std::filesystem::exists(installed, ignored)
+    const std::filesystem::path installed =
+        (folder / VYBEG_HELPER_FOLDER / name).lexically_normal();
+    return !std::filesystem::exists(beside, ignored) && std::filesystem::exists(installed, ignored)
                ? installed
                : beside;
 }
