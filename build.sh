@@ -43,7 +43,7 @@ Usage: ./build.sh COMMAND
   build         build everything into build/release
   install [PREFIX]
                 build, then install under PREFIX (/usr/local if not told); what was installed
-                stands in build/release/install_manifest.txt
+                stands in build/release/install_manifest_program.txt
   package       build the Debian package, build/release/package/vybeg_*.deb
   install-deps  only install what is missing from Debian (--dev: also what .ci/run needs)
 

@@ -52,7 +52,7 @@ use() {
     export HOME=/tmp/work
     unset DISPLAY WAYLAND_DISPLAY
     vybeg-cli --version
-    vybeg-cli simulate --demo --seconds 4 -o demo.wav
+    vybeg-cli simulate --demo -o demo.wav
     vybeg-cli analyze demo.wav --quiet -o track.csv
     grep -q '^t_s,a_A,a_B' track.csv || fail "analyze wrote no track"
     vybeg-cli identify demo.wav --quiet -o result.json
