@@ -18,6 +18,8 @@ packages=(
     libbenchmark-dev libceres-dev           # speed, and a peer to measure it by, tests/benchmarks
 )
 developer_packages=(clang-format clang-tidy)
+# What looks over the files that are installed, in the test installation; without it, it says so.
+installation_packages=(appstream desktop-file-utils mandoc shared-mime-info)
 fuzz_packages=(clang-14 libclang-rt-14-dev)
 
 demo_folder=build/demo
@@ -39,7 +41,11 @@ Usage: ./build.sh COMMAND
                 feed the reader of a format (audio text npy npz uff tdms raw mat mat73 hdf5) with
                 what libFuzzer makes of sound and damaged files, in build/fuzz; 60 s if not told
   build         build everything into build/release
-  install-deps  only install what is missing from Debian (--dev: also clang-format, clang-tidy)
+  install [PREFIX]
+                build, then install under PREFIX (/usr/local if not told); what was installed
+                stands in build/release/install_manifest_program.txt
+  package       build the Debian package, build/release/package/vybeg_*.deb
+  install-deps  only install what is missing from Debian (--dev: also what .ci/run needs)
 
 All of them install what is missing first. Built programs: build/release/bin.
 TEXT
@@ -160,18 +166,53 @@ run_fuzzer() {
         -artifact_prefix="build/fuzz/$format-"
 }
 
+# The existing folder that a path is in or will be in.
+existing_folder() {
+    local path=$1
+    until [ -d "$path" ]; do
+        path=$(dirname "$path")
+    done
+    printf '%s\n' "$path"
+}
+
+run_install() {
+    local prefix=$1 run=() tool
+    build release --target vybeg vybeg-cli vybeg-reader man-vybeg man-vybeg-cli
+    if [ ! -w "$(existing_folder "$prefix")" ]; then
+        run=(as_root)
+    fi
+    "${run[@]}" cmake --install build/release --prefix "$prefix" --component program
+    # What the desktop looks names and types of files up in; a package's installation does it, too.
+    for tool in "update-mime-database share/mime" "update-desktop-database share/applications"; do
+        if command -v "${tool% *}" >/dev/null; then
+            "${run[@]}" "${tool% *}" "$prefix/${tool#* }"
+        fi
+    done
+    say "Installed: $prefix/bin/vybeg and vybeg-cli"
+}
+
+make_package() {
+    install_packages dpkg-dev file
+    build release --target vybeg vybeg-cli vybeg-reader man-vybeg man-vybeg-cli
+    rm -rf build/release/package
+    cpack --config build/release/CPackConfig.cmake
+    ls build/release/package/*.deb
+}
+
 case "${1:-}" in
     run) run_program ;;
     test) run_tests release ;;
     test-sanitized) run_tests asan --label-exclude 'statistical|long' ;;
     test-threads) run_tests tsan ;;
     build) build release ;;
+    install) run_install "$(realpath -m "${2:-/usr/local}")" ;;
+    package) make_package ;;
     tidy) run_tidy ;;
     fuzz) run_fuzzer "${2:?which format? See ./build.sh help}" "${3:-60}" ;;
     install-deps)
         install_packages "${packages[@]}"
         if [ "${2:-}" = --dev ]; then
-            install_packages "${developer_packages[@]}"
+            install_packages "${developer_packages[@]}" "${installation_packages[@]}"
         fi
         say "Everything needed is installed."
         ;;

@@ -90,6 +90,20 @@ private:
     posix_spawnattr_t attributes_;
 };
 
+// Beside the running program where that was built; apart from users' programs where it is
+// installed.
+std::filesystem::path helper_path(const std::string& name) {
+    std::error_code ignored;  // without /proc the path is that of no program, and starting fails
+    const std::filesystem::path folder =
+        std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+    const std::filesystem::path beside = folder / name;
+    const std::filesystem::path installed =
+        (folder / VYBEG_HELPER_FOLDER / name).lexically_normal();
+    return !std::filesystem::exists(beside, ignored) && std::filesystem::exists(installed, ignored)
+               ? installed
+               : beside;
+}
+
 Error no_helper(const FileBytes& file, const std::string& program, int number) {
     return file.error(ErrorCode::file_read_failed,
                       {words(VYBEG_MESSAGE("Words", "the helper program %1 cannot be started (%2)"),
@@ -103,9 +117,7 @@ struct Started {
 
 // When it returns, our copies of the helper's end are closed: else its death would not be heard.
 Result<Started> spawn(const FileBytes& file, const std::string& kind, const std::string& name) {
-    std::error_code ignored;  // without /proc the path is that of no program, and starting fails
-    const std::string program =
-        (std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / name).string();
+    const std::string program = helper_path(name).string();
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
         return no_helper(file, program, errno);

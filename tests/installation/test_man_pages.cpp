@@ -1,0 +1,125 @@
+// The man pages are written at build time from --help; a pattern that no longer fits it would lose
+// options without a word.
+#include "tests/installation/help_pages.h"
+
+#include <QFile>
+#include <QStandardPaths>
+#include <QtTest>
+
+using namespace vybeg::test;
+
+namespace {
+
+QString page(const QString& program) {
+    QFile file(QString(VYBEG_MAN_FOLDER "/%1.1").arg(program));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+// The text between a heading (".SH OPTIONS", ".SS analyze") and the next of its rank or above, as
+// it is read: without fonts.
+QString section(const QString& page, const QString& heading) {
+    QString text = page.section('\n' + heading + '\n', 1);
+    text = text.section(QRegularExpression(heading.startsWith(".SH") ? "\n\\.SH " : "\n\\.S[HS] "),
+                        0, 0);
+    return text.remove(QRegularExpression("\\\\f[BIR]")).replace("\\-", "-");
+}
+
+// The options at the head of an entry, and those that an entry of another command describes.
+QStringList options_in(const QString& section) {
+    QStringList found = found_in(section, "^(?:-\\w, )?(--[a-zA-Z][-\\w]*)");
+    for (const QString& others : found_in(section, "^As [-a-z]+: (.*)$")) {
+        found += others.split(", ");
+    }
+    found.sort();
+    return found;
+}
+
+}  // namespace
+
+class TestManPages : public QObject {
+    Q_OBJECT
+
+private slots:
+    void every_option_of_each_command_is_on_its_page_and_no_other();
+    void the_desktop_programs_options_are_on_its_page_and_no_other();
+    void options_described_elsewhere_are_described_there();
+    void an_option_keeps_its_text();
+    void mandoc_and_groff_find_no_fault_data();
+    void mandoc_and_groff_find_no_fault();
+};
+
+void TestManPages::every_option_of_each_command_is_on_its_page_and_no_other() {
+    const QString text = page("vybeg-cli");
+    const QStringList commands = commands_of(VYBEG_CLI);
+    QVERIFY(commands.contains("analyze"));
+    QCOMPARE(found_in(text, "^\\.SS (.*)$"), commands);
+    for (const QString& command : commands) {
+        QStringList options = described_options(help_of(VYBEG_CLI, command));
+        QVERIFY(options.removeOne("--help"));
+        QCOMPARE(options_in(section(text, ".SS " + command)), options);
+    }
+    QCOMPARE(options_in(section(text, ".SH OPTIONS")), described_options(help_of(VYBEG_CLI, "")));
+}
+
+void TestManPages::the_desktop_programs_options_are_on_its_page_and_no_other() {
+    const QStringList options = described_options(help_of(VYBEG_GUI, ""));
+    QVERIFY(options.contains("--figure"));
+    QCOMPARE(options_in(section(page("vybeg"), ".SH OPTIONS")), options);
+}
+
+void TestManPages::options_described_elsewhere_are_described_there() {
+    const QString text = page("vybeg-cli");
+    int shared = 0;
+    for (const QString& command : commands_of(VYBEG_CLI)) {
+        const QRegularExpression line("^As ([-a-z]+): (.*)$", QRegularExpression::MultilineOption);
+        for (auto lines = line.globalMatch(section(text, ".SS " + command)); lines.hasNext();) {
+            const QRegularExpressionMatch match = lines.next();
+            const QString owner = section(text, ".SS " + match.captured(1));
+            for (const QString& option : match.captured(2).split(", ")) {
+                const QString entry = "^(?:-\\w, )?" + option + "(?: .*)?\n(.+)$";
+                QVERIFY2(found_in(owner, entry).size() == 1, qPrintable(option));
+                ++shared;
+            }
+        }
+    }
+    QVERIFY(shared > 20);
+}
+
+void TestManPages::an_option_keeps_its_text() {
+    const QString analyze = section(page("vybeg-cli"), ".SS analyze");
+    QVERIFY(
+        analyze.contains("\n--window N\nWindow length, samples (default 60). Not together with "
+                         "--periods.\n"));
+    const QString identify = section(page("vybeg-cli"), ".SS identify");
+    QVERIFY(
+        identify.contains("\n--set NAME\nThe set of the list (default: its only one). Needs "
+                          "--list.\n"));
+    QVERIFY(identify.contains("\n--tolerance NAME=X[,NAME=X]\nHow well the channels are known"));
+}
+
+void TestManPages::mandoc_and_groff_find_no_fault_data() {
+    QTest::addColumn<QString>("tool");
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("mandoc") << "mandoc" << QStringList{"-T", "lint", "-W", "warning"};
+    QTest::newRow("groff") << "groff" << QStringList{"-man", "-ww", "-z", "-K", "utf8"};
+}
+
+void TestManPages::mandoc_and_groff_find_no_fault() {
+    QFETCH(QString, tool);
+    QFETCH(QStringList, arguments);
+    if (QStandardPaths::findExecutable(tool).isEmpty()) {
+        QSKIP(qPrintable(tool + " is NOT INSTALLED: the man pages are not checked by it."));
+    }
+    for (const char* program : {"vybeg", "vybeg-cli"}) {
+        QProcess process;
+        process.setProcessChannelMode(QProcess::MergedChannels);
+        process.start(tool,
+                      arguments + QStringList{QString(VYBEG_MAN_FOLDER "/%1.1").arg(program)});
+        QVERIFY(process.waitForFinished());
+        QCOMPARE(process.readAll(), QByteArray());
+        QCOMPARE(process.exitCode(), 0);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestManPages)
+#include "test_man_pages.moc"
