@@ -28,7 +28,11 @@ Status write_arrays(OutputFile& file, TrackFormat format, const TrackColumns& co
 Result<TrackFormat> track_format(const std::filesystem::path& target) {
     const std::string ending = file_ending(target);
     if (ending == ".npy") {
-        return Error{ErrorCode::output_format_unknown, target.string(), {ending}};
+        return Error{ErrorCode::output_failed,
+                     target.string(),
+                     {words(VYBEG_MESSAGE("Words",
+                                          "a NumPy file has room for one array only; let its name "
+                                          "end in .npz"))}};
     }
     if (ending == ".mat") {
         return TrackFormat::mat;

@@ -13,7 +13,7 @@ namespace vybeg {
 enum class TrackFormat { csv, mat, hdf5, npz };
 
 // Format by the ending of the name (.mat, .h5, .hdf5, .npz; upper case too); CSV under every other
-// one but .npy, which has no room for several arrays. Errors: output_format_unknown.
+// one but .npy, which has no room for several arrays. Errors: output_failed.
 Result<TrackFormat> track_format(const std::filesystem::path& target);
 
 // Writes a track; the same columns, numbers, flags and header lines in every format. Errors:

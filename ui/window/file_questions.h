@@ -31,7 +31,8 @@ public:
     // `name` without its ending.
     void sessionTarget(const QString& name, const Save& save);
     void plotsTarget(const Save& save);
-    void trackTarget(const Save& save);
+    // CSV, HDF5, NPZ or MAT. `name` without its ending.
+    void trackTarget(const QString& name, const Save& save);
     void passportTarget(const Save& save);
     void plotTarget(const QString& name, const Save& save);
     void figureTarget(const Save& save);
