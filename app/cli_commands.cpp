@@ -270,8 +270,7 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
     Status written = write_stream(
         *output, *format, {frame_count(decay), decay.rate_hz, decay.bits, *full_scale, run});
     if (written && truth) {
-        written =
-            fill_truth(*truth, *truth_format, request, *full_scale, pcm, silent_job(stop));
+        written = fill_truth(*truth, *truth_format, request, *full_scale, pcm, silent_job(stop));
     }
     std::vector<OutputFile*> outputs{&*output};
     if (truth) {

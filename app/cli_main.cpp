@@ -155,7 +155,8 @@ int run(int argc, char** argv) {
         app.add_subcommand("analyze", "The slow variables of a recording over time");
     add_input(*analyze_command, analyze.input);
     analyze_command
-        ->add_option("-o,--output", analyze.output, "The track: .csv, .mat, .h5 or .npz by its ending; - for CSV "
+        ->add_option("-o,--output", analyze.output,
+                     "The track: .csv, .mat, .h5 or .npz by its ending; - for CSV "
                      "on standard output")
         ->type_name("TRACK")
         ->required();

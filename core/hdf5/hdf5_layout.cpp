@@ -56,13 +56,12 @@ Hdf5Handle make_file(Image& image) {
     H5FD_file_image_callbacks_t callbacks{image_malloc, image_memcpy, image_realloc, image_free,
                                           same_image,   keep_image,   &image};
     const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE));
-    const bool ready =
-        H5Pset_fapl_core(access.get(), metadata_block, false) >= 0 &&
-        H5Pset_file_image_callbacks(access.get(), &callbacks) >= 0 &&
-        H5Pset_meta_block_size(access.get(), metadata_block) >= 0 &&
-        H5Pset_link_creation_order(creation.get(),
-                                   H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0 &&
-        H5Pset_link_phase_change(creation.get(), most_links, most_links / 2) >= 0;
+    const bool ready = H5Pset_fapl_core(access.get(), metadata_block, false) >= 0 &&
+                       H5Pset_file_image_callbacks(access.get(), &callbacks) >= 0 &&
+                       H5Pset_meta_block_size(access.get(), metadata_block) >= 0 &&
+                       H5Pset_link_creation_order(
+                           creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0 &&
+                       H5Pset_link_phase_change(creation.get(), most_links, most_links / 2) >= 0;
     return ready ? Hdf5Handle(H5Fcreate("track", H5F_ACC_TRUNC, creation.get(), access.get()))
                  : Hdf5Handle();
 }

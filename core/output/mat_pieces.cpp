@@ -45,8 +45,7 @@ std::string mat_file_head() {
 
 std::string mat_column_head(const std::string& name, std::int64_t rows) {
     const std::size_t bytes = static_cast<std::size_t>(rows) * sizeof(double);
-    std::string head =
-        array_head(mat5::double_class, name, rows, 1, mat5::tag_bytes + bytes);
+    std::string head = array_head(mat5::double_class, name, rows, 1, mat5::tag_bytes + bytes);
     append_tag(head, mat5::float64, bytes);
     return head;
 }

@@ -54,9 +54,8 @@ std::string StoredZip::common_fields(const Member& member, std::uint16_t extra_b
 Status StoredZip::begin(const std::string& name, std::uint64_t size, std::uint32_t crc) {
     const Member member{name, size, at_, crc};
     const std::string more = extra(member, false);
-    const std::string head = "PK\x03\x04" +
-                             common_fields(member, static_cast<std::uint16_t>(more.size())) + name +
-                             more;
+    const std::string head =
+        "PK\x03\x04" + common_fields(member, static_cast<std::uint16_t>(more.size())) + name + more;
     members_.push_back(member);
     at_ += head.size() + size;
     return file_.write(head);

@@ -45,9 +45,8 @@ Result<TrackFormat> track_format(const std::filesystem::path& target) {
 
 Status write_track(OutputFile& file, TrackFormat format, const Track& track,
                    std::span<const std::string> header, const JobControl& job) {
-    return format == TrackFormat::csv
-               ? write_track_csv(file, track, header, job)
-               : write_arrays(file, format, MemoryColumns(track), header);
+    return format == TrackFormat::csv ? write_track_csv(file, track, header, job)
+                                      : write_arrays(file, format, MemoryColumns(track), header);
 }
 
 Status TrackWriter::finish(std::span<const std::string> header,

@@ -26,9 +26,10 @@ Result<Hdf5Layout> layout_of(const OutputFile& file, const std::vector<Hdf5Array
         std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() /
         VYBEG_LIBRARY_FOLDER / hdf5_layout_library;
     void* const loaded = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-    const auto make = loaded == nullptr ? nullptr
-                                        : reinterpret_cast<Hdf5LayoutFunction>(
-                                              dlsym(loaded, hdf5_layout_function));
+    const auto make =
+        loaded == nullptr
+            ? nullptr
+            : reinterpret_cast<Hdf5LayoutFunction>(dlsym(loaded, hdf5_layout_function));
     if (make == nullptr) {
         const char* const reason = dlerror();
         return file.failure(words(VYBEG_MESSAGE("Words", "libhdf5 cannot be loaded (%1)"),

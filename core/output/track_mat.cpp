@@ -42,9 +42,8 @@ Status write_track_mat(OutputFile& file, const TrackColumns& columns,
     for (const std::string& line : header) {
         lines += mat_text_cell(line);
     }
-    const std::string head =
-        mat_cells_head(header_name, static_cast<std::int64_t>(header.size()),
-                       static_cast<std::int64_t>(lines.size()));
+    const std::string head = mat_cells_head(header_name, static_cast<std::int64_t>(header.size()),
+                                            static_cast<std::int64_t>(lines.size()));
     return written ? file.write(head + lines) : written;
 }
 

@@ -7,12 +7,11 @@
 #include "core/output/raw_bytes.h"
 #include "core/output/stored_zip.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <functional>
 #include <string_view>
 #include <vector>
+#include <zlib.h>
 
 namespace vybeg {
 namespace {
@@ -84,9 +83,8 @@ Status write_track_npz(OutputFile& file, const TrackColumns& columns,
     const FlagCells cells =
         make_cells(*counts, [width](const std::string& text) { return numpy_text(text, width); });
     members.push_back({flag_column_name, numpy_text_type(width), columns.rows(),
-                       width * sizeof(char32_t), [&](const ByteSink& sink) {
-                           return pass_cells(columns, cells, sink);
-                       }});
+                       width * sizeof(char32_t),
+                       [&](const ByteSink& sink) { return pass_cells(columns, cells, sink); }});
     std::size_t longest = 1;
     for (const std::string& line : header) {
         longest = std::max(longest, code_points(line).size());

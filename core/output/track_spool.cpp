@@ -60,8 +60,8 @@ Status TrackSpool::read_flags(const Block& block, std::span<Flags> flags) const 
 Status TrackSpool::read_block(const Block& block, Track& rows) const {
     Status read;
     for (std::size_t column = 0; column < track_number_columns && read; ++column) {
-        read = spool_.read(block.place_of(column),
-                           std::as_writable_bytes(track_column(rows, column)));
+        read =
+            spool_.read(block.place_of(column), std::as_writable_bytes(track_column(rows, column)));
     }
     return read ? read_flags(block, rows.flags()) : read;
 }

@@ -111,8 +111,8 @@ private slots:
                              folder.path())
                          .status,
                      0);
-            peaks.push_back(peak_of(
-                {"analyze", recording, "-o", folder.filePath(track), "--window", "6"}));
+            peaks.push_back(
+                peak_of({"analyze", recording, "-o", folder.filePath(track), "--window", "6"}));
             // 13 numbers for each window of 6 samples.
             QVERIFY(QFileInfo(folder.filePath(track)).size() >
                     qint64{33333} * QString(seconds).toInt() / 6 * 13 * 8);

@@ -77,8 +77,7 @@ void plain_write(benchmark::State& state, std::size_t size, const fs::path& path
         const ssize_t put = write(out, bytes.data(), bytes.size());
         const bool settled = fsync(out) == 0;
         close(out);
-        if (!settled || put != std::ssize(bytes) ||
-            std::rename(fresh.c_str(), path.c_str()) != 0) {
+        if (!settled || put != std::ssize(bytes) || std::rename(fresh.c_str(), path.c_str()) != 0) {
             state.SkipWithError("not written as a whole");
         }
     }
