@@ -2,6 +2,7 @@
 // bit.
 #include "core/base/messages.h"
 #include "core/output/track_file.h"
+#include "core/output/track_mat.h"
 #include "core/recording/open/open_recording.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/python_script.h"
@@ -72,6 +73,21 @@ Track random_track(std::size_t rows) {
     }
     return track;
 }
+
+// 100 million windows, an hour at 33333 Hz with a window at nearly every sample.
+class ManyRows final : public TrackColumns {
+public:
+    std::size_t rows() const override { return 100'000'000; }
+    Status numbers(std::size_t, const NumberSink&) const override { return {}; }
+    Status flags(const FlagSink& sink) const override {
+        const std::vector<Flags> piece(1'000'000);
+        Status taken;
+        for (int k = 0; k < 100 && taken; ++k) {
+            taken = sink(piece);
+        }
+        return taken;
+    }
+};
 
 }  // namespace
 
@@ -248,6 +264,15 @@ private slots:
             QVERIFY(!recording);
             QCOMPARE(recording.error().code, code);
         }
+    }
+
+    void a_mat_file_refuses_more_than_its_lengths_can_count() {
+        auto file = OutputFile::create(path("many.mat"), {});
+        QVERIFY(file);
+        const Status written = write_track_mat(*file, ManyRows(), {});
+        QVERIFY(!written);
+        QCOMPARE(written.error().code, ErrorCode::output_failed);
+        QVERIFY(english(written.error()).find("100000000 windows") != std::string::npos);
     }
 
     void a_pipe_takes_every_format() {
