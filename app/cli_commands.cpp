@@ -13,7 +13,8 @@
 #include "core/base/plain_text.h"
 #include "core/output/recording_json.h"
 #include "core/output/sample_files.h"
-#include "core/output/track_csv.h"
+#include "core/output/track_file.h"
+#include "core/output/track_header.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/file_changes.h"
 #include "core/simulation/simulate.h"
@@ -71,6 +72,11 @@ std::string timing_line(const AnalysisSummary& analysis, double open_s, double w
     return line.dump() + "\n";
 }
 
+// CSV on standard output.
+Result<TrackFormat> format_of_track(const std::string& path) {
+    return path == "-" ? TrackFormat::csv : track_format(path);
+}
+
 // The amplitudes of a truth in other units.
 void scale_amplitudes(Track& track, double factor) {
     for (const SlowVariable variable : all_slow_variables) {
@@ -82,8 +88,8 @@ void scale_amplitudes(Track& track, double factor) {
     }
 }
 
-Status fill_truth(OutputFile& file, const SimulateRequest& request, double full_scale,
-                  bool fractions_of_full_scale, const JobControl& job) {
+Status fill_truth(OutputFile& file, TrackFormat format, const SimulateRequest& request,
+                  double full_scale, bool fractions_of_full_scale, const JobControl& job) {
     Result<Track> truth = true_track(request.decay, request.window);
     if (!truth) {
         return truth.error();
@@ -97,7 +103,7 @@ Status fill_truth(OutputFile& file, const SimulateRequest& request, double full_
         scale_amplitudes(*truth, 1 / full_scale);
         header.push_back("amplitudes: fractions of the full scale " + round_trip_text(full_scale));
     }
-    return write_track_csv(file, *truth, header, job);
+    return write_track(file, format, *truth, header, job);
 }
 
 // Options that change nothing beside the others.
@@ -155,8 +161,9 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     if (const Status valid = validate(request.settings); !valid) {
         return log.fail(valid.error());
     }
-    if (const Status csv = check_track_ending(request.output); !csv) {
-        return log.fail(csv.error());
+    const Result<TrackFormat> format = format_of_track(request.output);
+    if (!format) {
+        return log.fail(format.error());
     }
     const double begun = seconds_now();
     const Result<Recording> recording =
@@ -175,7 +182,7 @@ int run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop) {
     if (!output) {
         return log.fail(output.error());
     }
-    TrackCsvWriter rows(*output, silent_job(stop));
+    TrackWriter rows(*output, *format, silent_job(stop));
     double write_s = 0;
     const TrackSink sink = [&](const Track& next) {
         const double before = seconds_now();
@@ -226,6 +233,10 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
     if (!format) {
         return log.fail(format.error());
     }
+    const Result<TrackFormat> truth_format = format_of_track(request.truth);
+    if (!truth_format) {
+        return log.fail(truth_format.error());
+    }
     Result<OutputFile> output = open_output(request.output, silent_job(stop));
     if (!output) {
         return log.fail(output.error());
@@ -259,7 +270,7 @@ int run_simulate(const SimulateRequest& request, Log& log, std::stop_token stop)
     Status written = write_stream(
         *output, *format, {frame_count(decay), decay.rate_hz, decay.bits, *full_scale, run});
     if (written && truth) {
-        written = fill_truth(*truth, request, *full_scale, pcm, silent_job(stop));
+        written = fill_truth(*truth, *truth_format, request, *full_scale, pcm, silent_job(stop));
     }
     std::vector<OutputFile*> outputs{&*output};
     if (truth) {

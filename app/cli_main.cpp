@@ -152,11 +152,13 @@ int run(int argc, char** argv) {
 
     AnalyzeRequest analyze;
     CLI::App* const analyze_command =
-        app.add_subcommand("analyze", "The slow variables of a recording over time, as CSV");
+        app.add_subcommand("analyze", "The slow variables of a recording over time");
     add_input(*analyze_command, analyze.input);
     analyze_command
-        ->add_option("-o,--output", analyze.output, "The track, CSV; - for standard output")
-        ->type_name("TRACK.csv")
+        ->add_option("-o,--output", analyze.output,
+                     "The track: .csv, .mat, .h5 or .npz by its ending; - for CSV "
+                     "on standard output")
+        ->type_name("TRACK")
         ->required();
     add_analysis_options(*analyze_command, analyze.settings);
     add_open_options(*analyze_command, analyze.open);

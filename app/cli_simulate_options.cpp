@@ -142,7 +142,7 @@ void add_simulate_options(CLI::App& app, SimulateRequest& request) {
                    ".mat; - for CSV on standard output")
         ->type_name("FILE")
         ->required();
-    add_value(app, "--truth", "FILE", "The true track, CSV; - for standard output",
+    add_value(app, "--truth", "FILE", "The true track, as that of analyze; - for standard output",
               [&request](const auto&, const auto& text) { request.truth = text; });
     add_value(app, "--window", "N", "Window of the truth, samples (default 60)",
               [&request](const auto& option, const auto& text) {

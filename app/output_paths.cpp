@@ -2,10 +2,6 @@
 
 #include "core/output/same_file.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-
 namespace vybeg::cli {
 
 Status check_outputs(const std::vector<OutputPath>& outputs, const std::vector<InputPath>& inputs) {
@@ -26,20 +22,6 @@ Status check_outputs(const std::vector<OutputPath>& outputs, const std::vector<I
             if (!outputs[earlier].path.empty() && same_file(outputs[earlier].path, output.path)) {
                 return refused(outputs[earlier].taken);
             }
-        }
-    }
-    return {};
-}
-
-Status check_track_ending(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const char* other : {".mat", ".h5", ".hdf5", ".npz", ".npy"}) {
-        if (ending == other) {
-            return Error{ErrorCode::setting_invalid,
-                         "",
-                         {"-o", path, "a track is written as CSV: let its name end in .csv"}};
         }
     }
     return {};

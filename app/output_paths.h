@@ -25,7 +25,4 @@ struct OutputPath {
 // setting_invalid.
 Status check_outputs(const std::vector<OutputPath>& outputs, const std::vector<InputPath>& inputs);
 
-// A track is written as CSV, and not under the ending of another format. Errors: setting_invalid.
-Status check_track_ending(const std::string& path);
-
 }  // namespace vybeg::cli

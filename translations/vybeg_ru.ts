@@ -2457,6 +2457,22 @@
         <source>text follows its closing quotation mark</source>
         <translation>после закрывающей кавычки идёт текст</translation>
     </message>
+    <message>
+        <source>a NumPy file has room for one array only; let its name end in .npz</source>
+        <translation>в файле NumPy есть место только для одного массива; дайте имени окончание .npz</translation>
+    </message>
+    <message>
+        <source>libhdf5 cannot be loaded (%1)</source>
+        <translation>не удалось загрузить libhdf5 (%1)</translation>
+    </message>
+    <message>
+        <source>libhdf5 reports an error</source>
+        <translation>libhdf5 сообщает об ошибке</translation>
+    </message>
+    <message>
+        <source>a MAT file has room for 4 GiB in each variable, which %1 windows exceed; HDF5, NPZ and CSV have room for any number</source>
+        <translation>в файле MAT на переменную отводится не больше 4 ГиБ, чего для %1 окон мало; в HDF5, NPZ и CSV их число не ограничено</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::CalibrationFields</name>
@@ -3088,6 +3104,18 @@
     <message>
         <source>Session (*.vybeg)</source>
         <translation>Сеанс (*.vybeg)</translation>
+    </message>
+    <message>
+        <source>Track for MATLAB (*.mat)</source>
+        <translation>Ряд для MATLAB (*.mat)</translation>
+    </message>
+    <message>
+        <source>Track, HDF5 (*.h5)</source>
+        <translation>Ряд, HDF5 (*.h5)</translation>
+    </message>
+    <message>
+        <source>Track for NumPy (*.npz)</source>
+        <translation>Ряд для NumPy (*.npz)</translation>
     </message>
 </context>
 <context>

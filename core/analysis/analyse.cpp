@@ -47,7 +47,7 @@ Result<Analysis> analyse(const Recording& recording, const Settings& settings,
     if (!summary) {
         return summary.error();
     }
-    set_flags(track, 0, summary->flagged);
+    set_flags(track.flags(), 0, summary->flagged);
     return Analysis{std::move(*summary), std::move(track)};
 }
 

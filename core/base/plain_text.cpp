@@ -70,4 +70,15 @@ std::string plain_text(std::string_view text) {
     return plain;
 }
 
+std::u32string code_points(std::string_view text) {
+    constexpr char32_t no_character = 0xFFFD;
+    std::u32string points;
+    while (!text.empty()) {
+        const Character character = character_at(text);
+        points += character.bytes == 0 ? no_character : static_cast<char32_t>(character.code);
+        text.remove_prefix(character.bytes == 0 ? 1 : character.bytes);
+    }
+    return points;
+}
+
 }  // namespace vybeg

@@ -11,4 +11,7 @@ namespace vybeg {
 // that are no UTF-8. What is plain already is returned as it is.
 std::string plain_text(std::string_view text);
 
+// The characters of a text in UTF-8; a byte that is none is U+FFFD.
+std::u32string code_points(std::string_view text);
+
 }  // namespace vybeg

@@ -82,21 +82,22 @@ Status Spool::write_out(std::string_view left) {
     return {};
 }
 
-Status Spool::read(std::span<std::byte> to) {
-    while (!to.empty() && read_ < spilled_) {
+Status Spool::read(std::int64_t from, std::span<std::byte> to) const {
+    while (!to.empty() && from < spilled_) {
         if (job_.cancelled()) {
             return Error{ErrorCode::interrupted, {}, {}};
         }
-        const auto wanted = std::min(static_cast<std::size_t>(spilled_ - read_), to.size());
-        const ssize_t got = pread(descriptor_, to.data(), wanted, read_);
+        const auto wanted = std::min(static_cast<std::size_t>(spilled_ - from), to.size());
+        const ssize_t got = pread(descriptor_, to.data(), wanted, from);
         if (got <= 0 && errno != EINTR) {
             return failed(got == 0 ? EIO : errno);
         }
-        read_ += std::max<ssize_t>(got, 0);
+        from += std::max<ssize_t>(got, 0);
         to = to.subspan(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     }
-    std::memcpy(to.data(), memory_.data() + (read_ - spilled_), to.size());
-    read_ += static_cast<std::int64_t>(to.size());
+    if (!to.empty()) {
+        std::memcpy(to.data(), memory_.data() + (from - spilled_), to.size());
+    }
     return {};
 }
 

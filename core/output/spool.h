@@ -24,9 +24,8 @@ public:
 
     Status write(std::span<const std::byte> bytes);
 
-    // Reads the next bytes in the order of writing. Preconditions: as many bytes are left; no more
-    // writes.
-    Status read(std::span<std::byte> to);
+    // Reads bytes from the position `from` on. Preconditions: as many were written; no more writes.
+    Status read(std::int64_t from, std::span<std::byte> to) const;
 
 private:
     Status spill();
@@ -39,7 +38,6 @@ private:
     std::string memory_;
     int descriptor_ = -1;
     std::int64_t spilled_ = 0;  // bytes
-    std::int64_t read_ = 0;     // bytes
 };
 
 }  // namespace vybeg

@@ -4,12 +4,11 @@
 
 namespace vybeg {
 
-void set_flags(Track& part, std::size_t first, std::span<const FlaggedRows> flagged) {
-    const std::span<Flags> flags = part.flags();
+void set_flags(std::span<Flags> part, std::size_t first, std::span<const FlaggedRows> flagged) {
     for (const FlaggedRows& rows : flagged) {
-        const std::size_t end = std::min(rows.first + rows.count, first + flags.size());
+        const std::size_t end = std::min(rows.first + rows.count, first + part.size());
         for (std::size_t row = std::max(rows.first, first); row < end; ++row) {
-            set(flags[row - first], rows.flag);
+            set(part[row - first], rows.flag);
         }
     }
 }

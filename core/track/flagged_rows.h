@@ -17,8 +17,8 @@ struct FlaggedRows {
     friend bool operator==(const FlaggedRows&, const FlaggedRows&) = default;
 };
 
-// Sets the flags in a part of the track that begins with its row `first`. Rows of other parts are
+// Sets the flags of a part of the track that begins with its row `first`. Rows of other parts are
 // ignored.
-void set_flags(Track& part, std::size_t first, std::span<const FlaggedRows> flagged);
+void set_flags(std::span<Flags> part, std::size_t first, std::span<const FlaggedRows> flagged);
 
 }  // namespace vybeg

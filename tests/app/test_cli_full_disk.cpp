@@ -24,7 +24,9 @@ class TestCliFullDisk : public QObject, private CliFolder {
         const auto row = [](const char* name, const QString& command, const QStringList& outputs) {
             QTest::newRow(name) << command << outputs;
         };
-        row("track", "analyze a.wav -o out/track.csv", {"track.csv"});
+        for (const char* name : {"track.csv", "track.mat", "track.h5", "track.npz"}) {
+            row(name, QString("analyze a.wav -o out/%1").arg(name), {name});
+        }
         row("result", "identify a.wav b.wav -o out/result.json", {"result.json"});
         row("passport", "identify a.wav b.wav --passport out/passport.json", {"passport.json"});
         row("result and passport",

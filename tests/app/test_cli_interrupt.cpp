@@ -28,6 +28,10 @@ private slots:
             "analyze long.wav -o old.csv --f0 5300 --hop 1 --algorithm conjugate-gradient";
         const QString simulate = "simulate --demo --seconds 3000 -o old.mat";
         QTest::newRow("SIGINT, analyze") << analyze << "old.csv" << SIGINT;
+        for (const char* target : {"old.mat", "old.h5", "old.npz"}) {
+            QTest::newRow(target) << QString(analyze).replace("old.csv", target) << target
+                                  << SIGINT;
+        }
         QTest::newRow("SIGTERM, analyze") << analyze << "old.csv" << SIGTERM;
         QTest::newRow("SIGHUP, analyze") << analyze << "old.csv" << SIGHUP;
         QTest::newRow("SIGINT, simulate") << simulate << "old.mat" << SIGINT;

@@ -93,6 +93,36 @@ private slots:
         QVERIFY(peaks[1] - peaks[0] < 10'000'000);  // the nine minutes more are 288 MB of samples
     }
 
+    void nor_with_the_track_s_format_data() {
+        QTest::addColumn<QString>("track");
+        for (const char* track : {"track.mat", "track.h5", "track.npz"}) {
+            QTest::newRow(track) << track;
+        }
+    }
+
+    void nor_with_the_track_s_format() {
+        QFETCH(QString, track);
+        const QTemporaryDir folder;
+        const QString recording = folder.filePath("run.wav");
+        std::vector<qint64> peaks;
+        for (const char* seconds : {"20", "200"}) {
+            QCOMPARE(run_cli({"simulate", "--demo", "--seconds", seconds, "--tau", "900", "-o",
+                              recording},
+                             folder.path())
+                         .status,
+                     0);
+            peaks.push_back(
+                peak_of({"analyze", recording, "-o", folder.filePath(track), "--window", "6"}));
+            // 13 numbers for each window of 6 samples.
+            QVERIFY(QFileInfo(folder.filePath(track)).size() >
+                    qint64{33333} * QString(seconds).toInt() / 6 * 13 * 8);
+        }
+        qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
+              1e-6 * static_cast<double>(peaks[1]));
+        QVERIFY(peaks[0] > 0 && peaks[1] > 0);
+        QVERIFY(peaks[1] - peaks[0] < 20'000'000);  // the track's numbers alone are 104 MB more
+    }
+
     void nor_does_that_of_an_identification() {
         const QTemporaryDir folder;
         const QString recording = folder.filePath("run.wav");

@@ -44,8 +44,8 @@ private slots:
         row("simulate --seed 1 --seed 2 -o x.csv", 2, "--seed is given twice.");
         row("analyze a.wav -o x.csv --f0", 2, "--f0 needs a value.");
 
-        row("analyze a.wav -o x.npz", 2, "let its name end in .csv");
-        row("analyze a.wav -o x.H5", 2, "let its name end in .csv");
+        row("analyze a.wav -o x.Npy", 5, "let its name end in .npz");
+        row("simulate --demo -o x.csv --truth x.npy", 5, "let its name end in .npz");
         row("analyze a.wav -o x.csv --rate 1e-308", 2, "--rate cannot be");
         // Nothing that a name holds turns the terminal's colours.
         row("analyze a.wav b\x1b[31m.wav -o x.csv", 2, "b\\x1b[31m.wav");

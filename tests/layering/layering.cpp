@@ -24,6 +24,11 @@ bool ofCommandLine(const SourceFile& file) {
     return file.top() == "app" && !file.path.section('/', -1).startsWith("gui");
 }
 
+// libhdf5 stays out of the programs: they start without it and read no HDF5 file themselves.
+bool mayUseHdf5(const SourceFile& file) {
+    return file.folder() == "core/recording/mat_hdf5" || file.folder() == "core/hdf5";
+}
+
 // The folders of core/ and of ui/, by their top folder.
 using Order = QMap<QString, QStringList>;
 
@@ -44,6 +49,9 @@ QString violation(const SourceFile& file, const Include& include, const Order& o
     }
     if ((top == "core" || ofCommandLine(file)) && isQt(header)) {
         return "Qt: " + header;
+    }
+    if (header == "hdf5.h" && !mayUseHdf5(file)) {
+        return "libhdf5: " + header;
     }
     const bool from_root = isOf(header, "core") || isOf(header, "ui") || isOf(header, "app");
     if (include.quoted && !from_root && !isOf(header, "tests") && !isQt(header)) {

@@ -25,6 +25,7 @@ using ClassCeilings = QMap<QString, int>;
 //   ui/    of ui/ only its own folder and those before it; nothing of app/ and tests/
 //   app/   files not named gui* belong to the command line: no Qt, nothing of ui/
 //   all three include their own files from the root
+//   hdf5.h only in core/recording/mat_hdf5, of the helper process, and core/hdf5, loaded on demand
 //   no circle of units, no folder of more than most_units units
 //   no source file longer than longest_file lines
 //   no class larger than largest_class lines or its ceiling; no ceiling without a larger class

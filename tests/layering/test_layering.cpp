@@ -117,6 +117,8 @@ void TestLayering::aBrokenRuleIsFound_data() {
         "core/windows/a.cpp:1: Qt: qglobal.h");
     row("plot library in core", "core/base/a.cpp", "#include <qcustomplot.h>\n",
         "core/base/a.cpp:1: Qt: qcustomplot.h");
+    row("libhdf5 in the programs", "core/windows/a.cpp", "#include <hdf5.h>\n",
+        "core/windows/a.cpp:1: libhdf5: hdf5.h");
     row("later folder", "core/base/a.cpp", "#include \"core/windows/carrier.h\"\n",
         "core/base/a.cpp:1: a later folder of core/: core/windows/carrier.h");
     row("later sub-folder", "core/recording/bytes/a.cpp",

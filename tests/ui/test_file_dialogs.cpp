@@ -85,6 +85,14 @@ private slots:
         auto& dialog = childOf<QFileDialog>(*window_);
         QCOMPARE(dialog.acceptMode(), QFileDialog::AcceptSave);
         QCOMPARE(dialog.defaultSuffix(), QStringLiteral("csv"));
+        QCOMPARE(QFileInfo(dialog.selectedFiles().value(0)).fileName(),
+                 QStringLiteral("demo_maximum-likelihood_60.csv"));
+        QStringList endings;
+        for (const QString& filter : dialog.nameFilters()) {
+            emit dialog.filterSelected(filter);
+            endings += dialog.defaultSuffix();
+        }
+        QCOMPARE(endings, (QStringList{"csv", "mat", "h5", "npz"}));
         dialog.reject();
         window_->action(Command::export_plots)->trigger();
         auto& plots = childOf<ExportDialog>(*window_);
@@ -133,6 +141,8 @@ private slots:
         QTRY_VERIFY(!window_->findChild<ExportDialog*>());
 
         // Its resolution is kept; two plots only, as text.
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
         auto& again = childOf<ExportDialog>(*window_);
         QCOMPARE(fieldOf(again, "Resolution").value(), std::optional(254.));
@@ -175,6 +185,22 @@ private slots:
         const QMimeData* data = QApplication::clipboard()->mimeData();
         QVERIFY(data->hasImage());
         QVERIFY(data->data("image/svg+xml").contains("<svg"));
+    }
+
+    void the_ending_decides_what_a_track_is_exported_as() {
+        openOne();
+        const QMap<QString, QByteArray> signatures{
+            {"track.npz", "PK\x03\x04"}, {"track.h5", "\x89HDF"}, {"track.mat", "MATLAB 5.0"}};
+        for (auto each = signatures.cbegin(); each != signatures.cend(); ++each) {
+            const QString path = home_.path(each.key());
+            window_->files().exportTrackTo(path);
+            QVERIFY(QTest::qWaitFor([&] { return QFile::exists(path); }));
+            QFile track(path);
+            QVERIFY(track.open(QIODevice::ReadOnly));
+            QVERIFY2(track.readAll().startsWith(each.value()), qPrintable(each.key()));
+        }
+        window_->files().exportTrackTo(home_.path("track.npy"));
+        QTRY_VERIFY(the<MessageBar>().texts().first().contains("let its name end in .npz"));
     }
 
     void no_export_takes_the_place_of_an_open_recording() {

@@ -3,7 +3,8 @@
 #include "core/analysis/recording_carrier.h"
 #include "core/output/identify_json.h"
 #include "core/output/passport_json.h"
-#include "core/output/track_csv.h"
+#include "core/output/track_file.h"
+#include "core/output/track_header.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
@@ -332,6 +333,10 @@ void AnalysisJob::writeTrack(int key, const Recording& recording,
         key,
         [recording, analysis = std::move(analysis), name = program.toStdString(),
          path = toPath(path)](const JobControl& job) -> Status {
+            const Result<TrackFormat> format = track_format(path);
+            if (!format) {
+                return format.error();
+            }
             const Result<std::string> hash = recording_sha256(recording, job);
             if (!hash) {
                 return hash.error();
@@ -341,7 +346,8 @@ void AnalysisJob::writeTrack(int key, const Recording& recording,
                 return file.error();
             }
             const auto header = track_header(name, recording, *hash, *analysis);
-            if (Status written = write_track_csv(*file, analysis->track, header, job); !written) {
+            if (Status written = write_track(*file, *format, analysis->track, header, job);
+                !written) {
                 return written;
             }
             return file->commit();

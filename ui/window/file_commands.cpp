@@ -13,6 +13,8 @@
 #include <QMessageBox>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 namespace vybeg::ui {
 
@@ -26,6 +28,15 @@ Status stayAsTheyAre(const Document& document, const QString& path) {
         }
     }
     return {};
+}
+
+// "rec_maximum-likelihood_60" for the track of a run: recording, algorithm and window.
+QString trackName(const Run& run) {
+    const std::string_view algorithm = algorithm_name(run.analysis->settings.algorithm);
+    return QStringLiteral("%1_%2_%3")
+        .arg(QFileInfo(run.recording).completeBaseName(),
+             QString::fromUtf8(algorithm.data(), std::ssize(algorithm)),
+             QString::number(run.analysis->plan.length));
 }
 
 }  // namespace
@@ -113,7 +124,10 @@ void FileCommands::askForPassport() {
 }
 
 void FileCommands::askWhereToPutTrack() {
-    ask_.trackTarget([this](const QString& path) { exportTrackTo(path); });
+    if (const RunEntry* entry = document_.run(runs_.currentRun())) {
+        ask_.trackTarget(trackName(entry->run),
+                         [this](const QString& path) { exportTrackTo(path); });
+    }
 }
 
 void FileCommands::askWhereToPutPassport() {

@@ -96,8 +96,11 @@ void FileQuestions::sessionTarget(const QString& name, const Save& save) {
     target(tr("Save session"), name + QStringLiteral(".vybeg"), {tr("Session (*.vybeg)")}, save);
 }
 
-void FileQuestions::trackTarget(const Save& save) {
-    target(tr("Export track"), QStringLiteral("track.csv"), {tr("Track (*.csv)")}, save);
+void FileQuestions::trackTarget(const QString& name, const Save& save) {
+    target(tr("Export track"), name + QStringLiteral(".csv"),
+           {tr("Track (*.csv)"), tr("Track for MATLAB (*.mat)"), tr("Track, HDF5 (*.h5)"),
+            tr("Track for NumPy (*.npz)")},
+           save);
 }
 
 void FileQuestions::passportTarget(const Save& save) {

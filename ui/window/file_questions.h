@@ -30,7 +30,8 @@ public:
     // Where to write what.
     // `name` without its ending.
     void sessionTarget(const QString& name, const Save& save);
-    void trackTarget(const Save& save);
+    // CSV, HDF5, NPZ or MAT. `name` without its ending.
+    void trackTarget(const QString& name, const Save& save);
     void passportTarget(const Save& save);
     // A PNG, SVG or PDF; `name` without its ending.
     void picture(const QString& name, const Save& save);

@@ -46,11 +46,17 @@ enum ElementType : std::uint32_t {
     uint32 = 6,
     float64 = 9,
     matrix = 14,
-    compressed = 15
+    compressed = 15,
+    utf8 = 16
 };
 
 // Classes of arrays (table 1-3) besides those of class_type().
-enum ArrayClass : std::uint32_t { struct_class = 2, double_class = 6 };
+enum ArrayClass : std::uint32_t {
+    cell_class = 1,
+    struct_class = 2,
+    char_class = 4,
+    double_class = 6
+};
 inline constexpr std::uint32_t class_mask = 0xFF;
 inline constexpr std::uint32_t logical_flag = 0x200;
 inline constexpr std::uint32_t complex_flag = 0x800;

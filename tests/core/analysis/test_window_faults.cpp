@@ -61,7 +61,7 @@ private slots:
             }
             Track found(static_cast<std::size_t>(plan.count));
             const std::vector<FlaggedRows> flagged = windows_over(faults, plan);
-            set_flags(found, 0, flagged);
+            set_flags(found.flags(), 0, flagged);
             QVERIFY(std::ranges::is_sorted(flagged, {}, &FlaggedRows::first));
             for (std::int64_t k = 0; k < plan.count; ++k) {
                 const std::int64_t begin = plan.start(k);

@@ -1,5 +1,8 @@
+#include "core/analysis/setting_table.h"
 #include "core/base/number_text.h"
 #include "core/output/track_csv.h"
+#include "core/output/track_file.h"
+#include "core/output/track_header.h"
 
 #include <QtTest>
 
@@ -106,7 +109,7 @@ private slots:
         QVERIFY(QDir::setCurrent(folder.path()));
         auto file = OutputFile::create("track.csv", {});  // a name without a folder
         QVERIFY(file);
-        TrackCsvWriter writer(*file, {});
+        TrackWriter writer(*file, TrackFormat::csv, {});
         for (int piece = 0; piece < 30; ++piece) {  // 9 MB: more than the spool keeps in memory
             Track rows(3000);
             std::ranges::generate(rows.time_s(), [&] { return any(engine); });
@@ -125,7 +128,7 @@ private slots:
         // Every row of the middle third and, twice over, some in the last piece.
         const std::vector<FlaggedRows> flagged{
             {30000, 30000, Flag::clipped}, {88000, 1500, Flag::gap}, {89000, 5000, Flag::clipped}};
-        set_flags(whole, 0, flagged);
+        set_flags(whole.flags(), 0, flagged);
         QVERIFY(writer.finish(header, flagged));
         QVERIFY(file->commit());
         QVERIFY(QDir::setCurrent(before));

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/track/track.h"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+// The columns of numbers in a track's file, in their order: t_s, the slow variables, standard
+// deviations. The flags come last.
+inline constexpr std::size_t track_number_columns = 13;
+inline constexpr const char* flag_column_name = "flag";
+// The array of the header's lines, in the formats other than CSV.
+inline constexpr const char* header_name = "header";
+
+// With the unit at its end, e.g. "two_theta_A_rad".
+std::string track_column_name(std::size_t column);
+std::span<const double> track_column(const Track& track, std::size_t column);
+std::span<double> track_column(Track& track, std::size_t column);
+
+// The rows of a track for the formats that keep one array per column: each column is read by
+// itself, from its first row on, as often as the format needs it.
+class TrackColumns {
+public:
+    using NumberSink = std::function<Status(std::span<const double> rows)>;
+    using FlagSink = std::function<Status(std::span<const Flags> rows)>;
+
+    TrackColumns() = default;
+    TrackColumns(const TrackColumns&) = delete;
+    TrackColumns& operator=(const TrackColumns&) = delete;
+    virtual ~TrackColumns() = default;
+
+    virtual std::size_t rows() const = 0;
+    // Passes a column, some thousand rows at a time. Errors: those of the sink and of the place
+    // where the rows lie.
+    virtual Status numbers(std::size_t column, const NumberSink& sink) const = 0;
+    virtual Status flags(const FlagSink& sink) const = 0;
+};
+
+// Those of a track in memory, which must outlive it.
+class MemoryColumns final : public TrackColumns {
+public:
+    explicit MemoryColumns(const Track& track) : track_(track) {}
+
+    std::size_t rows() const override { return track_.rows(); }
+    Status numbers(std::size_t column, const NumberSink& sink) const override;
+    Status flags(const FlagSink& sink) const override;
+
+private:
+    const Track& track_;
+};
+
+}  // namespace vybeg

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/output/output_file.h"
+#include "core/output/track_spool.h"
+#include "core/track/track.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+enum class TrackFormat { csv, mat, hdf5, npz };
+
+// Format by the ending of the name (.mat, .h5, .hdf5, .npz; upper case too); CSV under every other
+// one but .npy, which has no room for several arrays. Errors: output_failed.
+Result<TrackFormat> track_format(const std::filesystem::path& target);
+
+// Writes a track; the same columns, numbers, flags and header lines in every format. Errors:
+// output_failed, interrupted. The caller calls commit().
+Status write_track(OutputFile& file, TrackFormat format, const Track& track,
+                   std::span<const std::string> header, const JobControl& job);
+
+// Writer of a track during its computation. Not for two threads at once.
+class TrackWriter {
+public:
+    // `file` must outlive the writer.
+    TrackWriter(OutputFile& file, TrackFormat format, const JobControl& job)
+        : file_(file), format_(format), rows_(file, job) {}
+
+    Status append(const Track& rows) { return rows_.append(rows); }
+    // `flagged`: rows that get a flag between spool and file.
+    Status finish(std::span<const std::string> header, std::span<const FlaggedRows> flagged);
+
+private:
+    OutputFile& file_;
+    TrackFormat format_;
+    TrackSpool rows_;
+};
+
+}  // namespace vybeg

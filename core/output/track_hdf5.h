@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/output/output_file.h"
+#include "core/output/track_columns.h"
+
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+// Writes a track as HDF5: a contiguous float64 dataset per column in the root group, the flags and
+// the header's lines as texts of fixed width in UTF-8. Errors: output_failed, also where libhdf5
+// cannot be loaded; interrupted; those of TrackColumns.
+Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
+                        std::span<const std::string> header);
+
+}  // namespace vybeg

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/output/output_file.h"
+#include "core/output/track_columns.h"
+
+#include <span>
+#include <string>
+
+namespace vybeg {
+
+// Writes a track as MAT of level 5: a column of doubles (n x 1) per column, the flags and the
+// header's lines as cells of texts (n x 1). Errors: output_failed, also for more rows than the
+// format has room for; interrupted; those of TrackColumns.
+Status write_track_mat(OutputFile& file, const TrackColumns& columns,
+                       std::span<const std::string> header);
+
+}  // namespace vybeg
