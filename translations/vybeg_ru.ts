@@ -4505,6 +4505,26 @@ Open a recording and press Run.</source>
         <source>Open recording…</source>
         <translation>Открыть запись…</translation>
     </message>
+    <message>
+        <source>A recording of a free decay, or a session</source>
+        <translation>Запись свободного выбега или сеанс</translation>
+    </message>
+    <message>
+        <source>Open the demonstration</source>
+        <translation>Открыть пример</translation>
+    </message>
+    <message>
+        <source>A simulated free decay: 28 s, 5300 Hz, with a frequency split, a decay and noise</source>
+        <translation>Смоделированный свободный выбег: 28 с, 5300 Гц, с разночастотностью, затуханием и шумом</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Недавние файлы</translation>
+    </message>
+    <message>
+        <source>A click or Return opens a file</source>
+        <translation>Щелчок или Enter открывает файл</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::WindowFields</name>

@@ -201,6 +201,9 @@ void MainWindow::connectSession() {
 void MainWindow::connectPanels() {
     connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
+    connect(welcome_, &WelcomePage::recentChosen, this,
+            [this](const QString& path) { files_->open({path}); });
+    connect(welcome_, &WelcomePage::demonstrationWanted, files_, &FileCommands::openDemonstration);
     connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
     connect(menus_, &WindowMenus::recentChosen, this,
             [this](const QString& path) { files_->open({path}); });
@@ -243,7 +246,11 @@ void MainWindow::connectPanels() {
 }
 
 void MainWindow::showCurrentRecording() {
-    pages_->setWelcome(document_.recordings().empty());
+    const bool empty = document_.recordings().empty();
+    if (empty) {
+        welcome_->setRecent(menus_->recentFiles()->paths());
+    }
+    pages_->setWelcome(empty);
     showTitle();
     commands_->refresh();
 }
