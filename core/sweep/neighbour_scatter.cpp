@@ -19,7 +19,14 @@ constexpr double sixth_norm = 924;                    // sum of the squares of t
 constexpr double second_norm = 6;                     // of 1, -2, 1
 constexpr double normal_median = 0.6744897501960817;  // of |x|, x normal with sd 1
 constexpr double far_out = 4;                         // sd of a value that does not count
+// A beat moves a_B and the angles to first order, a_A and f to second: so much of the slope reaches
+// them in simulated beats (0.1 to 0.4).
+constexpr double second_order = 0.25;
 constexpr double nan = SweepValue::none;
+
+bool of_amplitude_or_rate(SlowVariable variable) {
+    return variable == SlowVariable::a_A || variable == SlowVariable::f;
+}
 
 bool sound(Flags flags) {
     for (const Flag bad : {Flag::gap, Flag::not_converged, Flag::at_bound, Flag::clipped,
@@ -191,7 +198,9 @@ SweepLength NeighbourScatter::finish() const {
         const double bend = second * second - second_norm * scatter * scatter;
         value.motion = typical * std::sqrt(std::max(bend, 0.0)) / 24;
         // A slope d in the window enters the projections through their residual, about d/2n.
-        value.unmodelled = typical * beyond * std::sqrt(3 / static_cast<double>(plan_.length));
+        const double share = of_amplitude_or_rate(main_slow_variables[v]) ? second_order : 1;
+        value.unmodelled =
+            share * typical * beyond * std::sqrt(3 / static_cast<double>(plan_.length));
     }
     return found;
 }

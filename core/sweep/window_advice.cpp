@@ -7,6 +7,7 @@ namespace vybeg {
 namespace {
 
 constexpr double same_loss = 1.25;
+constexpr double dominant = 3;
 
 struct Loss {
     double ratio = 0;
@@ -33,7 +34,21 @@ std::vector<SweepLength> with_foretold_motion(std::span<const SweepLength> measu
     return lengths;
 }
 
-// Variables that have an error at every length, with the least one.
+// Lengths up to the first at which motion dominates a variable: beyond it the bend of one variable
+// shifts others in ways that their own bend does not show, first of all the frequency.
+std::size_t before_motion(std::span<const SweepLength> lengths) {
+    constexpr std::size_t least = 2;
+    std::size_t k = 0;
+    const auto dominates = [](const SweepValue& value) {
+        return value.motion > dominant * std::max(value.scatter, value.leaking);
+    };
+    while (k < lengths.size() && std::ranges::none_of(lengths[k].values, dominates)) {
+        ++k;
+    }
+    return std::min(std::max(k, least), lengths.size());
+}
+
+// A variable that has an error in half of the lengths or more, with the least one.
 struct Comparable {
     std::size_t variable;
     double least;
@@ -43,23 +58,39 @@ std::vector<Comparable> comparable(std::span<const SweepLength> lengths) {
     std::vector<Comparable> found;
     for (std::size_t v = 0; v < sweep_variable_count; ++v) {
         double least = std::numeric_limits<double>::infinity();
-        bool everywhere = true;
+        std::size_t count = 0;
         for (const SweepLength& each : lengths) {
             const double error = each.values[v].error();
-            everywhere = everywhere && std::isfinite(error) && error > 0;
-            least = std::min(least, error);
+            if (std::isfinite(error) && error > 0) {
+                least = std::min(least, error);
+                ++count;
+            }
         }
-        if (everywhere) {
+        if (count > 0 && 2 * count >= lengths.size()) {
             found.push_back({v, least});
         }
     }
     return found;
 }
 
+// The largest ratio of a length; infinite where one of the errors is missing.
+Loss loss_of(const SweepLength& length, const std::vector<Comparable>& variables) {
+    Loss loss;
+    for (const Comparable& each : variables) {
+        const double ratio = length.values[each.variable].error() / each.least;
+        if (!(ratio <= loss.ratio)) {
+            loss = {std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity(),
+                    each.variable};
+        }
+    }
+    return loss;
+}
+
 // The motion, or else the scatter, of the variable that the step from one length to the next
 // worsens most.
 void explain(const SweepLength& at, const SweepLength& next,
              const std::vector<Comparable>& variables, WindowAdvice& advice) {
+    advice.limit = WindowAdvice::Limit::no_values;
     double worst = 0;
     for (const Comparable& each : variables) {
         const SweepValue& value = next.values[each.variable];
@@ -67,28 +98,27 @@ void explain(const SweepLength& at, const SweepLength& next,
         if (growth > worst) {
             worst = growth;
             advice.variable = each.variable;
-            advice.limit = value.motion > value.scatter ? WindowAdvice::Limit::motion
-                                                        : WindowAdvice::Limit::scatter;
+            advice.limit = growth <= 1                    ? WindowAdvice::Limit::flat
+                           : value.motion > value.scatter ? WindowAdvice::Limit::motion
+                                                          : WindowAdvice::Limit::scatter;
         }
     }
 }
 
 }  // namespace
 
-std::optional<WindowAdvice> advise_window(std::span<const SweepLength> all) {
-    const std::vector<SweepLength> lengths = with_foretold_motion(all);
+std::optional<WindowAdvice> advise_window(std::span<const SweepLength> measured) {
+    const std::vector<SweepLength> foretold = with_foretold_motion(measured);
+    const auto lengths = std::span(foretold).first(before_motion(foretold));
     const std::vector<Comparable> variables = comparable(lengths);
-    if (lengths.size() < 2 || variables.empty()) {
-        return std::nullopt;
+    std::vector<Loss> losses;
+    for (const SweepLength& each : lengths) {
+        losses.push_back(loss_of(each, variables));
     }
-    std::vector<Loss> losses(lengths.size());
-    for (std::size_t k = 0; k < lengths.size(); ++k) {
-        for (const Comparable& each : variables) {
-            const double ratio = lengths[k].values[each.variable].error() / each.least;
-            if (ratio > losses[k].ratio) {
-                losses[k] = {ratio, each.variable};
-            }
-        }
+    const auto compared =
+        std::ranges::count_if(losses, [](const Loss& loss) { return std::isfinite(loss.ratio); });
+    if (variables.empty() || compared < 2) {
+        return std::nullopt;
     }
     WindowAdvice advice;
     // Of lengths of nearly the same loss the shortest: beyond the best one motion grows fast.
@@ -109,8 +139,8 @@ std::optional<WindowAdvice> advise_window(std::span<const SweepLength> all) {
     while (advice.longest + 1 < lengths.size() && acceptable(advice.longest + 1)) {
         ++advice.longest;
     }
-    if (advice.best + 1 < lengths.size()) {
-        explain(lengths[advice.best], lengths[advice.best + 1], variables, advice);
+    if (advice.best + 1 < foretold.size()) {
+        explain(lengths[advice.best], foretold[advice.best + 1], variables, advice);
     }
     for (const Comparable& each : variables) {
         const SweepValue& value = lengths[advice.best].values[each.variable];

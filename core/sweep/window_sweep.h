@@ -55,6 +55,8 @@ struct WindowAdvice {
     enum class Limit {
         motion,      // longer windows blur `variable`
         scatter,     // longer windows scatter more: leakage or noise that is not white
+        flat,        // longer windows are better by less than a quarter
+        no_values,   // in the next longer windows a variable has no value
         list_end,    // the longest of the list: even there nothing moves inside a window
         list_begin,  // the shortest of the list, and `variable` moves inside it
     };

@@ -146,9 +146,9 @@ void WindowAdviceTest::the_recommended_window_is_near_the_best() {
     const double found = losses[sweep->advice->best];
     if (qEnvironmentVariableIsSet("VYBEG_SHOW")) {
         qInfo("n = %d: %.2f of the best%s", int(sweep->lengths[sweep->advice->best].length),
-              found / best, found > 1.5 * best ? qPrintable(table) : "");
+              found / best, found > 2 * best ? qPrintable(table) : "");
     }
-    QVERIFY2(found <= 1.5 * best, qPrintable(QString("recommended %1, loss %2 instead of %3%4")
+    QVERIFY2(found <= 2 * best, qPrintable(QString("recommended %1, loss %2 instead of %3%4")
                                                  .arg(sweep->lengths[sweep->advice->best].length)
                                                  .arg(found)
                                                  .arg(best)

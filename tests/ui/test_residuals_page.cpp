@@ -110,7 +110,7 @@ private slots:
         QVERIFY(!window_->action(Command::page_residuals)->isEnabled());
         open(home_.recording("demo.wav"));
         QVERIFY(tabs.isVisible());
-        QCOMPARE(tabs.count(), 2);
+        QCOMPARE(tabs.count(), 3);
         goToResiduals();
         QCOMPARE(tabs.currentIndex(), 1);
         QVERIFY(!the<TrackView>().isVisible());

@@ -32,6 +32,7 @@ enum class Command {
     copy_table,
     page_tracks,
     page_residuals,
+    page_sweep,
     zoom_in,
     zoom_out,
     zoom_fit,

@@ -12,6 +12,7 @@
 #include "ui/resonator/resonator_panel.h"
 #include "ui/session/session_keeper.h"
 #include "ui/settings/settings_panel.h"
+#include "ui/sweep/sweep_page.h"
 #include "ui/window/about.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
@@ -79,9 +80,11 @@ void MainWindow::buildPages() {
     tracks_page_ = new TracksPage(document_, this);
     tracks_ = &tracks_page_->tracks();
     residuals_ = new ResidualsPage(document_, this);
+    sweep_ = new SweepPage(document_, this);
     pages_ = new PageStack(welcome_, this);
     pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
     pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
+    pages_->add(sweep_, QT_TRANSLATE_NOOP("Pages", "Windows"));
 
     messages_ = new MessageBar(this);
     auto* center = new QWidget(this);
@@ -213,6 +216,9 @@ void MainWindow::connectPanels() {
     connect(residuals_, &ResidualsPage::exportWanted, files_, [this](const XYPlot& plot) {
         files_->exportPlot(plot, QStringLiteral("residual.png"));
     });
+    connect(sweep_, &SweepPage::exportWanted, files_, [this](const XYPlot& plot) {
+        files_->exportPlot(plot, QStringLiteral("windows.png"));
+    });
     connect(tracks_, &TrackView::timeRangeChanged, this,
             [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
     connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
@@ -283,6 +289,7 @@ void MainWindow::setUnits(const DisplayUnits& units) {
     cursor_->setUnits(units);
     measure_->setUnits(units);
     resonator_->setUnits(units);
+    sweep_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }

@@ -26,6 +26,7 @@ class MessageBar;
 class PageStack;
 class RecordingPanel;
 class ResidualsPage;
+class SweepPage;
 class ResonatorPanel;
 class RunList;
 class SessionKeeper;
@@ -104,6 +105,7 @@ private:
     TracksPage* tracks_page_ = nullptr;
     TrackView* tracks_ = nullptr;  // of the page
     ResidualsPage* residuals_ = nullptr;
+    SweepPage* sweep_ = nullptr;
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
     CursorPanel* cursor_ = nullptr;
