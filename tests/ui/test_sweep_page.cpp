@@ -17,6 +17,8 @@
 #include <QToolTip>
 #include <QtTest>
 
+#include <numbers>
+
 using namespace vybeg;
 using namespace vybeg::ui;
 
@@ -238,10 +240,11 @@ private slots:
         const QStringList row = lines[2].split('\t');
         QCOMPARE(row.size(), head.size());
         QCOMPARE(row[0], QString("96"));
-        const auto column = head.indexOf("2θ A: scatter, rad");
+        const auto column = head.indexOf("2θ A: scatter, °");
         QVERIFY2(column > 0, qPrintable(lines[0]));
         VYBEG_CLOSE_RATIO(QLocale().toDouble(row[column]),
-                          page().sweep()->lengths[1].values[2].scatter, 1e-9);
+                          page().sweep()->lengths[1].values[2].scatter * 180 / std::numbers::pi,
+                          1e-9);
         auto& table = the<QTableWidget>("sweepTable");
         table.setFocus();
         QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
@@ -255,10 +258,13 @@ private slots:
         auto& plot = the<XYPlotView>("sweepScatter");
         auto& variable = the<QComboBox>("sweepVariable");
         for (int v = 0; v < variable.count(); ++v) {
+            const bool angle = v == 2 || v == 4;
             variable.setCurrentIndex(v);
             VYBEG_CLOSE_RATIO(
                 plot.content().series.front().y[1],
-                page().sweep()->lengths[1].values[static_cast<std::size_t>(v)].scatter, 1e-12);
+                page().sweep()->lengths[1].values[static_cast<std::size_t>(v)].scatter *
+                    (angle ? 180 / std::numbers::pi : 1),
+                1e-12);
         }
     }
 

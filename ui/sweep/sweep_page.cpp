@@ -102,9 +102,9 @@ std::optional<std::size_t> SweepPage::offered() const {
 // Algorithm and Snap are those of the panel until they are changed here.
 void SweepPage::followSettings() {
     const Settings& settings = document_.settings();
-    if (settings.algorithm != followed_ || algorithm_->currentIndex() < 0) {
+    if (settings.algorithm != followed_) {
         followed_ = settings.algorithm;
-        algorithm_->setCurrentIndex(static_cast<int>(followed_));
+        algorithm_->setCurrentIndex(static_cast<int>(*followed_));
     }
     if (settings.snap != followed_snap_) {
         followed_snap_ = settings.snap;

@@ -110,7 +110,7 @@ private:
     QuantityTable* table_ = nullptr;
     Theme theme_;
     DisplayUnits units_;
-    Algorithm followed_ = Algorithm::maximum_likelihood;  // of the panel
+    std::optional<Algorithm> followed_;  // of the panel
     bool followed_snap_ = false;
     int running_ = 0;  // recording; 0: none
     std::map<int, Found> results_;
