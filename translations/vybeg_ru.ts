@@ -1795,10 +1795,6 @@
         <translation>СКО %1</translation>
     </message>
     <message>
-        <source>scatter of neighbours</source>
-        <translation>разброс соседних</translation>
-    </message>
-    <message>
         <source>stated sd</source>
         <translation>указанное СКО</translation>
     </message>
@@ -1897,6 +1893,18 @@
     <message>
         <source>sd of the scatter</source>
         <translation>СКО разброса</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>граница</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>движение</translation>
+    </message>
+    <message>
+        <source>leakage %1</source>
+        <translation>утечка %1</translation>
     </message>
 </context>
 <context>

@@ -120,8 +120,8 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
             return each.values[view.variable].*member;
         });
     };
-    XYSeries scatter = asPoints(
-        series(QT_TRANSLATE_NOOP("Sweep", "scatter of neighbours"), &SweepValue::scatter), 0);
+    XYSeries scatter =
+        asPoints(series(QT_TRANSLATE_NOOP("Sweep", "scatter"), &SweepValue::scatter), 0);
     scatter.ink = Ink::text;
     for (const SweepLength& each : sweep->lengths) {
         scatter.sd.push_back(factor * each.values[view.variable].sd_scatter);
@@ -130,10 +130,9 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
     plot.series.push_back(withInk(
         series(QT_TRANSLATE_NOOP("Sweep", "stated sd"), &SweepValue::stated), Ink::channel_c));
     plot.series.push_back(
-        withInk(series(QT_TRANSLATE_NOOP("Sweep", "Cramér-Rao bound"), &SweepValue::bound),
-                Ink::muted, true));
+        withInk(series(QT_TRANSLATE_NOOP("Sweep", "bound"), &SweepValue::bound), Ink::muted, true));
     XYSeries motion =
-        asPoints(series(QT_TRANSLATE_NOOP("Sweep", "shift by motion"), &SweepValue::motion), 2);
+        asPoints(series(QT_TRANSLATE_NOOP("Sweep", "motion"), &SweepValue::motion), 2);
     motion.ink = Ink::channel_d;
     plot.series.push_back(std::move(motion));
     Extent extent;
@@ -143,8 +142,8 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
     const double floor = extent.low / 4;
     for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
         XYSeries leakage = seriesOf(
-            *sweep, translated(QT_TRANSLATE_NOOP("Sweep", "leakage, algorithm %1")).arg(k + 1),
-            factor, [&](const SweepLength& each) { return each.values[view.variable].leakage[k]; });
+            *sweep, translated(QT_TRANSLATE_NOOP("Sweep", "leakage %1")).arg(k + 1), factor,
+            [&](const SweepLength& each) { return each.values[view.variable].leakage[k]; });
         leakage.style = static_cast<int>(k) + 2;
         leakage.thin = true;
         extent.take(leakage);

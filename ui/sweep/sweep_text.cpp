@@ -128,9 +128,9 @@ QString adviceText(const WindowSweep& sweep, const SweepView& view) {
             "windows or more, and white noise between the lines of the spectrum."));
     }
     const WindowAdvice& advice = *sweep.advice;
-    QString text = QStringLiteral("<b>%1.</b> ")
-                       .arg(translated(QT_TRANSLATE_NOOP("Sweep", "This recording deserves %1"))
-                                .arg(lengthText(sweep, advice.best)));
+    QString text = QStringLiteral("%1. ").arg(
+        translated(QT_TRANSLATE_NOOP("Sweep", "This recording deserves %1"))
+            .arg(lengthText(sweep, advice.best)));
     text += reasonOf(sweep, view);
     constexpr double one_sided = 2;
     text += QStringLiteral(" ");
@@ -228,7 +228,7 @@ QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
             add(translated(column.name));
         }
         for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
-            add(translated("leakage, algorithm %1").arg(k + 1));
+            add(translated(QT_TRANSLATE_NOOP("Sweep", "leakage, algorithm %1")).arg(k + 1));
         }
     }
     QStringList lines{head.join(QLatin1Char('\t'))};
