@@ -110,6 +110,7 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
         std::pair{Command::page_tracks, "tracks"},
         std::pair{Command::page_resonator, "resonator"},
         std::pair{Command::page_residuals, "residuals"},
+        std::pair{Command::page_sweep, "windows"},
     };
     if (tabs->isVisible()) {
         for (const auto& [command, name] : commands) {

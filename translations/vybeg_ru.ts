@@ -305,6 +305,14 @@
         <source>The page with the resonator of a set: parameters, rim, drift</source>
         <translation>Страница с резонатором набора: параметры, кромка, уход</translation>
     </message>
+    <message>
+        <source>&amp;Windows</source>
+        <translation>Ок&amp;на</translation>
+    </message>
+    <message>
+        <source>The page with scatter, bound and leakage against the length of the window, and the window this recording deserves</source>
+        <translation>Страница с разбросом, границей и утечкой в зависимости от длины окна и с окном, которого заслуживает запись</translation>
+    </message>
 </context>
 <context>
     <name>DisplayUnits</name>
@@ -1034,6 +1042,10 @@
     <message>
         <source>Resonator</source>
         <translation>Резонатор</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Окна</translation>
     </message>
 </context>
 <context>
@@ -1817,6 +1829,133 @@
     <message>
         <source>orthogonality of the standing waves, relative</source>
         <translation>ортогональность стоячих волн, относительная</translation>
+    </message>
+</context>
+<context>
+    <name>Sweep</name>
+    <message>
+        <source>recommended</source>
+        <translation>рекомендуется</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>отсчётов</translation>
+    </message>
+    <message>
+        <source>Standard deviation of %1</source>
+        <translation>СКО %1</translation>
+    </message>
+    <message>
+        <source>scatter</source>
+        <translation>разброс</translation>
+    </message>
+    <message>
+        <source>stated sd</source>
+        <translation>указанное СКО</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>граница</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>движение</translation>
+    </message>
+    <message>
+        <source>leakage %1</source>
+        <translation>утечка %1</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Остаток</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>шум</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>белый</translation>
+    </message>
+    <message>
+        <source>Longer windows blur %1: at n = %2 its bend inside the window shifts the mean by %3, with a scatter of %4.</source>
+        <translation>Более длинные окна смазывают %1: при n = %2 изгиб внутри окна сдвигает среднее на %3 при разбросе %4.</translation>
+    </message>
+    <message>
+        <source>Longer windows are not better: at n = %2 the expected error of %1 is %3, here %4.</source>
+        <translation>Более длинные окна не лучше: при n = %2 ожидаемая ошибка %1 равна %3, здесь %4.</translation>
+    </message>
+    <message>
+        <source>Longer windows of the list are better by less than a quarter.</source>
+        <translation>Более длинные окна списка лучше меньше чем на четверть.</translation>
+    </message>
+    <message>
+        <source>In the longer windows of the list some variables have no value.</source>
+        <translation>В более длинных окнах списка некоторые переменные не имеют значения.</translation>
+    </message>
+    <message>
+        <source>It is the longest of the list; longer ones are not examined.</source>
+        <translation>Это самое длинное окно списка; более длинные не исследованы.</translation>
+    </message>
+    <message>
+        <source>It is the shortest of the list, and %1 moves even inside it by more than its scatter.</source>
+        <translation>Это самое короткое окно списка, и %1 даже внутри него меняется сильнее разброса.</translation>
+    </message>
+    <message>
+        <source>Neighbouring values of %1 scatter %2 times as much as the white noise explains.</source>
+        <translation>Соседние значения %1 разбросаны в %2 раза сильнее, чем объясняет белый шум.</translation>
+    </message>
+    <message>
+        <source>Cramér-Rao bound</source>
+        <translation>граница Крамера — Рао</translation>
+    </message>
+    <message>
+        <source>shift by motion</source>
+        <translation>сдвиг от движения</translation>
+    </message>
+    <message>
+        <source>own leakage</source>
+        <translation>своя утечка</translation>
+    </message>
+    <message>
+        <source>n = %1, %2 ms, %3 periods</source>
+        <translation>n = %1, %2 мс, периодов: %3</translation>
+    </message>
+    <message>
+        <source>No window is recommended: a comparison needs two lengths with 14 undisturbed windows or more, and white noise between the lines of the spectrum.</source>
+        <translation>Окно не рекомендуется: для сравнения нужны две длины, при которых есть не меньше 14 неповреждённых окон, и белый шум между линиями спектра.</translation>
+    </message>
+    <message>
+        <source>This recording deserves %1</source>
+        <translation>Эта запись заслуживает окна %1</translation>
+    </message>
+    <message>
+        <source>No window suits all variables: here the expected error of %1 is %2 times its least in the list.</source>
+        <translation>Ни одно окно не подходит всем переменным: здесь ожидаемая ошибка %1 в %2 раза больше наименьшей в списке.</translation>
+    </message>
+    <message>
+        <source>From n = %1 to %2 no expected error exceeds %3 times its least in the list.</source>
+        <translation>От n = %1 до %2 ни одна ожидаемая ошибка не превышает наименьшую в списке больше чем в %3 раза.</translation>
+    </message>
+    <message>
+        <source>%1: scatter of %2 %3 %4 (stated %5, bound %6, shift by motion %7); noise %8</source>
+        <translation>%1: разброс %2 %3 %4 (указанное СКО %5, граница %6, сдвиг от движения %7); шум %8</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>окон</translation>
+    </message>
+    <message>
+        <source>sd of the scatter</source>
+        <translation>СКО разброса</translation>
+    </message>
+    <message>
+        <source>leakage, algorithm %1</source>
+        <translation>утечка, алгоритм %1</translation>
     </message>
 </context>
 <context>
@@ -3411,6 +3550,33 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::LengthField</name>
+    <message>
+        <source>“%1” is neither a whole number nor a range as 6..600.</source>
+        <translation>«%1» — не целое число и не диапазон вида 6..600.</translation>
+    </message>
+    <message>
+        <source>A window has %1 samples at least and %2 at most.</source>
+        <translation>В окне не меньше %1 и не больше %2 отсчётов.</translation>
+    </message>
+    <message>
+        <source>A list of window lengths is needed, e.g. 6..600 or 6, 60.</source>
+        <translation>Нужен список длин окна, например 6..600 или 6, 60.</translation>
+    </message>
+    <message>
+        <source>At most %1 lengths are possible.</source>
+        <translation>Возможно не больше %1 длин.</translation>
+    </message>
+    <message>
+        <source>Window lengths, samples</source>
+        <translation>Длины окон, отсчётов</translation>
+    </message>
+    <message>
+        <source>Samples per window: numbers and ranges, e.g. 6, 22, 60..600. A range stands for 15 lengths in equal ratios.</source>
+        <translation>Отсчётов в окне: числа и диапазоны, например 6, 22, 60..600. Диапазон означает 15 длин с равными отношениями.</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::MainWindow</name>
     <message>
         <source>Recordings</source>
@@ -4438,6 +4604,121 @@
     <message>
         <source>Cancelled</source>
         <translation>Прервано</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::SweepPage</name>
+    <message>
+        <source>No recording is open.</source>
+        <translation>Запись не открыта.</translation>
+    </message>
+    <message>
+        <source>The recording is being read.</source>
+        <translation>Запись читается.</translation>
+    </message>
+    <message>
+        <source>The windows are being estimated…</source>
+        <translation>Окна оцениваются…</translation>
+    </message>
+    <message>
+        <source>Run estimates this recording once for each length: it shows how much the values scatter and which window the recording deserves.</source>
+        <translation>«Рассчитать» оценивает эту запись один раз для каждой длины и показывает, как разбросаны значения и какого окна заслуживает запись.</translation>
+    </message>
+    <message>
+        <source>The result is older than the settings: Run computes it anew.</source>
+        <translation>Результат старше настроек: «Рассчитать» вычислит его заново.</translation>
+    </message>
+    <message>
+        <source>Estimates adjacent windows of each length with the settings of the panel Analysis</source>
+        <translation>Оценивает примыкающие окна каждой длины с настройками панели «Обработка»</translation>
+    </message>
+    <message>
+        <source>Use n = %1</source>
+        <translation>Взять n = %1</translation>
+    </message>
+    <message>
+        <source>Algorithm</source>
+        <translation>Алгоритм</translation>
+    </message>
+    <message>
+        <source>Algorithm of the sweep</source>
+        <translation>Алгоритм перебора окон</translation>
+    </message>
+    <message>
+        <source>Follows the panel Analysis; may be another one here</source>
+        <translation>Следует панели «Обработка»; здесь может быть другим</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Подогнать</translation>
+    </message>
+    <message>
+        <source>Snap every length</source>
+        <translation>Каждая длина к полупериодам</translation>
+    </message>
+    <message>
+        <source>Moves every length to whole half-periods of the carrier</source>
+        <translation>Сдвигает каждую длину к целому числу полупериодов несущей</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Длины</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Рассчитать</translation>
+    </message>
+    <message>
+        <source>Run the sweep</source>
+        <translation>Запустить перебор окон</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Прервать</translation>
+    </message>
+    <message>
+        <source>Cancel the sweep</source>
+        <translation>Отменить перебор окон</translation>
+    </message>
+    <message>
+        <source>Progress of the sweep</source>
+        <translation>Ход перебора окон</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Переменная</translation>
+    </message>
+    <message>
+        <source>Variable of the sweep</source>
+        <translation>Переменная перебора окон</translation>
+    </message>
+    <message>
+        <source>The variable of the left plot and of the table</source>
+        <translation>Переменная левого графика и таблицы</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Копировать таблицу</translation>
+    </message>
+    <message>
+        <source>All variables and lengths to the clipboard, for a spreadsheet</source>
+        <translation>Все переменные и длины в буфер обмена, для электронной таблицы</translation>
+    </message>
+    <message>
+        <source>Puts this window and the algorithm of the sweep into the panel Analysis; Undo takes them back</source>
+        <translation>Записывает это окно и алгоритм перебора на панель «Обработка»; отмена возвращает прежние</translation>
+    </message>
+    <message>
+        <source>Scatter against the length of the window</source>
+        <translation>Разброс в зависимости от длины окна</translation>
+    </message>
+    <message>
+        <source>Residual against the length of the window</source>
+        <translation>Невязка в зависимости от длины окна</translation>
+    </message>
+    <message>
+        <source>Numbers of the sweep</source>
+        <translation>Числа перебора окон</translation>
     </message>
 </context>
 <context>

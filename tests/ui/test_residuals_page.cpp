@@ -111,7 +111,7 @@ private slots:
         QVERIFY(!window_->action(Command::page_residuals)->isEnabled());
         open(home_.recording("demo.wav"));
         QVERIFY(tabs.isVisible());
-        QCOMPARE(tabs.count(), 3);
+        QCOMPARE(tabs.count(), 4);
         goToResiduals();
         QCOMPARE(tabs.currentIndex(), 2);
         QVERIFY(!the<TrackView>().isVisible());

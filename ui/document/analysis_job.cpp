@@ -9,6 +9,7 @@
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
 #include "core/residuals/find_residuals.h"
+#include "core/sweep/sweep_windows.h"
 #include "ui/document/freed_in_background.h"
 
 #include <QElapsedTimer>
@@ -302,6 +303,22 @@ void AnalysisJob::findResiduals(int key, const Recording& recording,
         others_, {Kind::residuals, key},
         [recording, analysis = std::move(analysis), range](const Ticket& ticket) {
             return find_residuals(recording, *analysis, range, JobControl(ticket.stop));
+        },
+        std::move(done));
+}
+
+void AnalysisJob::sweepWindows(int key, const Recording& recording, const Settings& settings,
+                               const std::vector<std::int64_t>& lengths,
+                               std::function<void(Result<WindowSweep>)> done) {
+    start<WindowSweep>(
+        others_, {Kind::sweep, key},
+        [this, key, recording, settings, lengths](const Ticket& ticket) -> Result<WindowSweep> {
+            Result<WindowSweep> found =
+                sweep_windows(recording, settings, lengths, reporting(key, ticket.stop));
+            if (const Status still = unchanged(recording); !still) {
+                return still.error();
+            }
+            return found;
         },
         std::move(done));
 }

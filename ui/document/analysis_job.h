@@ -27,6 +27,7 @@
 namespace vybeg {
 struct ResidualRange;
 struct Residuals;
+struct WindowSweep;
 }  // namespace vybeg
 
 namespace vybeg::ui {
@@ -83,6 +84,11 @@ public:
                        std::shared_ptr<const Analysis> analysis, const ResidualRange& range,
                        std::function<void(Result<Residuals>)> done);
 
+    // The recording in windows of many lengths; tells its progress.
+    void sweepWindows(int key, const Recording& recording, const Settings& settings,
+                      const std::vector<std::int64_t>& lengths,
+                      std::function<void(Result<WindowSweep>)> done);
+
     // One resonator behind all recordings. `inputs` as these; hashes that are missing are made.
     void identify(int key, const std::vector<Recording>& recordings,
                   std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
@@ -120,6 +126,7 @@ private:
         live,
         identification,
         residuals,
+        sweep,
         passport,
         write
     };

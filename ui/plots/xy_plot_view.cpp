@@ -3,9 +3,11 @@
 #include <QAction>
 #include <QEvent>
 #include <QFocusEvent>
+#include <QHelpEvent>
 #include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
@@ -83,6 +85,18 @@ std::optional<std::size_t> XYPlotView::pointAt(const QPointF& position) const {
         }
     }
     return nearest;
+}
+
+bool XYPlotView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const auto point = pointAt(help->pos());
+        if (point && static_cast<qsizetype>(*point) < tips_.size()) {
+            QToolTip::showText(help->globalPos(), tips_[static_cast<qsizetype>(*point)], this);
+            return true;
+        }
+    }
+    return QWidget::event(event);
 }
 
 void XYPlotView::mouseMoveEvent(QMouseEvent* event) {

@@ -2,6 +2,7 @@
 
 #include "ui/plots/xy_plot.h"
 
+#include <QStringList>
 #include <QWidget>
 
 #include <optional>
@@ -26,6 +27,8 @@ public:
     // A click near a point of this series, by its number in the content, emits pointClicked(); Left
     // and Right emit stepWanted().
     void setPickable(std::optional<std::size_t> series);
+    // Tooltips of the points of that series, rich text.
+    void setPointTips(const QStringList& tips) { tips_ = tips; }
     // Where a point of a series lies in the widget.
     QPointF positionOf(std::size_t series, std::size_t point) const;
 
@@ -38,6 +41,7 @@ signals:
     void stepWanted(int by);
 
 protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
@@ -59,6 +63,7 @@ private:
     XYPlot content_;
     Theme theme_;
     std::optional<std::size_t> pickable_;
+    QStringList tips_;
 };
 
 }  // namespace vybeg::ui

@@ -33,6 +33,7 @@ enum class Command {
     page_tracks,
     page_resonator,
     page_residuals,
+    page_sweep,
     zoom_in,
     zoom_out,
     zoom_fit,

@@ -13,6 +13,7 @@
 #include "ui/resonator/resonator_page.h"
 #include "ui/session/session_keeper.h"
 #include "ui/settings/settings_panel.h"
+#include "ui/sweep/sweep_page.h"
 #include "ui/window/about.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
@@ -81,10 +82,12 @@ void MainWindow::buildPages() {
     tracks_ = &tracks_page_->tracks();
     resonator_ = new ResonatorPage(document_, this);
     residuals_ = new ResidualsPage(document_, this);
+    sweep_ = new SweepPage(document_, this);
     pages_ = new PageStack(welcome_, this);
     pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
     pages_->add(resonator_, QT_TRANSLATE_NOOP("Pages", "Resonator"));
     pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
+    pages_->add(sweep_, QT_TRANSLATE_NOOP("Pages", "Windows"));
 
     messages_ = new MessageBar(this);
     auto* center = new QWidget(this);
@@ -218,6 +221,7 @@ void MainWindow::connectPanels() {
             &TracksPage::analyseVisibleRange);
     connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(sweep_, &SweepPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(tracks_, &TrackView::timeRangeChanged, this,
             [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
     connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
@@ -293,6 +297,7 @@ void MainWindow::setUnits(const DisplayUnits& units) {
     cursor_->setUnits(units);
     measure_->setUnits(units);
     resonator_->setUnits(units);
+    sweep_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }
@@ -302,6 +307,7 @@ FigureSource MainWindow::figures() const {
         case Page::tracks: return tracks_page_->figures();
         case Page::resonator: return resonator_->figures();
         case Page::residuals: return residuals_->figures();
+        case Page::sweep: return sweep_->figures();
     }
     return {};
 }

@@ -28,6 +28,7 @@ class PageStack;
 class RecordingPanel;
 class ResidualsPage;
 class ResonatorPage;
+class SweepPage;
 class RunList;
 class SessionKeeper;
 class SettingsPanel;
@@ -108,6 +109,7 @@ private:
     TracksPage* tracks_page_ = nullptr;
     TrackView* tracks_ = nullptr;  // of the page
     ResidualsPage* residuals_ = nullptr;
+    SweepPage* sweep_ = nullptr;
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
     CursorPanel* cursor_ = nullptr;

@@ -5,6 +5,7 @@
 #include "ui/resonator/resonator_page.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_keeper.h"
+#include "ui/sweep/sweep_page.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
@@ -120,6 +121,7 @@ void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
     tracks_page_->setTheme(theme_);
     residuals_->setTheme(theme_);
+    sweep_->setTheme(theme_);
     resonator_->setTheme(theme_);
     wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);

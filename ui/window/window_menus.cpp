@@ -91,7 +91,8 @@ void WindowMenus::addFile() {
 void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>>& docks,
                           int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
-    add(view, {Command::page_tracks, Command::page_resonator, Command::page_residuals});
+    add(view, {Command::page_tracks, Command::page_resonator, Command::page_residuals,
+               Command::page_sweep});
     view->addSeparator();
     add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
                Command::zoom_forward});
