@@ -298,8 +298,8 @@
         <translation>Повторить отменённое изменение</translation>
     </message>
     <message>
-        <source>Reso&amp;nator</source>
-        <translation>Ре&amp;зонатор</translation>
+        <source>Reson&amp;ator</source>
+        <translation>Р&amp;езонатор</translation>
     </message>
     <message>
         <source>The page with the resonator of a set: parameters, rim, drift</source>
@@ -307,7 +307,7 @@
     </message>
     <message>
         <source>&amp;Windows</source>
-        <translation>Ок&amp;на</translation>
+        <translation>&amp;Окна</translation>
     </message>
     <message>
         <source>The page with scatter, bound and leakage against the length of the window, and the window this recording deserves</source>
@@ -2966,6 +2966,10 @@
         <source>Reason</source>
         <translation>Причина</translation>
     </message>
+    <message>
+        <source>Of the window nearest to the mouse in the plots, with standard deviations</source>
+        <translation>Ближайшего к указателю мыши окна на графиках, с СКО</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::Document</name>
@@ -3745,6 +3749,10 @@
         <source>No beat of 1¼ to 100 periods between the cursors.</source>
         <translation>Между курсорами нет биения с числом периодов от 1¼ до 100.</translation>
     </message>
+    <message>
+        <source>Values at A and B, their difference and the trend between them, with standard deviations</source>
+        <translation>Значения в A и B, их разность и тренд между ними, с СКО</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::MessageBar</name>
@@ -3969,6 +3977,10 @@
         <source>Add to the set of the resonator</source>
         <translation>Добавить в набор резонатора</translation>
     </message>
+    <message>
+        <source>The chosen recording is analysed. Delete closes, Insert adds to the set; drag recordings into a set, too</source>
+        <translation>Обрабатывается выбранная запись. Delete закрывает, Insert добавляет в набор; записи можно и перетащить в набор</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::RecordingStore</name>
@@ -4090,6 +4102,14 @@
     <message>
         <source>Numbers of the residual</source>
         <translation>Числа невязки</translation>
+    </message>
+    <message>
+        <source>Against the normal curve of the same standard deviation</source>
+        <translation>Рядом с нормальной кривой с тем же СКО</translation>
+    </message>
+    <message>
+        <source>Ctrl+C copies the table</source>
+        <translation>Ctrl+C копирует таблицу</translation>
     </message>
 </context>
 <context>
@@ -4240,6 +4260,10 @@
         <source>Follows the settings while Live is on; Run keeps a run as it is</source>
         <translation>Следует за настройками, пока включено «На лету»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
     </message>
+    <message>
+        <source>The chosen run is what cursors, events and residuals show. Space hides, Delete removes, F2 renames</source>
+        <translation>Выбранный расчёт показывают курсоры, события и невязки. Пробел скрывает, Delete удаляет, F2 переименовывает</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::RunStore</name>
@@ -4258,6 +4282,13 @@
     <message>
         <source>remove %1</source>
         <translation>удалить %1</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::Section</name>
+    <message>
+        <source>Folds this part away, and opens it again</source>
+        <translation>Сворачивает и разворачивает этот раздел</translation>
     </message>
 </context>
 <context>
@@ -4380,6 +4411,14 @@
     <message>
         <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording (F7)</source>
         <translation>Подогнать один резонатор ко всем записям набора, а если он пуст — к текущей записи (F7)</translation>
+    </message>
+    <message>
+        <source>Recordings of one resonator; Delete removes one from the set</source>
+        <translation>Записи одного резонатора; Delete убирает запись из набора</translation>
+    </message>
+    <message>
+        <source>What the fit assumes of the channels</source>
+        <translation>Что модель предполагает о каналах</translation>
     </message>
 </context>
 <context>
@@ -4804,7 +4843,7 @@ Open a recording and press Run.</source>
     </message>
     <message>
         <source>A click or Return opens a file</source>
-        <translation>Щелчок или Enter открывает файл</translation>
+        <translation>Щелчок или ввод открывает файл</translation>
     </message>
 </context>
 <context>

@@ -19,7 +19,6 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -281,25 +280,6 @@ private slots:
         QVERIFY(svg.open(QIODevice::ReadOnly) && svg.read(200).contains("<svg"));
         QVERIFY(!exportPlotsTo(*window_, home_.path("no/such/folder/plots.png")));
         QVERIFY(the<MessageBar>().texts().first().contains("cannot be written"));
-    }
-
-    void the_empty_window_offers_the_demonstration_and_recent_files() {
-        auto& recent = the<QListWidget>("recent");
-        QVERIFY(!the<QPushButton>("demonstration").toolTip().isEmpty());
-        QTest::mouseClick(&the<QPushButton>("demonstration"), Qt::LeftButton);
-        QVERIFY(idle(1));
-        QCOMPARE(document().runs().front().run.recording, QStringLiteral("demonstration.wav"));
-        VYBEG_CLOSE(document().currentRecording()->recording->seconds(), 28, 0.001);
-        const QString path = document().currentRecording()->path;
-        document().closeRecording(document().currentRecording()->id);
-        QVERIFY(recent.isVisible() && recent.count() >= 1);
-        QCOMPARE(recent.item(0)->text(),
-                 QStringLiteral("demonstration.wav\n") + QFileInfo(path).path());
-        recent.setCurrentRow(0);
-        recent.setFocus();
-        QTest::keyClick(&recent, Qt::Key_Return);
-        QVERIFY(idle(1));
-        QCOMPARE(document().currentRecording()->path, path);
     }
 
     void a_second_longer_recording_is_shown_whole() {

@@ -2,15 +2,15 @@
 
 #include "core/analysis/recording_carrier.h"
 #include "core/output/identify_json.h"
+#include "core/output/output_file.h"
 #include "core/output/passport_json.h"
-#include "core/output/track_file.h"
-#include "core/output/track_header.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
 #include "core/residuals/find_residuals.h"
 #include "core/sweep/sweep_windows.h"
 #include "ui/document/freed_in_background.h"
+#include "ui/document/track_export.h"
 
 #include <QElapsedTimer>
 
@@ -350,24 +350,7 @@ void AnalysisJob::writeTrack(int key, const Recording& recording,
         key,
         [recording, analysis = std::move(analysis), name = program.toStdString(),
          path = toPath(path)](const JobControl& job) -> Status {
-            const Result<TrackFormat> format = track_format(path);
-            if (!format) {
-                return format.error();
-            }
-            const Result<std::string> hash = recording_sha256(recording, job);
-            if (!hash) {
-                return hash.error();
-            }
-            Result<OutputFile> file = OutputFile::create(path, job);
-            if (!file) {
-                return file.error();
-            }
-            const auto header = track_header(name, recording, *hash, *analysis);
-            if (Status written = write_track(*file, *format, analysis->track, header, job);
-                !written) {
-                return written;
-            }
-            return file->commit();
+            return exportTrackTo(path, recording, *analysis, name, job);
         },
         std::move(done));
 }

@@ -91,6 +91,8 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    // Always there: one that comes with the text narrows it, and its last line is cut.
+    scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(2, 2, 2, 2);
@@ -202,6 +204,9 @@ void RecordingPanel::changeEvent(QEvent* event) {
 
 void RecordingPanel::retranslate() {
     list_->setAccessibleName(tr("Open recordings"));
+    list_->setToolTip(
+        tr("The chosen recording is analysed. Delete closes, Insert adds to the set; "
+           "drag recordings into a set, too"));
     close_->setText(tr("Close recording"));
     reopen_->setText(tr("Import again…"));
     add_to_set_->setText(tr("Add to the set of the resonator"));

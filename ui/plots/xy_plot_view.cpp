@@ -162,4 +162,15 @@ void XYPlotView::retranslate() {
     export_->setText(tr("Export plot…"));
 }
 
+FigureSource figuresOf(const std::vector<const XYPlotView*>& plots, const QString& name,
+                       const QString& title) {
+    std::vector<std::pair<QString, Figure>> figures;
+    for (const XYPlotView* plot : plots) {
+        if (!plot->content().series.empty()) {
+            figures.emplace_back(plot->accessibleName(), plot->figure());
+        }
+    }
+    return sourceOf(figures, name, title);
+}
+
 }  // namespace vybeg::ui

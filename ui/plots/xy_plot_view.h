@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/plots/figure_source.h"
 #include "ui/plots/xy_plot.h"
 
 #include <QStringList>
@@ -65,5 +66,9 @@ private:
     std::optional<std::size_t> pickable_;
     QStringList tips_;
 };
+
+// What is exported of plots: those that show something, by their accessible names.
+FigureSource figuresOf(const std::vector<const XYPlotView*>& plots, const QString& name,
+                       const QString& title);
 
 }  // namespace vybeg::ui

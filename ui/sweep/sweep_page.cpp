@@ -70,13 +70,8 @@ const SweepPage::Found* SweepPage::found() const {
 }
 
 FigureSource SweepPage::figures() const {
-    std::vector<std::pair<QString, Figure>> figures;
-    for (const XYPlotView* plot : {scatter_, residual_}) {
-        if (sweep() && !plot->content().series.empty()) {
-            figures.emplace_back(plot->accessibleName(), plot->figure());
-        }
-    }
-    return sourceOf(figures, QStringLiteral("windows"), current() ? current()->name : QString());
+    return sweep() ? figuresOf({scatter_, residual_}, QStringLiteral("windows"), current()->name)
+                   : FigureSource();
 }
 
 const WindowSweep* SweepPage::sweep() const {
