@@ -232,8 +232,6 @@ private slots:
         QTest::mouseClick(&filter(), Qt::LeftButton);
         QCOMPARE(document().currentRecording()->id, first);
         QVERIFY(document().settings().filter.has_value());
-        document().setCurrentRecording(second);
-        QVERIFY(!document().settings().filter.has_value());
     }
 
     void lines_are_chosen_by_keys() {
@@ -289,7 +287,7 @@ private slots:
         window_->setLanguage("ru");
         QTRY_VERIFY2(sentence().contains("Гц"), qPrintable(sentence()));
         QCOMPARE(page().residuals()->lines.size(), lines.size());
-        QTRY_COMPARE(the<QTabBar>("pages").tabText(1), QString("Невязки"));
+        QTRY_COMPARE(the<QTabBar>("pages").tabText(2), QString("Невязки"));
         window_->setLanguage("en");
         QTRY_VERIFY(sentence().contains("Hz"));
     }

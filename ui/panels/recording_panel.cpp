@@ -22,6 +22,19 @@ namespace vybeg::ui {
 
 namespace {
 
+// As high as its wrapped text: a form layout gives the height of another width where a scroll bar
+// comes or goes.
+class WrappedLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QLabel::resizeEvent(event);
+        setMinimumHeight(heightForWidth(width()));
+    }
+};
+
 bool isWorthAWarning(const Diagnostic& diagnostic) {
     return diagnostic.kind != DiagnosticKind::text_lines_ignored;
 }
@@ -77,7 +90,7 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     for (int row = 0; row < row_count; ++row) {
         auto* name = new QLabel(content);
         name->setForegroundRole(QPalette::PlaceholderText);
-        auto* value = new QLabel(content);
+        auto* value = new WrappedLabel(content);
         value->setWordWrap(true);
         value->setTextFormat(Qt::PlainText);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -91,8 +104,6 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    // Always there: one that comes with the text narrows it, and its last line is cut.
-    scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(2, 2, 2, 2);
