@@ -167,7 +167,7 @@
     </message>
     <message>
         <source>One-&amp;sigma bands</source>
-        <translation>П&amp;олосы ±σ</translation>
+        <translation>Поло&amp;сы ±σ</translation>
     </message>
     <message>
         <source>&amp;Logarithmic working amplitude</source>
@@ -298,7 +298,7 @@
         <translation>Повторить отменённое изменение</translation>
     </message>
     <message>
-        <source>Reson&amp;ator</source>
+        <source>R&amp;esonator</source>
         <translation>Р&amp;езонатор</translation>
     </message>
     <message>

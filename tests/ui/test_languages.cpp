@@ -37,7 +37,7 @@ const std::set<QString> anyLanguage{
     "WAV",   "FLAC",    "CSV", "PNG",         "SVG",   "PDF",     "NPZ",    "MAT",
     "HDF",   "SHA",     "NaN", "nan",         "rms",   "demo",    "wav",    "Home",
     "Ctrl",  "Shift",   "Alt", "Del",         "Space", "png",     "csv",    "bits",
-    "cos",   "sin",     "opt", "Return",      "json",  "ppm"};
+    "cos",   "sin",     "opt", "Return",      "json",  "ppm",     "Delete", "Insert"};
 
 // All texts that a widget shows or tells a screen reader.
 QStringList textsOf(const QWidget& widget) {

@@ -139,7 +139,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .enabled = any,
          .act = [to] { to.show_page(Page::tracks); }},
         {.id = Command::page_resonator,
-         .text = QT_TRANSLATE_NOOP("Command", "Reson&ator"),
+         .text = QT_TRANSLATE_NOOP("Command", "R&esonator"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with the resonator of a set: parameters, rim, drift"),
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_2)},
