@@ -7,6 +7,7 @@
 #include "core/simulation/simulate.h"
 #include "ui/document/document.h"
 #include "ui/plots/track_view.h"
+#include "ui/sweep/sweep_page.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
@@ -17,6 +18,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QKeyEvent>
+#include <QPushButton>
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
@@ -117,6 +119,17 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
             pages.push_back(
                 {name, [command](MainWindow& shown) { shown.action(command)->trigger(); }});
         }
+        // A sweep is computed when it is asked for.
+        pages.back().show = [](MainWindow& shown) {
+            shown.action(Command::page_sweep)->trigger();
+            auto* run = shown.findChild<QPushButton*>(QStringLiteral("sweepRun"));
+            if (const auto* page = shown.findChild<SweepPage*>(); page->sweep() == nullptr) {
+                run->click();
+                while (page->running()) {
+                    pass(settle_ms);
+                }
+            }
+        };
         pages.push_back({"wave", [](MainWindow& shown) {
                              shown.action(Command::page_tracks)->trigger();
                              shown.findChild<QTabWidget*>()->setCurrentIndex(1);
