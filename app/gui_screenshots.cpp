@@ -108,6 +108,7 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
     const auto* tabs = window.findChild<QTabBar*>(QStringLiteral("pages"));
     static constexpr std::array commands{
         std::pair{Command::page_tracks, "tracks"},
+        std::pair{Command::page_signals, "signals"},
         std::pair{Command::page_resonator, "resonator"},
         std::pair{Command::page_residuals, "residuals"},
     };

@@ -10,6 +10,7 @@
 #include "core/recording/open/recording_preview.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
+#include "core/residuals/signal_excerpt.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
 #include "ui/values/curve_data.h"
@@ -22,6 +23,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 namespace vybeg {
@@ -38,6 +40,12 @@ struct AnalysisOutcome {
     Curves curves;
     TrackSummary summary;
     std::vector<Event> events;
+};
+
+// Samples with their fitted wave, and what the next excerpt of the same is taken from.
+struct ExcerptOutcome {
+    SignalSource source;
+    std::shared_ptr<const SignalExcerpt> excerpt;
 };
 
 // The only file with threads. Every job works in the background on values and returns its result by
@@ -83,6 +91,12 @@ public:
                        std::shared_ptr<const Analysis> analysis, const ResidualRange& range,
                        std::function<void(Result<Residuals>)> done);
 
+    // Samples of consecutive frames with the wave of an analysis that has all its windows, or
+    // without one. `known`: of an excerpt of the same recording and analysis, if there is one.
+    void readExcerpt(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
+                     std::optional<SignalSource> known, std::int64_t first, std::int64_t count,
+                     std::function<void(Result<ExcerptOutcome>)> done);
+
     // One resonator behind all recordings. `inputs` as these; hashes that are missing are made.
     void identify(int key, const std::vector<Recording>& recordings,
                   std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
@@ -120,6 +134,7 @@ private:
         live,
         identification,
         residuals,
+        excerpt,
         passport,
         write
     };

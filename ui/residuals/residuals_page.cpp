@@ -10,6 +10,7 @@
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -264,8 +265,9 @@ QString ResidualsPage::stateText() const {
             "No run is chosen. Run (F5) analyses the current recording; a row of the list "
             "Runs chooses one.");
     }
-    const QString name = QStringLiteral("<b>%1, %2.</b> ")
-                             .arg(run->run.recording.toHtmlEscaped(), run->run.name.toHtmlEscaped());
+    const QString name =
+        QStringLiteral("<b>%1, %2.</b> ")
+            .arg(run->run.recording.toHtmlEscaped(), run->run.name.toHtmlEscaped());
     if (!asked_) {
         return name + tr("The residual appears when all windows of the run are there.");
     }

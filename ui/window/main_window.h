@@ -31,6 +31,7 @@ class ResonatorPage;
 class RunList;
 class SessionKeeper;
 class SettingsPanel;
+class SignalsPage;
 class StatusLine;
 class TrackView;
 class TracksPage;
@@ -107,6 +108,7 @@ private:
     MessageBar* messages_ = nullptr;
     TracksPage* tracks_page_ = nullptr;
     TrackView* tracks_ = nullptr;  // of the page
+    SignalsPage* signals_ = nullptr;
     ResidualsPage* residuals_ = nullptr;
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;

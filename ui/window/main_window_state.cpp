@@ -5,6 +5,7 @@
 #include "ui/resonator/resonator_page.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_keeper.h"
+#include "ui/signals/signals_page.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
@@ -119,6 +120,7 @@ void MainWindow::setThemeMode(ThemeMode mode) {
 void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
     tracks_page_->setTheme(theme_);
+    signals_->setTheme(theme_);
     residuals_->setTheme(theme_);
     resonator_->setTheme(theme_);
     wave_->setTheme(theme_);
