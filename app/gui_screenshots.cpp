@@ -35,8 +35,9 @@ namespace {
 
 using namespace vybeg::ui;
 
-constexpr int settle_ms = 150;   // a window that has not changed for so long is ready
-constexpr int most_ms = 60'000;  // for the slowest analysis
+constexpr int settle_ms = 150;      // a window that has not changed for so long is ready
+constexpr int most_ms = 60'000;     // for the slowest analysis
+constexpr double periods_s = 6e-4;  // three of 5300 Hz
 
 void pass(int milliseconds) {
     QEventLoop loop;
@@ -114,12 +115,19 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
     };
     if (tabs->isVisible()) {
         for (const auto& [command, name] : commands) {
-            pages.push_back(
-                {name, [command](MainWindow& shown) { shown.action(command)->trigger(); }});
+            pages.push_back({name, [command](MainWindow& shown) {
+                                 shown.findChild<TrackView*>()->fit();
+                                 shown.action(command)->trigger();
+                             }});
         }
         pages.push_back({"wave", [](MainWindow& shown) {
                              shown.action(Command::page_tracks)->trigger();
                              shown.findChild<QTabWidget*>()->setCurrentIndex(1);
+                         }});
+        pages.push_back({"periods", [](MainWindow& shown) {
+                             shown.action(Command::page_signals)->trigger();
+                             auto& tracks = *shown.findChild<TrackView*>();
+                             tracks.setTimeRange({10, 10 + periods_s});
                          }});
     } else {
         pages.push_back({"welcome", [](MainWindow&) {}});

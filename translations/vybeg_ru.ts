@@ -1810,32 +1810,16 @@
         <translation>волна %1</translation>
     </message>
     <message>
-        <source>samples of C</source>
-        <translation>отсчёты C</translation>
-    </message>
-    <message>
-        <source>samples of D</source>
-        <translation>отсчёты D</translation>
-    </message>
-    <message>
         <source>fitted wave</source>
         <translation>вписанная волна</translation>
     </message>
     <message>
-        <source>C, least to largest</source>
-        <translation>C, от наименьшего до наибольшего</translation>
+        <source>wave&apos;s amplitude</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>D, least to largest</source>
-        <translation>D, от наименьшего до наибольшего</translation>
-    </message>
-    <message>
-        <source>amplitude of the fitted wave</source>
-        <translation>амплитуда вписанной волны</translation>
-    </message>
-    <message>
-        <source>residual: rms of each window</source>
-        <translation>невязка: СКЗ каждого окна</translation>
+        <source>rms of the residual</source>
+        <translation>СКЗ невязки</translation>
     </message>
 </context>
 <context>

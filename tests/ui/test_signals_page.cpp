@@ -17,6 +17,7 @@
 #include <qcustomplot.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 using namespace vybeg;
@@ -110,8 +111,10 @@ private slots:
                     std::hypot(std::cos(0.4), 0.1 * std::sin(0.4)) /
                         std::hypot(std::sin(0.4), 0.1 * std::cos(0.4)),
                     0.01);
-        VYBEG_CLOSE(static_cast<double>(all.columns[all.columns.size() / 2].c_max),
-                    all.wave.c[middle], 0.01);
+        // Of eight samples to a period the largest misses the crest by pi / 8 at most.
+        const double largest = static_cast<double>(all.columns[all.columns.size() / 2].c_max);
+        QVERIFY(largest < 1.01 * all.wave.c[middle]);
+        QVERIFY(largest > 0.99 * std::cos(std::numbers::pi / 8) * all.wave.c[middle]);
 
         zoomToThreePeriods(1.0);
         const SignalPicture& near = view().picture();
@@ -204,8 +207,8 @@ private slots:
     void without_a_run_samples_are_as_recorded() {
         open(home_.recording("demo.wav"));
         goToSignals();
-        QVERIFY(state().contains("window 60") || state().contains("n = 60") || !state().isEmpty());
-        document().removeRun(document().runs().front().id);
+        QVERIFY2(state().contains("demo.wav") && !state().contains("F5"), qPrintable(state()));
+        document().removeRun(document().runs().front().run.id);
         QVERIFY2(state().contains("F5"), qPrintable(state()));
         QVERIFY(!view().content().analysis);
         // The zoom goes on in the time of the recording.
@@ -264,7 +267,7 @@ private slots:
         open(home_.recording("demo.wav"));
         goToSignals();
         window_->setLanguage("ru");
-        QCOMPARE(the<QTabBar>("pages").tabText(1), QStringLiteral("Сигналы"));
+        QTRY_COMPARE(the<QTabBar>("pages").tabText(1), QStringLiteral("Сигналы"));
         QVERIFY(view().accessibleName() != QStringLiteral("Signals over time"));
         QVERIFY(the<QCheckBox>("signalsWave").text() != QStringLiteral("Fitted &wave"));
     }

@@ -142,19 +142,20 @@ void SignalGraph::drawColumns(QCPPainter& painter) const {
 void SignalGraph::drawRms(QCPPainter& painter) const {
     QVector<QLineF> band;
     QVector<QLineF> rims;
+    // Windows may be wider than a pixel.
+    const double half = 0.5 * static_cast<double>(content_->analysis->plan.hop) / content_->rate_hz;
+    double next = clipRect().left();  // the first pixel that is not drawn yet
     for (const CurveColumn& column : picture_->rms) {
         if (column.empty()) {
             continue;
         }
-        // Windows may be wider than a pixel.
-        const double half =
-            0.5 * static_cast<double>(content_->analysis->plan.hop) / content_->rate_hz;
         const double from = std::floor(x(column.time_first - half));
-        const double to = std::max(from, x(column.time_last + half) - 1);
-        for (double at = from; at <= to; ++at) {
-            band.append({at, y(-column.min), at, y(column.min)});
+        const double to = std::min(std::max(from, x(column.time_last + half) - 1),
+                                   static_cast<double>(clipRect().right()));
+        for (next = std::max(next, from); next <= to; ++next) {
+            band.append({next, y(-column.min), next, y(column.min)});
             for (const double sign : {-1, 1}) {
-                rims.append({at, y(sign * column.min) - 0.5, at, y(sign * column.max) + 0.5});
+                rims.append({next, y(sign * column.min) - 0.5, next, y(sign * column.max) + 0.5});
             }
         }
     }

@@ -76,23 +76,15 @@ void SignalStack::showLegend() {
         entries.push_back({text, true, true, color, Qt::SolidLine});
     };
     const bool fitted = content_.analysis != nullptr;
-    if (picture_.samples) {
-        add(translated(QT_TRANSLATE_NOOP("SignalStack", "samples of C")), theme.signalC);
-        add(translated(QT_TRANSLATE_NOOP("SignalStack", "samples of D")), theme.signalD);
-        if (fitted && content_.wave) {
-            add(translated(QT_TRANSLATE_NOOP("SignalStack", "fitted wave")), theme.text);
-        }
-    } else {
-        add(translated(QT_TRANSLATE_NOOP("SignalStack", "C, least to largest")), theme.signalC);
-        add(translated(QT_TRANSLATE_NOOP("SignalStack", "D, least to largest")), theme.signalD);
-        if (fitted && content_.wave) {
-            add(translated(QT_TRANSLATE_NOOP("SignalStack", "amplitude of the fitted wave")),
-                theme.text);
-        }
-        if (fitted) {
-            add(translated(QT_TRANSLATE_NOOP("SignalStack", "residual: rms of each window")),
-                theme.mutedText);
-        }
+    add(QStringLiteral("C"), theme.signalC);
+    add(QStringLiteral("D"), theme.signalD);
+    if (fitted && content_.wave) {
+        add(picture_.samples ? translated(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
+                             : translated(QT_TRANSLATE_NOOP("SignalStack", "wave's amplitude")),
+            theme.text);
+    }
+    if (fitted && !picture_.samples) {
+        add(translated(QT_TRANSLATE_NOOP("SignalStack", "rms of the residual")), theme.mutedText);
     }
     legend_->setEntries(std::move(entries), Qt::AlignLeft);
 }

@@ -79,10 +79,10 @@ private slots:
         }
     }
 
-    // The wave has two parameters of each channel and the common frequency. Its variance at a
-    // sample is sigma^2 times the diagonal of the projection: (2 + 3 s/2)/n on average, s < 1 the
-    // share of the frequency; a closed form scatters more. By its samples, 2000 windows of it, the
-    // deviation over them is known to 2 %.
+    // The wave has two parameters of each channel and the common frequency: its variance at a
+    // sample is sigma^2 times the diagonal of the projection, 2.5 sigma^2 / n on average over both.
+    // A closed form scatters more, and a wave at twice the carrier leaks into it, because no number
+    // of samples is a whole number of half-periods. 150 windows tell the deviation to 3 %.
     void the_wave_lies_at_the_truth_and_leaves_the_noise() {
         QFETCH(Algorithm, algorithm);
         QFETCH(double, f0_hz);
@@ -117,10 +117,11 @@ private slots:
                                algorithm == Algorithm::conjugate_gradient;
         const double bound = noise * std::sqrt(2.5 / n);
         const double ratio = rms_of(error) / bound;
-        QVERIFY2(0.8 < ratio && ratio < (iterative ? 1.2 : 3.0),
+        QVERIFY2(0.8 < ratio && ratio < (iterative ? 1.2 : 4.0),
                  qPrintable(QString::number(ratio)));
         const double k_sigma = 5 / std::sqrt(2.0 * static_cast<double>(residual.size()));
-        VYBEG_CLOSE_RATIO(rms_of(residual), noise, k_sigma + 5 / n);
+        // What a closed form adds is uncorrelated with the noise.
+        VYBEG_CLOSE_RATIO(rms_of(residual), noise, k_sigma + (iterative ? 5 : 20) / n);
     }
 
     void the_curve_passes_through_the_wave_at_the_samples_and_between_them() {
@@ -226,12 +227,19 @@ private slots:
         settings.filter = Band{4000, 6500};
         const SignalSource source = source_of(recording, settings);
         const SignalExcerpt excerpt = excerpt_of(source, 40000, 20000);
+        const TimeRange range{excerpt.time_s(0), excerpt.time_s(excerpt.size() - 1)};
+        const auto known = residual_samples(recording, *source.analysis, {range, {}}, {});
+        QVERIFY(known);
+        QCOMPARE(known->c.size(), excerpt.size());
         std::vector<double> residual;
         for (std::size_t k = 0; k < excerpt.size(); ++k) {
+            VYBEG_CLOSE(excerpt.residual_c(k), known->c[k], 1e-12);
+            VYBEG_CLOSE(excerpt.residual_d(k), known->d[k], 1e-12);
             residual.push_back(excerpt.residual_c(k));
         }
-        // 2500 of 16667 Hz of the noise are left.
-        VYBEG_CLOSE_RATIO(rms_of(residual), noise * std::sqrt(2500 / 16666.5), 0.1);
+        // The band-pass lets through 2500 of 16667 Hz, and a part beside its edges.
+        const double inside = noise * std::sqrt(2500 / 16666.5);
+        QVERIFY(rms_of(residual) > 0.95 * inside && rms_of(residual) < 1.5 * inside);
     }
 
     void without_an_analysis_samples_are_as_recorded_and_ends_are_cut() {
