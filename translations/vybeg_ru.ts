@@ -1814,8 +1814,8 @@
         <translation>вписанная волна</translation>
     </message>
     <message>
-        <source>wave&apos;s amplitude</source>
-        <translation type="unfinished"></translation>
+        <source>amplitude of the wave</source>
+        <translation>амплитуда волны</translation>
     </message>
     <message>
         <source>rms of the residual</source>

@@ -289,7 +289,7 @@ private slots:
         window_->setLanguage("ru");
         QTRY_VERIFY2(sentence().contains("Гц"), qPrintable(sentence()));
         QCOMPARE(page().residuals()->lines.size(), lines.size());
-        QTRY_COMPARE(the<QTabBar>("pages").tabText(1), QString("Невязки"));
+        QTRY_COMPARE(the<QTabBar>("pages").tabText(3), QString("Невязки"));
         window_->setLanguage("en");
         QTRY_VERIFY(sentence().contains("Hz"));
     }

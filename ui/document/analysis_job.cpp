@@ -8,7 +8,6 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
-#include "ui/document/analysis_job_start.h"
 #include "ui/document/freed_in_background.h"
 
 #include <QElapsedTimer>

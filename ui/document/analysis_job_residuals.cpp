@@ -1,6 +1,6 @@
 // Jobs about what an analysis leaves of the samples; the others are in analysis_job.cpp.
 #include "core/residuals/find_residuals.h"
-#include "ui/document/analysis_job_start.h"
+#include "ui/document/analysis_job.h"
 
 namespace vybeg::ui {
 

@@ -50,4 +50,17 @@ void drawHair(QCPPainter& painter, const std::vector<QCPAxisRect*>& panels, doub
     painter.drawText(label, int(Qt::AlignCenter), text);
 }
 
+std::optional<std::size_t> hairAt(const QCPAxisRect& panel,
+                                  const std::array<std::optional<double>, 2>& times_s, double x) {
+    constexpr double reach = 4;  // pixels
+    // The second is drawn above the first.
+    for (std::size_t k = times_s.size(); k-- > 0;) {
+        if (times_s[k] &&
+            std::abs(panel.axis(QCPAxis::atBottom)->coordToPixel(*times_s[k]) - x) <= reach) {
+            return k;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace vybeg::ui

@@ -2,6 +2,9 @@
 
 #include <qcustomplot.h>
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace vybeg::ui {
@@ -17,5 +20,10 @@ struct HairLook {
 // A vertical line at an instant through stacked plots of one time axis; nothing outside it.
 void drawHair(QCPPainter& painter, const std::vector<QCPAxisRect*>& panels, double time_s,
               const HairLook& look);
+
+// The number of the hair line within reach of the mouse at a pixel of the plot, the upper one of
+// two.
+std::optional<std::size_t> hairAt(const QCPAxisRect& panel,
+                                  const std::array<std::optional<double>, 2>& times_s, double x);
 
 }  // namespace vybeg::ui

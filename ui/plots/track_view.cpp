@@ -74,16 +74,9 @@ void TrackView::setRuns(std::vector<Run> runs) {
 }
 
 void TrackView::setRecorded(const RecordedTime& recorded) {
-    if (recorded == recorded_) {
-        return;
-    }
-    const bool fitted = timeRange() == fullTimeRange();
+    const AxisRange before = fullTimeRange();
     recorded_ = recorded;
-    const AxisRange full = fullTimeRange();
-    if (!coveredTime(content_.runs) &&
-        (fitted || timeRange().lower >= full.upper || timeRange().upper > full.upper)) {
-        zoom_.restart({full, {}});
-    }
+    zoom_.follow(before, fullTimeRange());
 }
 
 void TrackView::setShownVariables(std::vector<SlowVariable> variables) {
@@ -126,10 +119,6 @@ PlotContent TrackView::content() const {
     PlotContent content = content_;
     content.zoom = zoom_.current();
     return content;
-}
-
-AxisRange TrackView::fullTimeRange() const {
-    return coveredTime(content_.runs).value_or(recorded_.range);
 }
 
 void TrackView::setTimeRange(AxisRange range) {

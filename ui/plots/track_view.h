@@ -57,7 +57,7 @@ public:
     // Clips the range to that of the runs; adds it to the zoom history.
     void setTimeRange(AxisRange range);
     // Time range of the visible runs; without any, that of the recording, otherwise {0, 1}.
-    AxisRange fullTimeRange() const;
+    AxisRange fullTimeRange() const { return coveredTime(content_.runs).value_or(recorded_.range); }
     // Time range and fixed value ranges at once, one step of the zoom history.
     void setZoom(ZoomState state) { zoom_.visit(std::move(state), Gesture::none); }
     // A fixed value axis in displayed units, or one that follows the data.
@@ -90,11 +90,11 @@ public:
     QSize minimumSizeHint() const override;
 
 public slots:
-    void fit();
+    void fit() { zoom_.visit({fullTimeRange(), {}}, Gesture::none); }
     void zoomBack() { zoom_.back(); }
     void zoomForward() { zoom_.forward(); }
-    void zoomIn();
-    void zoomOut();
+    void zoomIn() { zoomByKey(ZoomNavigator::notch); }
+    void zoomOut() { zoomByKey(1 / ZoomNavigator::notch); }
 
 signals:
     void timeRangeChanged(double from_s, double to_s);

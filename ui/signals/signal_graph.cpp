@@ -10,22 +10,40 @@ namespace {
 
 constexpr double dots_apart = 4;  // pixels from which on samples are dots
 constexpr double large_dots_apart = 10;
-constexpr int most_antialiased = 6000;  // points of a line
+constexpr double dense = 0.7;         // pixels below which samples share columns
+constexpr double smooth_period = 24;  // pixels of a period that is drawn without steps
 
-// Draws each run of finite points.
-template <class Draw>
-void eachRun(const QPolygonF& points, Draw draw) {
-    qsizetype from = 0;
-    while (from < points.size()) {
-        qsizetype to = from;
-        while (to < points.size() && std::isfinite(points[to].y())) {
-            ++to;
+// Segments between finite neighbours. Drawn one by one they cost a hundredth of a polyline whose
+// parts overlap.
+QVector<QLineF> segmentsOf(const QPolygonF& points) {
+    QVector<QLineF> lines;
+    lines.reserve(points.size());
+    for (qsizetype k = 1; k < points.size(); ++k) {
+        if (std::isfinite(points[k - 1].y()) && std::isfinite(points[k].y())) {
+            lines.append({points[k - 1], points[k]});
         }
-        if (to > from) {
-            draw(points.constData() + from, static_cast<int>(to - from));
-        }
-        from = to + 1;
     }
+    return lines;
+}
+
+// The same as one vertical line for each pixel column, which reaches to the column before.
+QVector<QLineF> columnsOf(const QPolygonF& points) {
+    QVector<QLineF> lines;
+    double last = std::nan("");
+    for (qsizetype k = 0; k < points.size();) {
+        const double column = std::floor(points[k].x());
+        double low = last;
+        double high = last;
+        for (; k < points.size() && std::floor(points[k].x()) == column; ++k) {
+            last = points[k].y();
+            low = std::fmin(low, last);
+            high = std::fmax(high, last);
+        }
+        if (std::isfinite(low)) {
+            lines.append({column, low, column, high + 1});
+        }
+    }
+    return lines;
 }
 
 }  // namespace
@@ -106,7 +124,7 @@ void SignalGraph::draw(QCPPainter* painter) {
         drawLost(*painter);
     }
     drawCurve(*painter, 1);
-    if (!picture_->samples) {
+    if (!picture_->smooth) {
         drawCurve(*painter, -1);
     }
     if (some && samplesApart() >= dots_apart) {
@@ -170,10 +188,10 @@ void SignalGraph::drawRms(QCPPainter& painter) const {
 
 void SignalGraph::drawLines(QCPPainter& painter, const QPolygonF& points,
                             const QColor& color) const {
-    const bool smooth = points.size() <= most_antialiased;
-    painter.setAntialiasing(smooth);
-    painter.setPen(QPen(color, 1));
-    eachRun(points, [&](const QPointF* run, int count) { painter.drawPolyline(run, count); });
+    const double apart = samplesApart();
+    painter.setAntialiasing(apart >= dots_apart);
+    painter.setPen(QPen(color, 1, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(apart < dense ? columnsOf(points) : segmentsOf(points));
 }
 
 void SignalGraph::drawCurve(QCPPainter& painter, double sign) const {
@@ -185,34 +203,34 @@ void SignalGraph::drawCurve(QCPPainter& painter, double sign) const {
         points.append(
             {x(curve.time_s[k]), std::isfinite(values[k]) ? y(sign * values[k]) : std::nan("")});
     }
-    const bool smooth = points.size() <= most_antialiased;
-    painter.setAntialiasing(smooth);
-    painter.setPen(QPen(content_->theme.text, smooth ? 1.4 : 1));
-    eachRun(points, [&](const QPointF* run, int count) { painter.drawPolyline(run, count); });
+    const bool fine = !picture_->smooth || picture_->period_pixels >= smooth_period;
+    painter.setAntialiasing(fine);
+    painter.setPen(QPen(content_->theme.text, fine ? 1.4 : 1, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(segmentsOf(points));
 }
 
 void SignalGraph::drawDots(QCPPainter& painter, const QPolygonF& points,
                            const QColor& color) const {
     const double apart = samplesApart();
-    if (apart < dots_apart) {
-        QPolygonF finite;
-        finite.reserve(points.size());
-        std::ranges::copy_if(points, std::back_inserter(finite),
-                             [](const QPointF& point) { return std::isfinite(point.y()); });
-        painter.setAntialiasing(false);
-        painter.setPen(QPen(color, apart < 1 ? 1 : 2));
-        painter.drawPoints(finite);
-        return;
-    }
-    const double radius = apart < large_dots_apart ? 1.8 : 2.8;
-    painter.setAntialiasing(true);
+    const double radius = apart < 1                  ? 0.5
+                          : apart < dots_apart       ? 1
+                          : apart < large_dots_apart ? 1.8
+                                                     : 2.8;
+    painter.setAntialiasing(apart >= dots_apart);
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);
+    QVector<QRectF> squares;
     for (const QPointF& point : points) {
-        if (std::isfinite(point.y())) {
+        if (!std::isfinite(point.y())) {
+            continue;
+        }
+        if (apart >= dots_apart) {
             painter.drawEllipse(point, radius, radius);
+        } else {
+            squares.append({point.x() - radius, point.y() - radius, 2 * radius, 2 * radius});
         }
     }
+    painter.drawRects(squares);
     painter.setBrush(Qt::NoBrush);
 }
 

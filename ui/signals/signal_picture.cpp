@@ -9,7 +9,7 @@ namespace {
 
 constexpr double samples_in_pixel = 4;
 constexpr double points_in_period = 12;
-constexpr double most_points = 40'000;
+constexpr double least_period = 8;  // pixels of a period that is seen
 constexpr double margin = 0.06;
 
 class Extremes {
@@ -66,15 +66,17 @@ void addSamples(const SignalContent& content, SignalPicture& picture) {
 
 void addWave(const SignalContent& content, int width, SignalPicture& picture) {
     const AxisRange& time = content.time;
-    if (!picture.samples) {
+    const double periods = content.analysis->f0_hz() * time.span();
+    picture.period_pixels = width / periods;
+    picture.smooth = picture.samples && picture.period_pixels >= least_period;
+    if (picture.smooth) {
+        const int points = static_cast<int>(std::max(points_in_period * periods, 0.5 * width));
+        picture.wave =
+            wave_curve(*content.analysis, content.rate_hz, time.lower, time.upper, 2 + points);
+    } else {
         picture.wave =
             amplitude_curve(*content.analysis, content.rate_hz, time.lower, time.upper, width);
-        return;
     }
-    const double periods = content.analysis->f0_hz() * time.span();
-    const double points = std::clamp(points_in_period * periods, 0.5 * width, most_points);
-    picture.wave = wave_curve(*content.analysis, content.rate_hz, time.lower, time.upper,
-                              2 + static_cast<int>(points));
 }
 
 void addSignal(const SignalContent& content, const SignalPicture& picture, bool d,
@@ -93,7 +95,7 @@ void addSignal(const SignalContent& content, const SignalPicture& picture, bool 
     }
     for (const double value : d ? picture.wave.d : picture.wave.c) {
         extremes.add(value);
-        if (!picture.samples) {
+        if (!picture.smooth) {
             extremes.add(-value);
         }
     }

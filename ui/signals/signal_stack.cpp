@@ -79,8 +79,8 @@ void SignalStack::showLegend() {
     add(QStringLiteral("C"), theme.signalC);
     add(QStringLiteral("D"), theme.signalD);
     if (fitted && content_.wave) {
-        add(picture_.samples ? translated(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
-                             : translated(QT_TRANSLATE_NOOP("SignalStack", "wave's amplitude")),
+        add(picture_.smooth ? translated(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
+                            : translated(QT_TRANSLATE_NOOP("SignalStack", "amplitude of the wave")),
             theme.text);
     }
     if (fitted && !picture_.samples) {

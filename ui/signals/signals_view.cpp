@@ -1,5 +1,6 @@
 #include "ui/signals/signals_view.h"
 
+#include "ui/plots/hair_line.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/signals/signal_overlay.h"
 #include "ui/signals/signal_panel.h"
@@ -18,10 +19,7 @@
 namespace vybeg::ui {
 namespace {
 
-constexpr double notch_factor = 0.8;  // of the range per notch of the wheel
-constexpr double pan_step = 0.1;      // of the range per arrow key
-constexpr double cursor_reach = 4;    // pixels
-constexpr double least_part = 5;      // pixels; a smaller one is a click
+constexpr double least_part = 5;  // pixels; a smaller one is a click
 
 }  // namespace
 
@@ -87,13 +85,10 @@ bool SignalsView::inPlots(const QPointF& position) const {
 }
 
 std::optional<Cursor> SignalsView::cursorAt(const QPointF& position) const {
-    for (const Cursor which : {Cursor::b, Cursor::a}) {  // B is drawn above A
-        if (const auto time = tracks_.cursor(which);
-            time && std::abs(positionOf(*time) - position.x()) <= cursor_reach) {
-            return which;
-        }
-    }
-    return std::nullopt;
+    const auto at =
+        hairAt(*stack_->panels().front(), {tracks_.cursor(Cursor::a), tracks_.cursor(Cursor::b)},
+               position.x() - plot_->x());
+    return at ? std::optional(static_cast<Cursor>(*at)) : std::nullopt;
 }
 
 void SignalsView::mousePressEvent(QMouseEvent* event) {
@@ -177,21 +172,13 @@ void SignalsView::wheelEvent(QWheelEvent* event) {
         return;
     }
     event->accept();
-    tracks_.zoom().zoomTime(std::pow(notch_factor, notches), timeAt(event->position()),
+    tracks_.zoom().zoomTime(std::pow(ZoomNavigator::notch, notches), timeAt(event->position()),
                             Gesture::wheel_time);
 }
 
 bool SignalsView::keyMoves(QKeyEvent* event) {
-    const bool alt = event->modifiers() & Qt::AltModifier;
     switch (event->key()) {
         case Qt::Key_Home: tracks_.fit(); return true;
-        case Qt::Key_R: tracks_.zoomBack(); return true;
-        case Qt::Key_Left:
-            alt ? tracks_.zoomBack() : tracks_.zoom().panTime(-pan_step);
-            return true;
-        case Qt::Key_Right:
-            alt ? tracks_.zoomForward() : tracks_.zoom().panTime(pan_step);
-            return true;
         case Qt::Key_Plus:
         case Qt::Key_Equal: tracks_.zoomIn(); return true;
         case Qt::Key_Minus: tracks_.zoomOut(); return true;
@@ -206,7 +193,7 @@ bool SignalsView::keyMoves(QKeyEvent* event) {
             tracks_.moveCursor(Cursor::a, std::nullopt);
             tracks_.moveCursor(Cursor::b, std::nullopt);
             return true;
-        default: return false;
+        default: return tracks_.zoom().takeKey(*event);
     }
 }
 
