@@ -283,7 +283,7 @@
     </message>
     <message>
         <source>Resi&amp;duals</source>
-        <translation>Невя&amp;зки</translation>
+        <translation>Невязк&amp;и</translation>
     </message>
     <message>
         <source>The page with spectrum, distribution and autocorrelation of what the waves leave of the samples</source>
@@ -4701,7 +4701,7 @@ Open a recording and press Run.</source>
         <translation>&amp;Вид</translation>
     </message>
     <message>
-        <source>Pa&amp;nels</source>
+        <source>Pan&amp;els</source>
         <translation>&amp;Панели</translation>
     </message>
     <message>

@@ -212,8 +212,8 @@ bool TrackView::keyMoves(QKeyEvent* event) {
     };
     switch (event->key()) {
         case Qt::Key_Home: fit(); return true;
-        case Qt::Key_Up: values(1, ZoomNavigator::step); return true;
-        case Qt::Key_Down: values(1, -ZoomNavigator::step); return true;
+        case Qt::Key_Up: values(1, ZoomNavigator::arrow); return true;
+        case Qt::Key_Down: values(1, -ZoomNavigator::arrow); return true;
         case Qt::Key_Plus:
         case Qt::Key_Equal: control ? values(ZoomNavigator::notch, 0) : zoomIn(); return true;
         case Qt::Key_Minus: control ? values(1 / ZoomNavigator::notch, 0) : zoomOut(); return true;

@@ -79,8 +79,8 @@ bool ZoomNavigator::takeKey(const QKeyEvent& event) {
     const bool history = event.modifiers() & Qt::AltModifier;
     switch (event.key()) {
         case Qt::Key_R: back(); return true;
-        case Qt::Key_Left: history ? back() : panTime(-step); return true;
-        case Qt::Key_Right: history ? forward() : panTime(step); return true;
+        case Qt::Key_Left: history ? back() : panTime(-arrow); return true;
+        case Qt::Key_Right: history ? forward() : panTime(arrow); return true;
         default: return false;
     }
 }

@@ -51,7 +51,7 @@ public:
     void follow(const AxisRange& before, const AxisRange& now);
 
     static constexpr double notch = 0.8;  // of a range per notch of the wheel or key
-    static constexpr double step = 0.1;   // of a range per arrow key
+    static constexpr double arrow = 0.1;  // of a range per arrow key
     void endGesture() { gesture_ = Gesture::none; }
 
 signals:

@@ -101,7 +101,7 @@ void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>
     addUnits(view);
     add(view, {Command::log_a_A, Command::sigma_bands});
     view->addSeparator();
-    QMenu* panels = sub(view, QT_TR_NOOP("Pa&nels"));
+    QMenu* panels = sub(view, QT_TR_NOOP("Pan&els"));
     for (const auto& [dock, title] : docks) {
         panels->addAction(dock->toggleViewAction());
     }
