@@ -247,14 +247,9 @@ void ResidualsPage::compute() {
 
 void ResidualsPage::take(Result<Residuals> result) {
     computing_ = false;
-    failure_.reset();
-    found_.reset();
     chosen_.reset();
-    if (result) {
-        found_ = std::move(*result);
-    } else {
-        failure_ = result.error();
-    }
+    failure_ = result ? std::nullopt : std::optional(result.error());
+    found_ = result ? std::optional(std::move(*result)) : std::nullopt;
     showFound();
 }
 
