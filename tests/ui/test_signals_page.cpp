@@ -131,7 +131,7 @@ private slots:
         VYBEG_CLOSE_RATIO(std::sqrt(sum / count), 1e-3, 5 / std::sqrt(2 * count));
         // The wave is drawn at hundreds of points, smooth, and passes through each sample.
         QVERIFY(near.smooth && near.wave.c.size() > 200);
-        for (std::size_t k = near.from + 1; k + 2 < near.to; ++k) {
+        for (std::size_t k = near.from + 2; k + 2 < near.to; ++k) {
             const auto at = std::ranges::lower_bound(near.wave.time_s, excerpt.time_s(k));
             const auto after = static_cast<std::size_t>(at - near.wave.time_s.begin());
             const double part = (excerpt.time_s(k) - near.wave.time_s[after - 1]) /
