@@ -160,6 +160,9 @@ void SignalGraph::drawColumns(QCPPainter& painter) const {
 void SignalGraph::drawRms(QCPPainter& painter) const {
     QVector<QLineF> band;
     QVector<QLineF> rims;
+    if (picture_->rms.empty()) {
+        return;
+    }
     // Windows may be wider than a pixel.
     const double half = 0.5 * static_cast<double>(content_->analysis->plan.hop) / content_->rate_hz;
     double next = clipRect().left();  // the first pixel that is not drawn yet
