@@ -313,6 +313,14 @@
         <source>The page with scatter, bound and leakage against the length of the window, and the window this recording deserves</source>
         <translation>Страница с разбросом, границей и утечкой в зависимости от длины окна и с окном, которого заслуживает запись</translation>
     </message>
+    <message>
+        <source>Si&amp;gnals</source>
+        <translation>&amp;Сигналы</translation>
+    </message>
+    <message>
+        <source>The page with the samples, the wave fitted to them and what it leaves</source>
+        <translation>Страница с отсчётами, вписанной в них волной и невязкой</translation>
+    </message>
 </context>
 <context>
     <name>DisplayUnits</name>
@@ -1046,6 +1054,10 @@
     <message>
         <source>Windows</source>
         <translation>Окна</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Сигналы</translation>
     </message>
 </context>
 <context>
@@ -1790,6 +1802,36 @@
     <message>
         <source>T</source>
         <translation>Т</translation>
+    </message>
+</context>
+<context>
+    <name>SignalPanel</name>
+    <message>
+        <source>Residual</source>
+        <translation>Остаток</translation>
+    </message>
+</context>
+<context>
+    <name>SignalStack</name>
+    <message>
+        <source>sample %1</source>
+        <translation>отсчёт %1</translation>
+    </message>
+    <message>
+        <source>wave %1</source>
+        <translation>волна %1</translation>
+    </message>
+    <message>
+        <source>fitted wave</source>
+        <translation>вписанная волна</translation>
+    </message>
+    <message>
+        <source>amplitude of the wave</source>
+        <translation>амплитуда волны</translation>
+    </message>
+    <message>
+        <source>rms of the residual</source>
+        <translation>СКЗ невязки</translation>
     </message>
 </context>
 <context>
@@ -4525,6 +4567,53 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::SignalsPage</name>
+    <message>
+        <source>The residual is what a run leaves of the samples.</source>
+        <translation>Невязка — то, что расчёт оставляет от отсчётов.</translation>
+    </message>
+    <message>
+        <source>No recording is open.</source>
+        <translation>Нет открытых записей.</translation>
+    </message>
+    <message>
+        <source>The recording %1 is being opened…</source>
+        <translation>Запись %1 открывается…</translation>
+    </message>
+    <message>
+        <source>%1, samples as recorded. Run (F5) fits the wave.</source>
+        <translation>%1, отсчёты как записаны. Расчёт (F5) вписывает волну.</translation>
+    </message>
+    <message>
+        <source>%1, samples as recorded: the chosen run is one of %2.</source>
+        <translation>%1, отсчёты как записаны: выбранный расчёт относится к %2.</translation>
+    </message>
+    <message>
+        <source>%1: the wave appears when all windows of the run are there.</source>
+        <translation>%1: волна появится, когда будут готовы все окна расчёта.</translation>
+    </message>
+    <message>
+        <source>%1: minima and maxima before filter, delay and gaps for lost samples; zoom in for the samples of the analysis.</source>
+        <translation>%1: минимумы и максимумы до фильтра, задержки и пропусков на месте потерянных отсчётов; отсчёты, как в расчёте, видны при увеличении.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Остаток</translation>
+    </message>
+    <message>
+        <source>Fitted &amp;wave</source>
+        <translation>Вписанная &amp;волна</translation>
+    </message>
+    <message>
+        <source>Shows the wave of the chosen run over the samples: zoomed out its amplitude, zoomed in the wave itself</source>
+        <translation>Показывает волну выбранного расчёта поверх отсчётов: в мелком масштабе её амплитуду, в крупном — саму волну</translation>
+    </message>
+    <message>
+        <source>Signals over time</source>
+        <translation>Сигналы во времени</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::StaleMark</name>
     <message>
         <source>The plots are older than the Analysis panel. Changed since: %1.</source>
@@ -4952,10 +5041,6 @@ Open a recording and press Run.</source>
         <translation>&amp;Вид</translation>
     </message>
     <message>
-        <source>Pa&amp;nels</source>
-        <translation>&amp;Панели</translation>
-    </message>
-    <message>
         <source>&amp;Theme</source>
         <translation>&amp;Тема</translation>
     </message>
@@ -5020,7 +5105,11 @@ Open a recording and press Run.</source>
         <translation>Децибелы</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
+        <source>Pan&amp;els</source>
+        <translation>&amp;Панели</translation>
+    </message>
+    <message>
+        <source>Lang&amp;uage</source>
         <translation>&amp;Язык</translation>
     </message>
 </context>

@@ -7,8 +7,6 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
-#include "core/residuals/find_residuals.h"
-#include "core/sweep/sweep_windows.h"
 #include "ui/document/freed_in_background.h"
 #include "ui/document/track_export.h"
 
@@ -16,7 +14,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
 
 namespace vybeg::ui {
 
@@ -78,35 +75,6 @@ AnalysisJob::~AnalysisJob() {
 bool AnalysisJob::isStale(const Ticket& ticket) const {
     const auto found = tasks_.find(ticket.id);
     return found == tasks_.end() || found->second.generation != ticket.generation;
-}
-
-template <class Value>
-void AnalysisJob::start(QThreadPool& pool, TaskId id,
-                        std::function<Result<Value>(const Ticket&)> work,
-                        std::function<void(Result<Value>)> done) {
-    Task& task = tasks_[id];
-    task.stop.request_stop();
-    task = Task{++generation_, std::stop_source{}};
-    pool.start([this, ticket = Ticket{id, task.generation, task.stop.get_token()},
-                work = std::move(work), done = std::move(done)] {
-        Result<Value> result = Error{ErrorCode::interrupted, {}, {}};
-        try {
-            if (!ticket.stop.stop_requested()) {
-                result = work(ticket);
-            }
-        } catch (const std::bad_alloc&) {
-            result = Error{ErrorCode::out_of_memory, {}, {}};
-        }
-        auto deliver = [this, ticket, result = std::move(result), done]() mutable {
-            if (isStale(ticket)) {
-                return;  // a newer job of its kind and key has taken its place
-            }
-            tasks_.erase(ticket.id);
-            done(std::move(result));
-        };
-        // The destructor waits for this thread, so that `this` is still there.
-        QMetaObject::invokeMethod(this, std::move(deliver), Qt::QueuedConnection);
-    });
 }
 
 void AnalysisJob::post(const Ticket& ticket, std::function<void()> act) {
@@ -291,34 +259,6 @@ void AnalysisJob::identify(int key, const std::vector<Recording>& recordings,
                 outcome.inputs[k].f0_hz = outcome.identification.runs[k].f0_hz;
             }
             return outcome;
-        },
-        std::move(done));
-}
-
-void AnalysisJob::findResiduals(int key, const Recording& recording,
-                                std::shared_ptr<const Analysis> analysis,
-                                const ResidualRange& range,
-                                std::function<void(Result<Residuals>)> done) {
-    start<Residuals>(
-        others_, {Kind::residuals, key},
-        [recording, analysis = std::move(analysis), range](const Ticket& ticket) {
-            return find_residuals(recording, *analysis, range, JobControl(ticket.stop));
-        },
-        std::move(done));
-}
-
-void AnalysisJob::sweepWindows(int key, const Recording& recording, const Settings& settings,
-                               const std::vector<std::int64_t>& lengths,
-                               std::function<void(Result<WindowSweep>)> done) {
-    start<WindowSweep>(
-        others_, {Kind::sweep, key},
-        [this, key, recording, settings, lengths](const Ticket& ticket) -> Result<WindowSweep> {
-            Result<WindowSweep> found =
-                sweep_windows(recording, settings, lengths, reporting(key, ticket.stop));
-            if (const Status still = unchanged(recording); !still) {
-                return still.error();
-            }
-            return found;
         },
         std::move(done));
 }

@@ -10,6 +10,7 @@
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -240,14 +241,9 @@ void ResidualsPage::compute() {
 
 void ResidualsPage::take(Result<Residuals> result) {
     computing_ = false;
-    failure_.reset();
-    found_.reset();
     chosen_.reset();
-    if (result) {
-        found_ = std::move(*result);
-    } else {
-        failure_ = result.error();
-    }
+    failure_ = result ? std::nullopt : std::optional(result.error());
+    found_ = result ? std::optional(std::move(*result)) : std::nullopt;
     showFound();
 }
 

@@ -31,6 +31,7 @@ enum class Command {
     copy_plot,
     copy_table,
     page_tracks,
+    page_signals,
     page_resonator,
     page_residuals,
     page_sweep,

@@ -13,6 +13,7 @@
 #include "ui/resonator/resonator_page.h"
 #include "ui/session/session_keeper.h"
 #include "ui/settings/settings_panel.h"
+#include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/window/about.h"
 #include "ui/window/file_commands.h"
@@ -80,11 +81,13 @@ void MainWindow::buildPages() {
     welcome_ = new WelcomePage(this);
     tracks_page_ = new TracksPage(document_, this);
     tracks_ = &tracks_page_->tracks();
+    signals_ = new SignalsPage(document_, *tracks_, this);
     resonator_ = new ResonatorPage(document_, this);
     residuals_ = new ResidualsPage(document_, this);
     sweep_ = new SweepPage(document_, this);
     pages_ = new PageStack(welcome_, this);
     pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
+    pages_->add(signals_, QT_TRANSLATE_NOOP("Pages", "Signals"));
     pages_->add(resonator_, QT_TRANSLATE_NOOP("Pages", "Resonator"));
     pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
     pages_->add(sweep_, QT_TRANSLATE_NOOP("Pages", "Windows"));
@@ -197,6 +200,7 @@ void MainWindow::connectSession() {
     connect(session_, &SessionKeeper::runWanted, runs_, &RunList::setCurrentRun);
     connect(session_, &SessionKeeper::viewRestored, this, [this] {
         measure_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
+        signals_->showCursors();
         showTitle();
     });
 }
@@ -219,6 +223,7 @@ void MainWindow::connectPanels() {
     connect(tracks_page_, &TracksPage::runWanted, settings_, &SettingsPanel::run);
     connect(settings_, &SettingsPanel::visibleRangeWanted, tracks_page_,
             &TracksPage::analyseVisibleRange);
+    connect(signals_, &SignalsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(sweep_, &SweepPage::exportWanted, files_, &FileCommands::exportPlot);
@@ -241,6 +246,7 @@ void MainWindow::connectPanels() {
                 tracks_->setCursor(Cursor::a, a_s);
                 tracks_->setCursor(Cursor::b, b_s);
                 measure_->setCursors(a_s, b_s);
+                signals_->showCursors();
             });
     connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
     connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
@@ -282,6 +288,7 @@ void MainWindow::showRun(int id) {
     events_->setRun(id);
     measure_->setRun(id);
     tracks_page_->markRun(id);
+    signals_->setRun(id);
     residuals_->setVisibleRange(tracks_->timeRange());
     residuals_->setRun(id);
 }
@@ -305,6 +312,7 @@ void MainWindow::setUnits(const DisplayUnits& units) {
 FigureSource MainWindow::figures() const {
     switch (pages_->page()) {
         case Page::tracks: return tracks_page_->figures();
+        case Page::samples: return signals_->figures();
         case Page::resonator: return resonator_->figures();
         case Page::residuals: return residuals_->figures();
         case Page::sweep: return sweep_->figures();

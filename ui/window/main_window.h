@@ -32,6 +32,7 @@ class SweepPage;
 class RunList;
 class SessionKeeper;
 class SettingsPanel;
+class SignalsPage;
 class StatusLine;
 class TrackView;
 class TracksPage;
@@ -108,6 +109,7 @@ private:
     MessageBar* messages_ = nullptr;
     TracksPage* tracks_page_ = nullptr;
     TrackView* tracks_ = nullptr;  // of the page
+    SignalsPage* signals_ = nullptr;
     ResidualsPage* residuals_ = nullptr;
     SweepPage* sweep_ = nullptr;
     RecordingPanel* recordings_ = nullptr;
