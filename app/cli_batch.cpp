@@ -71,16 +71,16 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
     if (request.database == "-") {
         return refused_value("--database", request.database, "it must be a file");
     }
-    const char* const taken = "the table goes there already";
+    const char* const by_table = "the table goes there already";
     if (Status possible = check_outputs(
-            {{"-o", request.output, taken}, {"--database", request.database, ""}}, inputs);
+            {{"-o", request.output, by_table}, {"--database", request.database, ""}}, inputs);
         !possible) {
         return possible;
     }
     if (!request.database.empty()) {
         if (same_file(request.database, journal_of(request.output)) ||
             same_file(rollback_of(request.database), request.output)) {
-            return refused_value("--database", request.database, taken);
+            return refused_value("--database", request.database, by_table);
         }
         inputs.push_back({request.database, ""});
     }

@@ -13,7 +13,7 @@ using namespace vybeg;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -36,7 +36,7 @@ private slots:
     }
 
     void a_jump_is_out_in_both_charts_and_not_in_the_baseline() {
-        std::vector<double> values{1, 2, 1, 2, 1, 2, nan, 9, 1};
+        std::vector<double> values{1, 2, 1, 2, 1, 2, absent, 9, 1};
         const IndividualsChart chart = individuals_chart(values, 6);
         VYBEG_CLOSE(chart.centre, 1.5, 1e-12);
         VYBEG_CLOSE(chart.high, 1.5 + 2.66, 1e-12);
@@ -56,7 +56,7 @@ private slots:
         constexpr std::array told{50.60, 49.52, 50.56, 50.18, 50.16, 49.21, 49.75,
                                   49.85, 50.26, 50.33, 50.11, 49.36, 49.52, 50.05,
                                   49.38, 49.92, 50.73, 51.23, 51.94, 51.99};
-        const std::vector<double> sd(values.size(), nan);
+        const std::vector<double> sd(values.size(), absent);
         const EwmaChart chart = ewma_chart(values, sd, values.size(), {.lambda = 0.3});
         VYBEG_CLOSE(chart.scatter, 2.0539, 5e-5);
         for (std::size_t k = 0; k < values.size(); ++k) {
@@ -121,8 +121,8 @@ private slots:
 
     void a_baseline_too_short_or_without_scatter_has_no_limits() {
         const std::vector<double> few{1, 2, 3};
-        const std::vector<double> no_sd(20, nan);
-        const EwmaChart chart = ewma_chart(few, std::vector<double>(3, nan), 3);
+        const std::vector<double> no_sd(20, absent);
+        const EwmaChart chart = ewma_chart(few, std::vector<double>(3, absent), 3);
         QVERIFY(std::isnan(chart.limit));
         QCOMPARE(chart.out, std::vector<bool>(3, false));
         const EwmaChart alike = ewma_chart(std::vector<double>(20, 5.0), no_sd, 20);
@@ -132,7 +132,7 @@ private slots:
 
     void axes_near_the_end_of_their_range_do_not_jump() {
         const std::vector<double> moved =
-            beside_first(std::vector{nan, 0.78, -0.78, 0.1}, M_PI / 2);
+            beside_first(std::vector{absent, 0.78, -0.78, 0.1}, M_PI / 2);
         QVERIFY(std::isnan(moved[0]));
         VYBEG_CLOSE(moved[1], 0.78, 1e-12);
         VYBEG_CLOSE(moved[2], M_PI / 2 - 0.78, 1e-12);
