@@ -110,7 +110,7 @@ private slots:
         QVERIFY(read.raw.values == written.raw.values);
         QCOMPARE(read.raw.covariance[1], written.raw.covariance[1]);
         QVERIFY(std::isnan(read.raw.covariance[3]));
-        QVERIFY(!**database->result(999));
+        QVERIFY(!*database->result(999));
     }
 
     void the_same_key_replaces_its_result() {
