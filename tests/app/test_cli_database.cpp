@@ -87,7 +87,7 @@ private slots:
         QCOMPARE(rows_by_sqlite(path("results.db"),
                                 "SELECT count(*) FROM result, recording "
                                 "WHERE result = id AND length(sha256) = 64"),
-                 QStringList("15"));
+                 QStringList("14"));
     }
 
     void the_same_again_adds_nothing() {
@@ -174,7 +174,8 @@ private slots:
             const Outcome outcome =
                 run_program(VYBEG_CLI, work_, folder_.path(), limit(RLIMIT_FSIZE, whole * k / 8));
             QCOMPARE(outcome.status, 5);
-            QVERIFY2(outcome.err.contains("cannot be written: File too large"), outcome.err);
+            // SQLite does not tell the limit of a size from other failures.
+            QVERIFY2(outcome.err.contains("results.db cannot be written: "), outcome.err);
             QVERIFY(QFileInfo(path("results.db")).size() == 0 || sound());
         }
     }
