@@ -117,8 +117,8 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
         std::pair{Command::page_sweep, "windows"},
     };
     if (tabs->isVisible()) {
-        for (const auto& [command, name] : commands) {
-            pages.push_back({name, [command](MainWindow& shown) {
+        for (const auto& page : commands) {
+            pages.push_back({page.second, [command = page.first](MainWindow& shown) {
                                  shown.findChild<TrackView*>()->fit();
                                  shown.action(command)->trigger();
                              }});

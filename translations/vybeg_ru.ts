@@ -2654,6 +2654,34 @@
         <source>a MAT file has room for 4 GiB in each variable, which %1 windows exceed; HDF5, NPZ and CSV have room for any number</source>
         <translation>в файле MAT на переменную отводится не больше 4 ГиБ, чего для %1 окон мало; в HDF5, NPZ и CSV их число не ограничено</translation>
     </message>
+    <message>
+        <source>the database is damaged (%1); take an earlier copy, or save what &quot;sqlite3 FILE .recover&quot; finds</source>
+        <translation>база данных повреждена (%1); возьмите прежнюю копию или сохраните то, что найдёт «sqlite3 FILE .recover»</translation>
+    </message>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>это база данных другой программы</translation>
+    </message>
+    <message>
+        <source>a later version of Vybeg has made it (schema %1; this one knows %2)</source>
+        <translation>файл создан более новой версией Vybeg (схема %1; этой версии известна схема %2)</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>это папка</translation>
+    </message>
+    <message>
+        <source>it is no regular file</source>
+        <translation>это не обычный файл</translation>
+    </message>
+    <message>
+        <source>it holds no results</source>
+        <translation>в нём нет результатов</translation>
+    </message>
+    <message>
+        <source>another program has kept it locked for %1 s</source>
+        <translation>другая программа не освобождает файл уже %1 с</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::CalibrationFields</name>
