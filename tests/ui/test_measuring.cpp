@@ -159,8 +159,8 @@ private slots:
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         setCursors(0.5, 1.5);
         kind.setFocus();
-        QTest::keyClick(&kind, Qt::Key_Down);
-        QCOMPARE(kind.currentIndex(), 1);
+        QTest::keyClick(&kind, Qt::Key_End);
+        QCOMPARE(panel().trendKind(), TrendKind::beat);
         QTRY_COMPARE(table().horizontalHeaderItem(4)->text(), QStringLiteral("Beat, Hz"));
         for (int row = 0; row < table().rowCount(); ++row) {
             const SlowVariable variable = main_slow_variables[static_cast<std::size_t>(row)];
@@ -170,6 +170,38 @@ private slots:
                 cell(row, 4).replace('\n', ' '),
                 beat ? valueText(beat->frequency_hz, beat->sd_frequency_hz) : valueText(nan, nan));
         }
+    }
+
+    void a_polynomial_is_offered_data() {
+        QTest::addColumn<int>("steps");
+        QTest::addColumn<int>("degree");
+        QTest::newRow("parabola") << 1 << 2;
+        QTest::newRow("cubic") << 2 << 3;
+    }
+    void a_polynomial_is_offered() {
+        QFETCH(int, steps);
+        QFETCH(int, degree);
+        auto& kind = childOf<QComboBox>(panel());
+        setCursors(0.5, 1.5);
+        kind.setFocus();
+        for (int k = 0; k < steps; ++k) {
+            QTest::keyClick(&kind, Qt::Key_Down);
+        }
+        const auto f =
+            polynomial_trend(analysis().track, SlowVariable::f, 0.5, 1.5,
+                             windows_apart(analysis().plan.length, analysis().plan.hop), degree);
+        QVERIFY(f);
+        QCOMPARE(cell(3, 4).replace('\n', ' '), valueText(f->coefficient[1], f->sd[1]));
+        const std::vector<TrendCurve> curves = the<TrackView>().content().trends;
+        const auto drawn = std::ranges::find(curves, SlowVariable::f, &TrendCurve::variable);
+        QVERIFY(drawn != curves.end());
+        VYBEG_CLOSE(drawn->value[50], f->at(drawn->time_s[50]), 1e-9);
+        // The second derivative is said in words.
+        const auto labels = panel().findChildren<QLabel*>();
+        const QString second = valueText(2 * f->coefficient[2], 2 * f->sd[2]);
+        QVERIFY2(std::ranges::any_of(
+                     labels, [&](const QLabel* label) { return label->text().contains(second); }),
+                 qPrintable(second));
     }
 
     void a_cursor_outside_the_run_reads_nothing() {

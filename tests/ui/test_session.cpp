@@ -5,6 +5,7 @@
 #include "ui/plots/track_view.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_keeper.h"
+#include "ui/signals/signals_page.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_menus.h"
@@ -109,6 +110,9 @@ class TestSession : public QObject {
         tracks.setTracker(1.25);
         QTest::keyClick(&tracks, Qt::Key_2);
         tracks.setTracker(std::nullopt);
+        the<MeasurePanel>().setTrendKind(TrendKind::parabola);
+        document().dossier().setGyro({"HRG-17", "30 mm", "Orlova", "after annealing"});
+        document().dossier().setLimits({{"split_hz", std::nullopt, 0.001}, {"q", 1e7, 2e7}});
     }
 
 private slots:
@@ -154,7 +158,36 @@ private slots:
         QCOMPARE(the<MeasurePanel>().tableText(), table);
         QCOMPARE(picture(), before);
         QVERIFY(!session().isModified());
-        QVERIFY(window_->windowTitle().startsWith("one.vybeg — "));
+        QVERIFY(window_->windowTitle().startsWith("one.vybeg — HRG-17 — "));
+        QCOMPARE(the<MeasurePanel>().trendKind(), TrendKind::parabola);
+        const Dossier& dossier = document().dossier().dossier();
+        QCOMPARE(dossier.gyro, (GyroData{"HRG-17", "30 mm", "Orlova", "after annealing"}));
+        QCOMPARE(dossier.limits,
+                 (std::vector<ParameterLimit>{{"split_hz", std::nullopt, 0.001}, {"q", 1e7, 2e7}}));
+    }
+
+    void the_page_comes_back() {
+        document().open({home_.recording("page.wav")});
+        wait(1);
+        window_->action(Command::page_signals)->trigger();
+        const QString path = home_.path("page.vybeg");
+        QVERIFY(session().save(path));
+        session().end();
+        window_ = shownWindow();
+        openSession(path, 1);
+        QTRY_VERIFY(the<SignalsPage>().isVisibleTo(window_.get()));
+    }
+
+    void what_a_later_version_knows_of_the_gyro_is_kept() {
+        const QDir folder(home_.path("."));
+        QJsonObject json = sessionToJson({}, folder);
+        json["gyro"] = QJsonObject{{"serial", "7"}, {"laboratory", "B"}};
+        const auto read = sessionFromJson(json, folder);
+        QVERIFY(read);
+        QCOMPARE(read->dossier.gyro.serial, "7");
+        const QJsonObject again = sessionToJson(*read, folder)["gyro"].toObject();
+        QCOMPARE(again["laboratory"].toString(), "B");
+        QCOMPARE(again["serial"].toString(), "7");
     }
 
     void a_live_session_reopened_is_live() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/analysis_job.h"
+#include "ui/document/dossier_model.h"
 #include "ui/document/id_counter.h"
 #include "ui/document/live_follower.h"
 #include "ui/document/message.h"
@@ -79,6 +80,10 @@ public:
     void removeRun(int id);
     void exportTrack(int id, const QString& path, std::function<void(const Status&)> done);
 
+    // The gyro and its limits.
+    DossierModel& dossier() { return dossier_; }
+    const DossierModel& dossier() const { return dossier_; }
+
     SetStore& sets() { return sets_; }
     const SetStore& sets() const { return sets_; }
 
@@ -127,6 +132,7 @@ private:
     IdCounter ids_;
     UndoSteps steps_;
     SettingsModel settings_{steps_};
+    DossierModel dossier_{steps_};
     RecordingStore recordings_{job_, settings_, ids_};
     RunStore runs_{job_, recordings_, ids_, steps_};
     RequestQueue queue_{job_};

@@ -15,26 +15,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vybeg::ui {
 
 namespace {
 
 enum Column { symbol, at_a, at_b, difference, trend, column_count };
-enum Kind { line_kind, beat_kind };
 
 constexpr int shown_count = static_cast<int>(main_slow_variables.size());
-constexpr int curve_points = 200;
-constexpr double turn = 2 * std::numbers::pi;
-
-// theta_A in degrees an hour, of 2theta_A in rad/s.
-constexpr double degrees_an_hour = 0.5 * 360 / turn * 3600;
-
-std::size_t lineOf(SlowVariable variable) {
-    return static_cast<std::size_t>(std::ranges::find(main_slow_variables, variable) -
-                                    main_slow_variables.begin());
-}
 
 QString nameOf(SlowVariable variable, const DisplayUnits& units) {
     const QString unit = displayUnit(variable, units);
@@ -68,7 +56,7 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
                 [this] { emit cursorsEdited(fields_[0]->value(), fields_[1]->value()); });
     }
     kind_name_->setBuddy(kind_);
-    kind_->addItems({{}, {}});
+    kind_->addItems(QStringList(trend_kinds));
     kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     grid->addWidget(kind_name_, 1, 0);
     grid->addWidget(kind_, 1, 1, 1, 3);
@@ -136,8 +124,13 @@ const Analysis* MeasurePanel::analysis() const {
     return usable ? entry->run.analysis.get() : nullptr;
 }
 
-bool MeasurePanel::showsBeats() const {
-    return kind_->currentIndex() == beat_kind;
+TrendKind MeasurePanel::trendKind() const {
+    return static_cast<TrendKind>(kind_->currentIndex());
+}
+
+void MeasurePanel::setTrendKind(TrendKind kind) {
+    kind_->setCurrentIndex(static_cast<int>(kind));
+    refresh();
 }
 
 bool MeasurePanel::isInside(const std::optional<double>& time_s) const {
@@ -162,8 +155,11 @@ void MeasurePanel::retranslate() {
                "plots set the cursors at the mouse, 0 removes both."));
     }
     kind_name_->setText(tr("Trend"));
-    kind_->setItemText(line_kind, tr("Line; exponential for the working wave"));
-    kind_->setItemText(beat_kind, tr("Beat: damped sinusoid"));
+    const std::array kinds{tr("Line; exponential for the working wave"), tr("Parabola"),
+                           tr("Polynomial of the third degree"), tr("Beat: damped sinusoid")};
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        kind_->setItemText(static_cast<int>(kind), kinds[kind]);
+    }
     kind_->setAccessibleName(tr("Trend between the cursors"));
     kind_->setToolTip(
         tr("Fitted by weighted least squares to the windows between the cursors that share no "
@@ -178,8 +174,7 @@ void MeasurePanel::retranslate() {
 void MeasurePanel::refresh() {
     const Analysis* shown = analysis();
     setVisible(shown != nullptr);
-    lines_ = {};
-    beats_ = {};
+    trends_.clear();
     if (shown) {
         measure(*shown);
         showTimes();
@@ -193,11 +188,9 @@ void MeasurePanel::measure(const Analysis& analysis) {
     if (!isInside(a_s_) || !isInside(b_s_)) {
         return;
     }
-    for (std::size_t line = 0; line < main_slow_variables.size(); ++line) {
-        const SlowVariable variable = main_slow_variables[line];
-        lines_[line] = trendOf(analysis, variable, *a_s_, *b_s_);
-        if (showsBeats()) {
-            beats_[line] = beatOf(analysis, variable, *a_s_, *b_s_);
+    for (const SlowVariable variable : main_slow_variables) {
+        if (auto trend = fitTrend(analysis, variable, trendKind(), *a_s_, *b_s_)) {
+            trends_.push_back(std::move(*trend));
         }
     }
 }
@@ -217,18 +210,17 @@ void MeasurePanel::showTimes() {
                  "between them is measured."));
 }
 
-Reading MeasurePanel::trendReading(const Analysis& analysis, std::size_t line) const {
-    if (showsBeats()) {
-        const auto& beat = beats_[line];
-        return beat ? Reading{beat->frequency_hz, beat->sd_frequency_hz} : Reading();
-    }
-    return lines_[line] ? rateOf(analysis, main_slow_variables[line], *lines_[line], units_)
-                        : Reading();
+Reading MeasurePanel::trendOf(const Analysis& analysis, SlowVariable variable) const {
+    const auto found = std::ranges::find(trends_, variable, &FittedTrend::variable);
+    return found == trends_.end() ? Reading() : trendReading(analysis, *found, units_);
+}
+
+QString MeasurePanel::trendHeader() const {
+    return trendKind() == TrendKind::beat ? tr("Beat, Hz") : tr("Rate, per s");
 }
 
 void MeasurePanel::showTable(const Analysis& analysis) {
-    table_->setHorizontalHeaderLabels({QString(), tr("A"), tr("B"), tr("B − A"),
-                                       showsBeats() ? tr("Beat, Hz") : tr("Rate, per s")});
+    table_->setHorizontalHeaderLabels({QString(), tr("A"), tr("B"), tr("B − A"), trendHeader()});
     const bool both = a_s_ && b_s_;
     table_->setVisible(a_s_ || b_s_);
     table_->setColumnHidden(at_a, !a_s_);
@@ -254,68 +246,16 @@ void MeasurePanel::showTable(const Analysis& analysis) {
             set(trend, {});
         } else if (both) {
             set(difference, differenceOf(analysis, variable, row_a, row_b, units_));
-            set(trend, trendReading(analysis, static_cast<std::size_t>(line)));
+            set(trend, trendOf(analysis, variable));
         }
     }
-}
-
-QStringList MeasurePanel::lineSentences() const {
-    const auto& amplitude = lines_[lineOf(SlowVariable::a_A)];
-    const auto& angle = lines_[lineOf(SlowVariable::two_theta_A)];
-    const auto& f = lines_[lineOf(SlowVariable::f)];
-    QStringList sentences;
-    if (const auto decay = amplitude ? decay_time(*amplitude) : std::nullopt) {
-        sentences << tr("Decay time of a_A: %1 s").arg(valueText(decay->tau_s, decay->sd_s));
-    } else if (amplitude) {
-        sentences << tr("The decay of a_A lies within its noise here.");
-    }
-    if (angle) {
-        sentences << tr("Drift of θ_A: %1 °/h")
-                         .arg(valueText(angle->slope_per_s * degrees_an_hour,
-                                        angle->sd_slope_per_s * degrees_an_hour));
-    }
-    if (f) {
-        sentences << tr("Drift of f: %1 Hz/s").arg(valueText(f->slope_per_s, f->sd_slope_per_s))
-                  << tr("%n window(s) without common samples", nullptr,
-                        static_cast<int>(f->windows));
-    }
-    QStringList leaving;
-    for (std::size_t line = 0; line < lines_.size(); ++line) {
-        if (lines_[line] && lines_[line]->enlargement > 1) {
-            leaving << displaySymbol(main_slow_variables[line], units_);
-        }
-    }
-    if (!leaving.isEmpty()) {
-        sentences << tr("No line within the noise: %1. The deviations are enlarged.")
-                         .arg(leaving.join(QStringLiteral(", ")));
-    }
-    return sentences.isEmpty() ? QStringList{tr("Fewer than three windows between the cursors.")}
-                               : sentences;
-}
-
-QStringList MeasurePanel::beatSentences(const Analysis& analysis) const {
-    QStringList sentences;
-    for (std::size_t line = 0; line < main_slow_variables.size(); ++line) {
-        if (const auto& beat = beats_[line]) {
-            const SlowVariable variable = main_slow_variables[line];
-            const Reading amplitude = amplitudeOf(analysis, variable, *beat, units_);
-            const QString unit = displayUnit(variable, units_);
-            sentences << tr("%1: amplitude %2 %3, damping %4 1/s")
-                             .arg(displaySymbol(variable, units_),
-                                  valueText(amplitude.value, amplitude.sd), unit,
-                                  valueText(beat->damping_per_s, beat->sd_damping_per_s));
-        }
-    }
-    return sentences.isEmpty()
-               ? QStringList{tr("No beat of 1¼ to 100 periods between the cursors.")}
-               : sentences;
 }
 
 void MeasurePanel::showSentences() {
     const bool both = isInside(a_s_) && isInside(b_s_);
     sentences_->setVisible(both);
     if (both) {
-        QStringList sentences = showsBeats() ? beatSentences(*analysis()) : lineSentences();
+        QStringList sentences = trendSentences(*analysis(), trendKind(), trends_, units_);
         for (QString& sentence : sentences) {
             sentence = richText(sentence);
         }
@@ -325,25 +265,9 @@ void MeasurePanel::showSentences() {
 
 void MeasurePanel::drawTrends(const Analysis* analysis) {
     std::vector<TrendCurve> curves;
-    for (std::size_t line = 0; line < main_slow_variables.size(); ++line) {
-        const auto& beat = beats_[line];
-        if (showsBeats() ? !beat : !lines_[line]) {
-            continue;
-        }
-        const SlowVariable variable = main_slow_variables[line];
-        const DisplayScale scale = displayScale(variable, units_, analysis->f0_hz());
-        const double span = std::abs(*b_s_ - *a_s_);
-        const int points =
-            beat ? std::max(curve_points, static_cast<int>(20 * beat->frequency_hz * span))
-                 : curve_points;
-        TrendCurve curve{variable, {}, {}};
-        for (int k = 0; k <= points; ++k) {
-            const double time_s = std::min(*a_s_, *b_s_) + span * k / points;
-            curve.time_s.push_back(time_s);
-            curve.value.push_back(
-                scale.value(beat ? beat->at(time_s) : trendValue(variable, *lines_[line], time_s)));
-        }
-        curves.push_back(std::move(curve));
+    curves.reserve(trends_.size());
+    for (const FittedTrend& trend : trends_) {
+        curves.push_back(curveOf(*analysis, trend, *a_s_, *b_s_, units_));
     }
     if (curves != drawn_) {
         drawn_ = std::move(curves);
@@ -359,18 +283,16 @@ QString MeasurePanel::tableText() const {
     const std::size_t row_a = nearestRow(shown->track, *a_s_);
     const std::size_t row_b = nearestRow(shown->track, *b_s_);
     const QString sd = tr("sd");
-    QStringList text{QStringList{document_.run(run_)->run.name,
-                                 tr("A = %1 s").arg(spreadsheetNumber(*a_s_)), sd,
-                                 tr("B = %1 s").arg(spreadsheetNumber(*b_s_)), sd, tr("B − A"), sd,
-                                 showsBeats() ? tr("Beat, Hz") : tr("Rate, per s"), sd}
+    QStringList text{QStringList{
+        document_.run(run_)->run.name, tr("A = %1 s").arg(spreadsheetNumber(*a_s_)), sd,
+        tr("B = %1 s").arg(spreadsheetNumber(*b_s_)), sd, tr("B − A"), sd, trendHeader(), sd}
                          .join(QLatin1Char('\t'))};
-    for (std::size_t line = 0; line < main_slow_variables.size(); ++line) {
-        const SlowVariable variable = main_slow_variables[line];
+    for (const SlowVariable variable : main_slow_variables) {
         QStringList cells{nameOf(variable, units_)};
         for (const Reading& reading :
              {readingAt(*shown, variable, row_a, units_),
               readingAt(*shown, variable, row_b, units_),
-              differenceOf(*shown, variable, row_a, row_b, units_), trendReading(*shown, line)}) {
+              differenceOf(*shown, variable, row_a, row_b, units_), trendOf(*shown, variable)}) {
             cells << spreadsheetNumber(reading.value) << spreadsheetNumber(reading.sd);
         }
         text << cells.join(QLatin1Char('\t'));

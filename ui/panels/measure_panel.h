@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/panels/reading.h"
+#include "ui/panels/fitted_trend.h"
 #include "ui/values/trend_curve.h"
 #include "ui/words/display_units.h"
 
@@ -19,8 +19,8 @@ namespace vybeg::ui {
 
 class NumberField;
 
-// Readings of one run at the cursors A and B: values, their difference, the trend between them
-// (line or beat), decay time and drift. The times can be typed. Hidden without a run.
+// Readings of one run at the cursors A and B: values, their difference, the trend between them,
+// decay time and drift. The times can be typed. Hidden without a run.
 class MeasurePanel : public QWidget {
     Q_OBJECT
 
@@ -30,6 +30,8 @@ public:
     void setRun(int id);
     void setCursors(std::optional<double> a_s, std::optional<double> b_s);
     void setUnits(const DisplayUnits& units);
+    TrendKind trendKind() const;
+    void setTrendKind(TrendKind kind);
     // The table as tab-separated text, numbers as in CursorPanel::tableText(); empty without both
     // cursors.
     QString tableText() const;
@@ -43,12 +45,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    // Trends of the shown variables, in their order.
-    using Lines = std::array<std::optional<Trend>, main_slow_variables.size()>;
-    using Beats = std::array<std::optional<Beat>, main_slow_variables.size()>;
-
     const Analysis* analysis() const;
-    bool showsBeats() const;
     // Whether a cursor stands where the run has windows.
     bool isInside(const std::optional<double>& time_s) const;
     void retranslate();
@@ -57,11 +54,10 @@ private:
     void showTimes();
     void showTable(const Analysis& analysis);
     void showSentences();
-    QStringList lineSentences() const;
-    QStringList beatSentences(const Analysis& analysis) const;
     void drawTrends(const Analysis* analysis);
-    // Rate or beat frequency of a line of the table.
-    Reading trendReading(const Analysis& analysis, std::size_t line) const;
+    // Rate or beat frequency of a variable.
+    Reading trendOf(const Analysis& analysis, SlowVariable variable) const;
+    QString trendHeader() const;
 
     Document& document_;
     std::array<QLabel*, 2> names_{};
@@ -75,8 +71,7 @@ private:
     std::optional<double> a_s_;
     std::optional<double> b_s_;
     DisplayUnits units_;
-    Lines lines_;
-    Beats beats_;
+    std::vector<FittedTrend> trends_;  // of the shown variables that have one
     std::vector<TrendCurve> drawn_;
 };
 

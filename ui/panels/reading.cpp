@@ -1,5 +1,7 @@
 #include "ui/panels/reading.h"
 
+#include "core/track/trend_points.h"
+
 #include <QLocale>
 
 #include <algorithm>
@@ -12,10 +14,6 @@ namespace {
 
 std::size_t apartIn(const Analysis& analysis) {
     return windows_apart(analysis.plan.length, analysis.plan.hop);
-}
-
-TrendOf kindOf(SlowVariable variable) {
-    return variable == SlowVariable::a_A ? TrendOf::logarithm : TrendOf::value;
 }
 
 }  // namespace
@@ -57,41 +55,6 @@ Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_
         difference.sd = std::hypot(a.sd, b.sd);
     }
     return difference;
-}
-
-std::optional<Trend> trendOf(const Analysis& analysis, SlowVariable variable, double from_s,
-                             double to_s) {
-    return line_trend(analysis.track, variable, std::min(from_s, to_s), std::max(from_s, to_s),
-                      apartIn(analysis), kindOf(variable));
-}
-
-Reading rateOf(const Analysis& analysis, SlowVariable variable, const Trend& trend,
-               const DisplayUnits& units) {
-    const DisplayScale scale = displayScale(variable, units, analysis.f0_hz());
-    const double middle = trendValue(variable, trend, trend.centre_s);
-    // Of an exponential: its logarithm's rate times its value.
-    const double stored = kindOf(variable) == TrendOf::logarithm ? middle : 1;
-    // A change of one second's rate, as a deviation at the middle is converted, with its sign.
-    const double rate = scale.sd(middle, std::abs(trend.slope_per_s) * stored);
-    return {std::copysign(rate, trend.slope_per_s),
-            scale.sd(middle, trend.sd_slope_per_s * stored)};
-}
-
-std::optional<Beat> beatOf(const Analysis& analysis, SlowVariable variable, double from_s,
-                           double to_s) {
-    return find_beat(analysis.track, variable, std::min(from_s, to_s), std::max(from_s, to_s),
-                     apartIn(analysis));
-}
-
-Reading amplitudeOf(const Analysis& analysis, SlowVariable variable, const Beat& beat,
-                    const DisplayUnits& units) {
-    const DisplayScale scale = displayScale(variable, units, analysis.f0_hz());
-    return {scale.sd(beat.value, beat.amplitude), scale.sd(beat.value, beat.sd_amplitude)};
-}
-
-double trendValue(SlowVariable variable, const Trend& trend, double time_s) {
-    const double value = trend.at(time_s);
-    return kindOf(variable) == TrendOf::logarithm ? std::exp(value) : value;
 }
 
 QString spreadsheetNumber(double value) {

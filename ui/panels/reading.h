@@ -1,15 +1,12 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
-#include "core/track/beat.h"
-#include "core/track/trend.h"
 #include "ui/words/display_units.h"
 
 #include <QString>
 
 #include <cstddef>
 #include <limits>
-#include <optional>
 
 namespace vybeg::ui {
 
@@ -30,20 +27,6 @@ Reading readingAt(const Analysis& analysis, SlowVariable variable, std::size_t r
 // differ by half a turn at most.
 Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_t from,
                      std::size_t to, const DisplayUnits& units);
-
-// The trend between two times: exponential for a_A, a straight line for the others.
-std::optional<Trend> trendOf(const Analysis& analysis, SlowVariable variable, double from_s,
-                             double to_s);
-// Its rate per second at its centre.
-Reading rateOf(const Analysis& analysis, SlowVariable variable, const Trend& trend,
-               const DisplayUnits& units);
-std::optional<Beat> beatOf(const Analysis& analysis, SlowVariable variable, double from_s,
-                           double to_s);
-// Its amplitude at its centre.
-Reading amplitudeOf(const Analysis& analysis, SlowVariable variable, const Beat& beat,
-                    const DisplayUnits& units);
-// Stored value of a trend at a time.
-double trendValue(SlowVariable variable, const Trend& trend, double time_s);
 
 // With the interface's decimal sign and all digits, for a spreadsheet; empty for NaN.
 QString spreadsheetNumber(double value);

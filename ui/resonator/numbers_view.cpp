@@ -28,6 +28,7 @@ QStringList markedNames(const ResonatorOutcome& outcome) {
 
 NumbersView::NumbersView(QWidget* parent)
     : QWidget(parent),
+      theme_(lightTheme()),
       findings_(sentence(this)),
       warnings_(sentence(this)),
       statistical_(sentence(this)),
@@ -66,6 +67,16 @@ void NumbersView::setUnits(const DisplayUnits& units) {
     rebuild();
 }
 
+void NumbersView::setTheme(const Theme& theme) {
+    theme_ = theme;
+    rebuild();
+}
+
+void NumbersView::setLimits(const std::vector<ParameterLimit>& limits) {
+    limits_ = limits;
+    rebuild();
+}
+
 void NumbersView::rebuild() {
     setVisible(shown_ != nullptr);
     if (!shown_) {
@@ -80,8 +91,9 @@ void NumbersView::rebuild() {
     findings_->setText(paragraphs(findings, QStringLiteral("⚠ %1")));
     findings_->setVisible(!findings.isEmpty());
     waves_->setContent(markedNames(outcome), waveRows(found, units_));
-    const auto rows = resonatorRows(found, units_);
-    resonator_->setContent({}, rows);
+    const auto rows = resonatorRows(found, units_, limits_, theme_);
+    const QStringList headers{tr("Value"), tr("Limits")};
+    resonator_->setContent(limits_.empty() ? QStringList() : headers, rows);
     resonator_section_->setVisible(!rows.empty());
     const auto sensitivities = sensitivityRows(found, units_);
     sensitivities_->setContent(sensitivityHeaders(), sensitivities);

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "core/resonator/results/parameter_limit.h"
 #include "ui/values/run_set.h"
+#include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
 class QLabel;
 
@@ -24,6 +27,8 @@ public:
     // Null: nothing is shown.
     void setOutcome(std::shared_ptr<const ResonatorOutcome> outcome);
     void setUnits(const DisplayUnits& units);
+    void setTheme(const Theme& theme);
+    void setLimits(const std::vector<ParameterLimit>& limits);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -36,6 +41,8 @@ private:
 
     std::shared_ptr<const ResonatorOutcome> shown_;
     DisplayUnits units_;
+    Theme theme_;
+    std::vector<ParameterLimit> limits_;
     QLabel* findings_;
     QLabel* warnings_;
     QLabel* statistical_;

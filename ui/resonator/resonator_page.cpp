@@ -53,6 +53,8 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     connect(comparison_, &ComparisonView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(&document_.sets(), &SetStore::changed, this, &ResonatorPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResonatorPage::refresh);
+    connect(&document_.dossier(), &DossierModel::changed, this,
+            [this] { numbers_->setLimits(document_.dossier().dossier().limits); });
     guardFromWheel(*this);
     rebuild();
 }
@@ -65,6 +67,7 @@ void ResonatorPage::setUnits(const DisplayUnits& units) {
 
 void ResonatorPage::setTheme(const Theme& theme) {
     theme_ = theme;
+    numbers_->setTheme(theme);
     figures_->setTheme(theme);
     comparison_->setTheme(theme);
     refresh();

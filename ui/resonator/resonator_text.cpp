@@ -21,6 +21,7 @@ namespace {
 
 // Change of a parameter, in its standard deviations, below which it is not shown.
 constexpr double negligible = 0.01;
+constexpr int limit_digits = 8;
 
 // Replaces a repeated reason by a reference to its first row.
 void sayOnce(std::vector<QuantityRow>& rows) {
@@ -48,9 +49,31 @@ QString threeDigits(double value) {
     return valueText(std::round(value / unit) * unit, std::numeric_limits<double>::quiet_NaN());
 }
 
+// "✓ ≤ 0.001": a limit and whether the parameter keeps it, by a sign and a colour.
+QuantityCell limitCell(const Estimate& estimate, const ParameterLimit& limit, double factor,
+                       const Theme& theme) {
+    struct Look {
+        const char* sign;
+        QColor color;
+    };
+    const std::array looks{Look{"?", {}}, Look{"✓", theme.kept}, Look{"✗", theme.broken}};
+    QString text;
+    if (limit.lower) {
+        text += QStringLiteral(" ≥ ") + shortNumberText(factor * *limit.lower, limit_digits);
+    }
+    if (limit.upper) {
+        text += QStringLiteral(" ≤ ") + shortNumberText(factor * *limit.upper, limit_digits);
+    }
+    const Look& look = looks.at(static_cast<std::size_t>(conformity(estimate, limit)));
+    text.prepend(QString::fromUtf8(look.sign));
+    return {text, {text}, look.color};
+}
+
 }  // namespace
 
-std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units) {
+std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units,
+                                       const std::vector<ParameterLimit>& limits,
+                                       const Theme& theme) {
     std::vector<QuantityRow> rows;
     if (found.fit.model == ResonatorModel::free) {
         return rows;
@@ -60,6 +83,12 @@ std::vector<QuantityRow> resonatorRows(const Identification& found, const Displa
         rows.push_back({withUnit(shown.title, shown.unit),
                         shown.tip,
                         {cellOf(found.fit.resonator.*parameter.member, shown.factor)}});
+        if (!limits.empty()) {
+            const ParameterLimit* limit = limit_of(limits, parameter.name);
+            rows.back().cells.push_back(limit ? limitCell(found.fit.resonator.*parameter.member,
+                                                          *limit, shown.factor, theme)
+                                              : QuantityCell{{}, {QString()}, {}});
+        }
     }
     sayOnce(rows);
     return rows;

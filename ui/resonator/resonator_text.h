@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/resonator/results/parameter_limit.h"
 #include "ui/values/run_set.h"
 #include "ui/widgets/quantity_table.h"
+#include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 
 #include <vector>
@@ -14,8 +16,11 @@ namespace vybeg::ui {
 
 // Motion of the wave, one column per recording.
 std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnits& units);
-// One column with the value; empty for the free model.
-std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units);
+// One column with the value, and where there are limits a second one with them; empty for the free
+// model.
+std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units,
+                                       const std::vector<ParameterLimit>& limits = {},
+                                       const Theme& theme = lightTheme());
 // Effects of usual errors of the channels on the given parameters, one column per error.
 QStringList sensitivityHeaders();
 std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units);

@@ -4,7 +4,9 @@
 #include "core/analysis/tolerance.h"
 #include "core/recording/samples/open_options.h"
 #include "ui/document/run_store.h"
+#include "ui/panels/fitted_trend.h"
 #include "ui/plots/track_view.h"
+#include "ui/values/dossier.h"
 #include "ui/values/zoom_stack.h"
 #include "ui/words/display_units.h"
 
@@ -38,6 +40,8 @@ struct SessionView {
     std::vector<SlowVariable> variables;
     DisplayUnits units;
     std::array<std::optional<double>, 2> cursors_s;  // A and B
+    TrendKind trend = TrendKind::line;               // between them
+    QString page;                                    // its word, PageStack::word(); empty: any
 };
 
 // Everything that makes the same picture and numbers again when the recordings are there: their
@@ -45,6 +49,7 @@ struct SessionView {
 struct Session {
     Settings settings;
     Tolerance tolerance;
+    Dossier dossier;
     bool live = true;
     std::vector<SessionRecording> recordings;
     int current = -1;  // place in `recordings`; -1: none

@@ -25,6 +25,19 @@ const QString sets_key = QStringLiteral("sets");
 const QString current_set_key = QStringLiteral("current_set");
 const QString current_run_key = QStringLiteral("current_run");
 const QString view_key = QStringLiteral("view");
+const QString gyro_key = QStringLiteral("gyro");
+const QString limits_key = QStringLiteral("limits");
+const QString serial_key = QStringLiteral("serial");
+const QString type_key = QStringLiteral("type");
+const QString operator_key = QStringLiteral("operator");
+const QString comment_key = QStringLiteral("comment");
+const QString page_key = QStringLiteral("page");
+const QString trend_key = QStringLiteral("trend");
+
+// As TrendKind.
+constexpr std::array<QLatin1String, trend_kinds> trend_words{
+    QLatin1String("line"), QLatin1String("parabola"), QLatin1String("cubic"),
+    QLatin1String("beat")};
 
 QString text(const std::string& utf8) {
     return QString::fromStdString(utf8);
@@ -136,6 +149,53 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings) {
     return set;
 }
 
+// Keys of a later version stay in the gyro's object of the unknown keys.
+QJsonObject gyroToJson(const GyroData& gyro, QJsonObject json) {
+    json[serial_key] = gyro.serial;
+    json[type_key] = gyro.type;
+    json[operator_key] = gyro.operator_name;
+    json[comment_key] = gyro.comment;
+    return json;
+}
+
+GyroData gyroFromJson(const QJsonObject& json) {
+    return {json[serial_key].toString(), json[type_key].toString(), json[operator_key].toString(),
+            json[comment_key].toString()};
+}
+
+// By parameter the least and the greatest value in stored units, null for none.
+QJsonObject limitsToJson(const std::vector<ParameterLimit>& limits) {
+    const auto end = [](const std::optional<double>& value) {
+        return value ? QJsonValue(*value) : QJsonValue();
+    };
+    QJsonObject json;
+    for (const ParameterLimit& limit : limits) {
+        json[text(limit.parameter)] = QJsonArray{end(limit.lower), end(limit.upper)};
+    }
+    return json;
+}
+
+std::vector<ParameterLimit> limitsFromJson(const QJsonObject& json) {
+    std::vector<ParameterLimit> limits;
+    for (const ResonatorParameter& parameter : limited_parameters()) {
+        const QJsonArray ends = json[QLatin1String(parameter.name)].toArray();
+        const auto end = [&ends](int which) {
+            return ends.at(which).isDouble() ? std::optional(ends.at(which).toDouble())
+                                             : std::nullopt;
+        };
+        if (end(0) || end(1)) {
+            limits.push_back({parameter.name, end(0), end(1)});
+        }
+    }
+    return limits;
+}
+
+TrendKind trendFromJson(const QJsonValue& value) {
+    const auto found = std::ranges::find(trend_words, value.toString());
+    return found == trend_words.end() ? TrendKind::line
+                                      : static_cast<TrendKind>(found - trend_words.begin());
+}
+
 QJsonArray rangeToJson(const AxisRange& range) {
     return {range.lower, range.upper};
 }
@@ -187,6 +247,8 @@ QJsonObject viewToJson(const SessionView& view) {
             {QStringLiteral("values"), values},
             {QStringLiteral("variables"), variables},
             {QStringLiteral("cursors_s"), cursors},
+            {page_key, view.page},
+            {trend_key, trend_words.at(static_cast<std::size_t>(view.trend))},
             {QStringLiteral("units"),
              QJsonObject{{QStringLiteral("frequency"), static_cast<int>(units.frequency)},
                          {QStringLiteral("angle"), static_cast<int>(units.angle)},
@@ -218,6 +280,8 @@ SessionView viewFromJson(const QJsonObject& json) {
             view.cursors_s[static_cast<std::size_t>(which)] = cursors.at(which).toDouble();
         }
     }
+    view.page = json[page_key].toString();
+    view.trend = trendFromJson(json[trend_key]);
     const QJsonObject units = json[QStringLiteral("units")].toObject();
     view.units.frequency = unitFromJson(units, "frequency", FrequencyUnit::deviation_ppm);
     view.units.angle = unitFromJson(units, "angle", AngleUnit::degrees);
@@ -250,6 +314,8 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     json[sets_key] = sets;
     json[current_set_key] = session.current_set;
     json[current_run_key] = session.current_run;
+    json[gyro_key] = gyroToJson(session.dossier.gyro, json[gyro_key].toObject());
+    json[limits_key] = limitsToJson(session.dossier.limits);
     json[view_key] = viewToJson(session.view);
     return json;
 }
@@ -288,13 +354,20 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     session.current = placeFromJson(json[current_key], session.recordings.size());
     session.current_set = placeFromJson(json[current_set_key], session.sets.size());
     session.current_run = json[current_run_key].toInt(-1);
+    session.dossier = {gyroFromJson(json[gyro_key].toObject()),
+                       limitsFromJson(json[limits_key].toObject())};
     session.view = viewFromJson(json[view_key].toObject());
     session.unknown = json;
     for (const QString& known :
          {schema_key, program_key, settings_key, tolerance_key, live_key, recordings_key,
-          current_key, sets_key, current_set_key, current_run_key, view_key}) {
+          current_key, sets_key, current_set_key, current_run_key, limits_key, view_key}) {
         session.unknown.remove(known);
     }
+    QJsonObject gyro = json[gyro_key].toObject();
+    for (const QString& known : {serial_key, type_key, operator_key, comment_key}) {
+        gyro.remove(known);
+    }
+    session.unknown[gyro_key] = gyro;
     return session;
 }
 

@@ -215,7 +215,7 @@ void SessionKeeper::finishWhenComputed() {
         wanted_.current_run < static_cast<int>(document_.runs().size())) {
         emit runWanted(document_.runs()[static_cast<std::size_t>(wanted_.current_run)].run.id);
     }
-    emit viewRestored();
+    emit viewRestored(wanted_.view);
 }
 
 void SessionKeeper::compareHash(int recording_id) {
@@ -237,6 +237,7 @@ void SessionKeeper::compareHash(int recording_id) {
 Session SessionKeeper::present() const {
     Session session = sessionOf(document_, tracks_);
     session.unknown = unknown_;
+    add_to_view_(session.view);
     const auto run = std::ranges::find_if(
         document_.runs(), [this](const RunEntry& entry) { return entry.run.id == current_run_; });
     if (run != document_.runs().end()) {

@@ -33,6 +33,8 @@ public:
     QString path() const { return path_; }
     // The run that the window's panels show.
     void setCurrentRun(int id) { current_run_ = id; }
+    // Adds to a view what the window alone knows of it: page and trend.
+    void setViewSource(std::function<void(SessionView&)> add) { add_to_view_ = std::move(add); }
     // Whether closing loses something: changes of a saved session; without a file, changed settings
     // or sets.
     bool isModified() const;
@@ -46,7 +48,7 @@ public:
 signals:
     void pathChanged();
     void unitsWanted(const DisplayUnits& units);
-    void viewRestored();
+    void viewRestored(const SessionView& view);
     void runWanted(int id);
     void fileWanted(std::size_t absent, const QString& name);
 
@@ -77,6 +79,7 @@ private:
     QString path_;
     QJsonObject unknown_;
     int current_run_ = 0;
+    std::function<void(SessionView&)> add_to_view_ = [](SessionView&) {};
     QJsonObject saved_;  // content() when it was saved or opened
     std::vector<Absent> absent_;
     std::map<int, QString> hashes_;  // that the session states, by recording

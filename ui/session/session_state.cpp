@@ -17,6 +17,7 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
     Session session;
     session.settings = document.settings();
     session.tolerance = document.tolerance();
+    session.dossier = document.dossier().dossier();
     session.live = document.live();
     for (const RecordingEntry& entry : document.recordings()) {
         SessionRecording recording{entry.path, entry.sha256, entry.options, {}};
@@ -42,10 +43,10 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
         session.sets.push_back(std::move(stored));
     }
     const PlotContent content = tracks.content();
-    session.view = {content.zoom,
-                    content.variables,
-                    content.units,
-                    {tracks.cursor(Cursor::a), tracks.cursor(Cursor::b)}};
+    session.view.zoom = content.zoom;
+    session.view.variables = content.variables;
+    session.view.units = content.units;
+    session.view.cursors_s = {tracks.cursor(Cursor::a), tracks.cursor(Cursor::b)};
     return session;
 }
 
@@ -59,6 +60,7 @@ std::vector<int> restoreSession(const Session& session, Document& document) {
     // Live analysis would compute what the session does not have.
     document.setLive(false);
     document.startWith(session.settings, session.tolerance);
+    document.dossier().startWith(session.dossier);
     std::vector<int> ids;
     for (const SessionRecording& recording : session.recordings) {
         ids.push_back(recording.path.isEmpty()

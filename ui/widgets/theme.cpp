@@ -81,6 +81,8 @@ Theme lightTheme() {
     theme.cursorA = QColor("#b3261e");
     theme.cursorB = QColor("#1a6d3c");
     theme.warning = QColor("#c2410c");
+    theme.kept = QColor("#1a6d3c");
+    theme.broken = QColor("#b3261e");
     theme.signalC = QColor("#3b6ea5");
     theme.signalD = QColor("#8a6d3b");
     return theme;
@@ -103,6 +105,8 @@ Theme darkTheme() {
     theme.cursorA = QColor("#ff8a80");
     theme.cursorB = QColor("#7fd89f");
     theme.warning = QColor("#ff8f4d");
+    theme.kept = QColor("#6fcf97");
+    theme.broken = QColor("#ff8a80");
     theme.signalC = QColor("#7fb0e6");
     theme.signalD = QColor("#d3b06f");
     return theme;

@@ -25,6 +25,8 @@ struct Theme {
     QColor cursorA;
     QColor cursorB;
     QColor warning;  // missing samples and windows
+    QColor kept;     // a limit
+    QColor broken;   // likewise
     QColor signalC;
     QColor signalD;
 };

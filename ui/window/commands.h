@@ -46,6 +46,8 @@ enum class Command {
     live,
     cancel,
     compare,
+    gyro_data,
+    limits,
     identify,
     new_set,
     help,

@@ -186,6 +186,7 @@ void MainWindow::connectDocument() {
             resonator_->showComparison();
         }
     });
+    connect(&document_.dossier(), &DossierModel::changed, this, &MainWindow::showTitle);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, commands_, &Commands::refresh);
 }
 
@@ -198,7 +199,15 @@ void MainWindow::connectSession() {
     });
     connect(session_, &SessionKeeper::unitsWanted, this, &MainWindow::setUnits);
     connect(session_, &SessionKeeper::runWanted, runs_, &RunList::setCurrentRun);
-    connect(session_, &SessionKeeper::viewRestored, this, [this] {
+    session_->setViewSource([this](SessionView& view) {
+        view.trend = measure_->trendKind();
+        view.page = pageWord(pages_->page());
+    });
+    connect(session_, &SessionKeeper::viewRestored, this, [this](const SessionView& view) {
+        measure_->setTrendKind(view.trend);
+        if (const auto page = pageOfWord(view.page)) {
+            pages_->showPage(*page);
+        }
         measure_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
         signals_->showCursors();
         showTitle();
@@ -270,6 +279,9 @@ void MainWindow::showTitle() {
     QStringList parts;
     if (!session_->path().isEmpty()) {
         parts << QFileInfo(session_->path()).fileName();
+    }
+    if (const QString& serial = document_.dossier().dossier().gyro.serial; !serial.isEmpty()) {
+        parts << serial;
     }
     if (entry && (entry->recording || entry->envelope)) {
         parts << entry->name;

@@ -7,7 +7,28 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <array>
+
 namespace vybeg::ui {
+
+namespace {
+
+// As Page.
+constexpr std::array page_words{"tracks", "signals", "resonator", "residuals", "windows"};
+
+}  // namespace
+
+QString pageWord(Page page) {
+    return QLatin1String(page_words.at(static_cast<std::size_t>(page)));
+}
+
+std::optional<Page> pageOfWord(const QString& word) {
+    const auto found = std::ranges::find_if(
+        page_words, [&word](const char* each) { return word == QLatin1String(each); });
+    return found == page_words.end() ? std::nullopt
+                                     : std::optional(static_cast<Page>(found - page_words.begin()));
+}
 
 PageStack::PageStack(QWidget* welcome, QWidget* parent)
     : QWidget(parent), tabs_(new QTabBar(this)), stack_(new QStackedWidget(this)) {

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QStackedWidget;
 class QTabBar;
 
@@ -9,6 +11,10 @@ namespace vybeg::ui {
 
 // The pages about the open recordings, in the order of their tabs.
 enum class Page { tracks, samples, resonator, residuals, sweep };
+
+// The word of a page in a session, and the page of a word; nothing for another word.
+QString pageWord(Page page);
+std::optional<Page> pageOfWord(const QString& word);
 
 // The middle of the window: pages under a bar of tabs, or the welcome while no recording is open.
 class PageStack : public QWidget {

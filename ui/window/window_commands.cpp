@@ -6,8 +6,10 @@
 #include "ui/panels/run_list.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
+#include "ui/resonator/limits_dialog.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/window/file_commands.h"
+#include "ui/window/gyro_dialog.h"
 #include "ui/window/status_line.h"
 
 #include <QApplication>
@@ -243,6 +245,16 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeySequence(Qt::Key_F6)},
          .enabled = open,
          .act = [to] { to.files.openCompare(); }},
+        {.id = Command::gyro_data,
+         .text = QT_TRANSLATE_NOOP("Command", "Gyro's &data…"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "Serial number, type, operator and comment of the session"),
+         .act = [to] { askForGyro(to.document.dossier(), to.status.window()); }},
+        {.id = Command::limits,
+         .text = QT_TRANSLATE_NOOP("Command", "&Limits…"),
+         .tip = QT_TRANSLATE_NOOP("Command", "What the resonator's parameters have to keep"),
+         .act =
+             [to] { askForLimits(to.document.dossier(), to.tracks.units(), to.status.window()); }},
         {.id = Command::identify,
          .text = QT_TRANSLATE_NOOP("Command", "&Identify resonator"),
          .tip = QT_TRANSLATE_NOOP("Command", "Fit one resonator to all recordings of the set"),

@@ -31,8 +31,10 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks,
     addView(docks, theme);
     QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
     add(analysis, {Command::run, Command::live, Command::cancel, Command::compare});
-    analysis->addSeparator();
-    add(analysis, {Command::identify, Command::new_set});
+    QMenu* gyro = top(QT_TR_NOOP("&Gyro"));
+    add(gyro, {Command::gyro_data, Command::limits});
+    gyro->addSeparator();
+    add(gyro, {Command::identify, Command::new_set});
     add(top(QT_TR_NOOP("&Help")), {Command::help, Command::copy_diagnostics, Command::about});
 }
 

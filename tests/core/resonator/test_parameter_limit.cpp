@@ -1,0 +1,89 @@
+#include "core/resonator/results/parameter_limit.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace vybeg;
+
+namespace {
+
+Estimate estimate(double value, double sd, double u = std::nan("")) {
+    Estimate made;
+    made.value = value;
+    made.sd = sd;
+    made.u = u;
+    return made;
+}
+
+}  // namespace
+
+class TestParameterLimit : public QObject {
+    Q_OBJECT
+
+private slots:
+    void the_whole_interval_decides() {
+        const ParameterLimit most{"split_hz", std::nullopt, 10.0};
+        QCOMPARE(conformity(estimate(7.9, 1), most), Conformity::within);
+        QCOMPARE(conformity(estimate(8, 1), most), Conformity::within);  // ends included
+        QCOMPARE(conformity(estimate(8.1, 1), most), Conformity::unknown);
+        QCOMPARE(conformity(estimate(11.9, 1), most), Conformity::unknown);
+        QCOMPARE(conformity(estimate(12.1, 1), most), Conformity::outside);
+        const ParameterLimit least{"q", 10.0, std::nullopt};
+        QCOMPARE(conformity(estimate(12, 1), least), Conformity::within);
+        QCOMPARE(conformity(estimate(10, 1), least), Conformity::unknown);
+        QCOMPARE(conformity(estimate(7.9, 1), least), Conformity::outside);
+        const ParameterLimit both{"delay_s", -1.0, 1.0};
+        QCOMPARE(conformity(estimate(0, 0.4), both), Conformity::within);
+        QCOMPARE(conformity(estimate(0, 0.6), both), Conformity::unknown);
+        QCOMPARE(conformity(estimate(-3, 0.6), both), Conformity::outside);
+    }
+
+    void tolerances_of_the_channels_count() {
+        const ParameterLimit most{"split_hz", std::nullopt, 10.0};
+        QCOMPARE(conformity(estimate(7, 0.1, 1.4), most), Conformity::within);
+        QCOMPARE(conformity(estimate(7, 0.1, 1.6), most), Conformity::unknown);
+    }
+
+    void no_value_or_no_uncertainty_is_unknown() {
+        const ParameterLimit most{"split_hz", std::nullopt, 10.0};
+        QCOMPARE(conformity(Estimate(), most), Conformity::unknown);
+        QCOMPARE(conformity(estimate(1, std::nan("")), most), Conformity::unknown);
+        Estimate refused = estimate(1, 0.1);
+        refused.reason.code = ReasonCode::within_noise;
+        QCOMPARE(conformity(refused, most), Conformity::unknown);
+    }
+
+    // A parameter at its limit is called within, or outside, in one of 44 measurements (2.3 %).
+    void a_parameter_at_its_limit_is_seldom_decided() {
+        std::mt19937_64 random(1);
+        std::normal_distribution<double> noise;
+        const ParameterLimit most{"split_hz", std::nullopt, 10.0};
+        int within = 0;
+        int outside = 0;
+        constexpr int measurements = 20000;
+        for (int k = 0; k < measurements; ++k) {
+            const Conformity found = conformity(estimate(10 + noise(random), 1), most);
+            within += found == Conformity::within ? 1 : 0;
+            outside += found == Conformity::outside ? 1 : 0;
+        }
+        const double expected = measurements * 0.02275;
+        QVERIFY2(std::abs(within - expected) < 4 * std::sqrt(expected), QByteArray::number(within));
+        QVERIFY2(std::abs(outside - expected) < 4 * std::sqrt(expected),
+                 QByteArray::number(outside));
+    }
+
+    void axes_have_no_limits() {
+        const auto limited = limited_parameters();
+        QCOMPARE(limited.size(), resonator_parameters.size() - 2);
+        QVERIFY(std::ranges::none_of(limited, [](const auto& each) {
+            return std::string(each.name) == "theta_w_rad" ||
+                   std::string(each.name) == "theta_tau_rad";
+        }));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestParameterLimit)
+#include "test_parameter_limit.moc"

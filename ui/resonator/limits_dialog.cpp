@@ -1,0 +1,118 @@
+#include "ui/resonator/limits_dialog.h"
+
+#include "ui/resonator/parameter_text.h"
+#include "ui/widgets/number_field.h"
+#include "ui/words/rich_text.h"
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int shown_digits = 8;
+
+// The stored value of a field. Unchanged fields keep theirs, which the display rounds.
+std::optional<double> stored(const NumberField& field, std::optional<double> before,
+                             double factor) {
+    const std::optional<double> now = field.value();
+    const bool same = now && before && *now == *before * factor;
+    return same ? before : now ? std::optional(*now / factor) : std::nullopt;
+}
+
+}  // namespace
+
+LimitsDialog::LimitsDialog(const std::vector<ParameterLimit>& limits, const DisplayUnits& units,
+                           QWidget* parent)
+    : QDialog(parent) {
+    setWindowTitle(tr("Limits of the parameters"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* grid = new QGridLayout;
+    grid->addWidget(new QLabel(tr("At least"), this), 0, 1);
+    grid->addWidget(new QLabel(tr("At most"), this), 0, 2);
+    int line = 0;
+    for (const ResonatorParameter& parameter : limited_parameters()) {
+        const Shown shown = shownAs(parameter.name, parameter.unit, units);
+        const ParameterLimit* found = limit_of(limits, parameter.name);
+        Row row{parameter, shown.factor, found ? *found : ParameterLimit{parameter.name, {}, {}},
+                new NumberField(this), new NumberField(this)};
+        auto* name = new QLabel(richText(shown.title), this);
+        name->setToolTip(shown.tip);
+        name->setBuddy(row.lower);
+        grid->addWidget(name, ++line, 0);
+        const auto field = [&](NumberField* each, int column, std::optional<double> limit,
+                               const QString& what) {
+            each->setObjectName(QLatin1String(parameter.name) + (column == 1
+                                                                     ? QStringLiteral(".lower")
+                                                                     : QStringLiteral(".upper")));
+            each->setOptional(true);
+            each->setUnit(shown.unit);
+            each->setDigits(shown_digits);
+            each->setValue(limit ? std::optional(*limit * shown.factor) : std::nullopt);
+            each->setAccessibleName(QStringLiteral("%1: %2").arg(shown.title, what));
+            each->setToolTip(tr("Empty: no limit"));
+            each->setMinimumWidth(150);
+            grid->addWidget(each, line, column);
+            connect(each, &NumberField::valueEdited, this, &LimitsDialog::check);
+            connect(each, &NumberField::faultChanged, this, &LimitsDialog::check);
+        };
+        field(row.lower, 1, row.before.lower, tr("at least"));
+        field(row.upper, 2, row.before.upper, tr("at most"));
+        rows_.push_back(row);
+    }
+    auto* meaning = new QLabel(
+        tr("A parameter keeps its limits where its value with twice its uncertainty lies within "
+           "them (✓, green), and breaks them where all of that lies beyond (✗, red). Between, or "
+           "without a value, nothing is said (?)."),
+        this);
+    meaning->setWordWrap(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    ok_ = buttons->button(QDialogButtonBox::Ok);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(grid);
+    column->addWidget(meaning);
+    column->addWidget(buttons);
+    check();
+}
+
+std::vector<ParameterLimit> LimitsDialog::limits() const {
+    std::vector<ParameterLimit> limits;
+    for (const Row& row : rows_) {
+        ParameterLimit limit{row.parameter.name, stored(*row.lower, row.before.lower, row.factor),
+                             stored(*row.upper, row.before.upper, row.factor)};
+        if (limit.lower || limit.upper) {
+            limits.push_back(std::move(limit));
+        }
+    }
+    return limits;
+}
+
+void LimitsDialog::check() {
+    bool sound = true;
+    for (const Row& row : rows_) {
+        const auto lower = row.lower->value();
+        const auto upper = row.upper->value();
+        row.upper->setConflict(lower && upper && *lower > *upper
+                                   ? tr("The greatest value lies below the least one.")
+                                   : QString());
+        sound = sound && row.lower->fault().isEmpty() && row.upper->fault().isEmpty();
+    }
+    ok_->setEnabled(sound);
+}
+
+void askForLimits(DossierModel& dossier, const DisplayUnits& units, QWidget* window) {
+    auto* dialog = new LimitsDialog(dossier.dossier().limits, units, window);
+    QObject::connect(dialog, &LimitsDialog::accepted, &dossier,
+                     [&dossier, dialog] { dossier.setLimits(dialog->limits()); });
+    dialog->open();
+}
+
+}  // namespace vybeg::ui

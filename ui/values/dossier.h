@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/resonator/results/parameter_limit.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// What a person says of the gyro of a session; empty where nothing is said.
+struct GyroData {
+    QString serial;
+    QString type;
+    QString operator_name;
+    QString comment;
+
+    friend bool operator==(const GyroData&, const GyroData&) = default;
+};
+
+// The gyro of a session, and what its resonator has to keep.
+struct Dossier {
+    GyroData gyro;
+    std::vector<ParameterLimit> limits;
+
+    friend bool operator==(const Dossier&, const Dossier&) = default;
+};
+
+}  // namespace vybeg::ui
