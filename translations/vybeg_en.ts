@@ -69,7 +69,7 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::MeasurePanel</name>
+        <name>Trend</name>
         <message numerus="yes">
             <source>%n window(s) without common samples</source>
             <translation>

@@ -321,6 +321,22 @@
         <source>The page with the samples, the wave fitted to them and what it leaves</source>
         <translation>Страница с отсчётами, вписанной в них волной и невязкой</translation>
     </message>
+    <message>
+        <source>Gyro&apos;s &amp;data…</source>
+        <translation>&amp;Данные гироскопа…</translation>
+    </message>
+    <message>
+        <source>Serial number, type, operator and comment of the session</source>
+        <translation>Заводской номер, тип, оператор и примечание сеанса</translation>
+    </message>
+    <message>
+        <source>&amp;Limits…</source>
+        <translation>&amp;Пределы…</translation>
+    </message>
+    <message>
+        <source>What the resonator&apos;s parameters have to keep</source>
+        <translation>Каким значениям должны удовлетворять параметры резонатора</translation>
+    </message>
 </context>
 <context>
     <name>DisplayUnits</name>
@@ -2001,6 +2017,69 @@
     </message>
 </context>
 <context>
+    <name>Trend</name>
+    <message numerus="yes">
+        <source>%n window(s) without common samples</source>
+        <translation>
+            <numerusform>%n окно без общих отсчётов</numerusform>
+            <numerusform>%n окна без общих отсчётов</numerusform>
+            <numerusform>%n окон без общих отсчётов</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Decay time of a_A: %1 s</source>
+        <translation>Постоянная времени a_A: %1 с</translation>
+    </message>
+    <message>
+        <source>The decay of a_A lies within its noise here.</source>
+        <translation>Спад a_A здесь в пределах шума.</translation>
+    </message>
+    <message>
+        <source>Drift of θ_A: %1 °/h</source>
+        <translation>Дрейф θ_A: %1 °/ч</translation>
+    </message>
+    <message>
+        <source>Drift of f: %1 Hz/s</source>
+        <translation>Уход f: %1 Гц/с</translation>
+    </message>
+    <message>
+        <source>No line within the noise: %1. The deviations are enlarged.</source>
+        <translation>Отклонение от прямой больше шума: %1. СКО увеличены.</translation>
+    </message>
+    <message>
+        <source>No such curve within the noise: %1. The deviations are enlarged.</source>
+        <translation>Кривая не описывает данные в пределах шума: %1. СКО увеличены.</translation>
+    </message>
+    <message>
+        <source>%1: amplitude %2 %3, damping %4 1/s</source>
+        <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
+    </message>
+    <message>
+        <source>No beat of 1¼ to 100 periods between the cursors.</source>
+        <translation>Между курсорами нет биения с числом периодов от 1¼ до 100.</translation>
+    </message>
+    <message>
+        <source>Too few windows between the cursors.</source>
+        <translation>Слишком мало окон между курсорами.</translation>
+    </message>
+    <message>
+        <source>%1/s²</source>
+        <translation>%1/с²</translation>
+    </message>
+    <message>
+        <source>%1: second derivative %2 %3</source>
+        <translation>%1: вторая производная %2 %3</translation>
+    </message>
+    <message>
+        <source>%1: second derivative at the middle %2 %3, third %4 %5</source>
+        <translation>%1: вторая производная в середине %2 %3, третья %4 %5</translation>
+    </message>
+    <message>
+        <source>%1/s³</source>
+        <translation>%1/с³</translation>
+    </message>
+</context>
+<context>
     <name>Words</name>
     <message>
         <source>Disk quota exceeded</source>
@@ -3053,6 +3132,17 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::DossierModel</name>
+    <message>
+        <source>the gyro&apos;s data</source>
+        <translation>данные гироскопа</translation>
+    </message>
+    <message>
+        <source>limits of the parameters</source>
+        <translation>пределы параметров</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::EventsPanel</name>
     <message>
         <source>Axis crossings, gaps and windows without convergence of the chosen run appear here.</source>
@@ -3329,6 +3419,33 @@
     <message>
         <source>Track for NumPy (*.npz)</source>
         <translation>Ряд для NumPy (*.npz)</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::GyroDialog</name>
+    <message>
+        <source>The gyro&apos;s data</source>
+        <translation>Данные гироскопа</translation>
+    </message>
+    <message>
+        <source>Kept in the session, and proposed for its report</source>
+        <translation>Хранится в сеансе и предлагается для отчёта</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Заводской номер</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Тип</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Оператор</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Примечание</translation>
     </message>
 </context>
 <context>
@@ -3651,6 +3768,41 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::LimitsDialog</name>
+    <message>
+        <source>Limits of the parameters</source>
+        <translation>Пределы параметров</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Не менее</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Не более</translation>
+    </message>
+    <message>
+        <source>Empty: no limit</source>
+        <translation>Пусто: без предела</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>не менее</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>не более</translation>
+    </message>
+    <message>
+        <source>A parameter keeps its limits where its value with twice its uncertainty lies within them (✓, green), and breaks them where all of that lies beyond (✗, red). Between, or without a value, nothing is said (?).</source>
+        <translation>Параметр соблюдает пределы, если его значение с удвоенной неопределённостью целиком лежит внутри них (✓, зелёный), и нарушает их, если целиком лежит за ними (✗, красный). Между ними или без значения вывода нет (?).</translation>
+    </message>
+    <message>
+        <source>The greatest value lies below the least one.</source>
+        <translation>Наибольшее значение меньше наименьшего.</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::MainWindow</name>
     <message>
         <source>Recordings</source>
@@ -3764,38 +3916,6 @@
         <translation>За секунду</translation>
     </message>
     <message>
-        <source>Decay time of a_A: %1 s</source>
-        <translation>Постоянная времени a_A: %1 с</translation>
-    </message>
-    <message>
-        <source>The decay of a_A lies within its noise here.</source>
-        <translation>Спад a_A здесь в пределах шума.</translation>
-    </message>
-    <message>
-        <source>Drift of θ_A: %1 °/h</source>
-        <translation>Дрейф θ_A: %1 °/ч</translation>
-    </message>
-    <message>
-        <source>Drift of f: %1 Hz/s</source>
-        <translation>Уход f: %1 Гц/с</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n window(s) without common samples</source>
-        <translation>
-            <numerusform>%n окно без общих отсчётов</numerusform>
-            <numerusform>%n окна без общих отсчётов</numerusform>
-            <numerusform>%n окон без общих отсчётов</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Fewer than three windows between the cursors.</source>
-        <translation>Между курсорами меньше трёх окон.</translation>
-    </message>
-    <message>
-        <source>%1: amplitude %2 %3, damping %4 1/s</source>
-        <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
-    </message>
-    <message>
         <source>sd</source>
         <translation>СКО</translation>
     </message>
@@ -3812,16 +3932,16 @@
         <translation>Курсор стоит там, где у расчёта нет окон.</translation>
     </message>
     <message>
-        <source>No line within the noise: %1. The deviations are enlarged.</source>
-        <translation>Отклонение от прямой больше шума: %1. СКО увеличены.</translation>
-    </message>
-    <message>
-        <source>No beat of 1¼ to 100 periods between the cursors.</source>
-        <translation>Между курсорами нет биения с числом периодов от 1¼ до 100.</translation>
-    </message>
-    <message>
         <source>Values at A and B, their difference and the trend between them, with standard deviations</source>
         <translation>Значения в A и B, их разность и тренд между ними, с СКО</translation>
+    </message>
+    <message>
+        <source>Parabola</source>
+        <translation>Парабола</translation>
+    </message>
+    <message>
+        <source>Polynomial of the third degree</source>
+        <translation>Многочлен третьей степени</translation>
     </message>
 </context>
 <context>
@@ -3891,6 +4011,14 @@
     <message>
         <source>± is the statistical standard deviation; u, where it differs, holds the tolerances of the channels (Calibration) too. Errors of the channels without a tolerance count as none: the next table shows what they would change.</source>
         <translation>± — статистическое СКО; u, если отличается, включает и допуски каналов (Калибровка). Ошибки каналов без допуска считаются отсутствующими: что они изменили бы, показывает следующая таблица.</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Пределы</translation>
     </message>
 </context>
 <context>
@@ -5139,6 +5267,10 @@ Open a recording and press Run.</source>
     <message>
         <source>Lang&amp;uage</source>
         <translation>&amp;Язык</translation>
+    </message>
+    <message>
+        <source>&amp;Gyro</source>
+        <translation>&amp;Гироскоп</translation>
     </message>
 </context>
 <context>

@@ -106,13 +106,15 @@ QStringList polynomialSentences(const Analysis& analysis, const std::vector<Fitt
             return valueText(value.value, value.sd);
         };
         const QString symbol = displaySymbol(trend.variable, units);
-        const QString unit = displayUnit(trend.variable, units);
-        sentences << (fit.coefficient.size() == 3
-                          ? Words::tr("%1: second derivative %2 %3/s²")
-                                .arg(symbol, derivative(2, 2), unit)
-                          : Words::tr(
-                                "%1: second derivative at the middle %2 %3/s², third %4 %3/s³")
-                                .arg(symbol, derivative(2, 2), unit, derivative(3, 6)));
+        const QString known = displayUnit(trend.variable, units);
+        const QString unit = known.isEmpty() ? QStringLiteral("1") : known;
+        const QString second = Words::tr("%1/s²").arg(unit);
+        sentences
+            << (fit.coefficient.size() == 3
+                    ? Words::tr("%1: second derivative %2 %3").arg(symbol, derivative(2, 2), second)
+                    : Words::tr("%1: second derivative at the middle %2 %3, third %4 %5")
+                          .arg(symbol, derivative(2, 2), second, derivative(3, 6),
+                               Words::tr("%1/s³").arg(unit)));
     }
     if (!trends.empty()) {
         sentences << windowCount(std::get<PolynomialTrend>(trends.front().fit).windows);
