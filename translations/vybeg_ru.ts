@@ -99,7 +99,7 @@
     </message>
     <message>
         <source>Export &amp;track…</source>
-        <translation>Экспорт &amp;ряда…</translation>
+        <translation>Экспорт &amp;результатов…</translation>
     </message>
     <message>
         <source>Save the slow variables of the chosen run as CSV</source>
@@ -143,7 +143,7 @@
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation>&amp;Целиком</translation>
+        <translation>Показать вс&amp;ё</translation>
     </message>
     <message>
         <source>Show the whole time range (double click, Home)</source>
@@ -151,7 +151,7 @@
     </message>
     <message>
         <source>Zoom &amp;back</source>
-        <translation>Масштаб &amp;назад</translation>
+        <translation>Предыду&amp;щий масштаб</translation>
     </message>
     <message>
         <source>Back in the zoom history (R)</source>
@@ -183,7 +183,7 @@
     </message>
     <message>
         <source>&amp;Live</source>
-        <translation>&amp;На лету</translation>
+        <translation>&amp;Автопересчёт</translation>
     </message>
     <message>
         <source>Every change of a setting shows at once, in a run that follows the panel</source>
@@ -738,7 +738,7 @@
     </message>
     <message>
         <source>In %1 of %2 windows the algorithm is off by more than one standard deviation, by leakage; they are flagged. A window of whole half-periods (Snap) makes it smallest; conjugate gradient and maximum likelihood have none.</source>
-        <translation>Окон, в которых из-за утечки ошибка алгоритма больше одного СКО: %1 из %2; они помечены. Меньше всего утечка в окне из целых полупериодов («Подогнать»); у сопряжённых градиентов и максимального правдоподобия её нет.</translation>
+        <translation>Окон, в которых из-за утечки ошибка алгоритма больше одного СКО: %1 из %2; они помечены. Меньше всего утечка в окне из целых полупериодов («К полупериодам»); у сопряжённых градиентов и максимального правдоподобия её нет.</translation>
     </message>
     <message>
         <source>In %1 of %2 windows the wave moves inside the window, or turns too far from one window to the next; they are flagged. Choose a shorter window or a smaller hop.</source>
@@ -782,7 +782,7 @@
     </message>
     <message>
         <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit with --channels, or give the gain ratio with --kappa.</source>
-        <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей (--channels) или задайте отношение усилений (--kappa).</translation>
+        <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей (--channels) или задайте отношение коэффициентов передачи (--kappa).</translation>
     </message>
     <message>
         <source>Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged.</source>
@@ -882,7 +882,7 @@
     </message>
     <message>
         <source>The residual is above the noise of the windows (chi square per degree of freedom %1); the standard deviations are enlarged to match.</source>
-        <translation>Остаток больше шума окон (хи-квадрат на степень свободы %1); стандартные отклонения соответственно увеличены.</translation>
+        <translation>Невязка больше шума окон (хи-квадрат на степень свободы %1); стандартные отклонения соответственно увеличены.</translation>
     </message>
     <message>
         <source>The fit of the resonator stopped before it converged: its values are refused.</source>
@@ -938,7 +938,7 @@
     </message>
     <message>
         <source>Channel %1 is in %2 and channel %3 in %4, units without a known ratio: amplitudes and angles are wrong. Choose channels of one unit, or give the gain ratio.</source>
-        <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей или задайте отношение усилений.</translation>
+        <translation>Канал %1 записан в %2, канал %3 — в %4; отношение этих единиц неизвестно, амплитуды и углы будут неверны. Выберите каналы с одной единицей или задайте отношение коэффициентов передачи.</translation>
     </message>
     <message>
         <source>The times are in &apos;%1&apos;, an unknown unit, and are read as seconds. Choose their unit, or open the file without a time column and give the sample rate.</source>
@@ -1138,7 +1138,7 @@
     </message>
     <message>
         <source>In a turning wave a gain ratio of the channels and a damping anisotropy look the same. Calibrate the channels and state their tolerance, or add recordings that start at other angles.</source>
-        <translation>У поворачивающейся волны отношение усилений каналов и разнодобротность неразличимы. Откалибруйте каналы и задайте их допуск или добавьте записи, начатые под другими углами.</translation>
+        <translation>У поворачивающейся волны отношение коэффициентов передачи каналов и разнодобротность неразличимы. Откалибруйте каналы и задайте их допуск или добавьте записи, начатые под другими углами.</translation>
     </message>
     <message>
         <source>The recordings hardly narrow the stated tolerance: the value is as given.</source>
@@ -1448,7 +1448,7 @@
     </message>
     <message>
         <source>Gain ratio κ</source>
-        <translation>Отношение усилений κ</translation>
+        <translation>Отношение коэффициентов передачи κ</translation>
     </message>
     <message>
         <source>D = κ S_D</source>
@@ -1824,7 +1824,7 @@
     <name>SignalPanel</name>
     <message>
         <source>Residual</source>
-        <translation>Остаток</translation>
+        <translation>Невязка</translation>
     </message>
 </context>
 <context>
@@ -1878,7 +1878,7 @@
     </message>
     <message>
         <source>noise per sample and channel, of the residual</source>
-        <translation>шум на отсчёт и канал, по остатку</translation>
+        <translation>шум на отсчёт и канал, по невязке</translation>
     </message>
     <message>
         <source>root of the error functional F</source>
@@ -1925,7 +1925,7 @@
     </message>
     <message>
         <source>Residual</source>
-        <translation>Остаток</translation>
+        <translation>Невязка</translation>
     </message>
     <message>
         <source>noise</source>
@@ -2834,7 +2834,7 @@
     </message>
     <message>
         <source>How well the gain ratio is known: relative standard deviation. Empty: 0.01, or exact where κ is not 1.</source>
-        <translation>Насколько точно известно отношение усилений: относительное СКО. Пусто: 0,01, а если κ не равно 1 — точно.</translation>
+        <translation>Насколько точно известно отношение коэффициентов передачи: относительное СКО. Пусто: 0,01, а если κ не равно 1 — точно.</translation>
     </message>
     <message>
         <source>Tolerance of the gain ratio</source>
@@ -3362,7 +3362,7 @@
     </message>
     <message>
         <source>Export track</source>
-        <translation>Экспорт ряда</translation>
+        <translation>Экспорт результатов</translation>
     </message>
     <message>
         <source>Track (*.csv)</source>
@@ -4322,7 +4322,7 @@
     </message>
     <message>
         <source>Structured model</source>
-        <translation>Структурная модель</translation>
+        <translation>Модель с калиброванными датчиками</translation>
     </message>
     <message>
         <source>Free model</source>
@@ -4404,7 +4404,7 @@
     </message>
     <message>
         <source>Snap</source>
-        <translation>Подогнать</translation>
+        <translation>К полупериодам</translation>
     </message>
     <message>
         <source>Analyse again with a window of whole half-periods, which leaks least</source>
@@ -4428,7 +4428,7 @@
     </message>
     <message>
         <source>Noise per sample and channel: residual of the windows, its degrees of freedom counted</source>
-        <translation>Шум на отсчёт и канал: остаток в окнах с учётом числа степеней свободы</translation>
+        <translation>Шум на отсчёт и канал: невязка в окнах с учётом числа степеней свободы</translation>
     </message>
     <message>
         <source>Time in the estimators alone</source>
@@ -4456,7 +4456,7 @@
     </message>
     <message>
         <source>Follows the settings while Live is on; Run keeps a run as it is</source>
-        <translation>Следует за настройками, пока включено «На лету»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
+        <translation>Следует за настройками, пока включено «Автопересчёт»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
     </message>
     <message>
         <source>The chosen run is what cursors, events and residuals show. Space hides, Delete removes, F2 renames</source>
@@ -4584,7 +4584,7 @@
     </message>
     <message>
         <source>Structured: calibrated pick-offs</source>
-        <translation>Структурная: датчики калиброваны</translation>
+        <translation>С калиброванными датчиками</translation>
     </message>
     <message>
         <source>Free: modes alone</source>
@@ -4592,7 +4592,7 @@
     </message>
     <message>
         <source>Structured, unless the free model fits significantly better</source>
-        <translation>Структурная, если свободная не подходит значимо лучше</translation>
+        <translation>С калиброванными датчиками, если свободная не подходит значимо лучше</translation>
     </message>
     <message>
         <source>The channels are the cosine and sine of the standing wave: split, axes, damping</source>
@@ -4692,7 +4692,7 @@
     </message>
     <message>
         <source>Live</source>
-        <translation>На лету</translation>
+        <translation>Автопересчёт</translation>
     </message>
     <message>
         <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same run. What is to stay for comparison is kept by Run (Ctrl+L)</source>
@@ -4754,7 +4754,7 @@
     </message>
     <message>
         <source>Residual</source>
-        <translation>Остаток</translation>
+        <translation>Невязка</translation>
     </message>
     <message>
         <source>Fitted &amp;wave</source>
@@ -4934,7 +4934,7 @@
     </message>
     <message>
         <source>Snap</source>
-        <translation>Подогнать</translation>
+        <translation>К полупериодам</translation>
     </message>
     <message>
         <source>Snap every length</source>
@@ -5155,7 +5155,7 @@ Open a recording and press Run.</source>
     </message>
     <message>
         <source>Snap</source>
-        <translation>Подогнать</translation>
+        <translation>К полупериодам</translation>
     </message>
     <message>
         <source>Moves the window to whole half-periods of the carrier: the n nearest to the wish that leaves the smallest residual.</source>

@@ -11,6 +11,12 @@ constexpr double sample_gap = 6;
 constexpr double entry_gap = 18;
 constexpr double least_name = 48;
 
+double widthOf(const StripEntry& entry, const QFont& font) {
+    const double text = entry.literal ? QFontMetricsF(font).horizontalAdvance(entry.text)
+                                      : indexTextWidth(entry.text, font);
+    return text + (entry.line ? sample_length + sample_gap : 0);
+}
+
 }  // namespace
 
 void drawSample(QCPPainter& painter, QPointF from, double length, const QColor& color,
@@ -50,10 +56,20 @@ void PlotStrip::setInset(int left, int right, int above) {
     above_ = above;
 }
 
-double PlotStrip::width(const StripEntry& entry) const {
-    const double text = entry.literal ? QFontMetricsF(font_).horizontalAdvance(entry.text)
-                                      : indexTextWidth(entry.text, font_);
-    return text + (entry.line ? sample_length + sample_gap : 0);
+std::vector<std::vector<StripEntry>> PlotStrip::rows(const std::vector<StripEntry>& entries,
+                                                     const QFont& font, double available) {
+    std::vector<std::vector<StripEntry>> rows;
+    double taken = available;
+    for (const StripEntry& entry : entries) {
+        const double wanted = entry_gap + widthOf(entry, font);
+        if (rows.empty() || taken + wanted > available) {
+            rows.emplace_back();
+            taken = -entry_gap;
+        }
+        rows.back().push_back(entry);
+        taken += wanted;
+    }
+    return rows;
 }
 
 void PlotStrip::shorten(double available) {
@@ -66,7 +82,7 @@ void PlotStrip::shorten(double available) {
             if (entry.literal) {
                 entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, most);
             }
-            total += width(entry) + entry_gap;
+            total += widthOf(entry, font_) + entry_gap;
         }
         if (total <= available) {
             shown_ = std::move(shorter);
@@ -80,7 +96,7 @@ void PlotStrip::shorten(double available) {
         if (entry.literal) {
             entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, least_name);
         }
-        total += width(entry) + entry_gap;
+        total += widthOf(entry, font_) + entry_gap;
         if (total > available) {
             shown_.push_back({QStringLiteral("…"), true, false, {}, Qt::SolidLine});
             return;
@@ -94,7 +110,7 @@ void PlotStrip::draw(QCPPainter* painter) {
     shorten(area.width());
     double total = -entry_gap;
     for (const StripEntry& entry : shown_) {
-        total += width(entry) + entry_gap;
+        total += widthOf(entry, font_) + entry_gap;
     }
     double x = area.left();
     if (alignment_ == Qt::AlignHCenter) {

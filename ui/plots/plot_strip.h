@@ -29,12 +29,15 @@ public:
     // Free space at both ends and above the text.
     void setInset(int left, int right, int above);
     int height() const { return maximumSize().height(); }
+    // Entries in as many rows as they need at a width without being shortened; one wider than that
+    // has a row of its own.
+    static std::vector<std::vector<StripEntry>> rows(const std::vector<StripEntry>& entries,
+                                                     const QFont& font, double available);
 
 protected:
     void draw(QCPPainter* painter) override;
 
 private:
-    double width(const StripEntry& entry) const;
     // Fills shown_: the entries with their names shortened to fit.
     void shorten(double available);
 

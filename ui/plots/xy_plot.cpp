@@ -21,7 +21,7 @@ constexpr int foot_height = 40;
 constexpr int left_margin = 60;
 constexpr int right_margin = 16;
 constexpr int legend_height = 22;
-constexpr std::size_t legend_columns = 3;  // limit of entries side by side in a panel
+constexpr int legend_inset = 8;
 
 // Axis rectangle with names in the style of the track's plots.
 class XYPanel : public QCPAxisRect {
@@ -198,13 +198,15 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
     }
     // A single curve needs no legend.
     int row = 0;
-    for (std::size_t k = 0; k < legend.size() && legend.size() > 1; k += legend_columns) {
+    if (legend.size() == 1) {
+        legend.clear();
+    }
+    const double legend_width = size.width() - legend_inset - right_margin;
+    for (auto& entries : PlotStrip::rows(legend, plotFont(plot), legend_width)) {
         auto* strip = new PlotStrip(&plot, legend_height);
-        strip->setInset(8, right_margin, 0);
+        strip->setInset(legend_inset, right_margin, 0);
         strip->setLook(plotFont(plot), theme.text);
-        const auto from = legend.begin() + static_cast<std::ptrdiff_t>(k);
-        const auto count = std::min(legend_columns, legend.size() - k);
-        strip->setEntries({from, from + static_cast<std::ptrdiff_t>(count)}, Qt::AlignLeft);
+        strip->setEntries(std::move(entries), Qt::AlignLeft);
         plot.plotLayout()->addElement(row++, 0, strip);
     }
     const QSize room(size.width() - left_margin - right_margin,
