@@ -40,6 +40,11 @@ QStringList pages(const QString& language) {
     return QDir(help_folder.filePath(language)).entryList({"*.html"}, QDir::Files, QDir::Name);
 }
 
+QStringList pictures(const QString& language) {
+    return QDir(help_folder.filePath(language + "/pictures"))
+        .entryList({"*.png"}, QDir::Files, QDir::Name);
+}
+
 QString withoutTags(QString html) {
     html.remove(QRegularExpression("<[^>]*>"));
     return html.replace("&nbsp;", " ").simplified();
@@ -94,6 +99,8 @@ private slots:
 void TestHelp::bothLanguagesHaveTheSamePages() {
     QVERIFY(pages("en").contains("index.html"));
     QCOMPARE(pages("ru"), pages("en"));
+    QVERIFY(pictures("en").contains("tracks.png"));
+    QCOMPARE(pictures("ru"), pictures("en"));
 }
 
 void TestHelp::everyPageIsInTheResources() {
@@ -105,6 +112,9 @@ void TestHelp::everyPageIsInTheResources() {
     for (const QString& language : languages) {
         for (const QString& page : pages(language)) {
             present += "help/" + language + '/' + page;
+        }
+        for (const QString& picture : pictures(language)) {
+            present += "help/" + language + "/pictures/" + picture;
         }
     }
     for (const QString& icon : QDir(resources.filePath("icons")).entryList({"*.svg"})) {
@@ -132,6 +142,10 @@ void TestHelp::everyLinkLeadsSomewhere() {
         const QString text = pageText(language + '/' + page);
         const QStringList links = captures(text, "href=\"(.*?)\"");
         QVERIFY(links.contains("../help.css"));
+        for (const QString& picture : captures(text, "<img src=\"(.*?)\"")) {
+            QVERIFY2(QFile::exists(help_folder.filePath(language + '/' + picture)),
+                     qPrintable(page + ": " + picture));
+        }
         for (const QString& link : links) {
             const QString target = link.section('#', 0, 0);
             const QString anchor = link.section('#', 1);

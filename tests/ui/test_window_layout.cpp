@@ -11,6 +11,7 @@
 #include <QFileInfo>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTableWidget>
 #include <QTest>
@@ -47,6 +48,45 @@ class TestWindowLayout : public QObject {
     }
 
 private slots:
+    // Two thirds of the height on a usual screen; on a low one the page scrolls.
+    void plots_have_room_data() {
+        QTest::addColumn<QSize>("window");
+        QTest::addColumn<bool>("scrolls");
+        QTest::newRow("1600x1000") << QSize(1600, 1000) << false;
+        QTest::newRow("1400x900") << QSize(1400, 900) << false;
+        QTest::newRow("1280x720") << QSize(1280, 720) << true;
+    }
+    void plots_have_room() {
+        QFETCH(QSize, window);
+        QFETCH(bool, scrolls);
+        window_ = shownWindow();
+        window_->resize(window);
+        Document& document = window_->document();
+        document.open({home_.recording("room.wav")});
+        QTRY_VERIFY(!document.busy() && document.runs().size() == 1);
+        auto& view = the<TrackView>();
+        auto* scroll = qobject_cast<QScrollArea*>(view.parentWidget()->parentWidget());
+        QVERIFY(scroll);
+        QTRY_COMPARE(scroll->verticalScrollBar()->isVisible(), scrolls);
+        QTRY_COMPARE(overviewSpan(), plotSpan());
+        const auto panels = childOf<QCustomPlot>(view).axisRects();
+        QCOMPARE(panels.size(), 5);
+        for (const QCPAxisRect* panel : panels) {
+            QVERIFY2(panel->rect().height() >= 80, QByteArray::number(panel->rect().height()));
+        }
+        if (scrolls) {
+            // The last plot can be reached, and the mouse still acts where it points.
+            scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
+            const QRect last = panels.back()->rect();
+            QVERIFY(
+                scroll->viewport()->rect().contains(view.mapTo(scroll->viewport(), last.center())));
+            view.setFocus();
+            QTest::mouseMove(&view, last.center());
+            QTest::keyClick(&view, Qt::Key_1);
+            QVERIFY(view.cursor(Cursor::a).has_value());
+        }
+    }
+
     void the_overview_stands_over_the_plots() {
         window_ = shownWindow();
         QTRY_COMPARE(overviewSpan(), plotSpan());

@@ -13,6 +13,11 @@
 namespace vybeg::ui {
 namespace {
 
+// Heights, pixels.
+constexpr int least_plot = 80;
+constexpr int plot_head = 22;     // its name and values
+constexpr int around_plots = 66;  // names of the runs, time axis
+
 bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& b) {
     return displayScale(variable, a, 1) == displayScale(variable, b, 1);
 }
@@ -162,7 +167,7 @@ std::optional<SlowVariable> TrackView::variableAt(const QPoint& position) const 
 
 QSize TrackView::minimumSizeHint() const {
     const int rows = std::max(1, static_cast<int>(content_.variables.size()));
-    return {320, 70 + 56 * rows};
+    return {320, around_plots + rows * (plot_head + least_plot)};
 }
 
 void TrackView::rebuild() {

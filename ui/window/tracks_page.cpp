@@ -9,6 +9,7 @@
 
 #include <QEvent>
 #include <QLocale>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -46,13 +47,19 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
       document_(document),
       signal_(new SignalView(this)),
       stale_(new StaleMark(document, this)),
-      tracks_(new TrackView(this)) {
+      tracks_(new TrackView(this)),
+      scroll_(new QScrollArea(this)) {
+    scroll_->setWidget(tracks_);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setFocusPolicy(Qt::NoFocus);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     layout->addWidget(signal_);
     layout->addWidget(stale_);
-    layout->addWidget(tracks_, 1);
+    layout->addWidget(scroll_, 1);
 
     connect(&document_, &Document::recordingsChanged, this, &TracksPage::showRecording);
     connect(&document_, &Document::recordingChanged, this, &TracksPage::showRecording);
@@ -74,7 +81,9 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
         // Empty plots show nothing of the recording that is about to come.
         document_.setVisibleRange(document_.runs().empty() ? TimeRange() : TimeRange{from_s, to_s});
     });
-    connect(tracks_, &TrackView::timeAxisPlaced, signal_, &SignalView::setMargins);
+    connect(tracks_, &TrackView::timeAxisPlaced, this, [this](int left, int right) {
+        signal_->setMargins(left, right + scroll_->width() - tracks_->width());
+    });
     retranslate();
     showRecording();
     showRuns();

@@ -6,6 +6,8 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
+class QScrollArea;
+
 namespace vybeg::ui {
 
 class Document;
@@ -49,6 +51,7 @@ private:
     SignalView* signal_;
     StaleMark* stale_;
     TrackView* tracks_;
+    QScrollArea* scroll_;  // of the plots, where the page is too low for all of them
     QElapsedTimer last_range_edit_;
     int range_gesture_ = 0;
 };
