@@ -1,6 +1,7 @@
 #include "app/analysis_options.h"
 #include "app/cli_interrupt.h"
 #include "app/gui_figure.h"
+#include "app/gui_report.h"
 #include "app/gui_screenshots.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
@@ -24,8 +25,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <sstream>
+#include <stop_token>
 #include <unistd.h>
 #include <utility>
 
@@ -47,12 +50,22 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
     return windows;
 }
 
+// What the command line asks for.
+struct Requested {
+    FigureRequest figure;
+    std::string report;
+    std::string screenshots;
+    IdentifySettings identify;  // its tolerances
+};
+
 // The line is read before anything of Qt exists: --help and a wrong line need no display.
-void describe(CLI::App& app, FigureRequest& request, std::string& screenshots) {
+void describe(CLI::App& app, Requested& requested) {
+    FigureRequest& request = requested.figure;
     app.name("vybeg");
     app.set_version_flag("--version", "vybeg " VYBEG_VERSION);
     app.add_option("FILE", request.inputs, "Recordings to open")->type_name("");
     add_analysis_options(app, request.settings);
+    add_tolerance_option(app, requested.identify);
     add_open_options(app, request.open);
     app.add_option("--figure", request.figure,
                    "Draw the stacked plots into this file, without a window: .svg, .pdf or .png")
@@ -64,13 +77,20 @@ void describe(CLI::App& app, FigureRequest& request, std::string& screenshots) {
               })
         ->excludes(app.get_option("--window"))
         ->excludes(app.get_option("--periods"));
-    app.add_option("--screenshots", screenshots,
+    app.add_option(
+           "--report", requested.report,
+           "Write a report of the recordings, as one set, into this file, without a window: "
+           ".pdf")
+        ->type_name("REPORT")
+        ->excludes(app.get_option("--figure"));
+    app.add_option("--screenshots", requested.screenshots,
                    "Write a picture of every page into this folder, in both languages, themes and "
                    "scales; without FILE of simulated recordings")
         ->type_name("DIR")
-        ->excludes(app.get_option("--figure"));
+        ->excludes(app.get_option("--figure"))
+        ->excludes(app.get_option("--report"));
     app.footer(
-        "Without --figure and --screenshots the window opens, on the recordings named.\n"
+        "Without --figure, --report and --screenshots the window opens, on the recordings named.\n"
         "Exit status: 0 done, 2 wrong usage, 3 the input cannot be read, 4 the analysis is "
         "impossible,\n5 the output cannot be written, 130 interrupted.");
 }
@@ -87,7 +107,7 @@ int usage(std::string text) {
 }
 
 constexpr const char* no_display =
-    "There is no display to open a window on. Draw with --figure, or use vybeg-cli.";
+    "There is no display to open a window on. Draw with --figure or --report, or use vybeg-cli.";
 
 bool platform_chosen() {
     return qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
@@ -130,7 +150,8 @@ private:
     }
 };
 
-int figure_mode(int argc, char** argv, const FigureRequest& request) {
+// Without a window, on any platform of Qt.
+int drawing_mode(int argc, char** argv, const std::function<int(std::stop_token)>& work) {
     const InterruptGuard interrupt;
     if (!platform_chosen()) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -141,7 +162,7 @@ int figure_mode(int argc, char** argv, const FigureRequest& request) {
     name_application();
     ui::Language language;
     language.use(ui::Language::ofTheSystem());
-    return draw_figure(request, interrupt.token());
+    return work(interrupt.token());
 }
 
 // Scale 1 in this program, scale 2, which Qt reads at its start, in another.
@@ -169,7 +190,7 @@ int screenshot_mode(int argc, char** argv, const ScreenshotRequest& request) {
     return status;
 }
 
-int window_mode(int argc, char** argv, const FigureRequest& request) {
+int window_mode(int argc, char** argv, const FigureRequest& request, const Tolerance& tolerance) {
     std::optional<PlatformSearch> search(std::in_place, true);
     QApplication application(argc, argv);
     search.reset();
@@ -181,7 +202,7 @@ int window_mode(int argc, char** argv, const FigureRequest& request) {
     for (const std::string& input : request.inputs) {
         files << QString::fromStdString(input);
     }
-    document.startWith(request.settings);
+    document.startWith(request.settings, tolerance);
     window.show();
     window.session().offerAbandoned();
     window.files().open(files, request.open);
@@ -198,10 +219,9 @@ int printed(const CLI::App& app, const CLI::ParseError& asked) {
 }
 
 int run(int argc, char** argv) {
-    FigureRequest request;
-    std::string screenshots;
+    Requested requested;
     CLI::App app("Vybeg: standing waves in the free decay of a hemispherical resonator gyroscope.");
-    describe(app, request, screenshots);
+    describe(app, requested);
     let_repeated_options_parse(app);
     try {
         app.parse(argc, argv);
@@ -211,20 +231,32 @@ int run(int argc, char** argv) {
     if (const std::string fault = usage_fault(app); !fault.empty()) {
         return usage(fault);
     }
+    const FigureRequest& request = requested.figure;
     if (const Status valid = validate(request.settings); !valid) {
         return usage(english(valid.error()));
     }
-    if (!screenshots.empty()) {
-        return screenshot_mode(argc, argv, {screenshots, request.inputs, request.open});
+    if (!requested.screenshots.empty()) {
+        return screenshot_mode(argc, argv, {requested.screenshots, request.inputs, request.open});
     }
     if (!request.figure.empty()) {
         return request.inputs.empty() ? usage("--figure needs a recording to draw.")
-                                      : figure_mode(argc, argv, request);
+                                      : drawing_mode(argc, argv, [&](auto stop) {
+                                            return draw_figure(request, stop);
+                                        });
     }
     if (!request.windows.empty()) {
         return usage("--windows needs --figure.");
     }
-    return has_display() ? window_mode(argc, argv, request) : usage(no_display);
+    if (!requested.report.empty()) {
+        const ReportRequest report{request.inputs, requested.report, request.open, request.settings,
+                                   requested.identify.tolerance};
+        return request.inputs.empty() ? usage("--report needs a recording.")
+                                      : drawing_mode(argc, argv, [&](auto stop) {
+                                            return write_report(report, stop);
+                                        });
+    }
+    return has_display() ? window_mode(argc, argv, request, requested.identify.tolerance)
+                         : usage(no_display);
 }
 
 }  // namespace

@@ -1,0 +1,102 @@
+#include "ui/report/report_html.h"
+
+#include "ui/words/rich_text.h"
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+QString heading(const QString& text, bool new_page) {
+    return QStringLiteral("<h2%1>%2</h2>")
+        .arg(new_page ? QStringLiteral(" style=\"page-break-before:always\"") : QString(),
+             richText(text));
+}
+
+QString smallHeading(const QString& text) {
+    return QStringLiteral("<h3>%1</h3>").arg(richText(text));
+}
+
+QString paragraph(const QString& text) {
+    return QStringLiteral("<p>%1</p>").arg(richText(text));
+}
+
+QString monospaced(const QString& text) {
+    return QStringLiteral("<span class=\"mono\">%1</span>").arg(text.toHtmlEscaped());
+}
+
+QString items(const QStringList& sentences) {
+    QString list;
+    for (const QString& sentence : sentences) {
+        list += QStringLiteral("<li>%1</li>").arg(richText(sentence));
+    }
+    return list.isEmpty() ? list : QStringLiteral("<ul>%1</ul>").arg(list);
+}
+
+QString html(const HtmlTable& table) {
+    const auto line = [&table](const QStringList& cells, const QString& tag) {
+        QString text = QStringLiteral("<tr>");
+        // A row of fewer cells: the last one takes the rest.
+        for (qsizetype k = 0; k < cells.size(); ++k) {
+            const qsizetype rest = qsizetype(table.columns.size()) - k;
+            const bool last = k + 1 == cells.size();
+            text += QStringLiteral("<%1 width=\"%2%\" colspan=\"%3\">%4</%1>")
+                        .arg(tag)
+                        .arg(table.columns[static_cast<std::size_t>(k)])
+                        .arg(last ? rest : 1)
+                        .arg(cells[k]);
+        }
+        return text + QStringLiteral("</tr>");
+    };
+    QString text = QStringLiteral("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\"%1>")
+                       .arg(table.small ? QStringLiteral(" class=\"small\"") : QString());
+    if (!table.head.isEmpty()) {
+        text += QStringLiteral("<thead>%1</thead>").arg(line(table.head, QStringLiteral("th")));
+    }
+    for (const QStringList& row : table.rows) {
+        text += line(row, QStringLiteral("td"));
+    }
+    return text + QStringLiteral("</table>");
+}
+
+QString quantityTables(const QStringList& headers, const std::vector<QuantityRow>& rows,
+                       qsizetype most, bool small) {
+    QString text;
+    const qsizetype values = rows.empty() ? 0 : qsizetype(rows.front().cells.size());
+    for (qsizetype from = 0; from < values; from += most) {
+        const qsizetype count = std::min(most, values - from);
+        // Names of quantities are about as long as two values.
+        const int name = std::max(22, static_cast<int>(100 / (1 + count) + 8));
+        HtmlTable table{{}, {}, {name}, small};
+        table.columns.insert(table.columns.end(), static_cast<std::size_t>(count),
+                             static_cast<int>((100 - name) / count));
+        if (!headers.isEmpty()) {
+            table.head << QString();
+            for (qsizetype k = from; k < from + count; ++k) {
+                table.head << richText(headers[k]);
+            }
+        }
+        for (const QuantityRow& row : rows) {
+            QStringList cells{richText(row.name)};
+            for (qsizetype k = from; k < from + count; ++k) {
+                cells << richText(row.cells[static_cast<std::size_t>(k)].text);
+            }
+            table.rows.push_back(cells);
+        }
+        text += html(table);
+    }
+    return text;
+}
+
+QString figureHtml(const QString& name) {
+    return QStringLiteral("<p class=\"figure\"><img src=\"%1\"></p>").arg(name);
+}
+
+QString sideBySide(const QString& left, const QString& right) {
+    return QStringLiteral(
+               "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"0\" class=\"figures\"><tr>"
+               "<td width=\"50%\"><img src=\"%1\"></td><td width=\"50%\"><img src=\"%2\"></td>"
+               "</tr></table>")
+        .arg(left, right);
+}
+
+}  // namespace vybeg::ui
