@@ -227,7 +227,7 @@ void TestHelp::theOptionsAreThoseOfTheCommandLine() {
     QVERIFY(analyze.contains("--algorithm"));
     QStringList all = analyze + optionsOf("info") + optionsOf("simulate") + optionsOf("identify") +
                       optionsOf("compare") + optionsOf("batch") +
-                      QStringList{"--figure", "--windows"};  // those of the desktop program
+                      QStringList{"--figure", "--report", "--windows"};  // those of the desktop program
     all.removeDuplicates();
     all.sort();
     for (const QString& language : languages) {

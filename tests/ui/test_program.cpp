@@ -1,6 +1,7 @@
 // The desktop program as a process: its command line and exit statuses (INTERFACE.md).
 #include "tests/ui/gui_test.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -8,6 +9,7 @@
 #include <QMap>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTest>
 
 #include <functional>
@@ -55,10 +57,10 @@ private slots:
     void help_and_version_need_no_display() {
         const Outcome help = run({"--help"});
         QCOMPARE(help.status, 0);
-        for (const char* option : {"--figure", "--windows", "--algorithm", "--kappa", "--raw"}) {
+        for (const char* option : {"--figure", "--windows", "--report", "--tolerance",
+                                   "--algorithm", "--kappa", "--raw"}) {
             QVERIFY2(help.out.contains(option), option);
         }
-        QVERIFY(!help.out.contains("--report"));
         const Outcome version = run({"--version"});
         QCOMPARE(version.status, 0);
         QVERIFY(version.out.startsWith("vybeg "));
@@ -121,6 +123,18 @@ private slots:
         QTest::newRow("empty") << QStringList{home_.file("empty.wav", ""), "--figure", figure} << 3;
         QTest::newRow("window too long")
             << QStringList{good, "--figure", figure, "--window", "1000000"} << 4;
+        QTest::newRow("report without recording")
+            << QStringList{"--report", home_.path("wrong.pdf")} << 2;
+        QTest::newRow("report and figure")
+            << QStringList{good, "--figure", figure, "--report", home_.path("wrong.pdf")} << 2;
+        QTest::newRow("report that is no PDF")
+            << QStringList{good, "--report", home_.path("wrong.svg")} << 2;
+        QTest::newRow("report twice over the same recording")
+            << QStringList{good, good, "--report", home_.path("wrong.pdf")} << 4;
+        QTest::newRow("report of nothing")
+            << QStringList{home_.path("none.wav"), "--report", home_.path("wrong.pdf")} << 3;
+        QTest::newRow("report into no folder")
+            << QStringList{good, "--report", home_.path("none/a.pdf")} << 5;
         QTest::newRow("unknown ending") << QStringList{good, "--figure", home_.path("a.bmp")} << 5;
         QTest::newRow("no folder") << QStringList{good, "--figure", home_.path("none/a.svg")} << 5;
     }
@@ -132,6 +146,43 @@ private slots:
         QVERIFY2(outcome.err.startsWith("vybeg: "), qPrintable(outcome.err));
         QCOMPARE(outcome.err.count('\n'), 1);
         QVERIFY(!QFile::exists(home_.path("wrong.svg")));
+        QVERIFY(!QFile::exists(home_.path("wrong.pdf")));
+    }
+
+    void a_report_is_written_without_a_display_in_the_language_of_the_system_data() {
+        QTest::addColumn<QString>("locale");
+        QTest::addColumn<QString>("page");
+        QTest::newRow("English") << "en_US.UTF-8"
+                                 << "Page 1 of ";
+        QTest::newRow("Russian") << "ru_RU.UTF-8"
+                                 << "Страница 1 из ";
+    }
+    void a_report_is_written_without_a_display_in_the_language_of_the_system() {
+        QFETCH(QString, locale);
+        QFETCH(QString, page);
+        const QString report = home_.path("report.pdf");
+        const Outcome written =
+            run({home_.recording("reported.wav"), "--report", report, "--tolerance", "skew=0.1deg"},
+                {{"LC_ALL", locale}, {"LANGUAGE", locale.left(2)}});
+        QVERIFY2(written.status == 0, qPrintable(written.err));
+        QFile file(report);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.read(5) == "%PDF-");
+        if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            qWarning("pdftotext is missing: the report's text is not tested.");
+            QSKIP("poppler-utils is missing");
+        }
+        QProcess reader;
+        reader.start("pdftotext", {"-layout", report, "-"});
+        QVERIFY(reader.waitForFinished());
+        const QString text = QString::fromUtf8(reader.readAllStandardOutput());
+        QVERIFY2(text.contains(page), qPrintable(text));
+        QVERIFY(text.contains("reported.wav"));
+        QFile samples(home_.path("reported.wav"));
+        QVERIFY(samples.open(QIODevice::ReadOnly));
+        const QByteArray hash =
+            QCryptographicHash::hash(samples.readAll(), QCryptographicHash::Sha256).toHex();
+        QVERIFY(text.contains(QString::fromLatin1(hash)));
     }
 
     void a_display_that_cannot_be_opened_is_a_sentence_data() {
@@ -185,16 +236,20 @@ private slots:
 
     void a_disk_that_fills_leaves_the_old_figure_data() {
         QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("option");
         for (const char* name : {"full.svg", "full.pdf", "full.png"}) {
-            QTest::newRow(name) << name;
+            QTest::newRow(name) << name << "--figure";
         }
+        QTest::newRow("report.pdf") << "report.pdf"
+                                    << "--report";
     }
     void a_disk_that_fills_leaves_the_old_figure() {
+        QFETCH(QString, option);
         QFETCH(QString, name);
         const QString recording = home_.recording("full.wav", 0.2);
         QVERIFY(QDir().mkpath(home_.path("figures")));
         const QString figure = home_.path("figures/" + name);
-        QCOMPARE(run({recording, "--figure", figure}).status, 0);
+        QCOMPARE(run({recording, option, figure}).status, 0);
         const qint64 whole = QFileInfo(figure).size();
         constexpr int sizes = 15;
         QVERIFY(whole > sizes);
@@ -203,7 +258,7 @@ private slots:
             QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
             old.close();
             const auto most = static_cast<rlim_t>(whole * k / sizes);
-            const Outcome outcome = run({recording, "--figure", figure}, {}, [most] {
+            const Outcome outcome = run({recording, option, figure}, {}, [most] {
                 const rlimit both{most, most};
                 setrlimit(RLIMIT_FSIZE, &both);
             });

@@ -8,6 +8,7 @@
 #include "ui/window/compare_dialog.h"
 #include "ui/window/export_dialog.h"
 #include "ui/window/file_questions.h"
+#include "ui/window/report_dialog.h"
 
 #include <QFileInfo>
 #include <QMessageBox>
@@ -181,6 +182,31 @@ void FileCommands::exportPlots(const FigureSource& source) {
 
 void FileCommands::exportPlot(const Figure& figure) {
     exportPlots({{figure.name}, [figure](const auto&) { return figure; }, {}, {}});
+}
+
+void FileCommands::askForReport() {
+    auto* dialog = new ReportDialog(document_, window_);
+    connect(dialog, &ReportDialog::saveWanted, this, [this, dialog] {
+        ask_.reportTarget(QFileInfo(dialog->subject().name).completeBaseName(),
+                          [this, dialog = QPointer(dialog)](const QString& path) {
+                              if (dialog) {
+                                  ReportContent content = dialog->content();
+                                  content.units = tracks_.units();
+                                  writeReport(content, path);
+                                  dialog->accept();
+                              }
+                          });
+    });
+    dialog->open();
+}
+
+void FileCommands::writeReport(const ReportContent& content, const QString& path) {
+    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+        reportSaved(possible, path);
+        return;
+    }
+    reports_.write(content, path,
+                   [this, path](const Status& status) { reportSaved(status, path); });
 }
 
 bool FileCommands::writeFigure(const Figure& figure, const Paper& paper, const QString& path) {

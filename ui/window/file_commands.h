@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/plots/figure_source.h"
+#include "ui/report/report_writer.h"
 
 #include <QObject>
 #include <QPointer>
@@ -48,6 +49,9 @@ public:
     // By a dialog: plots, size, caption.
     void exportPlots(const FigureSource& source);
     void exportPlot(const Figure& figure);
+    // By a dialog: subject, title block, plots. Written in the background.
+    void askForReport();
+    void writeReport(const ReportContent& content, const QString& path);
     // By the ending of the path; says so in the window.
     bool writeFigure(const Figure& figure, const Paper& paper, const QString& path);
 
@@ -64,6 +68,7 @@ private:
     QPointer<CompareDialog> compare_;
     AnalysisJob imports_;  // previews of the import dialog
     QPointer<ImportDialog> import_;
+    ReportWriter reports_;
 };
 
 }  // namespace vybeg::ui

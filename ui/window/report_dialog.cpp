@@ -1,0 +1,103 @@
+#include "ui/window/report_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+
+namespace vybeg::ui {
+
+namespace {
+
+const QString gyro_key = QStringLiteral("report/gyro");
+const QString engineer_key = QStringLiteral("report/operator");
+const QString comment_key = QStringLiteral("report/comment");
+const QString all_plots_key = QStringLiteral("report/all_plots");
+
+}  // namespace
+
+ReportDialog::ReportDialog(const Document& document, QWidget* parent)
+    : QDialog(parent),
+      document_(document),
+      subjects_(reportSubjects(document)),
+      subject_(new QComboBox(this)),
+      gyro_(new QLineEdit(this)),
+      engineer_(new QLineEdit(this)),
+      date_(new QLineEdit(this)),
+      comment_(new QLineEdit(this)),
+      all_plots_(new QCheckBox(tr("All plots, also phase, noise and orthogonality"), this)) {
+    setWindowTitle(tr("Report"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setMinimumWidth(460);
+    auto* form = new QFormLayout(this);
+    const auto add = [form](const QString& name, QWidget* field, const QString& tip) {
+        form->addRow(name, field);
+        field->setAccessibleName(name);
+        field->setToolTip(tip);
+    };
+    for (const ReportSubject& each : subjects_) {
+        subject_->addItem(each.name);
+    }
+    add(tr("Report of"), subject_, tr("A recording, or a set of them with its resonator"));
+    const QString by_hand = tr("Empty: a line to fill in by hand");
+    add(tr("Gyro"), gyro_, tr("Serial number. %1").arg(by_hand));
+    add(tr("Operator"), engineer_, by_hand);
+    add(tr("Date"), date_, tr("Of the measurement. %1").arg(by_hand));
+    add(tr("Comment"), comment_, by_hand);
+    gyro_->setObjectName(QStringLiteral("gyro"));
+    engineer_->setObjectName(QStringLiteral("operator"));
+    date_->setObjectName(QStringLiteral("date"));
+    comment_->setObjectName(QStringLiteral("comment"));
+    all_plots_->setToolTip(tr("Off: the five slow variables"));
+    form->addRow(all_plots_);
+    const QSettings kept;
+    gyro_->setText(kept.value(gyro_key).toString());
+    engineer_->setText(kept.value(engineer_key).toString());
+    comment_->setText(kept.value(comment_key).toString());
+    all_plots_->setChecked(kept.value(all_plots_key, false).toBool());
+    const auto propose_date = [this] {
+        date_->setText(reportContentOf(document_, subject()).title.date);
+    };
+    connect(subject_, &QComboBox::currentIndexChanged, this, propose_date);
+    propose_date();
+    auto* buttons = new QDialogButtonBox(this);
+    auto* save = new QPushButton(tr("&Save…"), this);
+    save->setObjectName(QStringLiteral("save"));
+    save->setToolTip(tr("As a PDF document"));
+    save->setDefault(true);
+    buttons->addButton(save, QDialogButtonBox::AcceptRole);
+    buttons->addButton(QDialogButtonBox::Cancel);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+        keep();
+        emit saveWanted();
+    });
+    form->addRow(buttons);
+}
+
+const ReportSubject& ReportDialog::subject() const {
+    return subjects_[static_cast<std::size_t>(subject_->currentIndex())];
+}
+
+ReportContent ReportDialog::content() const {
+    ReportContent content = reportContentOf(document_, subject());
+    content.title = {gyro_->text().trimmed(), engineer_->text().trimmed(), date_->text().trimmed(),
+                     comment_->text().trimmed()};
+    if (all_plots_->isChecked()) {
+        content.variables.assign(shown_slow_variables.begin(), shown_slow_variables.end());
+    }
+    return content;
+}
+
+void ReportDialog::keep() const {
+    QSettings settings;
+    settings.setValue(gyro_key, gyro_->text());
+    settings.setValue(engineer_key, engineer_->text());
+    settings.setValue(comment_key, comment_->text());
+    settings.setValue(all_plots_key, all_plots_->isChecked());
+}
+
+}  // namespace vybeg::ui
