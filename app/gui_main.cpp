@@ -1,5 +1,6 @@
 #include "app/analysis_options.h"
 #include "app/cli_interrupt.h"
+#include "app/gui_analysis.h"
 #include "app/gui_figure.h"
 #include "app/gui_report.h"
 #include "app/gui_screenshots.h"
@@ -95,11 +96,6 @@ void describe(CLI::App& app, Requested& requested) {
         "impossible,\n5 the output cannot be written, 130 interrupted.");
 }
 
-int fail(const Error& error) {
-    std::fprintf(stderr, "vybeg: %s\n", english(error).c_str());
-    return exit_status(error.code);
-}
-
 int usage(std::string text) {
     std::ranges::replace(text, '\n', ' ');
     std::fprintf(stderr, "vybeg: %s\n", text.c_str());
@@ -163,6 +159,27 @@ int drawing_mode(int argc, char** argv, const std::function<int(std::stop_token)
     ui::Language language;
     language.use(ui::Language::ofTheSystem());
     return work(interrupt.token());
+}
+
+int figure_mode(int argc, char** argv, const Requested& requested) {
+    if (requested.figure.inputs.empty()) {
+        return usage("--figure needs a recording to draw.");
+    }
+    if (requested.identify.tolerance != Tolerance{}) {
+        warn({DiagnosticKind::option_without_effect,
+              {"--tolerance", "a figure shows no resonator"}});
+    }
+    return drawing_mode(argc, argv, [&](auto stop) { return draw_figure(requested.figure, stop); });
+}
+
+int report_mode(int argc, char** argv, const Requested& requested) {
+    const FigureRequest& request = requested.figure;
+    if (request.inputs.empty()) {
+        return usage("--report needs a recording.");
+    }
+    const ReportRequest report{request.inputs, requested.report, request.open, request.settings,
+                               requested.identify.tolerance};
+    return drawing_mode(argc, argv, [&](auto stop) { return write_report(report, stop); });
 }
 
 // Scale 1 in this program, scale 2, which Qt reads at its start, in another.
@@ -239,21 +256,13 @@ int run(int argc, char** argv) {
         return screenshot_mode(argc, argv, {requested.screenshots, request.inputs, request.open});
     }
     if (!request.figure.empty()) {
-        return request.inputs.empty() ? usage("--figure needs a recording to draw.")
-                                      : drawing_mode(argc, argv, [&](auto stop) {
-                                            return draw_figure(request, stop);
-                                        });
+        return figure_mode(argc, argv, requested);
     }
     if (!request.windows.empty()) {
         return usage("--windows needs --figure.");
     }
     if (!requested.report.empty()) {
-        const ReportRequest report{request.inputs, requested.report, request.open, request.settings,
-                                   requested.identify.tolerance};
-        return request.inputs.empty() ? usage("--report needs a recording.")
-                                      : drawing_mode(argc, argv, [&](auto stop) {
-                                            return write_report(report, stop);
-                                        });
+        return report_mode(argc, argv, requested);
     }
     return has_display() ? window_mode(argc, argv, request, requested.identify.tolerance)
                          : usage(no_display);

@@ -109,7 +109,7 @@ private slots:
                 row.shares.skew > 0.05 * row.combined) {
                 const double change = std::abs(shift_of(row.parameter, fit, moved));
                 qInfo("%s: share %g, change %g", row.parameter.name, row.shares.skew, change);
-                VYBEG_CLOSE(change, row.shares.skew, 0.05 * row.shares.skew);
+                VYBEG_CLOSE(change, row.shares.skew, 0.01 * row.shares.skew);
                 ++compared;
             }
         }
