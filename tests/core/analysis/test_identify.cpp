@@ -1,9 +1,11 @@
 #include "core/analysis/identify.h"
+#include "core/resonator/results/uncertainty_budget.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
 
+#include <cmath>
 #include <numbers>
 
 using namespace vybeg;
@@ -56,6 +58,31 @@ private slots:
         QCOMPARE(open->fit.resonator.split_hz.uncertainty(),
                  exact->fit.resonator.split_hz.uncertainty());
         QCOMPARE(open->fit.resonator.f_mean_hz.sd, exact->fit.resonator.f_mean_hz.sd);
+    }
+
+    // The budget of a recording with calibrated channels and a rate of few digits.
+    void the_budget_holds_the_sample_rate_and_the_calibration() {
+        std::vector<Recording> runs = two_runs();
+        runs[1].rate_relative_sd = 1e-5;
+        IdentifySettings settings;
+        settings.signal.calibration.kappa = 0.98;
+        settings.tolerance.kappa = 0.03;
+        settings.tolerance.skew_deg = 0.1;
+        const Result<Identification> found = identify(runs, settings, {});
+        QVERIFY(found);
+        const auto budget = uncertainty_budget(found->fit);
+        QVERIFY(budget.size() >= 5);
+        bool gain_ratio = false;
+        for (const ParameterBudget& row : budget) {
+            double squares = row.statistical * row.statistical;
+            for (const BudgetSource& source : budget_sources) {
+                squares += std::pow(row.shares.*source.member, 2);
+            }
+            VYBEG_CLOSE_RATIO(std::sqrt(squares), row.combined, 1e-6);
+            gain_ratio = gain_ratio || row.parameter.member == &ResonatorEstimate::kappa;
+        }
+        QVERIFY(gain_ratio);
+        VYBEG_CLOSE_RATIO(budget.front().shares.sample_rate, 1e-5 * 5300, 0.01);
     }
 
     // A gain ratio known to a per cent moves the decay of a wave that turns.
