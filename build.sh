@@ -11,6 +11,7 @@ packages=(
     libeigen3-dev libtbb-dev libfftw3-dev   # numerics
     libsndfile1-dev libhdf5-dev libssl-dev libfast-float-dev nlohmann-json3-dev # files
     zlib1g-dev                              # files that are packed
+    libsqlite3-dev                          # database of results
     libcli11-dev                            # command line
     fonts-dejavu-core                       # text without a display
     python3-numpy python3-scipy python3-h5py # write files for the tests of readers

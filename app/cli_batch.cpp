@@ -7,12 +7,14 @@
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
 #include "core/base/system_reason.h"
+#include "core/database/results_database.h"
 #include "core/output/batch_csv.h"
 #include "core/output/same_file.h"
 #include "core/recording/bytes/sha256.h"
 
 #include <climits>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <sys/stat.h>
 #include <system_error>
@@ -28,6 +30,11 @@ std::string journal_of(const std::string& output) {
     return output + ".unfinished";
 }
 
+// The journal of SQLite beside a database.
+std::string rollback_of(const std::string& database) {
+    return database + "-journal";
+}
+
 bool is_folder(const std::string& path) {
     std::error_code unknown;
     return fs::is_directory(path, unknown);
@@ -39,7 +46,9 @@ Result<MeasurementList> wanted_list(const BatchRequest& request) {
         return read_measurement_list(request.list, defaults);
     }
     return list_of_folder(request.list, defaults, [&request](const fs::path& path) {
-        return same_file(path, request.output) || same_file(path, journal_of(request.output));
+        return same_file(path, request.output) || same_file(path, journal_of(request.output)) ||
+               (!request.database.empty() && (same_file(path, request.database) ||
+                                              same_file(path, rollback_of(request.database))));
     });
 }
 
@@ -59,8 +68,21 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
             inputs.push_back({recording.path.string(), "it is one of the recordings"});
         }
     }
-    if (Status possible = check_outputs({{"-o", request.output, ""}}, inputs); !possible) {
+    if (request.database == "-") {
+        return refused_value("--database", request.database, "it must be a file");
+    }
+    const char* const by_table = "the table goes there already";
+    if (Status possible = check_outputs(
+            {{"-o", request.output, by_table}, {"--database", request.database, ""}}, inputs);
+        !possible) {
         return possible;
+    }
+    if (!request.database.empty()) {
+        if (same_file(request.database, journal_of(request.output)) ||
+            same_file(rollback_of(request.database), request.output)) {
+            return refused_value("--database", request.database, by_table);
+        }
+        inputs.push_back({request.database, ""});
     }
     // Many results and many inputs: by device and inode instead of pair by pair.
     std::set<std::pair<dev_t, ino_t>> taken;
@@ -73,11 +95,15 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
     }
     for (const SetTask& task : tasks) {
         struct stat status {};
-        const bool is_taken =
-            stat(task.json.c_str(), &status) == 0 && taken.contains({status.st_dev, status.st_ino});
+        const bool is_taken = !task.json.empty() && stat(task.json.c_str(), &status) == 0 &&
+                              taken.contains({status.st_dev, status.st_ino});
         // The table and the folder of the results may both be still to come.
-        if (!task.json.empty() && (is_taken || same_file(task.json, request.output))) {
-            return refused_value("--json", task.json, "it is an input, or the table");
+        const bool is_output =
+            !task.json.empty() &&
+            (same_file(task.json, request.output) ||
+             (!request.database.empty() && same_file(task.json, request.database)));
+        if (is_taken || is_output) {
+            return refused_value("--json", task.json, "it is an input, the table or the database");
         }
     }
     return {};
@@ -94,15 +120,43 @@ Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const Measure
             }
             task.json = file.string();
         }
+        tasks.push_back(std::move(task));
+    }
+    return tasks;
+}
+
+// Gives each task the key of its row. `database`: its identity, or empty.
+Status set_keys(const BatchRequest& request, const std::string& database,
+                std::vector<SetTask>& tasks) {
+    for (SetTask& task : tasks) {
         Result<std::string> key =
-            row_key(set, task.passport, task.json, request.compare.f_limit_ppm);
+            row_key(*task.set, task.passport, {task.json, database}, request.compare.f_limit_ppm);
         if (!key) {
             return key.error();
         }
         task.key = std::move(*key);
-        tasks.push_back(std::move(task));
     }
-    return tasks;
+    return {};
+}
+
+// The database that is asked for; `identity` is told who it is.
+Status open_database(const BatchRequest& request, const JobControl& job,
+                     std::optional<ResultsDatabase>& database, std::string& identity) {
+    if (request.database.empty()) {
+        return {};
+    }
+    Result<ResultsDatabase> opened =
+        ResultsDatabase::open(request.database, ResultsDatabase::Access::write, job);
+    if (!opened) {
+        return opened.error();
+    }
+    Result<std::string> own = opened->identity();
+    if (!own) {
+        return own.error();
+    }
+    identity = std::move(*own);
+    database.emplace(std::move(*opened));
+    return {};
 }
 
 Result<std::vector<std::string>> header_of(const BatchRequest& request, const JobControl& job) {
@@ -187,7 +241,7 @@ int run_batch(const BatchRequest& request, Log& log, std::stop_token stop) {
     if (!request.passports.empty() && !is_folder(request.passports)) {
         return log.fail({ErrorCode::file_missing, request.passports, {}});
     }
-    const Result<std::vector<SetTask>> tasks = tasks_of(request, *list);
+    Result<std::vector<SetTask>> tasks = tasks_of(request, *list);
     const auto header = header_of(request, silent_job(stop));
     if (!tasks || !header) {
         return log.fail(tasks ? header.error() : tasks.error());
@@ -204,12 +258,20 @@ int run_batch(const BatchRequest& request, Log& log, std::stop_token stop) {
     if (request.resume && !output->seekable()) {
         return log.fail(refused_value("-o", request.output, "--resume needs a file"));
     }
+    std::optional<ResultsDatabase> database;
+    std::string identity;
+    possible = open_database(request, silent_job(stop), database, identity);
+    possible = possible ? set_keys(request, identity, *tasks) : possible;
+    if (!possible) {
+        return log.fail(possible.error());
+    }
     Result<RowJournal> journal =
         RowJournal::open(output->seekable() ? journal_of(request.output) : "", request.resume);
     if (!journal) {
         return log.fail(journal.error());
     }
-    SetWork work(request, *tasks, *journal, log, stop);
+    SetWork work(request, *tasks, list->other_columns, *journal, database ? &*database : nullptr,
+                 log, stop);
     Status done = work.run();
     if (done) {
         done = write_table(*output, batch_head(*header, list->other_columns), *tasks, *journal);

@@ -72,6 +72,9 @@ void add_batch_options(CLI::App& app, BatchRequest& request) {
     app.add_option("--passport", request.passports,
                    "Compare each set with the passport of its gyro, DIR/GYRO.json")
         ->type_name("DIR");
+    app.add_option("--database", request.database,
+                   "Also the result of each set, into a database (SQLite) that many runs share")
+        ->type_name("FILE");
     add_value(app, "--jobs", "N", "Sets computed at once (default 1)",
               [&request](const auto& option, const auto& text) {
                   constexpr int most_jobs = 1024;

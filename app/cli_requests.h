@@ -45,6 +45,7 @@ struct BatchRequest {
     std::string output;     // "-": standard output
     std::string json;       // folder of the results; empty: none
     std::string passports;  // folder of the gyros' passports; empty: none
+    std::string database;   // file that the results also go into; empty: none
     std::string only;       // this set alone; empty: all
     int jobs = 1;           // sets at once
     bool resume = false;

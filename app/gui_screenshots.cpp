@@ -7,6 +7,7 @@
 #include "core/simulation/simulate.h"
 #include "ui/document/document.h"
 #include "ui/plots/track_view.h"
+#include "ui/sweep/sweep_page.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
@@ -17,6 +18,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QKeyEvent>
+#include <QPushButton>
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
@@ -34,8 +36,9 @@ namespace {
 
 using namespace vybeg::ui;
 
-constexpr int settle_ms = 150;   // a window that has not changed for so long is ready
-constexpr int most_ms = 60'000;  // for the slowest analysis
+constexpr int settle_ms = 150;      // a window that has not changed for so long is ready
+constexpr int most_ms = 60'000;     // for the slowest analysis
+constexpr double periods_s = 6e-4;  // three of 5300 Hz
 
 void pass(int milliseconds) {
     QEventLoop loop;
@@ -73,7 +76,7 @@ Result<QStringList> simulated(const QDir& folder) {
         decay.damping_anisotropy_per_s = 2e-4;
         decay.theta_tau = -0.2;
         decay.noise = 1e-3;
-        decay.seed = static_cast<std::uint64_t>(k + 1);
+        decay.seed = static_cast<std::uint64_t>(k) + 1;
         const QString path = folder.filePath(QStringLiteral("HRG-17_%1.wav").arg(22.5 * k));
         const auto samples = simulate(decay, JobControl());
         auto file = OutputFile::create(path.toStdString(), JobControl());
@@ -107,17 +110,37 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
     const auto* tabs = window.findChild<QTabBar*>(QStringLiteral("pages"));
     static constexpr std::array commands{
         std::pair{Command::page_tracks, "tracks"},
+        std::pair{Command::page_signals, "signals"},
         std::pair{Command::page_resonator, "resonator"},
         std::pair{Command::page_residuals, "residuals"},
+        std::pair{Command::page_sweep, "windows"},
     };
     if (tabs->isVisible()) {
-        for (const auto& [command, name] : commands) {
-            pages.push_back(
-                {name, [command](MainWindow& shown) { shown.action(command)->trigger(); }});
+        for (const auto& page : commands) {
+            pages.push_back({page.second, [command = page.first](MainWindow& shown) {
+                                 shown.findChild<TrackView*>()->fit();
+                                 shown.action(command)->trigger();
+                             }});
         }
+        // A sweep is computed when it is asked for.
+        pages.back().show = [](MainWindow& shown) {
+            shown.action(Command::page_sweep)->trigger();
+            auto* run = shown.findChild<QPushButton*>(QStringLiteral("sweepRun"));
+            if (const auto* page = shown.findChild<SweepPage*>(); page->sweep() == nullptr) {
+                run->click();
+                while (page->running()) {
+                    pass(settle_ms);
+                }
+            }
+        };
         pages.push_back({"wave", [](MainWindow& shown) {
                              shown.action(Command::page_tracks)->trigger();
                              shown.findChild<QTabWidget*>()->setCurrentIndex(1);
+                         }});
+        pages.push_back({"periods", [](MainWindow& shown) {
+                             shown.action(Command::page_signals)->trigger();
+                             auto& tracks = *shown.findChild<TrackView*>();
+                             tracks.setTimeRange({10, 10 + periods_s});
                          }});
     } else {
         pages.push_back({"welcome", [](MainWindow&) {}});

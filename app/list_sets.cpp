@@ -69,14 +69,17 @@ std::string passport_in(const std::string& folder, const MeasurementSet& set) {
 }
 
 Result<std::string> row_key(const MeasurementSet& set, const std::string& passport,
-                            const std::string& json, double f_limit_ppm) {
+                            const std::vector<std::string>& beside, double f_limit_ppm) {
     std::string text;
     // The length before each part: no two lists of parts give the same text.
     const auto add = [&text](const std::string& part) {
         text += std::to_string(part.size()) + ":" + part;
     };
-    for (const std::string& part : {std::string(program), set.name, passport, stamp(passport), json,
+    for (const std::string& part : {std::string(program), set.name, passport, stamp(passport),
                                     round_trip_text(f_limit_ppm)}) {
+        add(part);
+    }
+    for (const std::string& part : beside) {
         add(part);
     }
     for (const auto& [name, value] : settings_list(set.settings)) {

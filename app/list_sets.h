@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace vybeg::cli {
 
@@ -22,9 +23,9 @@ std::filesystem::path json_in(const std::filesystem::path& folder, const std::st
 // none.
 std::string passport_in(const std::string& folder, const MeasurementSet& set);
 
-// All that the row of a set depends on, as a hash: program, set, settings, and the files by size
-// and time of change. Errors: file_read_failed.
+// All that the row of a set depends on, as a hash: program, set, settings, the files by size and
+// time of change, and `beside`, what else its result went into. Errors: file_read_failed.
 Result<std::string> row_key(const MeasurementSet& set, const std::string& passport,
-                            const std::string& json, double f_limit_ppm);
+                            const std::vector<std::string>& beside, double f_limit_ppm);
 
 }  // namespace vybeg::cli

@@ -8,6 +8,7 @@
 #include "core/recording/bytes/sha256.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <system_error>
 #include <thread>
@@ -27,10 +28,13 @@ bool ends_batch(ErrorCode code) {
 }  // namespace
 
 SetWork::SetWork(const BatchRequest& request, const std::vector<SetTask>& tasks,
-                 RowJournal& journal, Log& log, std::stop_token stop)
+                 const std::vector<std::string>& other_columns, RowJournal& journal,
+                 ResultsDatabase* database, Log& log, std::stop_token stop)
     : request_(request),
       tasks_(tasks),
+      other_columns_(other_columns),
       journal_(journal),
+      database_(database),
       log_(log),
       interrupted_(std::move(stop), [this] { halt_.request_stop(); }) {
     for (const SetTask& task : tasks_) {
@@ -86,16 +90,33 @@ void SetWork::finish(const SetTask& task) {
         return;
     }
     const PassportComparison* const compared = open->comparison ? &*open->comparison : nullptr;
-    if (!task.json.empty()) {
-        // Before the row: a row in the journal means that its file is there.
-        const Status written =
-            write_file(task.json, identify_json(program, open->told, result->found, compared), job);
+    // Before the row: a row in the journal means that its file and its result in the database are
+    // there.
+    if (!task.json.empty() || database_ != nullptr) {
+        const std::string json = identify_json(program, open->told, result->found, compared);
+        Status written = task.json.empty() ? Status() : write_file(task.json, json, job);
+        written = written ? store(task, *open, result->found, json) : written;
         if (!written) {
             give_up(written.error());
             return;
         }
     }
     add_row(task, batch_row(set, result->found, compared), result->warnings, {});
+}
+
+Status SetWork::store(const SetTask& task, const OpenSet& open, const Identification& found,
+                      const std::string& json) {
+    if (database_ == nullptr) {
+        return {};
+    }
+    const Result<StoredResult> stored =
+        stored_result(program, *task.set, other_columns_, open.told, found, json);
+    if (!stored) {
+        return stored.error();
+    }
+    const std::lock_guard lock(database_mutex_);
+    const Result<std::int64_t> added = database_->add(*stored);
+    return added ? Status() : added.error();
 }
 
 void SetWork::add_failure(const SetTask& task, const Error& error,

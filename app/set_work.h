@@ -2,8 +2,10 @@
 
 #include "app/cli_log.h"
 #include "app/cli_requests.h"
+#include "app/set_identification.h"
 #include "core/analysis/measurement_list.h"
 #include "core/base/result.h"
+#include "core/database/results_database.h"
 #include "core/output/row_journal.h"
 
 #include <atomic>
@@ -29,9 +31,10 @@ struct SetTask {
 // too; a fault of the machine (memory, threads, disk) or an interruption ends the work.
 class SetWork {
 public:
-    // All must outlive the work.
-    SetWork(const BatchRequest& request, const std::vector<SetTask>& tasks, RowJournal& journal,
-            Log& log, std::stop_token stop);
+    // All must outlive the work. `other_columns` as the list's; `database`: null, there is none.
+    SetWork(const BatchRequest& request, const std::vector<SetTask>& tasks,
+            const std::vector<std::string>& other_columns, RowJournal& journal,
+            ResultsDatabase* database, Log& log, std::stop_token stop);
 
     // Errors: out_of_memory, out_of_threads, interrupted, those of writing a file.
     Status run();
@@ -42,6 +45,8 @@ public:
 private:
     void work();
     void finish(const SetTask& task);
+    Status store(const SetTask& task, const OpenSet& open, const Identification& found,
+                 const std::string& json);
     void add_failure(const SetTask& task, const Error& error,
                      const std::vector<NamedWarnings>& warnings);
     void add_row(const SetTask& task, const std::string& row,
@@ -51,8 +56,11 @@ private:
 
     const BatchRequest& request_;
     const std::vector<SetTask>& tasks_;
+    const std::vector<std::string>& other_columns_;
     std::vector<const SetTask*> todo_;
     RowJournal& journal_;
+    ResultsDatabase* database_;
+    std::mutex database_mutex_;  // of the one before: a wait for other writers holds up no rows
     Log& log_;
     std::stop_source halt_;
     std::stop_callback<std::function<void()>> interrupted_;

@@ -167,7 +167,7 @@
     </message>
     <message>
         <source>One-&amp;sigma bands</source>
-        <translation>П&amp;олосы ±σ</translation>
+        <translation>Поло&amp;сы ±σ</translation>
     </message>
     <message>
         <source>&amp;Logarithmic working amplitude</source>
@@ -298,12 +298,28 @@
         <translation>Повторить отменённое изменение</translation>
     </message>
     <message>
-        <source>Reso&amp;nator</source>
-        <translation>Ре&amp;зонатор</translation>
+        <source>R&amp;esonator</source>
+        <translation>Р&amp;езонатор</translation>
     </message>
     <message>
         <source>The page with the resonator of a set: parameters, rim, drift</source>
         <translation>Страница с резонатором набора: параметры, кромка, уход</translation>
+    </message>
+    <message>
+        <source>&amp;Windows</source>
+        <translation>&amp;Окна</translation>
+    </message>
+    <message>
+        <source>The page with scatter, bound and leakage against the length of the window, and the window this recording deserves</source>
+        <translation>Страница с разбросом, границей и утечкой в зависимости от длины окна и с окном, которого заслуживает запись</translation>
+    </message>
+    <message>
+        <source>Si&amp;gnals</source>
+        <translation>&amp;Сигналы</translation>
+    </message>
+    <message>
+        <source>The page with the samples, the wave fitted to them and what it leaves</source>
+        <translation>Страница с отсчётами, вписанной в них волной и невязкой</translation>
     </message>
     <message>
         <source>&amp;Report…</source>
@@ -1043,6 +1059,14 @@
         <source>Resonator</source>
         <translation>Резонатор</translation>
     </message>
+    <message>
+        <source>Windows</source>
+        <translation>Окна</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Сигналы</translation>
+    </message>
 </context>
 <context>
     <name>PlotFocus</name>
@@ -1233,11 +1257,11 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation>Частота</translation>
+        <translation>Дискретизация</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation>Длительность</translation>
+        <translation>Длина</translation>
     </message>
     <message>
         <source>not computed yet</source>
@@ -2016,6 +2040,36 @@
     </message>
 </context>
 <context>
+    <name>SignalPanel</name>
+    <message>
+        <source>Residual</source>
+        <translation>Остаток</translation>
+    </message>
+</context>
+<context>
+    <name>SignalStack</name>
+    <message>
+        <source>sample %1</source>
+        <translation>отсчёт %1</translation>
+    </message>
+    <message>
+        <source>wave %1</source>
+        <translation>волна %1</translation>
+    </message>
+    <message>
+        <source>fitted wave</source>
+        <translation>вписанная волна</translation>
+    </message>
+    <message>
+        <source>amplitude of the wave</source>
+        <translation>амплитуда волны</translation>
+    </message>
+    <message>
+        <source>rms of the residual</source>
+        <translation>СКЗ невязки</translation>
+    </message>
+</context>
+<context>
     <name>SlowVariable</name>
     <message>
         <source>amplitude of the working wave</source>
@@ -2052,6 +2106,133 @@
     <message>
         <source>orthogonality of the standing waves, relative</source>
         <translation>ортогональность стоячих волн, относительная</translation>
+    </message>
+</context>
+<context>
+    <name>Sweep</name>
+    <message>
+        <source>recommended</source>
+        <translation>рекомендуется</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>отсчётов</translation>
+    </message>
+    <message>
+        <source>Standard deviation of %1</source>
+        <translation>СКО %1</translation>
+    </message>
+    <message>
+        <source>scatter</source>
+        <translation>разброс</translation>
+    </message>
+    <message>
+        <source>stated sd</source>
+        <translation>указанное СКО</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>граница</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>движение</translation>
+    </message>
+    <message>
+        <source>leakage %1</source>
+        <translation>утечка %1</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Остаток</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>шум</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>белый</translation>
+    </message>
+    <message>
+        <source>Longer windows blur %1: at n = %2 its bend inside the window shifts the mean by %3, with a scatter of %4.</source>
+        <translation>Более длинные окна смазывают %1: при n = %2 изгиб внутри окна сдвигает среднее на %3 при разбросе %4.</translation>
+    </message>
+    <message>
+        <source>Longer windows are not better: at n = %2 the expected error of %1 is %3, here %4.</source>
+        <translation>Более длинные окна не лучше: при n = %2 ожидаемая ошибка %1 равна %3, здесь %4.</translation>
+    </message>
+    <message>
+        <source>Longer windows of the list are better by less than a quarter.</source>
+        <translation>Более длинные окна списка лучше меньше чем на четверть.</translation>
+    </message>
+    <message>
+        <source>In the longer windows of the list some variables have no value.</source>
+        <translation>В более длинных окнах списка некоторые переменные не имеют значения.</translation>
+    </message>
+    <message>
+        <source>It is the longest of the list; longer ones are not examined.</source>
+        <translation>Это самое длинное окно списка; более длинные не исследованы.</translation>
+    </message>
+    <message>
+        <source>It is the shortest of the list, and %1 moves even inside it by more than its scatter.</source>
+        <translation>Это самое короткое окно списка, и %1 даже внутри него меняется сильнее разброса.</translation>
+    </message>
+    <message>
+        <source>Neighbouring values of %1 scatter %2 times as much as the white noise explains.</source>
+        <translation>Соседние значения %1 разбросаны в %2 раза сильнее, чем объясняет белый шум.</translation>
+    </message>
+    <message>
+        <source>Cramér-Rao bound</source>
+        <translation>граница Крамера — Рао</translation>
+    </message>
+    <message>
+        <source>shift by motion</source>
+        <translation>сдвиг от движения</translation>
+    </message>
+    <message>
+        <source>own leakage</source>
+        <translation>своя утечка</translation>
+    </message>
+    <message>
+        <source>n = %1, %2 ms, %3 periods</source>
+        <translation>n = %1, %2 мс, периодов: %3</translation>
+    </message>
+    <message>
+        <source>No window is recommended: a comparison needs two lengths with 14 undisturbed windows or more, and white noise between the lines of the spectrum.</source>
+        <translation>Окно не рекомендуется: для сравнения нужны две длины, при которых есть не меньше 14 неповреждённых окон, и белый шум между линиями спектра.</translation>
+    </message>
+    <message>
+        <source>This recording deserves %1</source>
+        <translation>Эта запись заслуживает окна %1</translation>
+    </message>
+    <message>
+        <source>No window suits all variables: here the expected error of %1 is %2 times its least in the list.</source>
+        <translation>Ни одно окно не подходит всем переменным: здесь ожидаемая ошибка %1 в %2 раза больше наименьшей в списке.</translation>
+    </message>
+    <message>
+        <source>From n = %1 to %2 no expected error exceeds %3 times its least in the list.</source>
+        <translation>От n = %1 до %2 ни одна ожидаемая ошибка не превышает наименьшую в списке больше чем в %3 раза.</translation>
+    </message>
+    <message>
+        <source>%1: scatter of %2 %3 %4 (stated %5, bound %6, shift by motion %7); noise %8</source>
+        <translation>%1: разброс %2 %3 %4 (указанное СКО %5, граница %6, сдвиг от движения %7); шум %8</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>окон</translation>
+    </message>
+    <message>
+        <source>sd of the scatter</source>
+        <translation>СКО разброса</translation>
+    </message>
+    <message>
+        <source>leakage, algorithm %1</source>
+        <translation>утечка, алгоритм %1</translation>
     </message>
 </context>
 <context>
@@ -2708,6 +2889,34 @@
         <source>a MAT file has room for 4 GiB in each variable, which %1 windows exceed; HDF5, NPZ and CSV have room for any number</source>
         <translation>в файле MAT на переменную отводится не больше 4 ГиБ, чего для %1 окон мало; в HDF5, NPZ и CSV их число не ограничено</translation>
     </message>
+    <message>
+        <source>the database is damaged (%1); take an earlier copy, or save what &quot;sqlite3 FILE .recover&quot; finds</source>
+        <translation>база данных повреждена (%1); возьмите прежнюю копию или сохраните то, что найдёт «sqlite3 FILE .recover»</translation>
+    </message>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>это база данных другой программы</translation>
+    </message>
+    <message>
+        <source>a later version of Vybeg has made it (schema %1; this one knows %2)</source>
+        <translation>файл создан более новой версией Vybeg (схема %1; этой версии известна схема %2)</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>это папка</translation>
+    </message>
+    <message>
+        <source>it is no regular file</source>
+        <translation>это не обычный файл</translation>
+    </message>
+    <message>
+        <source>it holds no results</source>
+        <translation>в нём нет результатов</translation>
+    </message>
+    <message>
+        <source>another program has kept it locked for %1 s</source>
+        <translation>другая программа не освобождает файл уже %1 с</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::CalibrationFields</name>
@@ -3061,6 +3270,10 @@
     <message>
         <source>Reason</source>
         <translation>Причина</translation>
+    </message>
+    <message>
+        <source>Of the window nearest to the mouse in the plots, with standard deviations</source>
+        <translation>Ближайшего к указателю мыши окна на графиках, с СКО</translation>
     </message>
 </context>
 <context>
@@ -3650,6 +3863,33 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::LengthField</name>
+    <message>
+        <source>“%1” is neither a whole number nor a range as 6..600.</source>
+        <translation>«%1» — не целое число и не диапазон вида 6..600.</translation>
+    </message>
+    <message>
+        <source>A window has %1 samples at least and %2 at most.</source>
+        <translation>В окне не меньше %1 и не больше %2 отсчётов.</translation>
+    </message>
+    <message>
+        <source>A list of window lengths is needed, e.g. 6..600 or 6, 60.</source>
+        <translation>Нужен список длин окна, например 6..600 или 6, 60.</translation>
+    </message>
+    <message>
+        <source>At most %1 lengths are possible.</source>
+        <translation>Возможно не больше %1 длин.</translation>
+    </message>
+    <message>
+        <source>Window lengths, samples</source>
+        <translation>Длины окон, отсчётов</translation>
+    </message>
+    <message>
+        <source>Samples per window: numbers and ranges, e.g. 6, 22, 60..600. A range stands for 15 lengths in equal ratios.</source>
+        <translation>Отсчётов в окне: числа и диапазоны, например 6, 22, 60..600. Диапазон означает 15 длин с равными отношениями.</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::MainWindow</name>
     <message>
         <source>Recordings</source>
@@ -3817,6 +4057,10 @@
     <message>
         <source>No beat of 1¼ to 100 periods between the cursors.</source>
         <translation>Между курсорами нет биения с числом периодов от 1¼ до 100.</translation>
+    </message>
+    <message>
+        <source>Values at A and B, their difference and the trend between them, with standard deviations</source>
+        <translation>Значения в A и B, их разность и тренд между ними, с СКО</translation>
     </message>
 </context>
 <context>
@@ -4042,6 +4286,10 @@
         <source>Add to the set of the resonator</source>
         <translation>Добавить в набор резонатора</translation>
     </message>
+    <message>
+        <source>The chosen recording is analysed. Delete closes, Insert adds to the set; drag recordings into a set, too</source>
+        <translation>Обрабатывается выбранная запись. Delete закрывает, Insert добавляет в набор; записи можно и перетащить в набор</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::RecordingStore</name>
@@ -4223,6 +4471,14 @@
         <source>Numbers of the residual</source>
         <translation>Числа невязки</translation>
     </message>
+    <message>
+        <source>Against the normal curve of the same standard deviation</source>
+        <translation>Рядом с нормальной кривой с тем же СКО</translation>
+    </message>
+    <message>
+        <source>Ctrl+C copies the table</source>
+        <translation>Ctrl+C копирует таблицу</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::ResonatorPage</name>
@@ -4372,6 +4628,10 @@
         <source>Follows the settings while Live is on; Run keeps a run as it is</source>
         <translation>Следует за настройками, пока включено «На лету»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
     </message>
+    <message>
+        <source>The chosen run is what cursors, events and residuals show. Space hides, Delete removes, F2 renames</source>
+        <translation>Выбранный расчёт показывают курсоры, события и невязки. Пробел скрывает, Delete удаляет, F2 переименовывает</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::RunStore</name>
@@ -4390,6 +4650,13 @@
     <message>
         <source>remove %1</source>
         <translation>удалить %1</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::Section</name>
+    <message>
+        <source>Folds this part away, and opens it again</source>
+        <translation>Сворачивает и разворачивает этот раздел</translation>
     </message>
 </context>
 <context>
@@ -4513,6 +4780,14 @@
         <source>Fit one resonator to all recordings of the set; of an empty set, to the current recording (F7)</source>
         <translation>Подогнать один резонатор ко всем записям набора, а если он пуст — к текущей записи (F7)</translation>
     </message>
+    <message>
+        <source>Recordings of one resonator; Delete removes one from the set</source>
+        <translation>Записи одного резонатора; Delete убирает запись из набора</translation>
+    </message>
+    <message>
+        <source>What the fit assumes of the channels</source>
+        <translation>Что модель предполагает о каналах</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::SetStore</name>
@@ -4615,6 +4890,53 @@
     <message>
         <source>Visible range: drag the edges, or the inside to shift it</source>
         <translation>Видимый интервал: тяните за края, а за середину — для сдвига</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::SignalsPage</name>
+    <message>
+        <source>The residual is what a run leaves of the samples.</source>
+        <translation>Невязка — то, что расчёт оставляет от отсчётов.</translation>
+    </message>
+    <message>
+        <source>No recording is open.</source>
+        <translation>Нет открытых записей.</translation>
+    </message>
+    <message>
+        <source>The recording %1 is being opened…</source>
+        <translation>Запись %1 открывается…</translation>
+    </message>
+    <message>
+        <source>%1, samples as recorded. Run (F5) fits the wave.</source>
+        <translation>%1, отсчёты как записаны. Расчёт (F5) вписывает волну.</translation>
+    </message>
+    <message>
+        <source>%1, samples as recorded: the chosen run is one of %2.</source>
+        <translation>%1, отсчёты как записаны: выбранный расчёт относится к %2.</translation>
+    </message>
+    <message>
+        <source>%1: the wave appears when all windows of the run are there.</source>
+        <translation>%1: волна появится, когда будут готовы все окна расчёта.</translation>
+    </message>
+    <message>
+        <source>%1: minima and maxima before filter, delay and gaps for lost samples; zoom in for the samples of the analysis.</source>
+        <translation>%1: минимумы и максимумы до фильтра, задержки и пропусков на месте потерянных отсчётов; отсчёты, как в расчёте, видны при увеличении.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Остаток</translation>
+    </message>
+    <message>
+        <source>Fitted &amp;wave</source>
+        <translation>Вписанная &amp;волна</translation>
+    </message>
+    <message>
+        <source>Shows the wave of the chosen run over the samples: zoomed out its amplitude, zoomed in the wave itself</source>
+        <translation>Показывает волну выбранного расчёта поверх отсчётов: в мелком масштабе её амплитуду, в крупном — саму волну</translation>
+    </message>
+    <message>
+        <source>Signals over time</source>
+        <translation>Сигналы во времени</translation>
     </message>
 </context>
 <context>
@@ -4739,6 +5061,121 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::SweepPage</name>
+    <message>
+        <source>No recording is open.</source>
+        <translation>Запись не открыта.</translation>
+    </message>
+    <message>
+        <source>The recording is being read.</source>
+        <translation>Запись читается.</translation>
+    </message>
+    <message>
+        <source>The windows are being estimated…</source>
+        <translation>Окна оцениваются…</translation>
+    </message>
+    <message>
+        <source>Run estimates this recording once for each length: it shows how much the values scatter and which window the recording deserves.</source>
+        <translation>«Рассчитать» оценивает эту запись один раз для каждой длины и показывает, как разбросаны значения и какого окна заслуживает запись.</translation>
+    </message>
+    <message>
+        <source>The result is older than the settings: Run computes it anew.</source>
+        <translation>Результат старше настроек: «Рассчитать» вычислит его заново.</translation>
+    </message>
+    <message>
+        <source>Estimates adjacent windows of each length with the settings of the panel Analysis</source>
+        <translation>Оценивает примыкающие окна каждой длины с настройками панели «Обработка»</translation>
+    </message>
+    <message>
+        <source>Use n = %1</source>
+        <translation>Взять n = %1</translation>
+    </message>
+    <message>
+        <source>Algorithm</source>
+        <translation>Алгоритм</translation>
+    </message>
+    <message>
+        <source>Algorithm of the sweep</source>
+        <translation>Алгоритм перебора окон</translation>
+    </message>
+    <message>
+        <source>Follows the panel Analysis; may be another one here</source>
+        <translation>Следует панели «Обработка»; здесь может быть другим</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Подогнать</translation>
+    </message>
+    <message>
+        <source>Snap every length</source>
+        <translation>Каждая длина к полупериодам</translation>
+    </message>
+    <message>
+        <source>Moves every length to whole half-periods of the carrier</source>
+        <translation>Сдвигает каждую длину к целому числу полупериодов несущей</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Длины</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Рассчитать</translation>
+    </message>
+    <message>
+        <source>Run the sweep</source>
+        <translation>Запустить перебор окон</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Прервать</translation>
+    </message>
+    <message>
+        <source>Cancel the sweep</source>
+        <translation>Отменить перебор окон</translation>
+    </message>
+    <message>
+        <source>Progress of the sweep</source>
+        <translation>Ход перебора окон</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Переменная</translation>
+    </message>
+    <message>
+        <source>Variable of the sweep</source>
+        <translation>Переменная перебора окон</translation>
+    </message>
+    <message>
+        <source>The variable of the left plot and of the table</source>
+        <translation>Переменная левого графика и таблицы</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Копировать таблицу</translation>
+    </message>
+    <message>
+        <source>All variables and lengths to the clipboard, for a spreadsheet</source>
+        <translation>Все переменные и длины в буфер обмена, для электронной таблицы</translation>
+    </message>
+    <message>
+        <source>Puts this window and the algorithm of the sweep into the panel Analysis; Undo takes them back</source>
+        <translation>Записывает это окно и алгоритм перебора на панель «Обработка»; отмена возвращает прежние</translation>
+    </message>
+    <message>
+        <source>Scatter against the length of the window</source>
+        <translation>Разброс в зависимости от длины окна</translation>
+    </message>
+    <message>
+        <source>Residual against the length of the window</source>
+        <translation>Невязка в зависимости от длины окна</translation>
+    </message>
+    <message>
+        <source>Numbers of the sweep</source>
+        <translation>Числа перебора окон</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::TrackView</name>
     <message>
         <source>Slow variables over time</source>
@@ -4802,6 +5239,26 @@ Open a recording and press Run.</source>
     <message>
         <source>Open recording…</source>
         <translation>Открыть запись…</translation>
+    </message>
+    <message>
+        <source>A recording of a free decay, or a session</source>
+        <translation>Запись свободного выбега или сеанс</translation>
+    </message>
+    <message>
+        <source>Open the demonstration</source>
+        <translation>Открыть пример</translation>
+    </message>
+    <message>
+        <source>A simulated free decay: 28 s, 5300 Hz, with a frequency split, a decay and noise</source>
+        <translation>Смоделированный свободный выбег: 28 с, 5300 Гц, с разночастотностью, затуханием и шумом</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Недавние файлы</translation>
+    </message>
+    <message>
+        <source>A click or Return opens a file</source>
+        <translation>Щелчок или ввод открывает файл</translation>
     </message>
 </context>
 <context>
@@ -4906,10 +5363,6 @@ Open a recording and press Run.</source>
         <translation>&amp;Вид</translation>
     </message>
     <message>
-        <source>Pa&amp;nels</source>
-        <translation>&amp;Панели</translation>
-    </message>
-    <message>
         <source>&amp;Theme</source>
         <translation>&amp;Тема</translation>
     </message>
@@ -4974,7 +5427,11 @@ Open a recording and press Run.</source>
         <translation>Децибелы</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
+        <source>Pan&amp;els</source>
+        <translation>&amp;Панели</translation>
+    </message>
+    <message>
+        <source>Lang&amp;uage</source>
         <translation>&amp;Язык</translation>
     </message>
     <message>

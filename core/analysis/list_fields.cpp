@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -32,45 +34,58 @@ bool take(std::string_view& text, char character) {
     return there;
 }
 
-// 14:05, and where `seconds` are allowed 14:05:30.5.
-bool take_time(std::string_view& text, bool seconds) {
+// 14:05, and where `seconds` are allowed 14:05:30.5, as seconds.
+std::optional<double> take_time(std::string_view& text, bool seconds) {
     const auto hour = digits(text, 2);
     if (!hour || *hour > 23 || !take(text, ':')) {
-        return false;
+        return {};
     }
     const auto minute = digits(text, 2);
     if (!minute || *minute > 59) {
-        return false;
+        return {};
     }
+    const double minutes = 3600.0 * *hour + 60.0 * *minute;
     if (!seconds || !take(text, ':')) {
-        return true;
+        return minutes;
     }
     const auto second = digits(text, 2);
     if (!second || *second > 60) {  // 60: a leap second
-        return false;
+        return {};
     }
+    double fraction = 0;
     if (take(text, '.') || take(text, ',')) {
         const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
+        const auto decimals = parse_number("0." + std::string(text.substr(0, end)));
+        if (end == 0 || !decimals) {
+            return {};
+        }
+        fraction = *decimals;
         text.remove_prefix(end);
-        return end > 0;
     }
-    return true;
+    return minutes + *second + fraction;
 }
 
-bool take_date(std::string_view& text) {
+// As seconds since 1970-01-01.
+std::optional<double> take_date(std::string_view& text) {
     const auto year = digits(text, 4);
     if (!year || !take(text, '-')) {
-        return false;
+        return {};
     }
     const auto month = digits(text, 2);
     if (!month || !take(text, '-')) {
-        return false;
+        return {};
     }
     const auto day = digits(text, 2);
-    return day && std::chrono::year_month_day(std::chrono::year(*year),
-                                              std::chrono::month(static_cast<unsigned>(*month)),
-                                              std::chrono::day(static_cast<unsigned>(*day)))
-                      .ok();
+    if (!day) {
+        return {};
+    }
+    const std::chrono::year_month_day date(std::chrono::year(*year),
+                                           std::chrono::month(static_cast<unsigned>(*month)),
+                                           std::chrono::day(static_cast<unsigned>(*day)));
+    if (!date.ok()) {
+        return {};
+    }
+    return 86400.0 * static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
 }
 
 // A name without capitals, with "-" between its words.
@@ -112,21 +127,33 @@ std::string usual_option(const std::string& field, bool several) {
     return several || parse_number(text) ? text : field;
 }
 
-bool is_iso_date(const std::string& text) {
+double iso_seconds(const std::string& text) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     std::string_view left = text;
-    if (!take_date(left)) {
-        return false;
+    const auto date = take_date(left);
+    if (!date || left.empty()) {
+        return date.value_or(none);
     }
-    if (left.empty()) {
-        return true;
+    if (!take(left, 'T') && !take(left, ' ')) {
+        return none;
     }
-    if (!(take(left, 'T') || take(left, ' ')) || !take_time(left, true)) {
-        return false;
+    const auto time = take_time(left, true);
+    if (!time) {
+        return none;
     }
     if (take(left, 'Z') || left.empty()) {
-        return left.empty();
+        return left.empty() ? *date + *time : none;
     }
-    return (take(left, '+') || take(left, '-')) && take_time(left, false) && left.empty();
+    const bool west = left.starts_with('-');
+    if (!take(left, '+') && !take(left, '-')) {
+        return none;
+    }
+    const auto zone = take_time(left, false);
+    return zone && left.empty() ? *date + *time + (west ? *zone : -*zone) : none;
+}
+
+bool is_iso_date(const std::string& text) {
+    return !std::isnan(iso_seconds(text));
 }
 
 }  // namespace vybeg

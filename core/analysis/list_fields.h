@@ -18,4 +18,8 @@ bool names_resemble(const std::string& one, const std::string& other);
 // Z or a zone such as +03:00; a space instead of T.
 bool is_iso_date(const std::string& text);
 
+// Seconds from the start of 1970 to such a date; alone it means its start. Without a zone it counts
+// as UTC, so that the dates of one laboratory keep their distances. NaN: the text is no such date.
+double iso_seconds(const std::string& text);
+
 }  // namespace vybeg

@@ -11,6 +11,7 @@ namespace vybeg {
 enum class ErrorCode {
     // The call itself is wrong: exit status 2.
     setting_invalid,  // args: name of the setting, its value, what is allowed
+    set_not_chosen,   // args: option that chooses, names of the sets of a list
     // The input cannot be read: exit status 3.
     file_missing,
     file_permission,
@@ -36,7 +37,6 @@ enum class ErrorCode {
     passport_schema,   // args: schema of the file, newest schema known here
     variable_missing,  // args: variable asked for, the variables that the file has
     file_changed,      // after it was opened: its size, or the time of its last change
-    set_not_chosen,    // args: option that chooses, names of the sets of a list
     list_invalid,      // args: line, column, reason. Of a measurement list.
     // The analysis is impossible: exit status 4.
     window_too_long,          // args: window in samples, samples in the range

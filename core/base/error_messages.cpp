@@ -18,6 +18,9 @@ MessageRow message_row(ErrorCode code) {
         case ErrorCode::setting_invalid:
             return {"setting-invalid", wrong_call,
                     VYBEG_MESSAGE("Message", "%2 cannot be \"%3\": %4.")};
+        case ErrorCode::set_not_chosen:
+            return {"set-not-chosen", wrong_call,
+                    VYBEG_MESSAGE("Message", "The list has several sets. Choose one by %2: %3.")};
         case ErrorCode::file_missing:
             return {"file-missing", bad_input,
                     VYBEG_MESSAGE("Message",
@@ -148,9 +151,6 @@ MessageRow message_row(ErrorCode code) {
                 VYBEG_MESSAGE("Message",
                               "%1 changed while it was read: its size or the time of its last "
                               "change is another. Wait until it is complete, and open it again.")};
-        case ErrorCode::set_not_chosen:
-            return {"set-not-chosen", wrong_call,
-                    VYBEG_MESSAGE("Message", "The list has several sets. Choose one by %2: %3.")};
         case ErrorCode::list_invalid:
             return {"list-invalid", bad_input,
                     VYBEG_MESSAGE("Message", "%1, line %2, column \"%3\": %4.")};

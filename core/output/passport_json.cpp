@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/output/quantity_json.h"
+#include "core/output/stored_reason.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/run_parameters.h"
@@ -68,23 +69,12 @@ std::vector<double> numbers(const Json& json) {
     return values;
 }
 
-ReasonCode reason_code(const std::string& name) {
-    // Names of the codes, up to the first number without a name.
-    for (int code = 1;; ++code) {
-        const std::string known = reason_name(static_cast<ReasonCode>(code));
-        if (known.empty()) {
-            fail("the reason \"" + name + "\" is not known");
-        }
-        if (known == name) {
-            return static_cast<ReasonCode>(code);
-        }
+Reason known_reason(const std::string& name, const std::vector<std::string>& args) {
+    std::optional<Reason> reason = stored_reason(name, args);
+    if (!reason) {
+        fail("the reason \"" + name + "\" is not known");
     }
-}
-
-Reason stored_reason(const std::string& name, const std::vector<std::string>& args) {
-    Reason reason{reason_code(name), {}};
-    std::ranges::transform(args, std::back_inserter(reason.args), stored_arg);
-    return reason;
+    return std::move(*reason);
 }
 
 // Nearest present reason for reasons of schema 1 that were removed or have other arguments now.
@@ -108,7 +98,7 @@ Reason old_reason(const std::string& name, const std::vector<std::string>& args)
         const double sd = parse_number(args[1]).value_or(0);
         return {ReasonCode::no_decay, {number_arg(1 / (std::max(rate, 0.0) + 2 * sd), 3)}};
     }
-    return stored_reason(name, args);
+    return known_reason(name, args);
 }
 
 Estimate read_estimate(const Json& json, int schema) {
@@ -131,7 +121,7 @@ Estimate read_estimate(const Json& json, int schema) {
     if (json.contains("code")) {
         const auto name = json.at("code").get<std::string>();
         const auto args = json.at("args").get<std::vector<std::string>>();
-        estimate.reason = schema == 1 ? old_reason(name, args) : stored_reason(name, args);
+        estimate.reason = schema == 1 ? old_reason(name, args) : known_reason(name, args);
     } else {
         estimate.reason.code = ReasonCode::too_few_windows;
     }

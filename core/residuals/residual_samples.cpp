@@ -1,101 +1,16 @@
 #include "core/residuals/residual_samples.h"
 
 #include "core/analysis/prepare.h"
+#include "core/residuals/window_wave.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vybeg {
 namespace {
 
 constexpr std::int64_t most_frames = std::int64_t{1} << 20;
 constexpr std::int64_t block_frames = std::int64_t{1} << 16;
-
-struct Frames {
-    std::int64_t first = 0;
-    std::int64_t end = 0;
-
-    std::int64_t count() const { return std::max<std::int64_t>(end - first, 0); }
-};
-
-// Rounded up; b > 0.
-std::int64_t divided_up(std::int64_t a, std::int64_t b) {
-    return a / b + (a % b > 0 ? 1 : 0);
-}
-
-// The first frame that is at least as near to the centre of a window as to that of the one before.
-std::int64_t own_begin(const WindowPlan& plan, std::int64_t window) {
-    return divided_up(2 * plan.start(window) - plan.hop + plan.length - 1, 2);
-}
-
-// Frames whose residual is that of a window.
-Frames own_frames(const WindowPlan& plan, std::int64_t window) {
-    Frames own{plan.start(window), plan.start(window) + plan.length};
-    if (window > 0) {
-        own.first = std::max(own.first, own_begin(plan, window));
-    }
-    if (window + 1 < plan.count) {
-        own.end = std::min(own.end, own_begin(plan, window + 1));
-    }
-    return own;
-}
-
-// A window that has the frame, or the first one after it.
-std::int64_t window_about(const WindowPlan& plan, std::int64_t frame) {
-    const std::int64_t before =
-        (2 * (frame - plan.first) + plan.hop - plan.length) / (2 * plan.hop);
-    std::int64_t window = std::clamp<std::int64_t>(before - 1, 0, plan.count - 1);
-    while (window + 1 < plan.count && own_frames(plan, window).end <= frame) {
-        ++window;
-    }
-    return window;
-}
-
-// The wave (6) of a window.
-class Wave {
-public:
-    Wave(const Analysis& analysis, std::int64_t window, double rate_hz) {
-        const auto row = static_cast<std::size_t>(window);
-        const auto value = [&](SlowVariable variable) {
-            return analysis.track.values(variable)[row];
-        };
-        const double zero = analysis.settings.calibration.angle_zero_deg * std::numbers::pi / 90;
-        const double angle = value(SlowVariable::two_theta_A) + zero;
-        const double a_A = value(SlowVariable::a_A);
-        double a_B = value(SlowVariable::a_B);
-        if (has(analysis.track.flags()[row], Flag::no_quadrature)) {
-            a_B = 0;
-        }
-        cos_c_ = a_A * std::cos(angle);
-        sin_c_ = -a_B * std::sin(angle);
-        cos_d_ = a_A * std::sin(angle);
-        sin_d_ = a_B * std::cos(angle);
-        alpha_ = value(SlowVariable::alpha);
-        step_ = 2 * std::numbers::pi * value(SlowVariable::f) / rate_hz;
-        centre_ = static_cast<double>(analysis.plan.start(window)) +
-                  0.5 * static_cast<double>(analysis.plan.length - 1);
-    }
-
-    bool exists() const { return std::isfinite(cos_c_ + sin_c_ + alpha_ + step_); }
-
-    void subtract(std::int64_t frame, double& c, double& d) const {
-        const double tau = step_ * (static_cast<double>(frame) - centre_) - alpha_;
-        const double cosine = std::cos(tau);
-        const double sine = std::sin(tau);
-        c -= cos_c_ * cosine + sin_c_ * sine;
-        d -= cos_d_ * cosine + sin_d_ * sine;
-    }
-
-private:
-    double cos_c_ = 0;
-    double sin_c_ = 0;
-    double cos_d_ = 0;
-    double sin_d_ = 0;
-    double alpha_ = 0;
-    double step_ = 0;
-    double centre_ = 0;
-};
 
 class Collector {
 public:
@@ -122,7 +37,7 @@ public:
             own = {std::max(own.first, at), std::min(own.end, block.end)};
             if (own.count() > 0) {
                 found_.without += own.first - at;
-                take_window(own, block.first, Wave(analysis_, window, rate_hz_));
+                take_window(own, block.first, WindowWave(analysis_, window, rate_hz_));
                 at = own.end;
             }
         }
@@ -131,7 +46,7 @@ public:
     }
 
 private:
-    void take_window(const Frames& frames, std::int64_t first, const Wave& wave) {
+    void take_window(const Frames& frames, std::int64_t first, const WindowWave& wave) {
         if (!wave.exists()) {
             found_.without += frames.count();
             in_run_ = false;
@@ -141,20 +56,20 @@ private:
             in_run_ = false;
         }
         for (std::int64_t frame = frames.first; frame < frames.end; ++frame) {
-            double c = c_[static_cast<std::size_t>(frame - first)];
-            double d = d_[static_cast<std::size_t>(frame - first)];
+            const double c = c_[static_cast<std::size_t>(frame - first)];
+            const double d = d_[static_cast<std::size_t>(frame - first)];
             if (!std::isfinite(c) || !std::isfinite(d)) {
                 ++found_.without;
                 in_run_ = false;
                 continue;
             }
-            wave.subtract(frame, c, d);
+            const SignalPair fitted = wave.at(static_cast<double>(frame));
             if (!in_run_) {
                 found_.run_begins.push_back(found_.c.size());
                 in_run_ = true;
             }
-            found_.c.push_back(c);
-            found_.d.push_back(d);
+            found_.c.push_back(c - fitted.c);
+            found_.d.push_back(d - fitted.d);
         }
         next_ = frames.end;
     }
@@ -200,7 +115,7 @@ Result<ResidualSamples> residual_samples(const Recording& recording, const Analy
     found.d.reserve(expected);
     const bool whole = all.count() <= most_frames;
     const std::int64_t blocks =
-        whole ? divided_up(all.count(), block_frames) : most_frames / block_frames;
+        whole ? (all.count() + block_frames - 1) / block_frames : most_frames / block_frames;
     Collector collector(recording, analysis, *prepared->ahead, found);
     for (std::int64_t b = 0; b < blocks; ++b) {
         if (job.cancelled()) {

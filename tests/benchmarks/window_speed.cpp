@@ -8,7 +8,9 @@
 #include "tests/ui/heartbeat.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/main_window.h"
+#include "ui/window/tracks_page.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QPushButton>
@@ -19,7 +21,9 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <numeric>
 #include <vector>
 
 using namespace vybeg;
@@ -160,6 +164,27 @@ public:
         return clock.ms();
     }
 
+    // Another page, painted.
+    double page_ms(Command page) {
+        const Clock clock;
+        window_.action(page)->trigger();
+        QCoreApplication::processEvents(QEventLoop::AllEvents);
+        return clock.ms();
+    }
+
+    // All plots of the tracks into a PNG of 240 mm at 300 dpi.
+    double export_ms(const QString& path) {
+        const Clock clock;
+        const FigureSource source = window_.findChild<TracksPage*>()->figures();
+        std::vector<int> all(static_cast<std::size_t>(source.plots.size()));
+        std::iota(all.begin(), all.end(), 0);
+        const Figure figure = source.figure(all);
+        if (!writeDrawing(figure.draw, {figure.size, 300}, path)) {
+            qFatal("the figure cannot be written");
+        }
+        return clock.ms();
+    }
+
 private:
     Document document_;
     MainWindow window_{document_};
@@ -262,12 +287,28 @@ int main(int argc, char** argv) {
             pan.add(bench.frame_ms([&] { tracks.setTimeRange({from, from + span}); }));
         }
     }
+    tracks.fit();
+    Series page;
+    constexpr std::array pages{Command::page_resonator, Command::page_residuals,
+                               Command::page_tracks};
+    for (int i = 0; i < clicks; ++i) {
+        for (const Command next : pages) {
+            page.add(bench.page_ms(next));
+            QTest::qWait(20);  // what the page asks for is drawn before the clock starts
+        }
+    }
+    Series exported;
+    for (int i = 0; i < clicks; ++i) {
+        exported.add(bench.export_ms(folder.filePath(QStringLiteral("figure.png"))));
+    }
     std::printf("\n%-38s %8s %8s %8s %10s %6s\n", "milliseconds", "median", "99 %", "most",
                 "target", "99 %");
     bool enough = run.print("Run to plots, 155,554 windows", 250, 250);
     enough = live.print("live change, 133,332 windows or more", 250, 250) && enough;
     enough = zoom.print("zooming, 3 runs in 5 plots", 16, 33) && enough;
     enough = pan.print("panning, 3 runs in 5 plots", 16, 33) && enough;
+    enough = page.print("another page", 50, 100) && enough;
+    enough = exported.print("export, 3 runs in 5 plots, 300 dpi", 200, 400) && enough;
     const QString long_recording = qEnvironmentVariable("VYBEG_LONG_RECORDING");
     if (!long_recording.isEmpty()) {
         print_live_steps(long_recording);

@@ -141,9 +141,7 @@ private slots:
         QTRY_VERIFY(!window_->findChild<ExportDialog*>());
 
         // Its resolution is kept; two plots only, as text.
-        window_->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-        QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
+        window_->action(Command::export_plots)->trigger();
         auto& again = childOf<ExportDialog>(*window_);
         QCOMPARE(fieldOf(again, "Resolution").value(), std::optional(254.));
         const double five = *fieldOf(again, "Height").value();

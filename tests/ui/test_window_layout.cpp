@@ -1,4 +1,6 @@
-// Where things stand in the window: the overview over the plots, values of two runs uncut.
+// The empty window, and where things stand in it: the overview over the plots, values of two runs
+// uncut.
+#include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/cursor_panel.h"
 #include "ui/plots/signal_view.h"
@@ -6,6 +8,9 @@
 #include "ui/window/main_window.h"
 #include "ui/window/window_menus.h"
 
+#include <QFileInfo>
+#include <QListWidget>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QTableWidget>
 #include <QTest>
@@ -66,6 +71,31 @@ private slots:
         QTRY_COMPARE(table.columnCount(), 3);
         QTRY_COMPARE(table.horizontalScrollBar()->maximum(), 0);
         QVERIFY(table.item(0, 1)->text().contains("\n± "));
+    }
+
+    void the_empty_window_offers_the_demonstration_and_recent_files() {
+        window_ = shownWindow();
+        Document& document = window_->document();
+        const auto idle = [&] {
+            return QTest::qWaitFor([&] { return !document.busy() && document.runs().size() == 1; },
+                                   20000);
+        };
+        auto& recent = childOf<QListWidget>(*window_, "recent");
+        QVERIFY(!childOf<QPushButton>(*window_, "demonstration").toolTip().isEmpty());
+        QTest::mouseClick(&childOf<QPushButton>(*window_, "demonstration"), Qt::LeftButton);
+        QVERIFY(idle());
+        QCOMPARE(document.runs().front().run.recording, QStringLiteral("demonstration.wav"));
+        VYBEG_CLOSE(document.currentRecording()->recording->seconds(), 28, 0.001);
+        const QString path = document.currentRecording()->path;
+        document.closeRecording(document.currentRecording()->id);
+        QVERIFY(recent.isVisible() && recent.count() >= 1);
+        QCOMPARE(recent.item(0)->text(),
+                 QStringLiteral("demonstration.wav\n") + QFileInfo(path).path());
+        recent.setCurrentRow(0);
+        recent.setFocus();
+        QTest::keyClick(&recent, Qt::Key_Return);
+        QVERIFY(idle());
+        QCOMPARE(document.currentRecording()->path, path);
     }
 
     void units_and_plots_are_kept_from_window_to_window() {

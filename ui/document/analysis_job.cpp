@@ -2,20 +2,18 @@
 
 #include "core/analysis/recording_carrier.h"
 #include "core/output/identify_json.h"
+#include "core/output/output_file.h"
 #include "core/output/passport_json.h"
-#include "core/output/track_file.h"
-#include "core/output/track_header.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/file_changes.h"
-#include "core/residuals/find_residuals.h"
 #include "ui/document/freed_in_background.h"
+#include "ui/document/track_export.h"
 
 #include <QElapsedTimer>
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
 
 namespace vybeg::ui {
 
@@ -77,35 +75,6 @@ AnalysisJob::~AnalysisJob() {
 bool AnalysisJob::isStale(const Ticket& ticket) const {
     const auto found = tasks_.find(ticket.id);
     return found == tasks_.end() || found->second.generation != ticket.generation;
-}
-
-template <class Value>
-void AnalysisJob::start(QThreadPool& pool, TaskId id,
-                        std::function<Result<Value>(const Ticket&)> work,
-                        std::function<void(Result<Value>)> done) {
-    Task& task = tasks_[id];
-    task.stop.request_stop();
-    task = Task{++generation_, std::stop_source{}};
-    pool.start([this, ticket = Ticket{id, task.generation, task.stop.get_token()},
-                work = std::move(work), done = std::move(done)] {
-        Result<Value> result = Error{ErrorCode::interrupted, {}, {}};
-        try {
-            if (!ticket.stop.stop_requested()) {
-                result = work(ticket);
-            }
-        } catch (const std::bad_alloc&) {
-            result = Error{ErrorCode::out_of_memory, {}, {}};
-        }
-        auto deliver = [this, ticket, result = std::move(result), done]() mutable {
-            if (isStale(ticket)) {
-                return;  // a newer job of its kind and key has taken its place
-            }
-            tasks_.erase(ticket.id);
-            done(std::move(result));
-        };
-        // The destructor waits for this thread, so that `this` is still there.
-        QMetaObject::invokeMethod(this, std::move(deliver), Qt::QueuedConnection);
-    });
 }
 
 void AnalysisJob::post(const Ticket& ticket, std::function<void()> act) {
@@ -294,18 +263,6 @@ void AnalysisJob::identify(int key, const std::vector<Recording>& recordings,
         std::move(done));
 }
 
-void AnalysisJob::findResiduals(int key, const Recording& recording,
-                                std::shared_ptr<const Analysis> analysis,
-                                const ResidualRange& range,
-                                std::function<void(Result<Residuals>)> done) {
-    start<Residuals>(
-        others_, {Kind::residuals, key},
-        [recording, analysis = std::move(analysis), range](const Ticket& ticket) {
-            return find_residuals(recording, *analysis, range, JobControl(ticket.stop));
-        },
-        std::move(done));
-}
-
 void AnalysisJob::readPassport(int key, const QString& path,
                                std::function<void(Result<Passport>)> done) {
     start<Passport>(
@@ -333,24 +290,7 @@ void AnalysisJob::writeTrack(int key, const Recording& recording,
         key,
         [recording, analysis = std::move(analysis), name = program.toStdString(),
          path = toPath(path)](const JobControl& job) -> Status {
-            const Result<TrackFormat> format = track_format(path);
-            if (!format) {
-                return format.error();
-            }
-            const Result<std::string> hash = recording_sha256(recording, job);
-            if (!hash) {
-                return hash.error();
-            }
-            Result<OutputFile> file = OutputFile::create(path, job);
-            if (!file) {
-                return file.error();
-            }
-            const auto header = track_header(name, recording, *hash, *analysis);
-            if (Status written = write_track(*file, *format, analysis->track, header, job);
-                !written) {
-                return written;
-            }
-            return file->commit();
+            return exportTrackTo(path, recording, *analysis, name, job);
         },
         std::move(done));
 }

@@ -10,6 +10,7 @@
 #include "core/recording/open/recording_preview.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
+#include "core/residuals/signal_excerpt.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
 #include "ui/values/curve_data.h"
@@ -22,11 +23,15 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <new>
+#include <optional>
 #include <stop_token>
+#include <utility>
 
 namespace vybeg {
 struct ResidualRange;
 struct Residuals;
+struct WindowSweep;
 }  // namespace vybeg
 
 namespace vybeg::ui {
@@ -38,6 +43,12 @@ struct AnalysisOutcome {
     Curves curves;
     TrackSummary summary;
     std::vector<Event> events;
+};
+
+// Samples with their fitted wave, and what the next excerpt of the same is taken from.
+struct ExcerptOutcome {
+    SignalSource source;
+    std::shared_ptr<const SignalExcerpt> excerpt;
 };
 
 // The only file with threads. Every job works in the background on values and returns its result by
@@ -83,6 +94,16 @@ public:
                        std::shared_ptr<const Analysis> analysis, const ResidualRange& range,
                        std::function<void(Result<Residuals>)> done);
 
+    // The recording in windows of many lengths; tells its progress.
+    void sweepWindows(int key, const Recording& recording, const Settings& settings,
+                      const std::vector<std::int64_t>& lengths,
+                      std::function<void(Result<WindowSweep>)> done);
+    // Samples of consecutive frames with the wave of an analysis that has all its windows, or
+    // without one. `known`: of an excerpt of the same recording and analysis, if there is one.
+    void readExcerpt(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
+                     std::optional<SignalSource> known, std::int64_t first, std::int64_t count,
+                     std::function<void(Result<ExcerptOutcome>)> done);
+
     // One resonator behind all recordings. `inputs` as these; hashes that are missing are made.
     void identify(int key, const std::vector<Recording>& recordings,
                   std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
@@ -124,6 +145,8 @@ private:
         live,
         identification,
         residuals,
+        sweep,
+        excerpt,
         passport,
         write
     };
@@ -154,5 +177,34 @@ private:
     QThreadPool live_;
     QThreadPool others_;
 };
+
+template <class Value>
+void AnalysisJob::start(QThreadPool& pool, TaskId id,
+                        std::function<Result<Value>(const Ticket&)> work,
+                        std::function<void(Result<Value>)> done) {
+    Task& task = tasks_[id];
+    task.stop.request_stop();
+    task = Task{++generation_, std::stop_source{}};
+    pool.start([this, ticket = Ticket{id, task.generation, task.stop.get_token()},
+                work = std::move(work), done = std::move(done)] {
+        Result<Value> result = Error{ErrorCode::interrupted, {}, {}};
+        try {
+            if (!ticket.stop.stop_requested()) {
+                result = work(ticket);
+            }
+        } catch (const std::bad_alloc&) {
+            result = Error{ErrorCode::out_of_memory, {}, {}};
+        }
+        auto deliver = [this, ticket, result = std::move(result), done]() mutable {
+            if (isStale(ticket)) {
+                return;  // a newer job of its kind and key has taken its place
+            }
+            tasks_.erase(ticket.id);
+            done(std::move(result));
+        };
+        // The destructor waits for this thread, so that `this` is still there.
+        QMetaObject::invokeMethod(this, std::move(deliver), Qt::QueuedConnection);
+    });
+}
 
 }  // namespace vybeg::ui

@@ -87,7 +87,7 @@ Document::Closed Document::whatCloses(int id) {
     closed.runs.emplace();
     for (std::size_t place = 0; place < runs().size(); ++place) {
         if (runs()[place].recording_id == id) {
-            closed.runs->push_back(wish_of(runs()[place], static_cast<int>(place)));
+            closed.runs->push_back(wishOf(runs()[place], static_cast<int>(place)));
         }
     }
     return closed;

@@ -54,7 +54,7 @@ void setOutcome(RunEntry& entry, const Settings& requested, AnalysisOutcome outc
 
 }  // namespace
 
-RunWish wish_of(const RunEntry& entry, int place) {
+RunWish wishOf(const RunEntry& entry, int place) {
     return {.settings = entry.requested,
             .name = entry.run.name,
             .color = entry.run.color,

@@ -45,7 +45,7 @@ struct RunWish {
 };
 
 // The wish that gives an equal run.
-RunWish wish_of(const RunEntry& entry, int place);
+RunWish wishOf(const RunEntry& entry, int place);
 
 // The runs of the open recordings, with names, colours and dashes of their own.
 class RunStore : public QObject {

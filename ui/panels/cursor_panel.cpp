@@ -153,6 +153,9 @@ void CursorPanel::changeEvent(QEvent* event) {
 
 void CursorPanel::retranslate() {
     table_->setAccessibleName(tr("Values at the cursor"));
+    table_->setToolTip(
+        tr("Of the window nearest to the mouse in the plots, with standard "
+           "deviations"));
     table_->setColumnCount(std::max(1, table_->columnCount()));
     table_->setHorizontalHeaderItem(0, new QTableWidgetItem);
     for (int line = 0; line < shown_count; ++line) {

@@ -169,6 +169,9 @@ void MeasurePanel::retranslate() {
         tr("Fitted by weighted least squares to the windows between the cursors that share no "
            "samples. Where they scatter more than their noise, the deviations grow by that."));
     table_->setAccessibleName(tr("Readings at the cursors"));
+    table_->setToolTip(
+        tr("Values at A and B, their difference and the trend between them, with "
+           "standard deviations"));
     refresh();
 }
 

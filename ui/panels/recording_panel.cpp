@@ -22,6 +22,19 @@ namespace vybeg::ui {
 
 namespace {
 
+// As high as its wrapped text: a form layout gives the height of another width where a scroll bar
+// comes or goes.
+class WrappedLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QLabel::resizeEvent(event);
+        setMinimumHeight(heightForWidth(width()));
+    }
+};
+
 bool isWorthAWarning(const Diagnostic& diagnostic) {
     return diagnostic.kind != DiagnosticKind::text_lines_ignored;
 }
@@ -77,7 +90,7 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     for (int row = 0; row < row_count; ++row) {
         auto* name = new QLabel(content);
         name->setForegroundRole(QPalette::PlaceholderText);
-        auto* value = new QLabel(content);
+        auto* value = new WrappedLabel(content);
         value->setWordWrap(true);
         value->setTextFormat(Qt::PlainText);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -202,6 +215,9 @@ void RecordingPanel::changeEvent(QEvent* event) {
 
 void RecordingPanel::retranslate() {
     list_->setAccessibleName(tr("Open recordings"));
+    list_->setToolTip(
+        tr("The chosen recording is analysed. Delete closes, Insert adds to the set; "
+           "drag recordings into a set, too"));
     close_->setText(tr("Close recording"));
     reopen_->setText(tr("Import again…"));
     add_to_set_->setText(tr("Add to the set of the resonator"));

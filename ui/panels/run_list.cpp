@@ -240,6 +240,9 @@ void RunList::changeEvent(QEvent* event) {
 
 void RunList::retranslate() {
     setAccessibleName(tr("Runs"));
+    setToolTip(
+        tr("The chosen run is what cursors, events and residuals show. Space hides, Delete "
+           "removes, F2 renames"));
     setHeaderLabels({tr("Run"), tr("Recording"), tr("Algorithm"), tr("n"), tr("Windows"),
                      tr("Mean f, Hz"), tr("Noise"), tr("Time, ms"), tr("Notes")});
     headerItem()->setToolTip(

@@ -2,6 +2,8 @@
 
 #include "ui/words/number_label.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 
@@ -205,6 +207,13 @@ QString scaledUnit(const QString& unit, bool takes_prefix, int exponent) {
     }
     const QString factor = QStringLiteral("×") + powerOfTen(exponent);
     return unit.isEmpty() ? factor : factor + ' ' + unit;
+}
+
+QString timeAxisName(const AxisTicks& ticks) {
+    const QString second = QCoreApplication::translate("DisplayUnits", "s");
+    const QString offset = ticks.offset == 0 ? QString() : ticks.offsetText() + ' ' + second;
+    return QStringLiteral("t") + offset + QStringLiteral(", ") +
+           scaledUnit(second, true, ticks.exponent);
 }
 
 }  // namespace vybeg::ui

@@ -46,4 +46,7 @@ AxisTicks logTicks(const AxisRange& range, const TickRoom& room);
 // Unit after the name: "mHz" for Hz and -3 if the unit takes prefixes, otherwise "×10⁻³ °".
 QString scaledUnit(const QString& unit, bool takes_prefix, int exponent);
 
+// Name of a time axis with offset and prefix: "t − 13.4 s, ms".
+QString timeAxisName(const AxisTicks& ticks);
+
 }  // namespace vybeg::ui

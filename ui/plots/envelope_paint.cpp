@@ -4,7 +4,6 @@
 #include <QVector>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -25,76 +24,77 @@ void drawSignals(QPainter& painter, const QRect& area, const Columns& columns, c
         }
     }
     const double scale = top > 0 ? 0.5 * (lane_height - 2) / static_cast<double>(top) : 0;
-    struct Lane {
-        QColor color;
-        double middle;
-        float EnvelopeBucket::*low;
-        float EnvelopeBucket::*high;
-    };
-    const std::array lanes{Lane{theme.signalC, area.top() + 0.5 * lane_height,
-                                &EnvelopeBucket::c_min, &EnvelopeBucket::c_max},
-                           Lane{theme.signalD, area.bottom() - 0.5 * lane_height,
-                                &EnvelopeBucket::d_min, &EnvelopeBucket::d_max}};
-    for (const Lane& lane : lanes) {
-        QVector<QLineF> read;
-        QVector<QLineF> looked_at;
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            const auto low = static_cast<double>(columns[i].*lane.low);
-            const auto high = static_cast<double>(columns[i].*lane.high);
-            if (std::isfinite(low) && std::isfinite(high)) {
-                const double x = area.left() + (static_cast<double>(i) + 0.5) / ratio;
-                const double least = 0.5 / ratio;  // a constant signal remains visible as a line
-                auto& lines = columns[i].coverage == Coverage::all ? read : looked_at;
-                lines.append(
-                    {x, lane.middle - scale * high - least, x, lane.middle - scale * low + least});
-            }
-        }
-        painter.setPen(QPen(lane.color, 1 / ratio, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLines(read);
-        QColor pale = lane.color;
-        pale.setAlphaF(0.45f);
-        painter.setPen(QPen(pale, 1 / ratio, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLines(looked_at);
-    }
+    const ColumnRow row{QRectF(area), 1 / ratio};
+    paintLane(painter, row, columns,
+              {theme.signalC, area.top() + 0.5 * lane_height, scale, &EnvelopeBucket::c_min,
+               &EnvelopeBucket::c_max});
+    paintLane(painter, row, columns,
+              {theme.signalD, area.bottom() - 0.5 * lane_height, scale, &EnvelopeBucket::d_min,
+               &EnvelopeBucket::d_max});
 }
 
-void drawMissing(QPainter& painter, const QRect& area, const Columns& columns, const Theme& theme) {
-    const double ratio = painter.device()->devicePixelRatioF();
+}  // namespace
+
+void paintLane(QPainter& painter, const ColumnRow& row, const Columns& columns,
+               const EnvelopeLane& lane) {
+    QVector<QLineF> read;
+    QVector<QLineF> looked_at;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const auto low = static_cast<double>(columns[i].*lane.low);
+        const auto high = static_cast<double>(columns[i].*lane.high);
+        if (std::isfinite(low) && std::isfinite(high)) {
+            const double x = row.area.left() + (static_cast<double>(i) + 0.5) * row.width;
+            const double least = 0.5 * row.width;  // a constant signal remains visible as a line
+            auto& lines = columns[i].coverage == Coverage::all ? read : looked_at;
+            lines.append({x, lane.zero - lane.scale * high - least, x,
+                          lane.zero - lane.scale * low + least});
+        }
+    }
+    painter.setPen(QPen(lane.color, row.width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(read);
+    QColor pale = lane.color;
+    pale.setAlphaF(0.45f);
+    painter.setPen(QPen(pale, row.width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(looked_at);
+}
+
+void paintMissing(QPainter& painter, const ColumnRow& row, const Columns& columns,
+                  const Theme& theme) {
     QColor veil = theme.warning;
     veil.setAlphaF(0.35f);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         if (columns[i].missing) {
-            const double x = area.left() + (static_cast<double>(i) + 0.5) / ratio;
-            painter.fillRect(QRectF(x - 0.5, area.top(), 1, area.height()), veil);
-            painter.fillRect(QRectF(x - 1, area.bottom() - missing_row + 1, 2, missing_row),
+            const double x = row.area.left() + (static_cast<double>(i) + 0.5) * row.width;
+            painter.fillRect(QRectF(x - 0.5, row.area.top(), 1, row.area.height()), veil);
+            painter.fillRect(QRectF(x - 1, row.area.bottom() - missing_row, 2, missing_row),
                              theme.warning);
         }
     }
 }
 
-void drawUnread(QPainter& painter, const QRect& area, const Columns& columns, const Theme& theme) {
-    const double ratio = painter.device()->devicePixelRatioF();
+void paintUnread(QPainter& painter, const ColumnRow& row, const Columns& columns,
+                 const Theme& theme) {
     for (std::size_t i = 0; i < columns.size();) {
         std::size_t end = i;
         while (end < columns.size() && columns[end].coverage == Coverage::none) {
             ++end;
         }
         if (end > i) {
-            painter.fillRect(QRectF(area.left() + static_cast<double>(i) / ratio, area.top(),
-                                    static_cast<double>(end - i) / ratio, area.height()),
-                             QBrush(theme.grid, Qt::BDiagPattern));
+            painter.fillRect(
+                QRectF(row.area.left() + static_cast<double>(i) * row.width, row.area.top(),
+                       static_cast<double>(end - i) * row.width, row.area.height()),
+                QBrush(theme.grid, Qt::BDiagPattern));
         }
         i = std::max(end, i + 1);
     }
 }
 
-}  // namespace
-
 void paintEnvelope(QPainter& painter, const QRect& area, const Columns& columns,
                    const Theme& theme) {
-    drawUnread(painter, area, columns, theme);
+    const ColumnRow row{QRectF(area), 1 / painter.device()->devicePixelRatioF()};
+    paintUnread(painter, row, columns, theme);
     drawSignals(painter, area, columns, theme);
-    drawMissing(painter, area, columns, theme);
+    paintMissing(painter, row, columns, theme);
 }
 
 }  // namespace vybeg::ui

@@ -3,6 +3,7 @@
 #include "core/recording/envelope/envelope.h"
 #include "ui/widgets/theme.h"
 
+#include <QColor>
 #include <QRect>
 
 #include <vector>
@@ -10,6 +11,31 @@
 class QPainter;
 
 namespace vybeg::ui {
+
+// Where columns lie: one beside the other from the left edge of the area on, pixels.
+struct ColumnRow {
+    QRectF area;
+    double width = 1;  // of one column
+};
+
+// One channel of the columns: a value v lies at zero - scale v.
+struct EnvelopeLane {
+    QColor color;
+    double zero = 0;
+    double scale = 1;
+    float EnvelopeBucket::*low = nullptr;
+    float EnvelopeBucket::*high = nullptr;
+};
+
+// Minima and maxima of a channel; columns of samples only are paler.
+void paintLane(QPainter& painter, const ColumnRow& row, const std::vector<EnvelopeBucket>& columns,
+               const EnvelopeLane& lane);
+// Marks at the foot where samples are missing.
+void paintMissing(QPainter& painter, const ColumnRow& row,
+                  const std::vector<EnvelopeBucket>& columns, const Theme& theme);
+// Hatches what is not read yet.
+void paintUnread(QPainter& painter, const ColumnRow& row,
+                 const std::vector<EnvelopeBucket>& columns, const Theme& theme);
 
 // Paints minima and maxima of both channels, one column per device pixel, C in the upper half of
 // the area and D in the lower, with one scale. Columns of samples only are paler, unread ones

@@ -36,6 +36,7 @@ FigureSource sourceOf(const std::vector<std::pair<QString, Figure>>& figures, co
     source.title = title;
     source.figure = [figures, name](const std::vector<int>& places) {
         std::vector<Figure> some;
+        some.reserve(places.size());
         for (const int place : places) {
             some.push_back(figures[static_cast<std::size_t>(place)].second);
         }

@@ -28,15 +28,19 @@ std::optional<AxisRange> coveredTime(const std::vector<Run>& runs) {
     return covered;
 }
 
-ZoomState clipped(ZoomState state, const std::vector<Run>& runs) {
-    const AxisRange full = coveredTime(runs).value_or(AxisRange{0, 1});
+ZoomState clipped(ZoomState state, const std::vector<Run>& runs, const RecordedTime& recorded) {
+    const AxisRange full = coveredTime(runs).value_or(recorded.range);
     AxisRange& time = state.time;
     // Least span of four samples, the resolution of a track.
     double least = 1e-6 * full.span();
-    for (const Run& run : runs) {
-        if (run.rate_hz > 0) {
-            least = std::min(least, 4 / run.rate_hz);
+    const auto resolve = [&](double rate_hz) {
+        if (rate_hz > 0) {
+            least = std::min(least, 4 / rate_hz);
         }
+    };
+    resolve(recorded.rate_hz);
+    for (const Run& run : runs) {
+        resolve(run.rate_hz);
     }
     const double span = std::clamp(time.span(), std::min(least, full.span()), full.span());
     const double centre = 0.5 * (time.lower + time.upper);

@@ -26,8 +26,17 @@ struct PlotContent {
 // a visible window.
 std::optional<AxisRange> coveredTime(const std::vector<Run>& runs);
 
-// A view with its time range inside that of the visible runs, and with valid value ranges.
-ZoomState clipped(ZoomState state, const std::vector<Run>& runs);
+// Time of a recording, which is shown where there is no run.
+struct RecordedTime {
+    AxisRange range;
+    double rate_hz = 0;  // 0: not known
+
+    friend bool operator==(const RecordedTime&, const RecordedTime&) = default;
+};
+
+// A view with its time range inside that of the visible runs, or without any inside the recording,
+// and with valid value ranges.
+ZoomState clipped(ZoomState state, const std::vector<Run>& runs, const RecordedTime& recorded = {});
 
 // Reference of frequency deviations: the carrier of the first visible run, or 0.
 double referenceFrequency(const std::vector<Run>& runs);

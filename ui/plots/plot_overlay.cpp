@@ -1,12 +1,10 @@
 #include "ui/plots/plot_overlay.h"
 
 #include "ui/plots/crisp_graph.h"
+#include "ui/plots/hair_line.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/plot_strip.h"
-#include "ui/words/number_label.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -101,41 +99,10 @@ void PlotOverlay::draw(QCPPainter* painter) {
 
 void PlotOverlay::drawHair(QCPPainter& painter, double time_s, const QColor& color,
                            const QString& name) const {
-    if (stack_->panels().empty() || !stack_->panels().front()->time().contains(time_s)) {
-        return;
+    if (!stack_->panels().empty()) {
+        ui::drawHair(painter, {stack_->panels().begin(), stack_->panels().end()}, time_s,
+                     {color, name, stack_->panels().front()->headFont(), theme_.plotBackground});
     }
-    const QRect top = stack_->panels().front()->rect();
-    const QRect bottom = stack_->panels().back()->rect();
-    const double x = std::round(stack_->panels().front()->timeAxis()->coordToPixel(time_s));
-    painter.setAntialiasing(false);
-    painter.setPen(QPen(color, 1, name.isEmpty() ? Qt::DashLine : Qt::SolidLine));
-    for (const PlotPanel* panel : stack_->panels()) {
-        painter.drawLine(QLineF(x, panel->rect().top(), x, panel->rect().bottom()));
-    }
-    // Time of the tracker, name of a cursor: they may cover tick labels, but not curves.
-    const QFont font = stack_->panels().front()->headFont();
-    const QFontMetricsF metrics(font);
-    const QString text = name.isEmpty() ? timeText(time_s) : name;
-    const double width = metrics.horizontalAdvance(text) + 10;
-    const double left = std::clamp(x - 0.5 * width, double(top.left()),
-                                   std::max(double(top.left()), top.right() - width));
-    const double height = metrics.height() + 2;
-    const QRectF label(left, bottom.bottom() + 4, width, height);
-    painter.setAntialiasing(true);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(color);
-    painter.drawRoundedRect(label, 3, 3);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(theme_.plotBackground);
-    painter.setFont(font);
-    painter.drawText(label, int(Qt::AlignCenter), text);
-}
-
-QString PlotOverlay::timeText(double time_s) const {
-    const PlotPanel& panel = *stack_->panels().front();
-    const double pixel = panel.time().span() / std::max(1, panel.width());
-    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(pixel))), 0, 9);
-    return numberLabel(time_s, decimals) + ' ' + QCoreApplication::translate("DisplayUnits", "s");
 }
 
 void PlotOverlay::drawReadout(QCPPainter& painter, const PlotPanel& panel) const {

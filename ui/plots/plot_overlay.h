@@ -37,8 +37,6 @@ private:
                   const QString& name) const;
     void drawReadout(QCPPainter& painter, const PlotPanel& panel) const;
     void drawDots(QCPPainter& painter, const PlotPanel& panel) const;
-    // The instant with the resolution of a pixel.
-    QString timeText(double time_s) const;
 
     const PlotStack* stack_;
     Theme theme_;

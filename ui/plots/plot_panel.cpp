@@ -1,6 +1,7 @@
 #include "ui/plots/plot_panel.h"
 
 #include "ui/plots/crisp_graph.h"
+#include "ui/plots/panel_frame.h"
 #include "ui/plots/value_range.h"
 #include "ui/words/index_text.h"
 
@@ -23,23 +24,7 @@ PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable)
       variable_(variable),
       time_ticker_(new PanelTicker(Qt::Horizontal)),
       value_ticker_(new PanelTicker(Qt::Vertical)) {
-    setLayer(QStringLiteral("background"));  // below the grid
-    // A full frame with ticks at the left and bottom only.
-    for (const auto type : {QCPAxis::atLeft, QCPAxis::atBottom, QCPAxis::atRight, QCPAxis::atTop}) {
-        QCPAxis* side = addAxis(type);
-        side->setLayer(QStringLiteral("axes"));
-        side->grid()->setLayer(QStringLiteral("grid"));
-        side->setSubTicks(false);
-        side->setTickLengthIn(0);
-        const bool scale = type == QCPAxis::atLeft || type == QCPAxis::atBottom;
-        side->grid()->setVisible(scale);
-        side->setTicks(scale);
-        side->setTickLabels(scale);
-    }
-    timeAxis()->setTicker(time_ticker_);
-    valueAxis()->setTicker(value_ticker_);
-    timeAxis()->setTickLength(0, 4);
-    valueAxis()->setTickLength(0, 4);
+    addFrame(*this, time_ticker_, value_ticker_);
     timeAxis()->setTickLabelPadding(5);
     valueAxis()->setTickLabelPadding(4);
     // The labels under the lowest panel have a separate row, so that all panels are equally high.
@@ -53,8 +38,7 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     theme_ = content.theme;
     marks_s_ = content.marks_s;
     font_ = font;
-    tick_font_ = font;
-    tick_font_.setPixelSize(std::max(9, font.pixelSize() - 1));
+    tick_font_ = tickFont(font);
     removeGraphs();
     const DisplayScale scale = displayScale(variable_, units_, referenceFrequency(content.runs));
     for (const Run& run : content.runs) {
@@ -107,15 +91,7 @@ void PlotPanel::removeGraphs() {
 }
 
 void PlotPanel::setLook(const Theme& theme) {
-    setBackground(QBrush(theme.panelBackground));
-    for (QCPAxis* side : axes()) {
-        side->setBasePen(QPen(theme.axis, 1));
-        side->setTickPen(QPen(theme.axis, 1));
-        side->setTickLabelColor(theme.text);
-        side->setTickLabelFont(tick_font_);
-        side->grid()->setPen(QPen(theme.grid, 1));
-        side->grid()->setZeroLinePen(QPen(theme.zeroLine, 1));
-    }
+    setFrameLook(*this, theme, tick_font_);
     timeAxis()->grid()->setZeroLinePen(Qt::NoPen);
 }
 

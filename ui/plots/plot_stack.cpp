@@ -3,8 +3,6 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_strip.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 
 namespace vybeg::ui {
@@ -160,11 +158,7 @@ QString PlotStack::timeName() const {
     if (panels_.empty()) {
         return {};
     }
-    const AxisTicks& ticks = panels_.back()->timeTicks();
-    const QString second = QCoreApplication::translate("DisplayUnits", "s");
-    const QString offset = ticks.offset == 0 ? QString() : ticks.offsetText() + ' ' + second;
-    return QStringLiteral("t") + offset + QStringLiteral(", ") +
-           scaledUnit(second, true, ticks.exponent);
+    return timeAxisName(panels_.back()->timeTicks());
 }
 
 void PlotStack::nameTime() {

@@ -28,7 +28,8 @@ bool hasOtherRecording(const std::vector<Run>& runs, const std::vector<Run>& bef
 
 TrackView::TrackView(QWidget* parent)
     : QWidget(parent),
-      zoom_([this](ZoomState state) { return clipped(std::move(state), content_.runs); }),
+      zoom_(
+          [this](ZoomState state) { return clipped(std::move(state), content_.runs, recorded_); }),
       plot_(new QCustomPlot(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -58,17 +59,24 @@ TrackView::~TrackView() {
 
 void TrackView::setRuns(std::vector<Run> runs) {
     const auto before = coveredTime(content_.runs);
-    const bool joined = hasOtherRecording(runs, content_.runs);
+    const bool fitted = timeRange() == fullTimeRange();
+    // A zoom into a recording without runs stays when the first one arrives.
+    const bool joined = before && hasOtherRecording(runs, content_.runs);
     content_.runs = std::move(runs);
     const AxisRange full = fullTimeRange();
     const AxisRange shown = timeRange();
-    const bool fitted = shown == before;
     rebuild();
-    if (!before || shown.lower >= full.upper || shown.upper <= full.lower) {
+    if ((!before && fitted) || shown.lower >= full.upper || shown.upper <= full.lower) {
         zoom_.restart({full, {}});
     } else if ((fitted || joined) && coveredTime(content_.runs)) {
         zoom_.goTo({full, zoom_.current().fixed}, fitted);
     }
+}
+
+void TrackView::setRecorded(const RecordedTime& recorded) {
+    const AxisRange before = fullTimeRange();
+    recorded_ = recorded;
+    zoom_.follow(before, fullTimeRange());
 }
 
 void TrackView::setShownVariables(std::vector<SlowVariable> variables) {
@@ -111,10 +119,6 @@ PlotContent TrackView::content() const {
     PlotContent content = content_;
     content.zoom = zoom_.current();
     return content;
-}
-
-AxisRange TrackView::fullTimeRange() const {
-    return coveredTime(content_.runs).value_or(AxisRange{0, 1});
 }
 
 void TrackView::setTimeRange(AxisRange range) {
@@ -184,7 +188,10 @@ void TrackView::redraw() {
     // The number of strips may have changed since the last resize.
     stack_->prepare(plot_->size());
     stack_->setZoom(zoom_.current());
-    plot_->replot(QCustomPlot::rpQueuedReplot);
+    // Other pages zoom, too; what is hidden is drawn when it is shown.
+    if (isVisible()) {
+        plot_->replot(QCustomPlot::rpQueuedReplot);
+    }
 }
 
 void TrackView::fillOverlay() {
@@ -209,6 +216,11 @@ void TrackView::followLayout() {
 
 void TrackView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    redraw();
+}
+
+void TrackView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
     redraw();
 }
 

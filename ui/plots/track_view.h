@@ -44,6 +44,8 @@ public:
     // lies outside the new runs or if a new recording joins.
     void setRuns(std::vector<Run> runs);
     const std::vector<Run>& runs() const { return content_.runs; }
+    // Time that the zoom of other pages covers while there is no run.
+    void setRecorded(const RecordedTime& recorded);
     void setShownVariables(std::vector<SlowVariable> variables);
     const std::vector<SlowVariable>& shownVariables() const { return content_.variables; }
     // Drops value ranges fixed by hand if their unit changes.
@@ -54,14 +56,16 @@ public:
     AxisRange timeRange() const { return zoom_.current().time; }
     // Clips the range to that of the runs; adds it to the zoom history.
     void setTimeRange(AxisRange range);
-    // Time range of the visible runs; {0, 1} without any.
-    AxisRange fullTimeRange() const;
+    // Time range of the visible runs; without any, that of the recording, otherwise {0, 1}.
+    AxisRange fullTimeRange() const { return coveredTime(content_.runs).value_or(recorded_.range); }
     // Time range and fixed value ranges at once, one step of the zoom history.
     void setZoom(ZoomState state) { zoom_.visit(std::move(state), Gesture::none); }
     // A fixed value axis in displayed units, or one that follows the data.
     void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
     std::optional<AxisRange> valueRange(SlowVariable variable) const;
 
+    // The time range with its history, which other pages share.
+    ZoomNavigator& zoom() { return zoom_; }
     bool canZoomBack() const { return zoom_.canBack(); }
     bool canZoomForward() const { return zoom_.canForward(); }
 
@@ -69,6 +73,9 @@ public:
     void setTracker(std::optional<double> time_s);
     std::optional<double> cursor(Cursor which) const;
     void setCursor(Cursor which, std::optional<double> time_s);
+    // As the mouse and the keyboard do, with signals.
+    void moveTracker(std::optional<double> time_s);
+    void moveCursor(Cursor which, std::optional<double> time_s);
     // Instants in rising order, marked by thin lines in all plots: axis crossings, for example.
     void setMarks(std::vector<double> times_s);
     // Fitted curves drawn over the plots, displayed units.
@@ -83,11 +90,11 @@ public:
     QSize minimumSizeHint() const override;
 
 public slots:
-    void fit();
+    void fit() { zoom_.visit({fullTimeRange(), {}}, Gesture::none); }
     void zoomBack() { zoom_.back(); }
     void zoomForward() { zoom_.forward(); }
-    void zoomIn();
-    void zoomOut();
+    void zoomIn() { zoomByKey(ZoomNavigator::notch); }
+    void zoomOut() { zoomByKey(1 / ZoomNavigator::notch); }
 
 signals:
     void timeRangeChanged(double from_s, double to_s);
@@ -102,6 +109,7 @@ signals:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -124,8 +132,6 @@ private:
     void zoomToBand(const QRectF& band);
     bool keyMoves(QKeyEvent* event);
 
-    void moveTracker(std::optional<double> time_s);
-    void moveCursor(Cursor which, std::optional<double> time_s);
     void rebuild();
     void redraw();
     void fillOverlay();
@@ -133,6 +139,7 @@ private:
     void followLayout();
 
     PlotContent content_;
+    RecordedTime recorded_;
     ZoomNavigator zoom_;
     QCustomPlot* plot_ = nullptr;
     std::unique_ptr<PlotStack> stack_;

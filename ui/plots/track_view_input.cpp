@@ -1,4 +1,5 @@
 // Mouse and keyboard of a track view; the rest of the class is in track_view.cpp.
+#include "ui/plots/hair_line.h"
 #include "ui/plots/plot_overlay.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
@@ -15,10 +16,7 @@
 namespace vybeg::ui {
 namespace {
 
-constexpr double notch_factor = 0.8;  // of a range per notch of the wheel or key
-constexpr double pan_step = 0.1;      // of a range per arrow key
-constexpr double cursor_reach = 4;    // pixels
-constexpr double least_band = 5;      // pixels; a smaller one is a click
+constexpr double least_band = 5;  // pixels; a smaller one is a click
 
 double scaled(const QCPAxis& axis, double coordinate) {
     return axis.scaleType() == QCPAxis::stLogarithmic ? std::log(coordinate) : coordinate;
@@ -49,18 +47,8 @@ std::optional<Cursor> TrackView::cursorAt(const QPointF& position) const {
     if (stack_->panels().empty()) {
         return std::nullopt;
     }
-    const QCPAxis& axis = *stack_->panels().front()->timeAxis();
-    for (const Cursor which : {Cursor::b, Cursor::a}) {  // B is drawn above A
-        if (const auto time = cursor(which);
-            time && std::abs(axis.coordToPixel(*time) - position.x()) <= cursor_reach) {
-            return which;
-        }
-    }
-    return std::nullopt;
-}
-
-void TrackView::fit() {
-    zoom_.visit({fullTimeRange(), {}}, Gesture::none);
+    const auto at = hairAt(*stack_->panels().front(), cursors_, position.x());
+    return at ? std::optional(static_cast<Cursor>(*at)) : std::nullopt;
 }
 
 // About the tracker where it is visible, else about the centre.
@@ -69,14 +57,6 @@ void TrackView::zoomByKey(double factor) {
     const bool at_tracker = tracker_ && time.contains(*tracker_);
     zoom_.zoomTime(factor, at_tracker ? *tracker_ : 0.5 * (time.lower + time.upper),
                    Gesture::key_time);
-}
-
-void TrackView::zoomIn() {
-    zoomByKey(notch_factor);
-}
-
-void TrackView::zoomOut() {
-    zoomByKey(1 / notch_factor);
 }
 
 void TrackView::changeValues(SlowVariable variable, double factor, double about, double shift,
@@ -214,7 +194,7 @@ void TrackView::wheelEvent(QWheelEvent* event) {
         return;
     }
     event->accept();
-    const double factor = std::pow(notch_factor, notches);
+    const double factor = std::pow(ZoomNavigator::notch, notches);
     if (event->modifiers() & Qt::ControlModifier) {
         const double height = std::max(1, panel->height());
         const double about = std::clamp((panel->bottom() - event->position().y()) / height, 0., 1.);
@@ -232,18 +212,11 @@ bool TrackView::keyMoves(QKeyEvent* event) {
     };
     switch (event->key()) {
         case Qt::Key_Home: fit(); return true;
-        case Qt::Key_R: zoomBack(); return true;
-        case Qt::Key_Left:
-            event->modifiers() & Qt::AltModifier ? zoomBack() : zoom_.panTime(-pan_step);
-            return true;
-        case Qt::Key_Right:
-            event->modifiers() & Qt::AltModifier ? zoomForward() : zoom_.panTime(pan_step);
-            return true;
-        case Qt::Key_Up: values(1, pan_step); return true;
-        case Qt::Key_Down: values(1, -pan_step); return true;
+        case Qt::Key_Up: values(1, ZoomNavigator::arrow); return true;
+        case Qt::Key_Down: values(1, -ZoomNavigator::arrow); return true;
         case Qt::Key_Plus:
-        case Qt::Key_Equal: control ? values(notch_factor, 0) : zoomIn(); return true;
-        case Qt::Key_Minus: control ? values(1 / notch_factor, 0) : zoomOut(); return true;
+        case Qt::Key_Equal: control ? values(ZoomNavigator::notch, 0) : zoomIn(); return true;
+        case Qt::Key_Minus: control ? values(1 / ZoomNavigator::notch, 0) : zoomOut(); return true;
         case Qt::Key_1:
             if (tracker_) {
                 moveCursor(Cursor::a, tracker_);
@@ -258,7 +231,7 @@ bool TrackView::keyMoves(QKeyEvent* event) {
             moveCursor(Cursor::a, std::nullopt);
             moveCursor(Cursor::b, std::nullopt);
             return true;
-        default: return false;
+        default: return zoom_.takeKey(*event);
     }
 }
 

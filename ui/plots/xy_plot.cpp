@@ -1,6 +1,6 @@
 #include "ui/plots/xy_plot.h"
 
-#include "ui/plots/panel_ticker.h"
+#include "ui/plots/panel_frame.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/plot_strip.h"
 #include "ui/words/index_text.h"
@@ -34,33 +34,14 @@ public:
           font_(plotFont(*plot)),
           x_ticker_(new PanelTicker(Qt::Horizontal)),
           y_ticker_(new PanelTicker(Qt::Vertical)) {
-        tick_font_ = font_;
-        tick_font_.setPixelSize(std::max(9, font_.pixelSize() - 1));
-        setLayer(QStringLiteral("background"));
-        setBackground(QBrush(theme.panelBackground));
-        for (const auto type :
-             {QCPAxis::atLeft, QCPAxis::atBottom, QCPAxis::atRight, QCPAxis::atTop}) {
-            QCPAxis* side = addAxis(type);
-            side->setLayer(QStringLiteral("axes"));
-            side->grid()->setLayer(QStringLiteral("grid"));
-            side->setSubTicks(false);
-            side->setTickLengthIn(0);
-            const bool scale =
-                (type == QCPAxis::atLeft || type == QCPAxis::atBottom) && !content.series.empty();
-            side->grid()->setVisible(scale);
-            side->setTicks(scale);
-            side->setTickLabels(scale);
-            side->setBasePen(QPen(theme.axis, 1));
-            side->setTickPen(QPen(theme.axis, 1));
-            side->setTickLabelColor(theme.text);
-            side->setTickLabelFont(tick_font_);
-            side->grid()->setPen(QPen(theme.grid, 1));
-            side->grid()->setZeroLinePen(QPen(theme.zeroLine, 1));
+        tick_font_ = tickFont(font_);
+        addFrame(*this, x_ticker_, y_ticker_);
+        setFrameLook(*this, theme, tick_font_);
+        for (QCPAxis* side : {axis(QCPAxis::atBottom), axis(QCPAxis::atLeft)}) {
+            side->grid()->setVisible(!content.series.empty());
+            side->setTicks(!content.series.empty());
+            side->setTickLabels(!content.series.empty());
         }
-        axis(QCPAxis::atBottom)->setTicker(x_ticker_);
-        axis(QCPAxis::atLeft)->setTicker(y_ticker_);
-        axis(QCPAxis::atBottom)->setTickLength(0, 4);
-        axis(QCPAxis::atLeft)->setTickLength(0, 4);
         x_ticker_->setSteps(content.x_in_degrees ? TickSteps::degrees : TickSteps::decimal);
         makeLogarithmic(*axis(QCPAxis::atBottom), *x_ticker_, content.x_logarithmic);
         makeLogarithmic(*axis(QCPAxis::atLeft), *y_ticker_, content.y_logarithmic);

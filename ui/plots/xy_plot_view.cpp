@@ -3,9 +3,11 @@
 #include <QAction>
 #include <QEvent>
 #include <QFocusEvent>
+#include <QHelpEvent>
 #include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
@@ -85,6 +87,18 @@ std::optional<std::size_t> XYPlotView::pointAt(const QPointF& position) const {
     return nearest;
 }
 
+bool XYPlotView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const auto point = pointAt(help->pos());
+        if (point && static_cast<qsizetype>(*point) < tips_.size()) {
+            QToolTip::showText(help->globalPos(), tips_[static_cast<qsizetype>(*point)], this);
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
 void XYPlotView::mouseMoveEvent(QMouseEvent* event) {
     setCursor(pointAt(event->position()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
 }
@@ -146,6 +160,17 @@ void XYPlotView::changeEvent(QEvent* event) {
 void XYPlotView::retranslate() {
     copy_->setText(tr("Copy plot"));
     export_->setText(tr("Export plot…"));
+}
+
+FigureSource figuresOf(const std::vector<const XYPlotView*>& plots, const QString& name,
+                       const QString& title) {
+    std::vector<std::pair<QString, Figure>> figures;
+    for (const XYPlotView* plot : plots) {
+        if (!plot->content().series.empty()) {
+            figures.emplace_back(plot->accessibleName(), plot->figure());
+        }
+    }
+    return sourceOf(figures, name, title);
 }
 
 }  // namespace vybeg::ui

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "ui/plots/figure_source.h"
 #include "ui/plots/xy_plot.h"
 
+#include <QStringList>
 #include <QWidget>
 
 #include <optional>
@@ -26,6 +28,8 @@ public:
     // A click near a point of this series, by its number in the content, emits pointClicked(); Left
     // and Right emit stepWanted().
     void setPickable(std::optional<std::size_t> series);
+    // Tooltips of the points of that series, rich text.
+    void setPointTips(const QStringList& tips) { tips_ = tips; }
     // Where a point of a series lies in the widget.
     QPointF positionOf(std::size_t series, std::size_t point) const;
 
@@ -38,6 +42,7 @@ signals:
     void stepWanted(int by);
 
 protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
@@ -59,6 +64,11 @@ private:
     XYPlot content_;
     Theme theme_;
     std::optional<std::size_t> pickable_;
+    QStringList tips_;
 };
+
+// What is exported of plots: those that show something, by their accessible names.
+FigureSource figuresOf(const std::vector<const XYPlotView*>& plots, const QString& name,
+                       const QString& title);
 
 }  // namespace vybeg::ui

@@ -1,5 +1,7 @@
 #include "ui/plots/zoom_navigator.h"
 
+#include <QKeyEvent>
+
 #include <utility>
 
 namespace vybeg::ui {
@@ -71,6 +73,23 @@ void ZoomNavigator::panTime(double fraction) {
     const double step = fraction * state.time.span();
     state.time = {state.time.lower + step, state.time.upper + step};
     visit(std::move(state), Gesture::key_time);
+}
+
+bool ZoomNavigator::takeKey(const QKeyEvent& event) {
+    const bool history = event.modifiers() & Qt::AltModifier;
+    switch (event.key()) {
+        case Qt::Key_R: back(); return true;
+        case Qt::Key_Left: history ? back() : panTime(-arrow); return true;
+        case Qt::Key_Right: history ? forward() : panTime(arrow); return true;
+        default: return false;
+    }
+}
+
+void ZoomNavigator::follow(const AxisRange& before, const AxisRange& now) {
+    const AxisRange& shown = current().time;
+    if (before != now && (shown == before || shown.lower >= now.upper || shown.upper > now.upper)) {
+        restart({now, {}});
+    }
 }
 
 }  // namespace vybeg::ui

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <functional>
 
+class QKeyEvent;
+
 namespace vybeg::ui {
 
 // Kind of input of one entry of the zoom history; `none` is an entry of its own.
@@ -41,6 +43,15 @@ public:
     void forward();
     void zoomTime(double factor, double about_s, Gesture gesture);
     void panTime(double fraction);
+    // Keys of the time: R and Alt with an arrow for the history, arrows to pan. Returns whether the
+    // key is one of them.
+    bool takeKey(const QKeyEvent& event);
+    // What can be shown has become another: a view of all of it, and one that lies outside, begin
+    // anew.
+    void follow(const AxisRange& before, const AxisRange& now);
+
+    static constexpr double notch = 0.8;  // of a range per notch of the wheel or key
+    static constexpr double arrow = 0.1;  // of a range per arrow key
     void endGesture() { gesture_ = Gesture::none; }
 
 signals:

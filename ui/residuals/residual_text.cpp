@@ -122,14 +122,6 @@ QString explanation(const ResidualLine& line) {
 
 }  // namespace
 
-QString channelUnit(const Recording& recording) {
-    const auto unit = [&](int channel) {
-        return recording.channels[static_cast<std::size_t>(channel - 1)].unit;
-    };
-    const std::string of_c = unit(recording.channel_c);
-    return of_c == unit(recording.channel_d) ? QString::fromStdString(of_c) : QString();
-}
-
 QString coverageText(const Residuals& found) {
     QStringList sentences;
     sentences << translated(QT_TRANSLATE_NOOP("Residuals", "Samples per channel: %1."))

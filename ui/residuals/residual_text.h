@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/recording/samples/recording.h"
 #include "core/residuals/residuals.h"
 #include "ui/widgets/quantity_table.h"
 
@@ -9,9 +8,6 @@
 #include <vector>
 
 namespace vybeg::ui {
-
-// The unit of both channels; empty where they have none, or two.
-QString channelUnit(const Recording& recording);
 
 // Sentences about the samples of a residual: how many, and which are left out.
 QString coverageText(const Residuals& found);

@@ -10,6 +10,7 @@
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -146,14 +147,8 @@ XYPlotView* ResidualsPage::addPlot(const char* name) {
 }
 
 FigureSource ResidualsPage::figures() const {
-    const RunEntry* run = entry();
-    std::vector<std::pair<QString, Figure>> figures;
-    for (const XYPlotView* plot : {spectrum_, histogram_, correlation_}) {
-        if (run && residuals() && !plot->content().series.empty()) {
-            figures.emplace_back(plot->accessibleName(), plot->figure());
-        }
-    }
-    return sourceOf(figures, QStringLiteral("residuals"), run ? run->run.recording : QString());
+    const QString title = entry() ? entry()->run.recording : QString();
+    return figuresOf({spectrum_, histogram_, correlation_}, QStringLiteral("residuals"), title);
 }
 
 ResidualsPage::Range ResidualsPage::range() const {
@@ -246,14 +241,9 @@ void ResidualsPage::compute() {
 
 void ResidualsPage::take(Result<Residuals> result) {
     computing_ = false;
-    failure_.reset();
-    found_.reset();
     chosen_.reset();
-    if (result) {
-        found_ = std::move(*result);
-    } else {
-        failure_ = result.error();
-    }
+    failure_ = result ? std::nullopt : std::optional(result.error());
+    found_ = result ? std::optional(std::move(*result)) : std::nullopt;
     showFound();
 }
 
@@ -264,8 +254,9 @@ QString ResidualsPage::stateText() const {
             "No run is chosen. Run (F5) analyses the current recording; a row of the list "
             "Runs chooses one.");
     }
-    const QString name = QStringLiteral("<b>%1, %2.</b> ")
-                             .arg(run->run.recording.toHtmlEscaped(), run->run.name.toHtmlEscaped());
+    const QString name =
+        QStringLiteral("<b>%1, %2.</b> ")
+            .arg(run->run.recording.toHtmlEscaped(), run->run.name.toHtmlEscaped());
     if (!asked_) {
         return name + tr("The residual appears when all windows of the run are there.");
     }
@@ -394,9 +385,11 @@ void ResidualsPage::retranslate() {
     spectrum_->setAccessibleName(tr("Spectrum of the residual"));
     spectrum_->setToolTip(tr("A click on a line names it; Left and Right go from line to line"));
     histogram_->setAccessibleName(tr("Distribution of the residual"));
+    histogram_->setToolTip(tr("Against the normal curve of the same standard deviation"));
     correlation_->setAccessibleName(tr("Autocorrelation of the residual"));
     correlation_->setToolTip(tr("Of white noise, 95 % of the lags lie between the dashed lines"));
     numbers_->setAccessibleName(tr("Numbers of the residual"));
+    numbers_->setToolTip(tr("Ctrl+C copies the table"));
     showFound();
 }
 

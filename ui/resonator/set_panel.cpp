@@ -236,12 +236,14 @@ void SetPanel::retranslate() {
     remove_->setAccessibleName(tr("Remove the set"));
     remove_->setToolTip(tr("Remove the set; its recordings stay open"));
     members_->setAccessibleName(tr("Recordings of the set"));
+    members_->setToolTip(tr("Recordings of one resonator; Delete removes one from the set"));
     members_->setHint(tr("Drag recordings of one resonator here, best started at four angles"));
     remove_member_->setText(tr("Remove from the set"));
     choose_->setText(tr("Recordings"));
     choose_->setToolTip(tr("Which of the open recordings belong to the set"));
     model_label_->setText(tr("Model"));
     model_->setAccessibleName(tr("Model of the resonator"));
+    model_->setToolTip(tr("What the fit assumes of the channels"));
     const QString names[] = {tr("Automatic"), tr("Structured: calibrated pick-offs"),
                              tr("Free: modes alone")};
     const QString tips[] = {

@@ -23,7 +23,7 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
         for (std::size_t place = 0; place < document.runs().size(); ++place) {
             const RunEntry& run = document.runs()[place];
             if (run.recording_id == entry.id) {
-                recording.runs.push_back(wish_of(run, static_cast<int>(place)));
+                recording.runs.push_back(wishOf(run, static_cast<int>(place)));
             }
         }
         session.recordings.push_back(std::move(recording));

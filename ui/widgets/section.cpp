@@ -30,6 +30,7 @@ Section::Section(QWidget* content, QWidget* parent)
 
 void Section::setTitle(const QString& title) {
     title_->setText(title);
+    title_->setToolTip(tr("Folds this part away, and opens it again"));
 }
 
 void Section::setOpen(bool open) {

@@ -6,6 +6,7 @@
 #include "ui/plots/track_view.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/compare_dialog.h"
+#include "ui/window/demonstration.h"
 #include "ui/window/export_dialog.h"
 #include "ui/window/file_questions.h"
 #include "ui/window/report_dialog.h"
@@ -75,6 +76,16 @@ void FileCommands::open(const QStringList& paths, const OpenOptions& options) {
     } else {
         act();
     }
+}
+
+void FileCommands::openDemonstration() {
+    makeDemonstration(this, [this](const Result<QString>& path) {
+        if (path) {
+            open({*path});
+        } else {
+            document_.report(errorMessage(path.error()));
+        }
+    });
 }
 
 void FileCommands::saveSession(const std::function<void()>& then) {

@@ -29,6 +29,8 @@ public:
 
     // Recordings and sessions. Before a session takes the place of one with changes, it asks.
     void open(const QStringList& paths, const OpenOptions& options = {});
+    // A simulated recording.
+    void openDemonstration();
     void saveSession(const std::function<void()>& then = [] {});
     void saveSessionAs(const std::function<void()>& then = [] {});
     // Goes on at once where nothing is lost, else after the answer of the engineer.

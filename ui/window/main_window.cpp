@@ -13,6 +13,8 @@
 #include "ui/resonator/resonator_page.h"
 #include "ui/session/session_keeper.h"
 #include "ui/settings/settings_panel.h"
+#include "ui/signals/signals_page.h"
+#include "ui/sweep/sweep_page.h"
 #include "ui/window/about.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
@@ -79,12 +81,16 @@ void MainWindow::buildPages() {
     welcome_ = new WelcomePage(this);
     tracks_page_ = new TracksPage(document_, this);
     tracks_ = &tracks_page_->tracks();
+    signals_ = new SignalsPage(document_, *tracks_, this);
     resonator_ = new ResonatorPage(document_, this);
     residuals_ = new ResidualsPage(document_, this);
+    sweep_ = new SweepPage(document_, this);
     pages_ = new PageStack(welcome_, this);
     pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
+    pages_->add(signals_, QT_TRANSLATE_NOOP("Pages", "Signals"));
     pages_->add(resonator_, QT_TRANSLATE_NOOP("Pages", "Resonator"));
     pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
+    pages_->add(sweep_, QT_TRANSLATE_NOOP("Pages", "Windows"));
 
     messages_ = new MessageBar(this);
     auto* center = new QWidget(this);
@@ -194,6 +200,7 @@ void MainWindow::connectSession() {
     connect(session_, &SessionKeeper::runWanted, runs_, &RunList::setCurrentRun);
     connect(session_, &SessionKeeper::viewRestored, this, [this] {
         measure_->setCursors(tracks_->cursor(Cursor::a), tracks_->cursor(Cursor::b));
+        signals_->showCursors();
         showTitle();
     });
 }
@@ -201,6 +208,9 @@ void MainWindow::connectSession() {
 void MainWindow::connectPanels() {
     connect(pages_, &PageStack::pageShown, commands_, &Commands::refresh);
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
+    connect(welcome_, &WelcomePage::recentChosen, this,
+            [this](const QString& path) { files_->open({path}); });
+    connect(welcome_, &WelcomePage::demonstrationWanted, files_, &FileCommands::openDemonstration);
     connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
     connect(menus_, &WindowMenus::recentChosen, this,
             [this](const QString& path) { files_->open({path}); });
@@ -213,8 +223,10 @@ void MainWindow::connectPanels() {
     connect(tracks_page_, &TracksPage::runWanted, settings_, &SettingsPanel::run);
     connect(settings_, &SettingsPanel::visibleRangeWanted, tracks_page_,
             &TracksPage::analyseVisibleRange);
+    connect(signals_, &SignalsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(sweep_, &SweepPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(tracks_, &TrackView::timeRangeChanged, this,
             [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
     connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
@@ -234,6 +246,7 @@ void MainWindow::connectPanels() {
                 tracks_->setCursor(Cursor::a, a_s);
                 tracks_->setCursor(Cursor::b, b_s);
                 measure_->setCursors(a_s, b_s);
+                signals_->showCursors();
             });
     connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
     connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
@@ -243,7 +256,11 @@ void MainWindow::connectPanels() {
 }
 
 void MainWindow::showCurrentRecording() {
-    pages_->setWelcome(document_.recordings().empty());
+    const bool empty = document_.recordings().empty();
+    if (empty) {
+        welcome_->setRecent(menus_->recentFiles()->paths());
+    }
+    pages_->setWelcome(empty);
     showTitle();
     commands_->refresh();
 }
@@ -271,6 +288,7 @@ void MainWindow::showRun(int id) {
     events_->setRun(id);
     measure_->setRun(id);
     tracks_page_->markRun(id);
+    signals_->setRun(id);
     residuals_->setVisibleRange(tracks_->timeRange());
     residuals_->setRun(id);
 }
@@ -286,6 +304,7 @@ void MainWindow::setUnits(const DisplayUnits& units) {
     cursor_->setUnits(units);
     measure_->setUnits(units);
     resonator_->setUnits(units);
+    sweep_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }
@@ -293,8 +312,10 @@ void MainWindow::setUnits(const DisplayUnits& units) {
 FigureSource MainWindow::figures() const {
     switch (pages_->page()) {
         case Page::tracks: return tracks_page_->figures();
+        case Page::samples: return signals_->figures();
         case Page::resonator: return resonator_->figures();
         case Page::residuals: return residuals_->figures();
+        case Page::sweep: return sweep_->figures();
     }
     return {};
 }

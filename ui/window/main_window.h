@@ -28,9 +28,11 @@ class PageStack;
 class RecordingPanel;
 class ResidualsPage;
 class ResonatorPage;
+class SweepPage;
 class RunList;
 class SessionKeeper;
 class SettingsPanel;
+class SignalsPage;
 class StatusLine;
 class TrackView;
 class TracksPage;
@@ -107,7 +109,9 @@ private:
     MessageBar* messages_ = nullptr;
     TracksPage* tracks_page_ = nullptr;
     TrackView* tracks_ = nullptr;  // of the page
+    SignalsPage* signals_ = nullptr;
     ResidualsPage* residuals_ = nullptr;
+    SweepPage* sweep_ = nullptr;
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
     CursorPanel* cursor_ = nullptr;

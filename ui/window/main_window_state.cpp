@@ -5,6 +5,8 @@
 #include "ui/resonator/resonator_page.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_keeper.h"
+#include "ui/signals/signals_page.h"
+#include "ui/sweep/sweep_page.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
@@ -119,7 +121,9 @@ void MainWindow::setThemeMode(ThemeMode mode) {
 void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
     tracks_page_->setTheme(theme_);
+    signals_->setTheme(theme_);
     residuals_->setTheme(theme_);
+    sweep_->setTheme(theme_);
     resonator_->setTheme(theme_);
     wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);

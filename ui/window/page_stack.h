@@ -8,7 +8,7 @@ class QTabBar;
 namespace vybeg::ui {
 
 // The pages about the open recordings, in the order of their tabs.
-enum class Page { tracks, resonator, residuals };
+enum class Page { tracks, samples, resonator, residuals, sweep };
 
 // The middle of the window: pages under a bar of tabs, or the welcome while no recording is open.
 class PageStack : public QWidget {

@@ -84,6 +84,7 @@ void TracksPage::showRecording() {
     const RecordingEntry* entry = document_.currentRecording();
     if (entry && entry->recording) {
         signal_->setReading(entry->recording->seconds());
+        tracks_->setRecorded({{0, entry->recording->seconds()}, entry->recording->rate_hz});
         showEnvelope();
         signal_->setFaults(entry->faults);
         if (!document_.runs().empty()) {
@@ -91,11 +92,14 @@ void TracksPage::showRecording() {
         }
         showAnalysedRange();
     } else if (entry && entry->envelope) {
-        signal_->setReading(static_cast<double>(entry->envelope->frames()) /
-                            entry->envelope_rate_hz);
+        const double seconds =
+            static_cast<double>(entry->envelope->frames()) / entry->envelope_rate_hz;
+        signal_->setReading(seconds);
+        tracks_->setRecorded({{0, seconds}, entry->envelope_rate_hz});
         showEnvelope();
     } else {
         signal_->clear();
+        tracks_->setRecorded({});
     }
 }
 

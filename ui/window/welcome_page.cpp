@@ -1,24 +1,73 @@
 #include "ui/window/welcome_page.h"
 
+#include <QDir>
 #include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 namespace vybeg::ui {
 
 WelcomePage::WelcomePage(QWidget* parent)
-    : QWidget(parent), text_(new QLabel(this)), open_(new QPushButton(this)) {
+    : QWidget(parent),
+      text_(new QLabel(this)),
+      open_(new QPushButton(this)),
+      demonstration_(new QPushButton(this)),
+      recent_name_(new QLabel(this)),
+      recent_(new QListWidget(this)) {
     text_->setAlignment(Qt::AlignCenter);
     text_->setWordWrap(true);
+    recent_->setObjectName(QStringLiteral("recent"));
+    recent_->setMaximumWidth(640);
+    recent_->setAlternatingRowColors(true);
+    recent_->setTextElideMode(Qt::ElideMiddle);
+    recent_name_->setBuddy(recent_);
+    demonstration_->setObjectName(QStringLiteral("demonstration"));
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(open_);
+    buttons->addWidget(demonstration_);
+    buttons->addStretch(1);
+    auto* files = new QVBoxLayout;
+    files->addWidget(recent_name_);
+    files->addWidget(recent_, 1);
+    auto* middle = new QHBoxLayout;
+    middle->addStretch(1);
+    middle->addLayout(files, 4);
+    middle->addStretch(1);
     auto* layout = new QVBoxLayout(this);
     layout->addStretch(2);
     layout->addWidget(text_);
     layout->addSpacing(12);
-    layout->addWidget(open_, 0, Qt::AlignHCenter);
-    layout->addStretch(3);
+    layout->addLayout(buttons);
+    layout->addSpacing(18);
+    layout->addLayout(middle, 4);
+    layout->addStretch(1);
     connect(open_, &QPushButton::clicked, this, &WelcomePage::openWanted);
+    connect(demonstration_, &QPushButton::clicked, this, &WelcomePage::demonstrationWanted);
+    connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
+        emit recentChosen(item->data(Qt::UserRole).toString());
+    });
+    connect(recent_, &QListWidget::itemClicked, recent_, &QListWidget::itemActivated);
+    setRecent({});
     retranslate();
+}
+
+void WelcomePage::setRecent(const QStringList& paths) {
+    recent_->clear();
+    for (const QString& path : paths) {
+        const QFileInfo file(path);
+        auto* item = new QListWidgetItem(
+            QStringLiteral("%1\n%2").arg(file.fileName(), QDir::toNativeSeparators(file.path())),
+            recent_);
+        item->setData(Qt::UserRole, path);
+        item->setToolTip(QDir::toNativeSeparators(path));
+    }
+    recent_name_->setVisible(!paths.isEmpty());
+    recent_->setVisible(!paths.isEmpty());
 }
 
 void WelcomePage::changeEvent(QEvent* event) {
@@ -33,6 +82,13 @@ void WelcomePage::retranslate() {
         tr("<p style='font-size:large'>Drop a recording of a free decay here</p>"
            "<p>Two channels, C and D: WAV, FLAC, CSV and other tables of numbers</p>"));
     open_->setText(tr("Open recording…"));
+    open_->setToolTip(tr("A recording of a free decay, or a session"));
+    demonstration_->setText(tr("Open the demonstration"));
+    demonstration_->setToolTip(
+        tr("A simulated free decay: 28 s, 5300 Hz, with a frequency split, a decay and noise"));
+    recent_name_->setText(tr("Recent files"));
+    recent_->setAccessibleName(tr("Recent files"));
+    recent_->setToolTip(tr("A click or Return opens a file"));
 }
 
 }  // namespace vybeg::ui

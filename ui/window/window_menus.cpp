@@ -91,7 +91,8 @@ void WindowMenus::addFile() {
 void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>>& docks,
                           int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
-    add(view, {Command::page_tracks, Command::page_resonator, Command::page_residuals});
+    add(view, {Command::page_tracks, Command::page_signals, Command::page_resonator,
+               Command::page_residuals, Command::page_sweep});
     view->addSeparator();
     add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
                Command::zoom_forward});
@@ -100,7 +101,7 @@ void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>
     addUnits(view);
     add(view, {Command::log_a_A, Command::sigma_bands});
     view->addSeparator();
-    QMenu* panels = sub(view, QT_TR_NOOP("Pa&nels"));
+    QMenu* panels = sub(view, QT_TR_NOOP("Pan&els"));
     for (const auto& [dock, title] : docks) {
         panels->addAction(dock->toggleViewAction());
     }
@@ -168,7 +169,7 @@ void WindowMenus::addUnits(QMenu* view) {
 }
 
 void WindowMenus::addLanguages(QMenu* view) {
-    QMenu* language = sub(view, QT_TR_NOOP("Lan&guage"));
+    QMenu* language = sub(view, QT_TR_NOOP("Lang&uage"));
     for (const auto& [code, name] : {std::pair{"en", "English"}, std::pair{"ru", "Русский"}}) {
         // A language is named in itself, so that its speakers find it.
         QAction* entry = language->addAction(QString::fromUtf8(name));

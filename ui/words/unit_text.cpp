@@ -32,4 +32,12 @@ QString withUnit(const QString& name, const QString& unit) {
     return unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit);
 }
 
+QString channelUnit(const Recording& recording) {
+    const auto unit = [&](int channel) {
+        return recording.channels[static_cast<std::size_t>(channel - 1)].unit;
+    };
+    const std::string of_c = unit(recording.channel_c);
+    return of_c == unit(recording.channel_d) ? QString::fromStdString(of_c) : QString();
+}
+
 }  // namespace vybeg::ui

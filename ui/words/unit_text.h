@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/recording/samples/recording.h"
+
 #include <QString>
 
 namespace vybeg::ui {
@@ -8,5 +10,8 @@ namespace vybeg::ui {
 QString resonatorText(const char* text);
 QString unitText(const char* unit);
 QString withUnit(const QString& name, const QString& unit);
+
+// The unit of both channels; empty where they have none, or two.
+QString channelUnit(const Recording& recording);
 
 }  // namespace vybeg::ui

@@ -167,14 +167,14 @@ private slots:
             {"dealy", "delay"},   {"windows", "window"},       {"temperature-c", "temperature_c"},
             {"File", "file"},     {"angle zero", "angle-zero"}};
         for (const auto& [name, option] : pairs) {
-            const MeasurementList read = list("file," + std::string(name) + "\na.wav,1\n");
+            const MeasurementList read = list(QByteArray("file,") + name + "\na.wav,1\n");
             QCOMPARE(read.other_columns, (std::vector<std::string>{name}));
             QCOMPARE(read.warnings.size(), 1U);
             QVERIFY(read.warnings[0].kind == DiagnosticKind::column_like_option);
             QCOMPARE(english(read.warnings[0].args[1]), std::string(option));
         }
         for (const char* const name : {"lot", "note", "to2", "serial", "offsets2", "tau"}) {
-            QVERIFY2(list("file," + std::string(name) + "\na.wav,1\n").warnings.empty(), name);
+            QVERIFY2(list(QByteArray("file,") + name + "\na.wav,1\n").warnings.empty(), name);
         }
     }
 

@@ -1,0 +1,276 @@
+#include "core/database/result_rows.h"
+
+#include "core/analysis/list_fields.h"
+#include "core/output/stored_reason.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// On one line; invalid UTF-8 of a file's name is replaced.
+std::string line_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json parsed(const std::string& text) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::exception& error) {
+        throw DamagedRow(error.what());
+    }
+}
+
+// Numbers that are not finite are null.
+std::vector<double> numbers_in(const std::string& text) {
+    std::vector<double> values;
+    for (const Json& number : parsed(text)) {
+        if (!number.is_null() && !number.is_number()) {
+            throw DamagedRow("a text stands in place of a number");
+        }
+        values.push_back(number.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                          : number.get<double>());
+    }
+    return values;
+}
+
+std::vector<std::string> texts_in(const std::string& text) {
+    std::vector<std::string> texts;
+    for (const Json& one : parsed(text)) {
+        if (!one.is_string()) {
+            throw DamagedRow("a number stands in place of a text");
+        }
+        texts.push_back(one.get<std::string>());
+    }
+    return texts;
+}
+
+constexpr std::array date_sources{std::pair{DateSource::none, ""},
+                                  std::pair{DateSource::list, "list"},
+                                  std::pair{DateSource::recording, "recording"}};
+
+const char* source_name(DateSource source) {
+    return std::ranges::find(date_sources, source, &std::pair<DateSource, const char*>::first)
+        ->second;
+}
+
+DateSource source_of(const std::string& name) {
+    for (const auto& [source, known] : date_sources) {
+        if (name == known) {
+            return source;
+        }
+    }
+    throw DamagedRow("a date is from \"" + name + "\"");
+}
+
+std::string args_of(const Reason& reason) {
+    Json args = Json::array();
+    for (const MessageArg& arg : reason.args) {
+        args.push_back(english(arg));
+    }
+    return line_of(args);
+}
+
+// Columns value, sd, u, reason, reason_args from `column` on.
+Estimate read_estimate(const SqliteStatement& row, int column) {
+    Estimate estimate;
+    estimate.value = row.number(column);
+    estimate.sd = row.number(column + 1);
+    estimate.u = row.number(column + 2);
+    if (const std::string name = row.text(column + 3); !name.empty()) {
+        std::optional<Reason> reason = stored_reason(name, texts_in(row.text(column + 4)));
+        if (!reason) {
+            throw DamagedRow("the reason \"" + name + "\" is not known");
+        }
+        estimate.reason = std::move(*reason);
+    }
+    return estimate;
+}
+
+double or_nan(const std::optional<double>& value) {
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+std::optional<double> told(const SqliteStatement& row, int column) {
+    return row.is_null(column) ? std::optional<double>() : row.number(column);
+}
+
+std::int64_t write_head(const SqliteConnection& connection, const StoredResult& result) {
+    SqliteStatement head(connection, R"sql(
+        INSERT INTO result (key, set_name, gyro, date, date_from, program, model)
+        VALUES (?, ?, ?, ?, ?, ?, ?)
+        ON CONFLICT (key) DO UPDATE SET set_name = excluded.set_name, gyro = excluded.gyro,
+            date = excluded.date, date_from = excluded.date_from, program = excluded.program,
+            model = excluded.model
+        RETURNING id)sql");
+    head.bind(result.key).bind(result.set).bind(result.gyro).bind(result.date.text);
+    head.bind(source_name(result.date.source)).bind(result.program).bind(result.model);
+    head.step();
+    const std::int64_t id = head.whole(0);
+    head.run();
+    return id;
+}
+
+void write_recordings(const SqliteConnection& connection, std::int64_t id,
+                      const StoredResult& result) {
+    SqliteStatement row(connection,
+                        "INSERT INTO recording VALUES "
+                        "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    std::int64_t position = 0;
+    for (const StoredRecording& recording : result.recordings) {
+        const IdentifiedInput& input = recording.input;
+        const Conditions& conditions = recording.conditions;
+        Json others = Json::array();
+        for (const auto& [name, value] : recording.others) {
+            others.push_back({name, value});
+        }
+        row.bind(id).bind(position++).bind(recording.file).bind(recording.path);
+        row.bind(input.name).bind(input.sha256).bind(input.start);
+        row.bind(input.seconds).bind(input.rate_hz).bind(input.f0_hz);
+        row.bind(std::int64_t{recording.channel_c}).bind(std::int64_t{recording.channel_d});
+        row.bind(conditions.gyro).bind(conditions.date).bind(or_nan(conditions.bias_v));
+        row.bind(or_nan(conditions.temperature_c)).bind(std::int64_t{conditions.exchanged});
+        row.bind(conditions.operator_name).bind(conditions.comment).bind(line_of(others));
+        row.run();
+    }
+}
+
+void write_parameters(const SqliteConnection& connection, std::int64_t id,
+                      const StoredResult& result) {
+    SqliteStatement row(connection, "INSERT INTO parameter VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    std::int64_t position = 0;
+    for (const auto& [name, estimate] : result.parameters) {
+        row.bind(name).bind(id).bind(position++);
+        row.bind(estimate.value).bind(estimate.sd).bind(estimate.u);
+        row.bind(estimate.given() ? std::string() : reason_name(estimate.reason.code));
+        row.bind(args_of(estimate.reason));
+        row.run();
+    }
+}
+
+std::vector<StoredRecording> read_recordings(const SqliteConnection& connection, std::int64_t id) {
+    SqliteStatement row(connection, R"sql(
+        SELECT file, path, name, sha256, start, seconds, rate_hz, f0_hz, channel_c, channel_d,
+            gyro, date, bias_v, temperature_c, exchanged, operator, comment, others
+        FROM recording WHERE result = ? ORDER BY position)sql");
+    row.bind(id);
+    std::vector<StoredRecording> recordings;
+    while (row.step()) {
+        StoredRecording recording;
+        recording.file = row.text(0);
+        recording.path = row.text(1);
+        recording.input = {row.text(2),   row.text(3),   row.text(4),
+                           row.number(5), row.number(6), row.number(7)};
+        recording.channel_c = static_cast<int>(row.whole(8));
+        recording.channel_d = static_cast<int>(row.whole(9));
+        recording.conditions = {row.text(10),       row.text(11), told(row, 12), told(row, 13),
+                                row.whole(14) != 0, row.text(15), row.text(16)};
+        for (const Json& pair : parsed(row.text(17))) {
+            const std::vector<std::string> texts = texts_in(pair.dump());
+            if (texts.size() != 2) {
+                throw DamagedRow("a column of the list has no name and value");
+            }
+            recording.others.emplace_back(texts[0], texts[1]);
+        }
+        recordings.push_back(std::move(recording));
+    }
+    return recordings;
+}
+
+}  // namespace
+
+std::int64_t write_result(SqliteConnection& connection, const StoredResult& result) {
+    const std::int64_t id = write_head(connection, result);
+    for (const char* sql :
+         {"DELETE FROM recording WHERE result = ?", "DELETE FROM parameter WHERE result = ?",
+          "DELETE FROM document WHERE result = ?"}) {
+        SqliteStatement(connection, sql).bind(id).run();
+    }
+    write_recordings(connection, id, result);
+    write_parameters(connection, id, result);
+    SqliteStatement document(connection, "INSERT INTO document VALUES (?, ?, ?, ?, ?)");
+    document.bind(id).bind(line_of(result.raw.names)).bind(line_of(result.raw.values));
+    document.bind(line_of(result.raw.covariance)).bind(result.json).run();
+    return id;
+}
+
+std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id) {
+    SqliteStatement head(connection, R"sql(
+        SELECT key, set_name, gyro, date, date_from, program, model,
+            raw_names, raw_values, raw_covariance, json
+        FROM result JOIN document ON document.result = result.id WHERE result.id = ?)sql");
+    head.bind(id);
+    if (!head.step()) {
+        return std::nullopt;
+    }
+    StoredResult result;
+    result.key = head.text(0);
+    result.set = head.text(1);
+    result.gyro = head.text(2);
+    result.date = {head.text(3), source_of(head.text(4))};
+    result.program = head.text(5);
+    result.model = head.text(6);
+    result.raw = {texts_in(head.text(7)), numbers_in(head.text(8)), numbers_in(head.text(9))};
+    const std::size_t count = result.raw.names.size();
+    if (result.raw.values.size() != count || result.raw.covariance.size() != count * count) {
+        throw DamagedRow("parameters and covariance differ in size");
+    }
+    result.json = head.text(10);
+    result.recordings = read_recordings(connection, id);
+    SqliteStatement row(connection, R"sql(
+        SELECT name, value, sd, u, reason, reason_args
+        FROM parameter WHERE result = ? ORDER BY position)sql");
+    row.bind(id);
+    while (row.step()) {
+        result.parameters.push_back({row.text(0), read_estimate(row, 1)});
+    }
+    return result;
+}
+
+std::vector<HistoryPoint> read_history(SqliteConnection& connection,
+                                       const std::optional<std::string>& gyro,
+                                       const std::string& parameter) {
+    std::string sql = R"sql(
+        SELECT r.id, r.set_name, r.gyro, r.date, r.date_from, r.program,
+            p.value, p.sd, p.u, p.reason, p.reason_args,
+            f.value, f.sd, f.u, f.reason, f.reason_args,
+            (SELECT max(bias_v) FROM recording WHERE result = r.id),
+            (SELECT avg(temperature_c) FROM recording WHERE result = r.id),
+            (SELECT max(exchanged) FROM recording WHERE result = r.id)
+        FROM result r
+            JOIN parameter p ON p.name = ? AND p.result = r.id
+            JOIN parameter f ON f.name = 'f_mean_hz' AND f.result = r.id)sql";
+    sql += gyro ? " WHERE r.gyro = ?" : "";
+    SqliteStatement row(connection, sql.c_str());
+    row.bind(parameter);
+    if (gyro) {
+        row.bind(*gyro);
+    }
+    std::vector<HistoryPoint> points;
+    while (row.step()) {
+        HistoryPoint point;
+        point.id = row.whole(0);
+        point.set = row.text(1);
+        point.gyro = row.text(2);
+        point.date = {row.text(3), source_of(row.text(4))};
+        point.time_s = iso_seconds(point.date.text);
+        point.program = row.text(5);
+        point.value = read_estimate(row, 6);
+        point.f_mean_hz = read_estimate(row, 11);
+        point.bias_v = row.number(16);
+        point.temperature_c = row.number(17);
+        point.exchanged = row.whole(18) != 0;
+        points.push_back(std::move(point));
+    }
+    return points;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/database/history_point.h"
+#include "core/database/sqlite.h"
+#include "core/database/stored_result.h"
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// Results as rows of the tables of schema.h. All throw SqliteFailure; the reading ones also
+// DamagedRow.
+
+// A row whose texts are not what was written.
+struct DamagedRow : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Adds or replaces the result of this key, and returns its id. Within a transaction of the caller.
+std::int64_t write_result(SqliteConnection& connection, const StoredResult& result);
+
+// All rows of a result; nothing: there is none.
+std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id);
+
+// The points of a parameter of one gyro, or of all, in no order.
+std::vector<HistoryPoint> read_history(SqliteConnection& connection,
+                                       const std::optional<std::string>& gyro,
+                                       const std::string& parameter);
+
+}  // namespace vybeg

@@ -1,0 +1,254 @@
+#include "core/database/results_database.h"
+
+#include "core/analysis/list_fields.h"
+#include "core/base/system_reason.h"
+#include "core/database/result_rows.h"
+#include "core/database/schema.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <fcntl.h>
+#include <new>
+#include <sqlite3.h>
+#include <sys/stat.h>
+#include <tuple>
+#include <unistd.h>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// A pause between two attempts to get the lock, ms.
+constexpr int pause_ms = 10;
+
+// %1: what is wrong in it.
+constexpr const char* damaged = VYBEG_MESSAGE("Words",
+                                              "the database is damaged (%1); take an earlier copy, "
+                                              "or save what \"sqlite3 FILE .recover\" finds");
+
+// A file that is no database of results of this version.
+struct OtherFile {
+    MessageArg what;
+};
+
+struct Found {
+    bool empty = false;
+    std::int64_t application = 0;
+    std::int64_t schema = 0;
+};
+
+std::int64_t one_number(SqliteConnection& connection, const char* sql) {
+    SqliteStatement statement(connection, sql);
+    return statement.step() ? statement.whole(0) : 0;
+}
+
+Found look_at(SqliteConnection& connection) {
+    return {one_number(connection, "SELECT count(*) FROM sqlite_schema") == 0,
+            one_number(connection, "PRAGMA application_id"),
+            one_number(connection, "PRAGMA user_version")};
+}
+
+// Throws OtherFile.
+void check_kind(const Found& found) {
+    if (found.application != results_application) {
+        throw OtherFile{words(VYBEG_MESSAGE("Words", "it is a database of another program"))};
+    }
+    if (found.schema > results_schema) {
+        throw OtherFile{words(
+            VYBEG_MESSAGE("Words",
+                          "a later version of Vybeg has made it (schema %1; this one knows %2)"),
+            {count_arg(found.schema), count_arg(results_schema)})};
+    }
+}
+
+bool is_new(const Found& found) {
+    return found.empty && found.application == 0 && found.schema == 0;
+}
+
+// Several programs may do it at once: the first one does.
+void make_tables(SqliteConnection& connection) {
+    SqliteTransaction transaction(connection, "BEGIN IMMEDIATE");
+    const Found found = look_at(connection);
+    if (is_new(found)) {
+        connection.run(results_tables);
+        const std::string marks = "PRAGMA application_id = " + std::to_string(results_application) +
+                                  "; PRAGMA user_version = " + std::to_string(results_schema);
+        connection.run(marks.c_str());
+    } else {
+        check_kind(found);
+    }
+    transaction.commit();
+}
+
+}  // namespace
+
+ResultsDatabase::ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
+                                 double patience_s)
+    : path_(std::move(path)), access_(access), job_(job), patience_s_(patience_s) {}
+
+// The exceptions of `work` as errors.
+template <class Work>
+auto ResultsDatabase::guarded(const Work& work) -> Result<decltype(work())> {
+    try {
+        return work();
+    } catch (const SqliteFailure& failure) {
+        return error_of_failure(failure);
+    } catch (const DamagedRow& row) {
+        return refused(words(damaged, {row.what()}));
+    } catch (const OtherFile& file) {
+        return refused(file.what);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::out_of_memory, {}, {}};
+    }
+}
+
+Result<ResultsDatabase> ResultsDatabase::open(const std::filesystem::path& path, Access access,
+                                              const JobControl& job, double patience_s) {
+    ResultsDatabase database(path, access, job, patience_s);
+    const Result<bool> connected = database.guarded([&database] {
+        database.connect();
+        return true;
+    });
+    return connected ? Result(std::move(database)) : connected.error();
+}
+
+void ResultsDatabase::connect() {
+    if (access_ == Access::write) {
+        // With the permissions that the user's mask gives, as every output. O_EXCL: closing a
+        // descriptor of an existing file would drop the locks that this process may have on it.
+        const int made = ::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (made >= 0) {
+            close(made);
+        } else if (errno != EEXIST) {
+            throw SqliteFailure(SQLITE_CANTOPEN, errno, "");
+        }
+    }
+    struct stat status {};
+    if (stat(path_.c_str(), &status) != 0) {
+        throw SqliteFailure(SQLITE_CANTOPEN, errno, "");
+    }
+    if (S_ISDIR(status.st_mode)) {
+        throw OtherFile{words(VYBEG_MESSAGE("Words", "it is a folder"))};
+    }
+    if (!S_ISREG(status.st_mode)) {
+        throw OtherFile{words(VYBEG_MESSAGE("Words", "it is no regular file"))};
+    }
+    // SQLite gives ":memory:" and an empty name meanings of their own, an absolute path none.
+    connection_ = std::make_unique<SqliteConnection>(
+        std::filesystem::absolute(path_).string(), [job = job_, patience = patience_s_](int times) {
+            if (job.cancelled() || times * pause_ms > patience * 1000) {
+                return false;
+            }
+            sqlite3_sleep(pause_ms);
+            return true;
+        });
+    if (access_ == Access::read) {
+        connection_->run("PRAGMA query_only = ON");
+        SqliteTransaction transaction(*connection_, "BEGIN");
+        const Found found = look_at(*connection_);
+        if (is_new(found)) {
+            throw OtherFile{words(VYBEG_MESSAGE("Words", "it holds no results"))};
+        }
+        check_kind(found);
+        return;
+    }
+    const Found found = look_at(*connection_);
+    if (!is_new(found)) {
+        check_kind(found);
+    }
+    if (connection_->read_only()) {
+        throw SqliteFailure(SQLITE_READONLY, 0, "");
+    }
+    if (is_new(found)) {
+        make_tables(*connection_);
+    }
+}
+
+Error ResultsDatabase::refused(const MessageArg& reason) const {
+    return {access_ == Access::read ? ErrorCode::file_read_failed : ErrorCode::output_failed,
+            path_.string(),
+            {reason}};
+}
+
+Error ResultsDatabase::error_of_failure(const SqliteFailure& failure) const {
+    const auto system = [&failure](int otherwise) {
+        return system_reason(failure.system_error != 0 ? failure.system_error : otherwise);
+    };
+    switch (failure.code & 0xFF) {
+        case SQLITE_BUSY:
+        case SQLITE_LOCKED:
+            return job_.cancelled()
+                       ? Error{ErrorCode::interrupted, {}, {}}
+                       : refused(words(
+                             VYBEG_MESSAGE("Words", "another program has kept it locked for %1 s"),
+                             {number_arg(patience_s_, 3)}));
+        case SQLITE_NOTADB:
+            return refused(words(VYBEG_MESSAGE("Words", "it is another kind of file")));
+        case SQLITE_FULL: return refused(system_reason(ENOSPC));
+        case SQLITE_READONLY:
+        case SQLITE_PERM:
+        case SQLITE_AUTH: return refused(system(EACCES));
+        case SQLITE_CANTOPEN:
+        case SQLITE_IOERR:
+            return access_ == Access::read && failure.system_error == ENOENT
+                       ? Error{ErrorCode::file_missing, path_.string(), {}}
+                       : refused(system(EIO));
+        default: return refused(words(damaged, {failure.what()}));
+    }
+}
+
+Result<std::string> ResultsDatabase::identity() {
+    return guarded([this] {
+        SqliteStatement statement(*connection_, "SELECT identity FROM about");
+        if (!statement.step()) {
+            throw DamagedRow("it has no identity");
+        }
+        return statement.text(0);
+    });
+}
+
+Result<std::int64_t> ResultsDatabase::add(const StoredResult& result) {
+    return guarded([&] {
+        SqliteTransaction transaction(*connection_, "BEGIN IMMEDIATE");
+        const std::int64_t id = write_result(*connection_, result);
+        transaction.commit();
+        return id;
+    });
+}
+
+Result<std::vector<StoredGyro>> ResultsDatabase::gyros() {
+    return guarded([this] {
+        SqliteStatement statement(*connection_,
+                                  "SELECT gyro, count(*) FROM result GROUP BY gyro ORDER BY gyro");
+        std::vector<StoredGyro> gyros;
+        while (statement.step()) {
+            gyros.push_back({statement.text(0), statement.whole(1)});
+        }
+        return gyros;
+    });
+}
+
+Result<std::vector<HistoryPoint>> ResultsDatabase::history(const std::optional<std::string>& gyro,
+                                                           const std::string& parameter) {
+    return guarded([&] {
+        std::vector<HistoryPoint> points = read_history(*connection_, gyro, parameter);
+        // Those without a date last.
+        const auto order = [](const HistoryPoint& point) {
+            return std::tuple(std::isnan(point.time_s),
+                              std::isnan(point.time_s) ? 0.0 : point.time_s, point.id);
+        };
+        std::ranges::sort(points, {}, order);
+        return points;
+    });
+}
+
+Result<std::optional<StoredResult>> ResultsDatabase::result(std::int64_t id) {
+    return guarded([&] {
+        // One state of the file, whatever is written meanwhile.
+        const SqliteTransaction transaction(*connection_, "BEGIN");
+        return read_result(*connection_, id);
+    });
+}
+
+}  // namespace vybeg

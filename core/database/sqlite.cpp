@@ -1,0 +1,146 @@
+#include "core/database/sqlite.h"
+
+#include <cmath>
+#include <limits>
+#include <new>
+#include <sqlite3.h>
+
+namespace vybeg {
+namespace {
+
+void check(int result, sqlite3* connection) {
+    if (result == SQLITE_OK || result == SQLITE_ROW || result == SQLITE_DONE) {
+        return;
+    }
+    if ((result & 0xFF) == SQLITE_NOMEM) {
+        throw std::bad_alloc();
+    }
+    const int extended =
+        connection != nullptr ? sqlite3_extended_errcode(connection) : static_cast<int>(result);
+    throw SqliteFailure(
+        extended, connection != nullptr ? sqlite3_system_errno(connection) : 0,
+        connection != nullptr ? sqlite3_errmsg(connection) : sqlite3_errstr(result));
+}
+
+int ask(void* wait, int times) {
+    return (*static_cast<std::function<bool(int)>*>(wait))(times) ? 1 : 0;
+}
+
+}  // namespace
+
+void SqliteConnection::Close::operator()(sqlite3* connection) const {
+    sqlite3_close_v2(connection);
+}
+
+SqliteConnection::SqliteConnection(const std::string& path, std::function<bool(int)> wait)
+    : wait_(std::make_unique<std::function<bool(int)>>(std::move(wait))) {
+    sqlite3* opened = nullptr;
+    const int result = sqlite3_open_v2(path.c_str(), &opened,
+                                       SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);
+    connection_.reset(opened);
+    check(result, opened);
+    check(sqlite3_busy_handler(opened, ask, wait_.get()), opened);
+    // The file may be anyone's: nothing in its schema runs, and its pages are looked over.
+    sqlite3_db_config(opened, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    sqlite3_db_config(opened, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    sqlite3_db_config(opened, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+    run("PRAGMA cell_size_check = ON");
+    run("PRAGMA foreign_keys = ON");
+    // A row that was told to be there is there after a loss of power, too.
+    run("PRAGMA synchronous = EXTRA");
+}
+
+void SqliteConnection::run(const char* sql) {
+    check(sqlite3_exec(get(), sql, nullptr, nullptr, nullptr), get());
+}
+
+bool SqliteConnection::read_only() const {
+    return sqlite3_db_readonly(get(), "main") == 1;
+}
+
+bool SqliteConnection::within_transaction() const {
+    return sqlite3_get_autocommit(get()) == 0;
+}
+
+void SqliteStatement::Finalize::operator()(sqlite3_stmt* statement) const {
+    sqlite3_finalize(statement);
+}
+
+SqliteStatement::SqliteStatement(const SqliteConnection& connection, const char* sql) {
+    sqlite3_stmt* prepared = nullptr;
+    const int result = sqlite3_prepare_v2(connection.get(), sql, -1, &prepared, nullptr);
+    statement_.reset(prepared);
+    check(result, connection.get());
+}
+
+SqliteStatement& SqliteStatement::bind(std::int64_t value) {
+    check(sqlite3_bind_int64(statement_.get(), ++bound_, value),
+          sqlite3_db_handle(statement_.get()));
+    return *this;
+}
+
+SqliteStatement& SqliteStatement::bind(double value) {
+    check(sqlite3_bind_double(statement_.get(), ++bound_, value),
+          sqlite3_db_handle(statement_.get()));
+    return *this;
+}
+
+SqliteStatement& SqliteStatement::bind(std::string_view text) {
+    // A null pointer would be NULL.
+    check(sqlite3_bind_text64(statement_.get(), ++bound_, text.empty() ? "" : text.data(),
+                              text.size(), SQLITE_TRANSIENT, SQLITE_UTF8),
+          sqlite3_db_handle(statement_.get()));
+    return *this;
+}
+
+bool SqliteStatement::step() {
+    const int result = sqlite3_step(statement_.get());
+    check(result, sqlite3_db_handle(statement_.get()));
+    return result == SQLITE_ROW;
+}
+
+void SqliteStatement::run() {
+    while (step()) {
+    }
+    sqlite3_reset(statement_.get());
+    sqlite3_clear_bindings(statement_.get());
+    bound_ = 0;
+}
+
+bool SqliteStatement::is_null(int column) const {
+    return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+std::int64_t SqliteStatement::whole(int column) const {
+    return sqlite3_column_int64(statement_.get(), column);
+}
+
+double SqliteStatement::number(int column) const {
+    return is_null(column) ? std::numeric_limits<double>::quiet_NaN()
+                           : sqlite3_column_double(statement_.get(), column);
+}
+
+std::string SqliteStatement::text(int column) const {
+    const auto* bytes =
+        reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+    const int size = sqlite3_column_bytes(statement_.get(), column);
+    return bytes != nullptr ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
+}
+
+SqliteTransaction::SqliteTransaction(SqliteConnection& connection, const char* sql)
+    : connection_(connection) {
+    connection_.run(sql);
+}
+
+SqliteTransaction::~SqliteTransaction() {
+    // A full disk may have rolled it back already.
+    if (connection_.within_transaction()) {
+        sqlite3_exec(connection_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+    }
+}
+
+void SqliteTransaction::commit() {
+    connection_.run("COMMIT");
+}
+
+}  // namespace vybeg

@@ -1,0 +1,125 @@
+#include "core/database/stored_result.h"
+
+#include "core/analysis/list_fields.h"
+#include "core/analysis/setting_table.h"
+#include "core/base/number_text.h"
+#include "core/output/batch_csv.h"
+#include "core/recording/bytes/sha256.h"
+#include "core/resonator/results/resonator_parameters.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace vybeg {
+namespace {
+
+// The length before each part: no two lists of parts give the same text.
+void add_part(std::string& text, const std::string& part) {
+    text += std::to_string(part.size()) + ":" + part;
+}
+
+std::string settings_text(IdentifySettings settings) {
+    settings.threads = 0;
+    settings.of_recordings.clear();
+    std::string text;
+    for (const auto& [name, value] : settings_list(settings)) {
+        add_part(text, name);
+        add_part(text, value);
+    }
+    return text;
+}
+
+Result<std::string> result_key(const MeasurementSet& set, std::span<const IdentifiedInput> inputs) {
+    std::vector<std::string> each;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+        const OpenOptions& open = set.recordings[k].open;
+        IdentifySettings own = set.settings;
+        own.signal = set.settings.signal_of(k);
+        std::string text;
+        for (const std::string& part :
+             {inputs[k].sha256, integer_text(open.channel_c), integer_text(open.channel_d),
+              options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
+              settings_text(own)}) {
+            add_part(text, part);
+        }
+        each.push_back(text);
+    }
+    std::ranges::sort(each);
+    std::string whole;
+    add_part(whole, settings_text(set.settings));
+    for (const std::string& text : each) {
+        add_part(whole, text);
+    }
+    return text_sha256(whole);
+}
+
+// The first date that the list tells, otherwise the first start that a recording tells as ISO 8601.
+StoredDate date_of(const MeasurementSet& set, std::span<const IdentifiedInput> inputs) {
+    for (const ListedRecording& recording : set.recordings) {
+        if (!recording.conditions.date.empty()) {
+            return {recording.conditions.date, DateSource::list};
+        }
+    }
+    for (const IdentifiedInput& input : inputs) {
+        if (is_iso_date(input.start)) {
+            return {input.start, DateSource::recording};
+        }
+    }
+    return {};
+}
+
+std::string absolute_path(const std::filesystem::path& path) {
+    std::error_code failed;
+    const std::filesystem::path whole = std::filesystem::absolute(path, failed);
+    return (failed ? path : whole).lexically_normal().string();
+}
+
+std::vector<StoredParameter> parameters_of(const ResonatorFit& fit) {
+    std::vector<StoredParameter> parameters;
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        parameters.push_back({parameter.name, fit.resonator.*parameter.member});
+    }
+    for (std::size_t k = 0; k < fit.modes.size(); ++k) {
+        for (const ModeParameter& parameter : mode_parameters) {
+            parameters.push_back({"modes[" + std::to_string(k) + "]." + parameter.name,
+                                  fit.modes[k].*parameter.member});
+        }
+    }
+    return parameters;
+}
+
+}  // namespace
+
+Result<StoredResult> stored_result(const std::string& program, const MeasurementSet& set,
+                                   std::span<const std::string> other_columns,
+                                   std::span<const IdentifiedInput> inputs,
+                                   const Identification& found, std::string json) {
+    Result<std::string> key = result_key(set, inputs);
+    if (!key) {
+        return key.error();
+    }
+    StoredResult result;
+    result.key = std::move(*key);
+    result.set = set.name;
+    result.gyro = gyro_of(set);
+    result.date = date_of(set, inputs);
+    result.program = program;
+    result.model = found.fit.model == ResonatorModel::structured ? "structured" : "free";
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+        const ListedRecording& listed = set.recordings[k];
+        StoredRecording recording{
+            listed.file,           absolute_path(listed.path), inputs[k], listed.open.channel_c,
+            listed.open.channel_d, listed.conditions,          {}};
+        for (std::size_t c = 0; c < std::min(other_columns.size(), listed.others.size()); ++c) {
+            recording.others.emplace_back(other_columns[c], listed.others[c]);
+        }
+        result.recordings.push_back(std::move(recording));
+    }
+    result.parameters = parameters_of(found.fit);
+    result.raw = found.fit.raw;
+    result.json = std::move(json);
+    return result;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,239 @@
+#include "core/sweep/sweep_windows.h"
+
+#include "core/analysis/analysis_plan.h"
+#include "core/analysis/band_noise.h"
+#include "core/analysis/estimate_track.h"
+#include "core/analysis/setting_table.h"
+#include "core/analysis/window_faults.h"
+#include "core/sweep/form_leakage.h"
+#include "core/sweep/neighbour_scatter.h"
+#include "core/sweep/window_advice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+constexpr std::int64_t most_held = std::int64_t{1} << 24;
+constexpr std::int64_t block = std::int64_t{1} << 16;
+constexpr std::int64_t wave_count = 8;    // of which the leakage is computed
+constexpr std::int64_t wave_window = 60;  // samples
+constexpr double work_of_window = 30;     // in samples of reading
+
+// A source whose frames from `first` on are in memory.
+class HeldSource : public SampleSource {
+public:
+    HeldSource(std::shared_ptr<const SampleSource> source, std::int64_t first,
+               std::vector<double> c, std::vector<double> d)
+        : source_(std::move(source)), first_(first), c_(std::move(c)), d_(std::move(d)) {}
+
+    std::int64_t frames() const override { return source_->frames(); }
+    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
+        if (first < first_ || first + std::ssize(c) > first_ + std::ssize(c_)) {
+            return source_->read(first, c, d);
+        }
+        std::copy_n(c_.begin() + (first - first_), c.size(), c.begin());
+        std::copy_n(d_.begin() + (first - first_), d.size(), d.begin());
+        return {};
+    }
+
+private:
+    std::shared_ptr<const SampleSource> source_;
+    std::int64_t first_;
+    std::vector<double> c_;
+    std::vector<double> d_;
+};
+
+// Reads the range once, past the check of the samples, and holds it where it is not too long.
+Status read_range(Prepared& prepared, const JobControl& job) {
+    const bool held = prepared.end - prepared.first <= most_held;
+    const auto count = static_cast<std::size_t>(held ? prepared.end - prepared.first : block);
+    std::vector<double> c(count);
+    std::vector<double> d(count);
+    for (std::int64_t at = prepared.first; at < prepared.end; at += block) {
+        if (job.cancelled()) {
+            return Error{ErrorCode::interrupted, "", {}};
+        }
+        const auto frames = static_cast<std::size_t>(std::min(block, prepared.end - at));
+        const auto offset = static_cast<std::size_t>(held ? at - prepared.first : 0);
+        const Status read = prepared.source->read(at, std::span(c).subspan(offset, frames),
+                                                  std::span(d).subspan(offset, frames));
+        if (!read) {
+            return read;
+        }
+    }
+    prepared.source = prepared.ahead;
+    if (held) {
+        prepared.source = std::make_shared<HeldSource>(prepared.ahead, prepared.first, std::move(c),
+                                                       std::move(d));
+    }
+    return {};
+}
+
+// White noise about the carrier: the median of the density, which lines do not move.
+Result<double> white_noise(const Prepared& prepared, double rate_hz, const JobControl& job) {
+    if (prepared.filter) {
+        return prepared.noise_in_band.value_or(SweepValue::none);
+    }
+    const double f0 = prepared.f0_hz;
+    const Band around{f0 / 2, std::min(1.5 * f0, (rate_hz / 2 + f0) / 2)};
+    return noise_in_band(*prepared.source, prepared.first, prepared.end, around, rate_hz, job);
+}
+
+// Waves evenly spread over the range.
+Result<std::vector<WaveState>> waves_of(const Prepared& prepared, const Settings& settings,
+                                        double rate_hz, const JobControl& job) {
+    const std::int64_t length = std::max(wave_window, least_window(prepared.f0_hz, rate_hz));
+    const std::int64_t span = prepared.end - prepared.first;
+    std::vector<WaveState> waves;
+    if (span < length) {
+        return waves;
+    }
+    const std::int64_t hop = std::max((span - length) / wave_count, std::int64_t{1});
+    WindowPlan plan = plan_windows(prepared.first, prepared.end, length, hop);
+    plan.count = std::min(plan.count, wave_count);
+    Settings likely = settings;
+    likely.algorithm = Algorithm::maximum_likelihood;
+    const double zero = prepared.calibration.angle_zero_deg * std::numbers::pi / 90;
+    const auto collect = [&](const Track& rows) -> Status {
+        for (std::size_t k = 0; k < rows.rows(); ++k) {
+            const auto value = [&](SlowVariable v) { return rows.values(v)[k]; };
+            if (std::isfinite(value(SlowVariable::two_theta_A))) {
+                waves.push_back({value(SlowVariable::a_A), value(SlowVariable::a_B),
+                                 value(SlowVariable::two_theta_A) + zero,
+                                 value(SlowVariable::alpha)});
+            }
+        }
+        return {};
+    };
+    const auto done = estimate_track(prepared, plan, likely, rate_hz, 1, collect, job.silent());
+    return done ? Result<std::vector<WaveState>>(std::move(waves)) : done.error();
+}
+
+class Sweep {
+public:
+    Sweep(const Prepared& prepared, const SampleFaults& faults, const Settings& settings,
+          double rate_hz, double white, std::vector<WaveState> waves)
+        : prepared_(prepared),
+          faults_(faults),
+          settings_(settings),
+          rate_hz_(rate_hz),
+          white_(white),
+          waves_(std::move(waves)) {}
+
+    Result<SweepLength> of(const WindowPlan& plan, const JobControl& job) const {
+        EquivalentNoise noise{white_, white_};
+        if (prepared_.filter) {
+            noise =
+                equivalent_noise(white_, *prepared_.filter, prepared_.f0_hz, plan.length, rate_hz_);
+        }
+        NeighbourScatter scatter(plan, rate_hz_,
+                                 prepared_.calibration.angle_zero_deg * std::numbers::pi / 90,
+                                 windows_over(faults_, plan), noise);
+        const TrackSink sink = [&](const Track& rows) -> Status {
+            scatter.take(rows);
+            return {};
+        };
+        const auto done = estimate_track(prepared_, plan, settings_, rate_hz_,
+                                         threads_of(settings_.threads), sink, job);
+        if (!done) {
+            return done.error();
+        }
+        SweepLength found = scatter.finish();
+        for (std::size_t k = 0; k < closed_form_algorithms.size() && !waves_.empty(); ++k) {
+            const auto leakage = form_leakage(closed_form_algorithms[k], waves_, plan.length,
+                                              prepared_.f0_hz, rate_hz_);
+            for (std::size_t v = 0; v < leakage.size(); ++v) {
+                found.values[v].leakage[k] = leakage[v];
+                if (closed_form_algorithms[k] == settings_.algorithm) {
+                    found.values[v].leaking = leakage[v];
+                }
+            }
+        }
+        return found;
+    }
+
+private:
+    const Prepared& prepared_;
+    const SampleFaults& faults_;
+    const Settings& settings_;
+    double rate_hz_;
+    double white_;
+    std::vector<WaveState> waves_;
+};
+
+}  // namespace
+
+Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& settings,
+                                  std::span<const std::int64_t> lengths, const JobControl& job) {
+    WindowSweep sweep;
+    sweep.settings = settings;
+    sweep.settings.periods.reset();
+    sweep.settings.hop = 0;
+    if (const Status valid = validate(sweep.settings); !valid) {
+        return valid.error();
+    }
+    const double rate = recording.rate_hz;
+    Result<Prepared> prepared = prepare(recording, settings, job.silent());
+    if (!prepared) {
+        return prepared.error();
+    }
+    if (const Status read = read_range(*prepared, job); !read) {
+        return read.error();
+    }
+    sweep.rate_hz = rate;
+    sweep.f0_hz = prepared->f0_hz;
+    const Result<double> white = white_noise(*prepared, rate, job.silent());
+    if (!white) {
+        return white.error();
+    }
+    sweep.white_noise = *white;
+    auto waves = waves_of(*prepared, sweep.settings, rate, job);
+    if (!waves) {
+        return waves.error();
+    }
+
+    std::map<std::int64_t, WindowPlan> plans;
+    double all_work = 0;
+    const auto work = [](const WindowPlan& plan) {
+        return static_cast<double>(plan.count) *
+               (static_cast<double>(plan.length) + work_of_window);
+    };
+    for (const std::int64_t length : std::set(lengths.begin(), lengths.end())) {
+        sweep.settings.window = length;
+        const Result<WindowPlan> plan = plan_of(sweep.settings, *prepared, recording);
+        if (!plan) {
+            sweep.refused.push_back({length, plan.error()});
+        } else if (plans.try_emplace(plan->length, *plan).second) {
+            all_work += work(*plan);
+        }
+    }
+    if (plans.empty() && !sweep.refused.empty()) {
+        return sweep.refused.front().error;
+    }
+    const SampleFaults faults = prepared->check->finish();
+    const Sweep each(*prepared, faults, sweep.settings, rate, *white, std::move(*waves));
+    double done = 0;
+    for (const auto& [length, plan] : plans) {
+        const double share = work(plan) / all_work;
+        const JobControl part =
+            job.with_progress([&](double fraction) { job.report(done + share * fraction); });
+        Result<SweepLength> found = each.of(plan, part);
+        if (!found) {
+            return found.error();
+        }
+        sweep.lengths.push_back(*found);
+        done += share;
+    }
+    sweep.advice = advise_window(sweep.lengths);
+    return sweep;
+}
+
+}  // namespace vybeg

@@ -1,0 +1,230 @@
+// batch --database: several processes on one file, interruption, resuming, and files that cannot
+// be a database.
+#include "tests/app/batch_run.h"
+
+#include <QtTest>
+
+#include <csignal>
+#include <memory>
+#include <sqlite3.h>
+#include <vector>
+
+using namespace vybeg::test;
+
+namespace {
+
+// Rows of a query by SQLite itself, columns joined by "|"; "(error)" where it fails.
+QStringList rows_by_sqlite(const QString& path, const char* sql) {
+    sqlite3* connection = nullptr;
+    sqlite3_stmt* statement = nullptr;
+    QStringList rows;
+    bool done = sqlite3_open(path.toUtf8().constData(), &connection) == SQLITE_OK &&
+                sqlite3_prepare_v2(connection, sql, -1, &statement, nullptr) == SQLITE_OK;
+    int step = SQLITE_DONE;
+    while (done && (step = sqlite3_step(statement)) == SQLITE_ROW) {
+        QStringList fields;
+        for (int k = 0; k < sqlite3_column_count(statement); ++k) {
+            fields << QString::fromUtf8(
+                reinterpret_cast<const char*>(sqlite3_column_text(statement, k)));
+        }
+        rows << fields.join('|');
+    }
+    sqlite3_finalize(statement);
+    sqlite3_close(connection);
+    return done && step == SQLITE_DONE ? rows : QStringList("(error)");
+}
+
+// The sets of twelve_sets that have a result.
+const QStringList good_sets{"s1", "s11", "s12", "s2", "s3", "s5", "s6", "s8", "s9"};
+
+}  // namespace
+
+class TestCliDatabase : public QObject, private CliFolder {
+    Q_OBJECT
+
+    const QStringList work_{"batch",      "list.csv",   "-o",        "results.csv",
+                            "--database", "results.db", "--threads", "1"};
+
+    QStringList sets(const QString& database = "results.db") const {
+        return rows_by_sqlite(path(database), "SELECT set_name FROM result ORDER BY set_name");
+    }
+    bool sound(const QString& database = "results.db") const {
+        return rows_by_sqlite(path(database), "PRAGMA integrity_check") == QStringList("ok") &&
+               rows_by_sqlite(path(database), "PRAGMA foreign_key_check").isEmpty() &&
+               rows_by_sqlite(path(database),
+                              "SELECT id FROM result WHERE id NOT IN (SELECT result FROM document)")
+                   .isEmpty();
+    }
+
+private slots:
+    void initTestCase() { QVERIFY(make_twelve_sets(folder_.path())); }
+    void init() {
+        for (const char* name :
+             {"results.db", "results.db-journal", "results.csv", "results.csv.unfinished"}) {
+            QFile::remove(path(name));
+        }
+    }
+
+    void every_result_is_there_as_the_table_has_it() {
+        const Outcome outcome = run(work_);
+        QCOMPARE(outcome.status, 0);
+        QCOMPARE(sets(), good_sets);
+        QVERIFY(sound());
+        const QStringList s1 = rows_by_sqlite(
+            path("results.db"),
+            "SELECT gyro, date, date_from, program, model FROM result WHERE set_name = 's1'");
+        QCOMPARE(s1, QStringList("G1|2026-01-01|list|vybeg-cli " VYBEG_VERSION "|structured"));
+        // tau of set s1: the table's text and the number read the same.
+        const QStringList tau =
+            rows_by_sqlite(path("results.db"),
+                           "SELECT value FROM parameter JOIN result ON result = id "
+                           "WHERE name = 'tau_s' AND set_name = 's1'");
+        QVERIFY(tau.size() == 1 && !tau[0].isEmpty());
+        QCOMPARE(rows_by_sqlite(path("results.db"),
+                                "SELECT file, json_extract(others, '$[0][1]') FROM recording JOIN "
+                                "result ON result = id WHERE set_name = 's1' ORDER BY position"),
+                 (QStringList{"a.wav|L1", "b.wav|L1"}));
+        QCOMPARE(rows_by_sqlite(path("results.db"),
+                                "SELECT count(*) FROM result, recording "
+                                "WHERE result = id AND length(sha256) = 64"),
+                 QStringList("14"));
+    }
+
+    void the_same_again_adds_nothing() {
+        QCOMPARE(run(work_).status, 0);
+        QCOMPARE(run(work_).status, 0);
+        QCOMPARE(sets(), good_sets);
+    }
+
+    void four_processes_at_once_lose_nothing() {
+        const QStringList names{"s1", "s2", "s3", "s5", "s6", "s8", "s9", "s11", "s12"};
+        for (int round = 0; round < 3; ++round) {
+            init();
+            std::vector<std::unique_ptr<QProcess>> processes;
+            // Each process has every set, in another order: each result is written four times.
+            for (int k = 0; k < 4; ++k) {
+                processes.push_back(std::make_unique<QProcess>());
+                QString script;
+                for (int n = 0; n < names.size(); ++n) {
+                    const QString& name = names[(n * (k + 1) + k) % names.size()];
+                    script += QString(
+                                  "'%1' batch list.csv --threads 1 --quiet --only %2 "
+                                  "--database results.db -o part-%3-%2.csv || exit 9; ")
+                                  .arg(VYBEG_CLI, k == 2 ? names[n] : name)
+                                  .arg(k);
+                }
+                processes.back()->setWorkingDirectory(folder_.path());
+                processes.back()->start("/bin/sh", {"-c", script});
+            }
+            for (const auto& process : processes) {
+                QVERIFY(process->waitForFinished(120000));
+                QVERIFY2(process->exitCode() == 0, process->readAllStandardError());
+            }
+            QCOMPARE(sets(), good_sets);
+            QVERIFY(sound());
+        }
+    }
+
+    void killed_at_any_moment_the_file_is_sound_and_the_rest_follows() {
+        int with_some = 0;
+        for (int trial = 0; trial < 8; ++trial) {
+            init();
+            QProcess process;
+            process.setWorkingDirectory(folder_.path());
+            process.start(VYBEG_CLI, work_);
+            QVERIFY(process.waitForStarted());
+            // So many results, then the next moment.
+            QVERIFY(QTest::qWaitFor(
+                [this, trial] {
+                    const QStringList there = sets();
+                    return there != QStringList("(error)") && there.size() >= 1 + trial % 7;
+                },
+                30000));
+            process.kill();
+            process.waitForFinished(20000);
+            const qsizetype left = sets().size();
+            QVERIFY(sound());
+            with_some += left > 0 && left < good_sets.size() ? 1 : 0;
+            const Outcome resumed = run(work_ + QStringList{"--resume"});
+            QVERIFY2(resumed.status == 0, resumed.err);
+            QCOMPARE(sets(), good_sets);
+            QVERIFY(sound());
+        }
+        QVERIFY2(with_some >= 2, "too few kills met a database with some of its results");
+    }
+
+    void resuming_without_the_database_fills_a_new_one() {
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(VYBEG_CLI, work_);
+        QVERIFY(QTest::qWaitFor([this] { return sets().contains("s1"); }, 30000));
+        process.kill();
+        process.waitForFinished(20000);
+        QFile::remove(path("results.db"));
+        QFile::remove(path("results.db-journal"));
+        QCOMPARE(run(work_ + QStringList{"--resume"}).status, 0);
+        QCOMPARE(sets(), good_sets);
+    }
+
+    void a_file_that_may_not_grow_leaves_whole_results() {
+        QCOMPARE(run(work_).status, 0);
+        const qint64 whole = QFileInfo(path("results.db")).size();
+        for (int k = 0; k < 8; ++k) {
+            init();
+            const Outcome outcome =
+                run_program(VYBEG_CLI, work_, folder_.path(), limit(RLIMIT_FSIZE, whole * k / 8));
+            QCOMPARE(outcome.status, 5);
+            // SQLite does not tell the limit of a size from other failures.
+            QVERIFY2(outcome.err.contains("results.db cannot be written: "), outcome.err);
+            QVERIFY(QFileInfo(path("results.db")).size() == 0 || sound());
+        }
+    }
+
+    void what_cannot_be_a_database_is_told_before_the_work_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QByteArray>("sentence");
+        QTest::newRow("text") << "list2.db" << 5 << QByteArray("it is another kind of file");
+        QTest::newRow("folder") << "." << 5 << QByteArray("it is a folder");
+        QTest::newRow("no folder")
+            << "none/results.db" << 5 << QByteArray("No such file or directory");
+        QTest::newRow("device") << "/dev/null" << 5 << QByteArray("it is no regular file");
+        QTest::newRow("standard output") << "-" << 2 << QByteArray("it must be a file");
+        QTest::newRow("recording") << "a.wav" << 2 << QByteArray("it is one of the recordings");
+        QTest::newRow("list") << "./list.csv" << 2 << QByteArray("it is the list");
+        QTest::newRow("table") << "./results.csv" << 2
+                               << QByteArray("the table goes there already");
+        QTest::newRow("journal") << "results.csv.unfinished" << 2
+                                 << QByteArray("the table goes there already");
+    }
+
+    void what_cannot_be_a_database_is_told_before_the_work() {
+        QFETCH(QString, file);
+        QFETCH(int, status);
+        QFETCH(QByteArray, sentence);
+        QVERIFY(put(path("list2.db"), twelve_sets));
+        const QByteArray list = content(path("list.csv"));
+        QStringList line = work_;
+        line[5] = file;
+        const Outcome outcome = run(line);
+        QCOMPARE(outcome.status, status);
+        QVERIFY2(outcome.err.contains(sentence), outcome.err);
+        QVERIFY(!QFile::exists(path("results.csv")));
+        QCOMPARE(content(path("list.csv")), list);
+        QCOMPARE(content(path("list2.db")), twelve_sets);
+    }
+
+    void a_database_in_the_folder_of_recordings_is_no_recording() {
+        QDir(folder_.path()).mkdir("runs");
+        QVERIFY(QFile::copy(path("a.wav"), path("runs/a.wav")) ||
+                QFile::exists(path("runs/a.wav")));
+        const QStringList line{"batch", "runs", "-o", "t.csv", "--database", "runs/r.db"};
+        QCOMPARE(run(line).status, 0);
+        QCOMPARE(run(line).status, 0);
+        QCOMPARE(sets("runs/r.db"), QStringList("a.wav"));
+        QCOMPARE(rows_of(file("t.csv")).size(), 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCliDatabase)
+#include "test_cli_database.moc"

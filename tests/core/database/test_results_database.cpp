@@ -1,0 +1,278 @@
+#include "core/base/messages.h"
+#include "core/database/results_database.h"
+#include "tests/closeness.h"
+#include "tests/core/database/made_result.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+#include <sqlite3.h>
+#include <stop_token>
+#include <thread>
+
+using namespace vybeg;
+using namespace vybeg::test;
+
+namespace {
+
+using Access = ResultsDatabase::Access;
+
+bool same_estimate(const Estimate& a, const Estimate& b) {
+    const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+    return same(a.value, b.value) && same(a.sd, b.sd) && same(a.u, b.u) && a.reason == b.reason;
+}
+
+// SQL from outside the program; false: it failed.
+bool run_sql(const QString& path, const char* sql) {
+    sqlite3* connection = nullptr;
+    const bool done = sqlite3_open(path.toUtf8().constData(), &connection) == SQLITE_OK &&
+                      sqlite3_exec(connection, sql, nullptr, nullptr, nullptr) == SQLITE_OK;
+    sqlite3_close(connection);
+    return done;
+}
+
+QByteArray content(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be opened)");
+}
+
+bool put(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+}
+
+}  // namespace
+
+class TestResultsDatabase : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
+    static Result<ResultsDatabase> open(const std::string& path, Access access = Access::write,
+                                        double patience_s = 20) {
+        return ResultsDatabase::open(path, access, JobControl(), patience_s);
+    }
+    // The sentence of a file that is refused for writing and for reading.
+    void refuses(const char* name, const QString& reason) const {
+        for (const Access access : {Access::write, Access::read}) {
+            const auto database = open(path(name), access, 0.1);
+            QVERIFY(!database);
+            const QString sentence = QString::fromStdString(english(database.error()));
+            QVERIFY2(sentence.contains(reason) && sentence.contains(name), qPrintable(sentence));
+            QCOMPARE(exit_status(database.error().code), access == Access::write ? 5 : 3);
+        }
+    }
+
+private slots:
+    void every_field_reads_back() {
+        auto database = open(path("fields.db"));
+        QVERIFY(bool(database));
+        const StoredResult written = made_result(3);
+        const auto id = database->add(written);
+        QVERIFY(bool(id));
+        const auto got = database->result(*id);
+        QVERIFY(got && *got);
+        const StoredResult& read = **got;
+        QCOMPARE(read.key, written.key);
+        QCOMPARE(read.set, written.set);
+        QCOMPARE(read.gyro, written.gyro);
+        QVERIFY(read.date == written.date);
+        QCOMPARE(read.program, written.program);
+        QCOMPARE(read.model, written.model);
+        QCOMPARE(read.json, written.json);
+        QCOMPARE(read.recordings.size(), written.recordings.size());
+        for (std::size_t k = 0; k < read.recordings.size(); ++k) {
+            const StoredRecording& a = read.recordings[k];
+            const StoredRecording& b = written.recordings[k];
+            QCOMPARE(a.file, b.file);
+            QCOMPARE(a.path, b.path);
+            QVERIFY(a.input == b.input);
+            QCOMPARE(a.channel_c, b.channel_c);
+            QCOMPARE(a.channel_d, b.channel_d);
+            QCOMPARE(a.conditions.gyro, b.conditions.gyro);
+            QCOMPARE(a.conditions.date, b.conditions.date);
+            QVERIFY(a.conditions.bias_v == b.conditions.bias_v);
+            QVERIFY(a.conditions.temperature_c == b.conditions.temperature_c);
+            QCOMPARE(a.conditions.exchanged, b.conditions.exchanged);
+            QCOMPARE(a.conditions.operator_name, b.conditions.operator_name);
+            QCOMPARE(a.conditions.comment, b.conditions.comment);
+            QVERIFY(a.others == b.others);
+        }
+        QCOMPARE(read.parameters.size(), written.parameters.size());
+        for (std::size_t k = 0; k < read.parameters.size(); ++k) {
+            QCOMPARE(read.parameters[k].name, written.parameters[k].name);
+            QVERIFY2(same_estimate(read.parameters[k].estimate, written.parameters[k].estimate),
+                     read.parameters[k].name.c_str());
+        }
+        QVERIFY(read.raw.names == written.raw.names);
+        QVERIFY(read.raw.values == written.raw.values);
+        QCOMPARE(read.raw.covariance[1], written.raw.covariance[1]);
+        QVERIFY(std::isnan(read.raw.covariance[3]));
+        QVERIFY(!*database->result(999));
+    }
+
+    void the_same_key_replaces_its_result() {
+        auto database = open(path("twice.db"));
+        StoredResult result = made_result(1);
+        const auto first = database->add(result);
+        QVERIFY(bool(database->add(made_result(2))));
+        result.gyro = "G8";
+        result.recordings.resize(1);
+        result.parameters.resize(3);
+        const auto again = database->add(result);
+        QVERIFY(first && again);
+        QCOMPARE(*again, *first);
+        const auto read = database->result(*first);
+        QCOMPARE((*read)->gyro, std::string("G8"));
+        QCOMPARE((*read)->recordings.size(), std::size_t{1});
+        QCOMPARE((*read)->parameters.size(), std::size_t{3});
+        QCOMPARE((*database->history(std::nullopt, "f_mean_hz")).size(), std::size_t{2});
+    }
+
+    void history_is_by_date_with_unknown_dates_last() {
+        auto database = open(path("history.db"));
+        const std::array<const char*, 4> dates{"", "2026-03-31T01:00+03:00", "2026-03-30T23:00Z",
+                                               "2025-12-31"};
+        for (int k = 0; k < 4; ++k) {
+            StoredResult result = made_result(k);
+            const bool dated = dates[static_cast<std::size_t>(k)][0] != '\0';
+            result.date = {dates[static_cast<std::size_t>(k)],
+                           dated ? DateSource::recording : DateSource::none};
+            QVERIFY(bool(database->add(result)));
+        }
+        QVERIFY(bool(database->add(made_result(9, "other"))));
+        const auto points = database->history("G7", "split_hz");
+        QVERIFY(bool(points));
+        std::vector<std::string> found;
+        for (const HistoryPoint& point : *points) {
+            found.push_back(point.date.text);
+        }
+        QVERIFY(found == (std::vector<std::string>{dates[3], dates[1], dates[2], dates[0]}));
+        QVERIFY(std::isnan(points->back().time_s));
+        VYBEG_CLOSE(points->front().time_s, 1767139200.0, 1e-6);  // date -u -d 2025-12-31 +%s
+        const HistoryPoint& point = points->front();
+        QVERIFY(point.value.reason.code == ReasonCode::one_direction);
+        QVERIFY(std::isnan(point.value.value));
+        VYBEG_CLOSE(point.f_mean_hz.value, 5300.003, 1e-9);
+        VYBEG_CLOSE(point.f_mean_hz.u, 2e-6, 1e-12);
+        VYBEG_CLOSE(point.temperature_c, 21.0, 1e-12);  // the mean of three that tell it
+        VYBEG_CLOSE(point.bias_v, 60.5, 1e-12);
+        QVERIFY(point.exchanged);
+        QCOMPARE((*database->history(std::nullopt, "split_hz")).size(), std::size_t{5});
+        QCOMPARE((*database->history("nobody", "split_hz")).size(), std::size_t{0});
+        const auto gyros = database->gyros();
+        QCOMPARE(gyros->size(), std::size_t{2});
+        QCOMPARE((*gyros)[0].name, std::string("G7"));
+        QCOMPARE((*gyros)[0].results, std::int64_t{4});
+    }
+
+    void several_writers_lose_nothing() {
+        std::vector<std::jthread> writers;
+        std::atomic<int> failed = 0;
+        for (int writer = 0; writer < 4; ++writer) {
+            writers.emplace_back([&, writer] {
+                auto database = open(path("many.db"), Access::write, 60);
+                for (int k = 0; k < 25; ++k) {
+                    // Every fifth is the same of all of them.
+                    const int number = k % 5 == 0 ? k : 1000 * (writer + 1) + k;
+                    failed += database && database->add(made_result(number)) ? 0 : 1;
+                }
+            });
+        }
+        writers.clear();
+        QCOMPARE(failed.load(), 0);
+        auto database = open(path("many.db"), Access::read);
+        QCOMPARE((*database->history(std::nullopt, "q")).size(), std::size_t{4 * 20 + 5});
+        QVERIFY(run_sql(folder_.filePath("many.db"), "PRAGMA integrity_check"));
+    }
+
+    void a_lock_ends_the_patience_and_an_interruption_at_once() {
+        auto database = open(path("locked.db"), Access::write, 0.2);
+        QVERIFY(bool(database));
+        sqlite3* other = nullptr;
+        QCOMPARE(sqlite3_open(path("locked.db").c_str(), &other), SQLITE_OK);
+        QCOMPARE(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
+        const auto added = database->add(made_result(1));
+        QVERIFY(!added);
+        QCOMPARE(QString::fromStdString(english(added.error())),
+                 QString::fromStdString(path("locked.db")) +
+                     " cannot be written: another program has kept it locked for 0.2 s. Nothing "
+                     "was changed there.");
+        std::stop_source stop;
+        auto patient = ResultsDatabase::open(path("locked.db"), Access::write,
+                                             JobControl(stop.get_token()), 3600);
+        QVERIFY(bool(patient));
+        stop.request_stop();
+        const auto stopped = patient->add(made_result(1));
+        QVERIFY(!stopped && stopped.error().code == ErrorCode::interrupted);
+        sqlite3_exec(other, "ROLLBACK", nullptr, nullptr, nullptr);
+        sqlite3_close(other);
+        QVERIFY(bool(database->add(made_result(1))));
+    }
+
+    void other_files_stay_as_they_are() {
+        QVERIFY(put(folder_.filePath("text.db"), "set,gyro\nA,G7\n"));
+        refuses("text.db", "it is another kind of file");
+        QCOMPARE(content(folder_.filePath("text.db")), QByteArray("set,gyro\nA,G7\n"));
+
+        QVERIFY(run_sql(folder_.filePath("foreign.db"), "CREATE TABLE t (x)"));
+        const QByteArray foreign = content(folder_.filePath("foreign.db"));
+        refuses("foreign.db", "it is a database of another program");
+        QCOMPARE(content(folder_.filePath("foreign.db")), foreign);
+
+        QVERIFY(bool(open(path("newer.db"))));
+        QVERIFY(run_sql(folder_.filePath("newer.db"), "PRAGMA user_version = 7"));
+        refuses("newer.db", "a later version of Vybeg has made it (schema 7; this one knows 1)");
+
+        QVERIFY(QDir(folder_.path()).mkdir("folder"));
+        refuses("folder", "it is a folder");
+        const auto missing = open(path("missing.db"), Access::read);
+        QVERIFY(!missing && missing.error().code == ErrorCode::file_missing);
+        QVERIFY(!QFile::exists(folder_.filePath("missing.db")));
+    }
+
+    void a_damaged_file_is_named_and_harms_nothing() {
+        {
+            auto database = open(path("damaged.db"));
+            for (int k = 0; k < 40; ++k) {
+                QVERIFY(bool(database->add(made_result(k))));
+            }
+        }
+        QByteArray bytes = content(folder_.filePath("damaged.db"));
+        for (int at = 8192; at < bytes.size(); at += 64) {
+            bytes[at] = static_cast<char>(bytes[at] ^ 0x5A);
+        }
+        QVERIFY(put(folder_.filePath("damaged.db"), bytes));
+        auto database = open(path("damaged.db"), Access::read);
+        const auto points = database ? database->history(std::nullopt, "q")
+                                     : Result<std::vector<HistoryPoint>>(database.error());
+        QVERIFY(!points);
+        const QString sentence = QString::fromStdString(english(points.error()));
+        QVERIFY2(sentence.contains("the database is damaged"), qPrintable(sentence));
+    }
+
+    void an_empty_file_becomes_a_database_and_names_of_sqlite_are_files() {
+        QVERIFY(put(folder_.filePath("empty.db"), ""));
+        QVERIFY(bool(open(path("empty.db"))));
+        const QString before = QDir::currentPath();
+        QVERIFY(QDir::setCurrent(folder_.path()));
+        QVERIFY(bool(open(":memory:")));
+        QVERIFY(bool(open("file:x?mode=memory")));
+        QVERIFY(QFile::exists(":memory:") && QFile::exists("file:x?mode=memory"));
+        QVERIFY(QDir::setCurrent(before));
+    }
+
+    void each_file_has_an_identity() {
+        auto one = open(path("one.db"));
+        auto two = open(path("two.db"));
+        const auto identity = one->identity();
+        QCOMPARE(identity->size(), std::size_t{32});
+        QVERIFY(*identity != *two->identity());
+        QCOMPARE(*open(path("one.db"), Access::read)->identity(), *identity);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestResultsDatabase)
+#include "test_results_database.moc"

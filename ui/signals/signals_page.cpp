@@ -1,0 +1,294 @@
+#include "ui/signals/signals_page.h"
+
+#include "ui/document/document.h"
+#include "ui/panels/stale_mark.h"
+#include "ui/plots/track_view.h"
+#include "ui/signals/signal_stack.h"
+#include "ui/signals/signals_view.h"
+#include "ui/words/error_text.h"
+#include "ui/words/unit_text.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int pause_ms = 15;
+constexpr int job_key = 1;
+// An excerpt reaches so many visible ranges beyond each end, and the next one is read when less
+// than a part of that is left.
+constexpr double reach = 1;
+constexpr double least_reach = 0.3;
+
+AxisRange beyond(const AxisRange& range, double spans) {
+    return {range.lower - spans * range.span(), range.upper + spans * range.span()};
+}
+
+}  // namespace
+
+SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      tracks_(tracks),
+      wave_(new QCheckBox(this)),
+      state_(new QLabel(this)),
+      stale_(new StaleMark(document, this)),
+      view_(new SignalsView(tracks, this)),
+      theme_(lightTheme()) {
+    setObjectName(QStringLiteral("signals"));
+    wave_->setObjectName(QStringLiteral("signalsWave"));
+    wave_->setChecked(true);
+    state_->setObjectName(QStringLiteral("signalsState"));
+    state_->setWordWrap(true);
+    state_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    state_->setFocusPolicy(Qt::ClickFocus);
+    auto* head = new QHBoxLayout;
+    head->setContentsMargins(6, 4, 6, 0);
+    head->setSpacing(14);
+    head->addWidget(wave_);
+    head->addWidget(state_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addLayout(head);
+    column->addWidget(stale_);
+    column->addWidget(view_, 1);
+
+    // The keys of the view work when the page is shown.
+    setTabOrder(view_, wave_);
+
+    pause_.setSingleShot(true);
+    pause_.setInterval(pause_ms);
+    connect(&pause_, &QTimer::timeout, this, &SignalsPage::request);
+    connect(wave_, &QCheckBox::toggled, this, &SignalsPage::refresh);
+    connect(stale_, &StaleMark::runWanted, this, &SignalsPage::runWanted);
+    connect(view_, &SignalsView::resized, this, &SignalsPage::refresh);
+    connect(&tracks_, &TrackView::timeRangeChanged, this, &SignalsPage::refresh);
+    connect(&tracks_, &TrackView::cursorsChanged, this, &SignalsPage::showCursors);
+    connect(&document_, &Document::recordingsChanged, this, &SignalsPage::refresh);
+    connect(&document_, &Document::recordingChanged, this, &SignalsPage::refresh);
+    connect(&document_, &Document::currentRecordingChanged, this, &SignalsPage::refresh);
+    connect(&document_, &Document::envelopeGrown, this, &SignalsPage::refresh);
+    connect(&document_, &Document::runsChanged, this, &SignalsPage::refresh);
+    retranslate();
+}
+
+const RecordingEntry* SignalsPage::recording() const {
+    return document_.currentRecording();
+}
+
+const RunEntry* SignalsPage::fitted() const {
+    const RunEntry* run = document_.run(run_id_);
+    const RecordingEntry* entry = recording();
+    const bool whole = run && entry && run->recording_id == entry->id && !run->partial() &&
+                       run->run.analysis->track.rows() > 0;
+    return whole ? run : nullptr;
+}
+
+void SignalsPage::setRun(int id) {
+    run_id_ = id;
+    refresh();
+}
+
+void SignalsPage::setTheme(const Theme& theme) {
+    theme_ = theme;
+    refresh();
+}
+
+void SignalsPage::showCursors() {
+    view_->showCursors();
+}
+
+SignalContent SignalsPage::content() const {
+    SignalContent content;
+    const RecordingEntry* entry = recording();
+    if (entry) {
+        content.envelope = entry->envelope;
+        content.rate_hz = entry->envelope_rate_hz;
+    }
+    if (entry && entry->recording) {
+        content.rate_hz = entry->recording->rate_hz;
+        content.frames = entry->recording->frames();
+        content.unit = channelUnit(*entry->recording);
+        content.excerpt = excerpt_;
+        // With gaps for lost samples there are more.
+        if (source_) {
+            content.frames = source_->samples->frames();
+        }
+    }
+    if (const RunEntry* run = fitted()) {
+        content.analysis = run->run.analysis;
+        content.calibration = run->run.analysis->settings.calibration;
+        const auto rms = std::ranges::find(run->run.curves, SlowVariable::rms,
+                                           [](const auto& curve) { return curve->variable(); });
+        content.rms = rms == run->run.curves.end()
+                          ? std::make_shared<CurveData>(run->run.analysis, SlowVariable::rms)
+                          : *rms;
+    }
+    content.wave = wave_->isChecked();
+    content.no_residual = tr("The residual is what a run leaves of the samples.");
+    content.theme = theme_;
+    content.time = tracks_.timeRange();
+    return content;
+}
+
+// Shows what is there, and asks for the samples that are missing. Hidden, the page waits.
+void SignalsPage::refresh() {
+    const RecordingEntry* entry = recording();
+    const auto samples = entry && entry->recording ? entry->recording->source : nullptr;
+    if (!entry || entry->id != source_recording_ || samples != source_samples_) {
+        // Of another recording nothing is kept.
+        source_recording_ = entry ? entry->id : 0;
+        source_samples_ = samples;
+        source_.reset();
+        excerpt_.reset();
+        failure_.reset();
+        job_.forget(job_key);
+        reading_ = false;
+    }
+    if (!isVisible()) {
+        return;
+    }
+    view_->setContent(content());
+    state_->setText(stateText());
+    if (!pause_.isActive() && !reading_) {
+        pause_.start();
+    }
+}
+
+void SignalsPage::request() {
+    const RecordingEntry* entry = recording();
+    if (!isVisible() || !entry || !entry->recording || reading_) {
+        return;
+    }
+    const Recording& recording = *entry->recording;
+    const AxisRange time = tracks_.timeRange();
+    if (!fewSamples(time, recording.rate_hz, view_->timeWidth())) {
+        return;
+    }
+    const RunEntry* run = fitted();
+    const auto analysis = run ? run->run.analysis : nullptr;
+    const bool same = source_ && source_->analysis == analysis;
+    if (same && (failure_ || (excerpt_ && covers(*excerpt_, beyond(time, least_reach),
+                                                 source_->samples->frames())))) {
+        return;
+    }
+    const AxisRange wanted = beyond(time, reach);
+    const auto first = static_cast<std::int64_t>(std::floor(wanted.lower * recording.rate_hz));
+    const auto end = static_cast<std::int64_t>(std::ceil(wanted.upper * recording.rate_hz)) + 1;
+    const std::int64_t from = std::max<std::int64_t>(0, first);
+    reading_ = true;
+    job_.readExcerpt(job_key, recording, analysis, same ? source_ : std::nullopt, from, end - from,
+                     [this](Result<ExcerptOutcome> result) { take(std::move(result)); });
+}
+
+void SignalsPage::take(Result<ExcerptOutcome> result) {
+    reading_ = false;
+    failure_.reset();
+    if (result) {
+        source_ = std::move(result->source);
+        excerpt_ = std::move(result->excerpt);
+    } else {
+        failure_ = result.error();
+    }
+    view_->setContent(content());
+    state_->setText(stateText());
+    if (!failure_) {
+        pause_.start();  // the range may have moved meanwhile
+    }
+}
+
+QString SignalsPage::stateText() const {
+    const RecordingEntry* entry = recording();
+    if (!entry) {
+        return tr("No recording is open.");
+    }
+    if (!entry->recording) {
+        return tr("The recording %1 is being opened…").arg(entry->name);
+    }
+    if (failure_) {
+        return errorText(*failure_);
+    }
+    const RunEntry* run = document_.run(run_id_);
+    if (!run) {
+        return tr("%1, samples as recorded. Run (F5) fits the wave.").arg(entry->name);
+    }
+    if (run->recording_id != entry->id) {
+        return tr("%1, samples as recorded: the chosen run is one of %2.")
+            .arg(entry->name, run->run.recording);
+    }
+    const QString name = QStringLiteral("%1, %2").arg(entry->name, run->run.name);
+    if (!fitted()) {
+        return tr("%1: the wave appears when all windows of the run are there.").arg(name);
+    }
+    const Settings& settings = run->run.analysis->settings;
+    const bool changed =
+        settings.filter || settings.repair_lost || settings.calibration.delay_d_s != 0;
+    if (changed && !view_->picture().samples) {
+        return tr("%1: minima and maxima before filter, delay and gaps for lost samples; zoom in "
+                  "for the samples of the analysis.")
+            .arg(name);
+    }
+    return name;
+}
+
+FigureSource SignalsPage::figures() const {
+    FigureSource source;
+    const SignalContent shown = view_->content();
+    if (!shown.envelope && !shown.excerpt) {
+        return source;
+    }
+    std::vector<SignalPart> parts{SignalPart::c, SignalPart::d};
+    source.plots = {QStringLiteral("C"), QStringLiteral("D")};
+    if (shown.analysis) {
+        parts.push_back(SignalPart::residual);
+        source.plots << tr("Residual");
+    }
+    source.figure = [shown, parts](const std::vector<int>& places) {
+        std::vector<SignalPart> some;
+        for (const int place : places) {
+            some.push_back(parts[static_cast<std::size_t>(place)]);
+        }
+        return signalFigure(shown, some);
+    };
+    source.title = recording() ? recording()->name : QString();
+    return source;
+}
+
+void SignalsPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
+}
+
+void SignalsPage::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    pause_.stop();
+    job_.forget(job_key);
+    reading_ = false;
+}
+
+void SignalsPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void SignalsPage::retranslate() {
+    wave_->setText(tr("Fitted &wave"));
+    wave_->setToolTip(
+        tr("Shows the wave of the chosen run over the samples: zoomed out its amplitude, "
+           "zoomed in the wave itself"));
+    view_->setAccessibleName(tr("Signals over time"));
+    refresh();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "ui/document/analysis_job.h"
+#include "ui/plots/figure_source.h"
+#include "ui/signals/signal_picture.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QCheckBox;
+class QLabel;
+
+namespace vybeg::ui {
+
+class Document;
+class SignalsView;
+class StaleMark;
+class TrackView;
+struct RecordingEntry;
+struct RunEntry;
+
+// The signals of the current recording as samples, with the wave that the chosen run fitted to them
+// and what it leaves. Few samples are read in the background; what was read before is shown until
+// they are there. Time range, zoom history and cursors are those of the tracks.
+class SignalsPage : public QWidget {
+    Q_OBJECT
+
+public:
+    // `tracks` outlives the page's work.
+    SignalsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
+
+    void setRun(int id);
+    void setTheme(const Theme& theme);
+    // Draws the cursors again.
+    void showCursors();
+    SignalsView& view() const { return *view_; }
+
+    FigureSource figures() const;
+
+signals:
+    void runWanted();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    const RecordingEntry* recording() const;
+    // The chosen run, if it is one of the current recording and has all its windows.
+    const RunEntry* fitted() const;
+    void refresh();
+    void request();
+    void take(Result<ExcerptOutcome> result);
+    SignalContent content() const;
+    QString stateText() const;
+    void retranslate();
+
+    Document& document_;
+    TrackView& tracks_;
+    AnalysisJob job_;
+    QTimer pause_;  // between the first change and the reading
+    QCheckBox* wave_;
+    QLabel* state_;
+    StaleMark* stale_;
+    SignalsView* view_;
+    Theme theme_;
+    int run_id_ = 0;
+    // Of the excerpt that is shown, and of the next one.
+    std::optional<SignalSource> source_;
+    int source_recording_ = 0;
+    std::shared_ptr<const SampleSource> source_samples_;  // as recorded
+    std::shared_ptr<const SignalExcerpt> excerpt_;
+    bool reading_ = false;
+    std::optional<Error> failure_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,292 @@
+#include "ui/sweep/sweep_page.h"
+
+#include "ui/document/document.h"
+#include "ui/plots/xy_plot_view.h"
+#include "ui/residuals/residual_text.h"
+#include "ui/sweep/length_field.h"
+#include "ui/sweep/sweep_text.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int job_key = 1;
+
+}  // namespace
+
+SweepPage::SweepPage(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      recording_(new QLabel(this)),
+      algorithm_label_(new QLabel(this)),
+      algorithm_(new QComboBox(this)),
+      snap_(new QCheckBox(this)),
+      lengths_label_(new QLabel(this)),
+      lengths_(new LengthField(this)),
+      run_(new QPushButton(this)),
+      progress_(new QProgressBar(this)),
+      cancel_(new QPushButton(this)),
+      state_(new QLabel(this)),
+      theme_(lightTheme()) {
+    setObjectName(QStringLiteral("sweep"));
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* head = buildHead();
+    content_ = buildContent();
+    scroll->setWidget(content_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addLayout(head);
+    column->addWidget(scroll, 1);
+    connectWidgets();
+    followSettings();
+    retranslate();
+}
+
+const RecordingEntry* SweepPage::current() const {
+    return document_.currentRecording();
+}
+
+const SweepPage::Found* SweepPage::found() const {
+    const auto result = current() ? results_.find(current()->id) : results_.end();
+    return result != results_.end() ? &result->second : nullptr;
+}
+
+FigureSource SweepPage::figures() const {
+    return sweep() ? figuresOf({scatter_, residual_}, QStringLiteral("windows"), current()->name)
+                   : FigureSource();
+}
+
+const WindowSweep* SweepPage::sweep() const {
+    return found() ? &found()->sweep : nullptr;
+}
+
+Settings SweepPage::wanted() const {
+    Settings settings = document_.settings();
+    static_cast<WindowSettings&>(settings) = WindowSettings();
+    settings.snap = snap_->isChecked();
+    settings.algorithm = sweep_algorithms[static_cast<std::size_t>(algorithm_->currentIndex())];
+    return settings;
+}
+
+SweepView SweepPage::view() const {
+    SweepView view;
+    view.variable = static_cast<std::size_t>(variable_->currentIndex());
+    view.chosen = chosen_;
+    view.units = units_;
+    if (current() && current()->recording) {
+        view.channel_unit = channelUnit(*current()->recording);
+    }
+    return view;
+}
+
+std::optional<std::size_t> SweepPage::offered() const {
+    if (chosen_) {
+        return chosen_;
+    }
+    return sweep() && sweep()->advice ? std::optional(sweep()->advice->best) : std::nullopt;
+}
+
+// Algorithm and Snap are those of the panel until they are changed here.
+void SweepPage::followSettings() {
+    const Settings& settings = document_.settings();
+    if (settings.algorithm != followed_) {
+        followed_ = settings.algorithm;
+        algorithm_->setCurrentIndex(static_cast<int>(*followed_));
+    }
+    if (settings.snap != followed_snap_) {
+        followed_snap_ = settings.snap;
+        snap_->setChecked(followed_snap_);
+    }
+    refresh();
+}
+
+// Results and failures of recordings that are closed or have other samples now.
+void SweepPage::dropOldResults() {
+    const auto entry = [this](int id) -> const Recording* {
+        const RecordingEntry* recording = document_.recording(id);
+        return recording && recording->recording ? &*recording->recording : nullptr;
+    };
+    const auto dropped = std::erase_if(results_, [&](const auto& result) {
+        const Recording* recording = entry(result.first);
+        return !recording || recording->source != result.second.source.lock();
+    });
+    std::erase_if(failures_, [&](const auto& failure) { return !entry(failure.first); });
+    if (running_ != 0 && !entry(running_)) {
+        cancel();
+    }
+    if (dropped > 0) {
+        chosen_.reset();
+        showFound();
+    } else {
+        refresh();
+    }
+}
+
+void SweepPage::run() {
+    const RecordingEntry* entry = current();
+    const LengthList list = lengths_->list();
+    if (running() || !entry || !entry->recording || !list.refusal.isEmpty()) {
+        return;
+    }
+    running_ = entry->id;
+    failures_.erase(running_);
+    progress_->setValue(0);
+    job_.sweepWindows(job_key, *entry->recording, wanted(), list.lengths,
+                      [this, id = running_, asked = wanted()](Result<WindowSweep> result) {
+                          take(id, asked, std::move(result));
+                      });
+    refresh();
+}
+
+void SweepPage::cancel() {
+    job_.forget(job_key);
+    running_ = 0;
+    refresh();
+}
+
+void SweepPage::take(int recording, const Settings& asked, Result<WindowSweep> result) {
+    running_ = 0;
+    const RecordingEntry* entry = document_.recording(recording);
+    if (entry && entry->recording) {
+        results_.erase(recording);
+        if (result) {
+            results_[recording] = {std::move(*result), asked, entry->recording->source};
+        } else {
+            failures_[recording] = result.error();
+        }
+    }
+    chosen_.reset();
+    showFound();
+}
+
+void SweepPage::choose(std::optional<std::size_t> length) {
+    chosen_ = length;
+    showFound();
+}
+
+// Algorithm and window belong together: the sweep says nothing about others.
+void SweepPage::useWindow() {
+    if (const auto length = offered()) {
+        Settings settings = document_.settings();
+        settings.window = sweep()->lengths[*length].length;
+        settings.periods.reset();
+        settings.snap = false;
+        settings.algorithm = found()->asked.algorithm;
+        document_.setSettings(settings);
+    }
+}
+
+QString SweepPage::runHint() const {
+    if (!current()) {
+        return tr("No recording is open.");
+    }
+    if (!current()->recording) {
+        return tr("The recording is being read.");
+    }
+    return lengths_->list().refusal;
+}
+
+QString SweepPage::stateText() const {
+    if (running()) {
+        return tr("The windows are being estimated…");
+    }
+    if (const QString hint = runHint(); !hint.isEmpty()) {
+        return hint;
+    }
+    if (const auto failure = failures_.find(current()->id); failure != failures_.end()) {
+        return errorText(failure->second);
+    }
+    if (!found()) {
+        return tr(
+            "Run estimates this recording once for each length: it shows how much the values "
+            "scatter and which window the recording deserves.");
+    }
+    const QString refused = refusedText(found()->sweep);
+    return found()->asked == wanted()
+               ? refused
+               : tr("The result is older than the settings: Run computes it anew.");
+}
+
+void SweepPage::refresh() {
+    const bool ready = !running() && runHint().isEmpty();
+    recording_->setText(current() ? current()->name : QString());
+    recording_->setToolTip(current() ? current()->path : QString());
+    run_->setEnabled(ready);
+    run_->setToolTip(richTip(ready ? tr("Estimates adjacent windows of each length with the "
+                                        "settings of the panel Analysis")
+                                   : stateText()));
+    progress_->setVisible(running());
+    cancel_->setVisible(running());
+    const QString state = stateText();
+    state_->setText(state);
+    state_->setVisible(!state.isEmpty());
+}
+
+void SweepPage::showFound() {
+    refresh();
+    const WindowSweep* shown = sweep();
+    const SweepView view = this->view();
+    content_->setVisible(shown != nullptr);
+    scatter_->setContent(scatterPlot(shown, view, {}));
+    residual_->setContent(residualPlot(shown, view, {}));
+    point_->setVisible(shown && chosen_);
+    if (!shown) {
+        return;
+    }
+    QStringList tips;
+    for (std::size_t k = 0; k < shown->lengths.size(); ++k) {
+        tips << richText(pointText(*shown, k, view));
+    }
+    for (XYPlotView* plot : {scatter_, residual_}) {
+        plot->setPickable(0);
+        plot->setPointTips(tips);
+    }
+    if (chosen_) {
+        point_->setText(tips[static_cast<qsizetype>(*chosen_)]);
+    }
+    advice_->setText(richText(adviceText(*shown, view)));
+    const auto length = offered();
+    use_->setVisible(length.has_value());
+    if (length) {
+        use_->setText(tr("Use n = %1").arg(shown->lengths[*length].length));
+    }
+    table_->setContent(sweepHeaders(), sweepRows(*shown, view));
+}
+
+void SweepPage::setTheme(const Theme& theme) {
+    theme_ = theme;
+    scatter_->setTheme(theme);
+    residual_->setTheme(theme);
+}
+
+void SweepPage::setUnits(const DisplayUnits& units) {
+    units_ = units;
+    retranslate();
+}
+
+void SweepPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "core/sweep/window_sweep.h"
+#include "ui/document/analysis_job.h"
+#include "ui/plots/figure_source.h"
+#include "ui/sweep/sweep_plots.h"
+#include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
+
+#include <QWidget>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace vybeg::ui {
+
+class Document;
+class LengthField;
+class QuantityTable;
+class XYPlotView;
+struct RecordingEntry;
+
+// In the order of Algorithm.
+inline constexpr std::array sweep_algorithms{
+    Algorithm::in_phase,     Algorithm::phase_shift,        Algorithm::moving_axes,
+    Algorithm::demodulation, Algorithm::conjugate_gradient, Algorithm::maximum_likelihood};
+
+// The current recording in windows of many lengths: scatter, bound, leakage and residual against
+// the length, and the window that the recording deserves. Computed in the background on demand; a
+// result is kept for each recording until the recording is closed or opened anew.
+class SweepPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SweepPage(Document& document, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    void setUnits(const DisplayUnits& units);
+    // What is shown; null without a result.
+    const WindowSweep* sweep() const;
+    bool running() const { return running_ != 0; }
+
+    FigureSource figures() const;
+
+signals:
+    void exportWanted(const Figure& figure);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    // A result, with the settings it was asked for.
+    struct Found {
+        WindowSweep sweep;
+        Settings asked;
+        std::weak_ptr<const SampleSource> source;
+    };
+
+    QWidget* buildContent();
+    QLayout* buildHead();
+    XYPlotView* addPlot(const char* name);
+    void connectWidgets();
+    const RecordingEntry* current() const;
+    const Found* found() const;
+    // The settings of the panel with the choices of this page, without a window.
+    Settings wanted() const;
+    SweepView view() const;
+    // The length of the button: the chosen one, otherwise the recommended one.
+    std::optional<std::size_t> offered() const;
+    void followSettings();
+    void dropOldResults();
+    void run();
+    void cancel();
+    void take(int recording, const Settings& asked, Result<WindowSweep> result);
+    void choose(std::optional<std::size_t> length);
+    void useWindow();
+    QString stateText() const;
+    QString runHint() const;
+    void refresh();
+    void showFound();
+    void retranslate();
+
+    Document& document_;
+    AnalysisJob job_;
+    QLabel* recording_;
+    QLabel* algorithm_label_;
+    QComboBox* algorithm_;
+    QCheckBox* snap_;
+    QLabel* lengths_label_;
+    LengthField* lengths_;
+    QPushButton* run_;
+    QProgressBar* progress_;
+    QPushButton* cancel_;
+    QLabel* state_;
+    QWidget* content_ = nullptr;
+    QLabel* variable_label_ = nullptr;
+    QComboBox* variable_ = nullptr;
+    QPushButton* copy_ = nullptr;
+    XYPlotView* scatter_ = nullptr;
+    XYPlotView* residual_ = nullptr;
+    QLabel* advice_ = nullptr;
+    QPushButton* use_ = nullptr;
+    QLabel* point_ = nullptr;
+    QuantityTable* table_ = nullptr;
+    Theme theme_;
+    DisplayUnits units_;
+    std::optional<Algorithm> followed_;  // of the panel
+    bool followed_snap_ = false;
+    int running_ = 0;  // recording; 0: none
+    std::map<int, Found> results_;
+    std::map<int, Error> failures_;
+    std::optional<std::size_t> chosen_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,254 @@
+#include "ui/sweep/sweep_text.h"
+
+#include "ui/words/error_text.h"
+#include "ui/words/number_label.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("Sweep", text);
+}
+
+QString counted(std::int64_t count) {
+    return QLocale().toString(static_cast<qlonglong>(count));
+}
+
+QString shortText(double value) {
+    return std::isfinite(value) ? shortNumberText(value, 3) : QStringLiteral("—");
+}
+
+QString symbolOf(std::size_t variable, const SweepView& view) {
+    return displaySymbol(main_slow_variables[variable], view.units);
+}
+
+// A displayed value with its unit.
+QString withUnitOf(double stored, std::size_t variable, const WindowSweep& sweep,
+                   const SweepView& view) {
+    const QString text = shortText(stored * sweepFactor(sweep, view, variable));
+    const QString unit = sweepUnit(view, variable);
+    return unit.isEmpty() ? text : text + QStringLiteral("\u00a0") + unit;
+}
+
+// Why a longer window is not better.
+QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
+    const WindowAdvice& advice = *sweep.advice;
+    const auto symbol = symbolOf(advice.variable, view);
+    const auto next = [&]() -> const SweepLength& { return sweep.lengths[advice.best + 1]; };
+    const auto valueText = [&](double stored) {
+        return withUnitOf(stored, advice.variable, sweep, view);
+    };
+    switch (advice.limit) {
+        case WindowAdvice::Limit::motion:
+            return translated(QT_TRANSLATE_NOOP(
+                                  "Sweep",
+                                  "Longer windows blur %1: at n = %2 its bend inside the window "
+                                  "shifts the mean by %3, with a scatter of %4."))
+                .arg(symbol, counted(next().length),
+                     valueText(next().values[advice.variable].motion),
+                     valueText(next().values[advice.variable].scatter));
+        case WindowAdvice::Limit::scatter:
+            return translated(
+                       QT_TRANSLATE_NOOP("Sweep",
+                                         "Longer windows are not better: at n = %2 the expected "
+                                         "error of %1 is %3, here %4."))
+                .arg(symbol, counted(next().length),
+                     valueText(next().values[advice.variable].error()),
+                     valueText(sweep.lengths[advice.best].values[advice.variable].error()));
+        case WindowAdvice::Limit::flat:
+            return translated(QT_TRANSLATE_NOOP(
+                "Sweep", "Longer windows of the list are better by less than a quarter."));
+        case WindowAdvice::Limit::no_values:
+            return translated(QT_TRANSLATE_NOOP(
+                "Sweep", "In the longer windows of the list some variables have no value."));
+        case WindowAdvice::Limit::list_end:
+            return translated(QT_TRANSLATE_NOOP(
+                "Sweep", "It is the longest of the list; longer ones are not examined."));
+        case WindowAdvice::Limit::list_begin:
+            return translated(QT_TRANSLATE_NOOP("Sweep",
+                                                "It is the shortest of the list, and %1 moves even "
+                                                "inside it by more than its scatter."))
+                .arg(symbol);
+    }
+    return {};
+}
+
+// Neighbouring windows scatter by more than white noise, leakage and motion explain.
+QString coloredNoise(const WindowSweep& sweep, const SweepView& view) {
+    constexpr double significant = 5;  // standard deviations
+    constexpr double notable = 1.25;
+    const SweepLength& best = sweep.lengths[sweep.advice->best];
+    for (std::size_t v = 0; v < sweep_variable_count; ++v) {
+        const SweepValue& value = best.values[v];
+        const double explained = std::hypot(value.bound, value.leaking, value.unmodelled);
+        if (value.scatter > notable * explained &&
+            value.scatter - explained > significant * value.sd_scatter) {
+            return QStringLiteral(" ") +
+                   translated(
+                       QT_TRANSLATE_NOOP("Sweep",
+                                         "Neighbouring values of %1 scatter %2 times as much as "
+                                         "the white noise explains."))
+                       .arg(symbolOf(v, view), shortText(value.scatter / explained));
+        }
+    }
+    return {};
+}
+
+struct Column {
+    const char* name;
+    double SweepValue::*member;
+};
+
+constexpr std::array<Column, 4> columns{
+    Column{QT_TRANSLATE_NOOP("Sweep", "stated sd"), &SweepValue::stated},
+    Column{QT_TRANSLATE_NOOP("Sweep", "Cramér-Rao bound"), &SweepValue::bound},
+    Column{QT_TRANSLATE_NOOP("Sweep", "shift by motion"), &SweepValue::motion},
+    Column{QT_TRANSLATE_NOOP("Sweep", "own leakage"), &SweepValue::leaking}};
+
+}  // namespace
+
+QString lengthText(const WindowSweep& sweep, std::size_t length) {
+    const auto n = static_cast<double>(sweep.lengths[length].length);
+    return translated(QT_TRANSLATE_NOOP("Sweep", "n = %1, %2 ms, %3 periods"))
+        .arg(counted(sweep.lengths[length].length), shortText(1e3 * n / sweep.rate_hz),
+             shortText(n * sweep.f0_hz / sweep.rate_hz));
+}
+
+QString adviceText(const WindowSweep& sweep, const SweepView& view) {
+    if (!sweep.advice) {
+        return translated(QT_TRANSLATE_NOOP(
+            "Sweep",
+            "No window is recommended: a comparison needs two lengths with 14 undisturbed "
+            "windows or more, and white noise between the lines of the spectrum."));
+    }
+    const WindowAdvice& advice = *sweep.advice;
+    QString text = QStringLiteral("%1. ").arg(
+        translated(QT_TRANSLATE_NOOP("Sweep", "This recording deserves %1"))
+            .arg(lengthText(sweep, advice.best)));
+    text += reasonOf(sweep, view);
+    constexpr double one_sided = 2;
+    text += QStringLiteral(" ");
+    if (advice.loss > one_sided) {
+        text += translated(
+                    QT_TRANSLATE_NOOP("Sweep",
+                                      "No window suits all variables: here the expected error of "
+                                      "%1 is %2 times its least in the list."))
+                    .arg(symbolOf(advice.loser, view), shortText(advice.loss));
+    } else if (advice.shortest < advice.longest) {
+        text +=
+            translated(QT_TRANSLATE_NOOP("Sweep",
+                                         "From n = %1 to %2 no expected error exceeds %3 times its "
+                                         "least in the list."))
+                .arg(counted(sweep.lengths[advice.shortest].length),
+                     counted(sweep.lengths[advice.longest].length),
+                     shortText(loss_span * advice.loss));
+    }
+    return text + coloredNoise(sweep, view);
+}
+
+QString refusedText(const WindowSweep& sweep) {
+    QStringList sentences;
+    for (const WindowSweep::Refused& each : sweep.refused) {
+        sentences << QStringLiteral("n = %1: %2").arg(counted(each.length), errorText(each.error));
+    }
+    return sentences.join(QLatin1Char(' '));
+}
+
+QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView& view) {
+    const SweepLength& at = sweep.lengths[length];
+    const SweepValue& value = at.values[view.variable];
+    const double factor = sweepFactor(sweep, view, view.variable);
+    return translated(QT_TRANSLATE_NOOP("Sweep",
+                                        "%1: scatter of %2 %3 %4 (stated %5, bound %6, shift by "
+                                        "motion %7); noise %8"))
+        .arg(lengthText(sweep, length), symbolOf(view.variable, view),
+             valueText(factor * value.scatter, factor * value.sd_scatter),
+             sweepUnit(view, view.variable), shortText(factor * value.stated),
+             shortText(factor * value.bound), shortText(factor * value.motion),
+             shortText(at.noise));
+}
+
+QStringList sweepHeaders() {
+    QStringList headers{translated(QT_TRANSLATE_NOOP("Sweep", "windows")),
+                        translated(QT_TRANSLATE_NOOP("Sweep", "scatter"))};
+    for (const Column& column : columns) {
+        headers << translated(column.name);
+    }
+    return headers << translated(QT_TRANSLATE_NOOP("Sweep", "rms"))
+                   << translated(QT_TRANSLATE_NOOP("Sweep", "noise"));
+}
+
+std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {
+    const double factor = sweepFactor(sweep, view, view.variable);
+    const auto cell = [](double value) {
+        return QuantityCell{shortText(value), {QLocale().toString(value, 'g', 12)}, {}};
+    };
+    std::vector<QuantityRow> rows;
+    for (std::size_t k = 0; k < sweep.lengths.size(); ++k) {
+        const SweepLength& each = sweep.lengths[k];
+        const SweepValue& value = each.values[view.variable];
+        const double scatter = factor * value.scatter;
+        const double sd = factor * value.sd_scatter;
+        QuantityRow row{counted(each.length), lengthText(sweep, k), {}};
+        row.cells.push_back({counted(each.used), {QString::number(each.used)}, {}});
+        row.cells.push_back(
+            {valueText(scatter, sd),
+             {QLocale().toString(scatter, 'g', 12), QLocale().toString(sd, 'g', 12)},
+             {}});
+        for (const Column& column : columns) {
+            row.cells.push_back(cell(factor * value.*column.member));
+        }
+        row.cells.push_back(cell(each.rms));
+        row.cells.push_back(cell(each.noise));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
+    const auto number = [](double value) { return QLocale().toString(value, 'g', 12); };
+    QStringList head{QStringLiteral("n"), translated("windows"), translated("rms"),
+                     translated("noise")};
+    for (std::size_t v = 0; v < sweep_variable_count; ++v) {
+        const QString unit = sweepUnit(view, v);
+        const QString symbol = indexPlain(symbolOf(v, view));
+        const auto add = [&](const QString& what) {
+            head << symbol + QStringLiteral(": ") + what +
+                        (unit.isEmpty() ? QString() : QStringLiteral(", ") + unit);
+        };
+        add(translated("scatter"));
+        add(translated(QT_TRANSLATE_NOOP("Sweep", "sd of the scatter")));
+        for (const Column& column : columns) {
+            add(translated(column.name));
+        }
+        for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
+            add(translated(QT_TRANSLATE_NOOP("Sweep", "leakage, algorithm %1")).arg(k + 1));
+        }
+    }
+    QStringList lines{head.join(QLatin1Char('\t'))};
+    for (const SweepLength& each : sweep.lengths) {
+        QStringList cells{QString::number(each.length), QString::number(each.used),
+                          number(each.rms), number(each.noise)};
+        for (std::size_t v = 0; v < sweep_variable_count; ++v) {
+            const double factor = sweepFactor(sweep, view, v);
+            const SweepValue& value = each.values[v];
+            cells << number(factor * value.scatter) << number(factor * value.sd_scatter);
+            for (const Column& column : columns) {
+                cells << number(factor * value.*column.member);
+            }
+            for (const double leakage : value.leakage) {
+                cells << number(factor * leakage);
+            }
+        }
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+}  // namespace vybeg::ui
