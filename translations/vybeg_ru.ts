@@ -167,7 +167,7 @@
     </message>
     <message>
         <source>One-&amp;sigma bands</source>
-        <translation>Поло&amp;сы ±σ</translation>
+        <translation>Полос&amp;ы ±σ</translation>
     </message>
     <message>
         <source>&amp;Logarithmic working amplitude</source>
@@ -298,7 +298,7 @@
         <translation>Повторить отменённое изменение</translation>
     </message>
     <message>
-        <source>R&amp;esonator</source>
+        <source>Reso&amp;nator</source>
         <translation>Р&amp;езонатор</translation>
     </message>
     <message>

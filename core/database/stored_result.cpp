@@ -77,6 +77,7 @@ std::string absolute_path(const std::filesystem::path& path) {
 
 std::vector<StoredParameter> parameters_of(const ResonatorFit& fit) {
     std::vector<StoredParameter> parameters;
+    parameters.reserve(resonator_parameters.size() + fit.modes.size() * mode_parameters.size());
     for (const ResonatorParameter& parameter : resonator_parameters) {
         parameters.push_back({parameter.name, fit.resonator.*parameter.member});
     }

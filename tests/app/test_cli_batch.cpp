@@ -212,7 +212,7 @@ private slots:
         const Outcome outcome =
             run({"batch", "one.csv", "-o", "same/x.json", "--json", "./same/../same"});
         QCOMPARE(outcome.status, 2);
-        QVERIFY2(outcome.err.contains("it is an input, or the table"), outcome.err);
+        QVERIFY2(outcome.err.contains("it is an input, the table or the database"), outcome.err);
         QVERIFY(QDir(path("same")).isEmpty());
     }
 

@@ -106,7 +106,7 @@ void PlotOverlay::drawHair(QCPPainter& painter, double time_s, const QColor& col
 }
 
 void PlotOverlay::drawReadout(QCPPainter& painter, const PlotPanel& panel) const {
-    const QFont font = panel.headFont();
+    const QFont& font = panel.headFont();
     const QFontMetricsF metrics(font);
     const QRectF area = panel.readoutArea();
     const double base = panel.rect().top() - 7;

@@ -254,6 +254,7 @@ FigureSource SignalsPage::figures() const {
     }
     source.figure = [shown, parts](const std::vector<int>& places) {
         std::vector<SignalPart> some;
+        some.reserve(places.size());
         for (const int place : places) {
             some.push_back(parts[static_cast<std::size_t>(place)]);
         }

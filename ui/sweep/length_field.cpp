@@ -52,8 +52,8 @@ LengthList readLengthList(const QString& text) {
         list.lengths.insert(list.lengths.end(), range.begin(), range.end());
     }
     std::ranges::sort(list.lengths);
-    const auto doubles = std::ranges::unique(list.lengths);
-    list.lengths.erase(doubles.begin(), doubles.end());
+    const auto last = std::unique(list.lengths.begin(), list.lengths.end());
+    list.lengths.erase(last, list.lengths.end());
     if (list.lengths.empty()) {
         return refused(
             LengthField::tr("A list of window lengths is needed, e.g. 6..600 or 6, 60."));

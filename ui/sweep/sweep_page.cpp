@@ -8,6 +8,7 @@
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/unit_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>

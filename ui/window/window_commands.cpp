@@ -157,7 +157,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .enabled = any,
          .act = [to] { to.show_page(Page::samples); }},
         {.id = Command::page_resonator,
-         .text = QT_TRANSLATE_NOOP("Command", "R&esonator"),
+         .text = QT_TRANSLATE_NOOP("Command", "Reso&nator"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with the resonator of a set: parameters, rim, drift"),
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_3)},
