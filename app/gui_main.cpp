@@ -54,10 +54,38 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
 // What the command line asks for.
 struct Requested {
     FigureRequest figure;
-    std::string report;
+    ReportRequest report;  // its own part
+    std::string gyro;
+    std::string engineer;
+    std::string comment;
     std::string screenshots;
     IdentifySettings identify;  // its tolerances
 };
+
+void add_report_options(CLI::App& app, Requested& requested) {
+    CLI::Option* const report =
+        app.add_option(
+               "--report", requested.report.report,
+               "Write a report of the recordings, as one set, into this file, without a window: "
+               ".pdf")
+            ->type_name("REPORT")
+            ->excludes(app.get_option("--figure"));
+    CLI::Option* const list =
+        app.add_option("--list", requested.report.list,
+                       "With --report: of the sets of this measurement list, a chapter each")
+            ->type_name("LIST.csv")
+            ->needs(report)
+            ->excludes(app.get_option("FILE"));
+    app.add_option("--set", requested.report.set, "Of this set of the list alone")
+        ->type_name("NAME")
+        ->needs(list);
+    const auto add_title = [&](const char* option, std::string& text, const char* help) {
+        app.add_option(option, text, help)->type_name("TEXT")->needs(report);
+    };
+    add_title("--gyro", requested.gyro, "With --report: serial number of the gyro");
+    add_title("--operator", requested.engineer, "With --report: who measured");
+    add_title("--comment", requested.comment, "With --report: a comment for the title");
+}
 
 // The line is read before anything of Qt exists: --help and a wrong line need no display.
 void describe(CLI::App& app, Requested& requested) {
@@ -78,12 +106,7 @@ void describe(CLI::App& app, Requested& requested) {
               })
         ->excludes(app.get_option("--window"))
         ->excludes(app.get_option("--periods"));
-    app.add_option(
-           "--report", requested.report,
-           "Write a report of the recordings, as one set, into this file, without a window: "
-           ".pdf")
-        ->type_name("REPORT")
-        ->excludes(app.get_option("--figure"));
+    add_report_options(app, requested);
     app.add_option("--screenshots", requested.screenshots,
                    "Write a picture of every page into this folder, in both languages, themes and "
                    "scales; without FILE of simulated recordings")
@@ -174,11 +197,17 @@ int figure_mode(int argc, char** argv, const Requested& requested) {
 
 int report_mode(int argc, char** argv, const Requested& requested) {
     const FigureRequest& request = requested.figure;
-    if (request.inputs.empty()) {
-        return usage("--report needs a recording.");
+    if (request.inputs.empty() && requested.report.list.empty()) {
+        return usage("--report needs a recording, or a --list of them.");
     }
-    const ReportRequest report{request.inputs, requested.report, request.open, request.settings,
-                               requested.identify.tolerance};
+    ReportRequest report = requested.report;
+    report.inputs = request.inputs;
+    report.title.gyro = QString::fromStdString(requested.gyro);
+    report.title.engineer = QString::fromStdString(requested.engineer);
+    report.title.comment = QString::fromStdString(requested.comment);
+    report.open = request.open;
+    report.settings = request.settings;
+    report.tolerance = requested.identify.tolerance;
     return drawing_mode(argc, argv, [&](auto stop) { return write_report(report, stop); });
 }
 
@@ -261,7 +290,7 @@ int run(int argc, char** argv) {
     if (!request.windows.empty()) {
         return usage("--windows needs --figure.");
     }
-    if (!requested.report.empty()) {
+    if (!requested.report.report.empty()) {
         return report_mode(argc, argv, requested);
     }
     return has_display() ? window_mode(argc, argv, request, requested.identify.tolerance)

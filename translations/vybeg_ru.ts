@@ -1353,7 +1353,7 @@
     </message>
     <message>
         <source>After the GUM (JCGM 100:2008): standard uncertainties in the unit of each parameter; u² is the sum of the squares; U has the coverage factor 2. Tolerances of the channels (standard deviations): %1.</source>
-        <translation>По GUM (JCGM 100:2008, ГОСТ Р 54500.3): стандартные неопределённости в единицах каждого параметра; u² — сумма квадратов; коэффициент охвата U равен 2. Допуски каналов (стандартные отклонения): %1.</translation>
+        <translation>По GUM (JCGM 100:2008, ГОСТ Р 54500.3): стандартные неопределённости в единицах каждого параметра; u² — сумма квадратов; коэффициент охвата U равен 2. Допуски каналов (СКО): %1.</translation>
     </message>
     <message>
         <source>none</source>
@@ -1398,6 +1398,42 @@
     <message>
         <source>Recordings in the fit</source>
         <translation>Записи в подгонке</translation>
+    </message>
+    <message>
+        <source>All sets</source>
+        <translation>Все наборы</translation>
+    </message>
+    <message>
+        <source>Set, gyro</source>
+        <translation>Набор, гироскоп</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Стр.</translation>
+    </message>
+    <message>
+        <source>Mean f</source>
+        <translation>Средняя f</translation>
+    </message>
+    <message>
+        <source>Split Δf</source>
+        <translation>Разночастотность Δf</translation>
+    </message>
+    <message>
+        <source>Axis θ_w</source>
+        <translation>Ось θ_w</translation>
+    </message>
+    <message>
+        <source>Quality factor Q</source>
+        <translation>Добротность Q</translation>
+    </message>
+    <message>
+        <source>Report of free decays</source>
+        <translation>Отчёт о выбегах</translation>
+    </message>
+    <message>
+        <source>Values with their combined standard uncertainties u. A dash: the recordings do not show it; the page of the set gives the reason.</source>
+        <translation>Значения с суммарной стандартной неопределённостью u. Прочерк: записи не показывают этой величины; причина названа на странице набора.</translation>
     </message>
 </context>
 <context>
@@ -4317,10 +4353,6 @@
         <translation>Отчёт о</translation>
     </message>
     <message>
-        <source>A recording, or a set of them with its resonator</source>
-        <translation>Запись или набор записей с его резонатором</translation>
-    </message>
-    <message>
         <source>Empty: a line to fill in by hand</source>
         <translation>Пусто: строка для заполнения от руки</translation>
     </message>
@@ -4359,6 +4391,10 @@
     <message>
         <source>As a PDF document</source>
         <translation>Как документ PDF</translation>
+    </message>
+    <message>
+        <source>A recording, a set of them with its resonator, or all sets</source>
+        <translation>Запись, набор записей с его резонатором или все наборы</translation>
     </message>
 </context>
 <context>

@@ -125,6 +125,9 @@ private slots:
             << QStringList{good, "--figure", figure, "--window", "1000000"} << 4;
         QTest::newRow("report without recording")
             << QStringList{"--report", home_.path("wrong.pdf")} << 2;
+        QTest::newRow("title without report") << QStringList{good, "--gyro", "SN_7"} << 2;
+        QTest::newRow("list and recording")
+            << QStringList{good, "--list", good, "--report", home_.path("wrong.pdf")} << 2;
         QTest::newRow("report and figure")
             << QStringList{good, "--figure", figure, "--report", home_.path("wrong.pdf")} << 2;
         QTest::newRow("report that is no PDF")
@@ -183,6 +186,66 @@ private slots:
         const QByteArray hash =
             QCryptographicHash::hash(samples.readAll(), QCryptographicHash::Sha256).toHex();
         QVERIFY(text.contains(QString::fromLatin1(hash)));
+    }
+
+    // A chapter for each set of a list, also for the one that has no result; the title block from
+    // the list.
+    void a_list_is_reported_set_by_set() {
+        if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            qWarning("pdftotext is missing: the report's text is not tested.");
+            QSKIP("poppler-utils is missing");
+        }
+        (void)home_.recording("listed_1.wav");
+        (void)home_.recording("listed_2.wav");
+        const QString list = home_.file("list.csv",
+                                        "set,file,gyro,operator,comment\n"
+                                        "first,listed_1.wav,SN_0042,Ivanov,cold\n"
+                                        "second,listed_2.wav,SN_0043,Petrov,warm\n"
+                                        "third,missing.wav,SN_0044,,\n");
+        const QString report = home_.path("list.pdf");
+        const auto text = [&report] {
+            QProcess reader;
+            reader.start("pdftotext", {"-layout", report, "-"});
+            reader.waitForFinished();
+            return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+        };
+        const Outcome all = run({"--list", list, "--report", report});
+        QVERIFY2(all.status == 0, qPrintable(all.err));
+        QVERIFY2(all.err.contains("missing.wav"), qPrintable(all.err));
+        const QString told = text();
+        for (const char* word : {"list.csv", "SN_0042", "SN_0043", "SN_0044", "Ivanov", "Petrov",
+                                 "cold", "warm", "listed_1.wav", "listed_2.wav", "missing.wav"}) {
+            QVERIFY2(told.contains(word), word);
+        }
+        const Outcome one = run({"--list", list, "--set", "second", "--report", report});
+        QVERIFY2(one.status == 0, qPrintable(one.err));
+        QVERIFY(text().contains("SN_0043") && !text().contains("SN_0042"));
+        QCOMPARE(run({"--list", list, "--set", "third", "--report", report}).status, 3);
+        QCOMPARE(run({"--list", list, "--set", "fourth", "--report", report}).status, 2);
+        QCOMPARE(run({"--list", list}).status, 2);
+        // Neither the list nor a recording gives its place to the report.
+        const QString listed = home_.path("listed_1.pdf");
+        QVERIFY(QFile::link(home_.path("listed_1.wav"), listed));
+        QCOMPARE(run({"--list", list, "--report", listed}).status, 2);
+        QCOMPARE(run({home_.path("listed_1.wav"), "--report", listed}).status, 2);
+    }
+
+    void the_command_line_fills_the_title_of_a_report() {
+        const QString report = home_.path("title.pdf");
+        const Outcome written =
+            run({home_.recording("titled.wav"), "--report", report, "--gyro", "SN_7", "--operator",
+                 "Сидоров", "--comment", "after balancing"});
+        QVERIFY2(written.status == 0, qPrintable(written.err));
+        if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            QSKIP("poppler-utils is missing");
+        }
+        QProcess reader;
+        reader.start("pdftotext", {"-layout", report, "-"});
+        QVERIFY(reader.waitForFinished());
+        const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+        for (const char* word : {"SN_7", "Сидоров", "after balancing"}) {
+            QVERIFY2(text.contains(word), qPrintable(text));
+        }
     }
 
     void a_display_that_cannot_be_opened_is_a_sentence_data() {

@@ -35,7 +35,7 @@ QString output(const QString& program, const QStringList& arguments) {
     return QString::fromUtf8(process.readAllStandardOutput());
 }
 
-// On one line, without the spaces that a PDF has between the pieces of a word with an index.
+// On one line, with single spaces.
 QString textOf(const QString& pdf) {
     return output("pdftotext", {"-layout", pdf, "-"}).simplified();
 }
@@ -82,8 +82,8 @@ class TestReport : public QObject {
             60000));
     }
 
-    void write(const ReportContent& content, const QString& path) {
-        window_->files().writeReport(content, path);
+    void write(const std::vector<ReportContent>& contents, const QString& path) {
+        window_->files().writeReport(contents, "All", path);
         QVERIFY(QTest::qWaitFor([&] { return isPdf(path); }, 60000));
     }
 
@@ -111,15 +111,15 @@ private slots:
         QCOMPARE(subjects.front().recordings.size(), std::size_t{4});
         ReportContent content = reportContentOf(document(), subjects.front());
         QVERIFY(content.outcome && !content.out_of_date);
-        content.title = {"HRG-0042 <a&b>", "I. Ivanov", "2026-05-04", "After_balancing"};
+        content.title = {"HRG_0042 <a&b>", "I. Ivanov", "2026-05-04", "After_balancing"};
         const Identification& found = content.outcome->identification;
         for (const QString& language : {QStringLiteral("en"), QStringLiteral("ru")}) {
             window_->setLanguage(language);
             const QString path = home_.path("set-" + language + ".pdf");
-            write(content, path);
+            write({content}, path);
             const QString text = textOf(path);
             for (const QString& told : {content.title.gyro, content.title.engineer,
-                                        content.title.date, QStringLiteral("After")}) {
+                                        content.title.date, content.title.comment}) {
                 QVERIFY2(text.contains(told), qPrintable(told));
             }
             for (const ReportRecording& each : content.recordings) {
@@ -157,7 +157,7 @@ private slots:
                 QVERIFY2(text.contains(word), qPrintable(word));
             }
             const QString info = output("pdfinfo", {path});
-            QVERIFY2(info.contains("HRG-0042"), qPrintable(info));
+            QVERIFY2(info.contains("HRG_0042"), qPrintable(info));
             QVERIFY2(output("pdfinfo", {"-meta", path}).contains("I. Ivanov"), qPrintable(info));
             const auto pages =
                 QRegularExpression("Pages:\\s+(\\d+)").match(info).captured(1).toInt();
@@ -169,10 +169,42 @@ private slots:
         }
     }
 
+    // A chapter for each, found by its page in the table of all.
+    void the_report_of_all_sets_has_a_chapter_for_each() {
+        openAll({home_.recording("run_1.wav"), home_.recording("run_2.csv")});
+        const int first = document().recordings().front().id;
+        const int second = document().recordings().back().id;
+        document().sets().add({first});
+        document().sets().add({second});
+        const auto subjects = reportSubjects(document());
+        QVERIFY(subjects.back().all_sets);
+        const auto contents = reportContentsOf(document(), subjects.back());
+        QCOMPARE(contents.size(), std::size_t{2});
+        const QString path = home_.path("all.pdf");
+        write(contents, path);
+        const QString text = textOf(path);
+        QVERIFY2(!text.contains(QChar(0x27E6)), qPrintable(text));
+        int page = 0;
+        for (const ReportContent& content : contents) {
+            // The line of the set: its name, its page, the reason.
+            const auto line = QRegularExpression(QRegularExpression::escape(content.set) +
+                                                 " (\\d+) It has not been identified")
+                                  .match(text);
+            QVERIFY2(line.hasMatch(), qPrintable(text));
+            QVERIFY(line.captured(1).toInt() > page);
+            page = line.captured(1).toInt();
+            const QString chapter = output("pdftotext", {"-layout", "-f", QString::number(page),
+                                                         "-l", QString::number(page), path, "-"});
+            QVERIFY2(chapter.contains(content.set), qPrintable(chapter));
+            QVERIFY2(chapter.contains(content.recordings.front().name), qPrintable(chapter));
+            QVERIFY2(chapter.contains(content.recordings.front().sha256), qPrintable(chapter));
+        }
+    }
+
     void fonts_are_embedded_and_plots_are_vectors() {
         openAll({home_.recording("demo.wav")});
         const QString path = home_.path("fonts.pdf");
-        write(reportContentOf(document(), reportSubjects(document()).front()), path);
+        write({reportContentOf(document(), reportSubjects(document()).front())}, path);
         const QStringList fonts = output("pdffonts", {path}).split('\n', Qt::SkipEmptyParts).mid(2);
         QVERIFY(!fonts.isEmpty());
         static const QRegularExpression embedded("\\s(yes|no)\\s+(yes|no)\\s+(yes|no)\\s+\\d+");
@@ -192,7 +224,7 @@ private slots:
     void a_recording_without_a_resonator_says_so() {
         openAll({home_.recording("alone.wav")});
         const QString path = home_.path("alone.pdf");
-        write(reportContentOf(document(), reportSubjects(document()).front()), path);
+        write({reportContentOf(document(), reportSubjects(document()).front())}, path);
         QVERIFY(textOf(path).contains("It has not been identified."));
         QVERIFY(textOf(path).contains("____"));  // gyro and operator, to be filled in by hand
     }
@@ -243,10 +275,10 @@ private slots:
                 messages << message.text();
             }
         });
-        window_->files().writeReport(content, recording);
+        window_->files().writeReport({content}, {}, recording);
         QTRY_COMPARE(messages.size(), 1);
         QCOMPARE(QFileInfo(recording).size(), size);
-        window_->files().writeReport(content, home_.path("none/report.pdf"));
+        window_->files().writeReport({content}, {}, home_.path("none/report.pdf"));
         QTRY_COMPARE(messages.size(), 2);
     }
 
@@ -258,7 +290,7 @@ private slots:
         QElapsedTimer clock;
         clock.start();
         Heartbeat heart;
-        write(content, path);
+        write({content}, path);
         qInfo("written after %lld ms, %s", clock.elapsed(), qPrintable(heart.text()));
         QVERIFY2(heart.longestMs() < 150, qPrintable(heart.text()));
     }

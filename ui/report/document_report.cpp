@@ -1,8 +1,12 @@
 #include "ui/report/document_report.h"
 
+#include "ui/report/budget_text.h"
 #include "ui/resonator/set_panel.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
+#include <iterator>
 
 namespace vybeg::ui {
 
@@ -44,7 +48,7 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
     const auto add_set = [&](const RunSet& set) {
         const std::vector<int> recordings = analysed(document, set.recordings);
         if (!recordings.empty()) {
-            subjects.push_back({setName(document, set), recordings, set.id});
+            subjects.push_back({setName(document, set), recordings, set.id, false});
         }
     };
     const RecordingEntry* recording = document.currentRecording();
@@ -56,14 +60,43 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
         add_set(*current);
     }
     if (recording && !analysed(document, {recording->id}).empty()) {
-        subjects.push_back({recording->name, {recording->id}, 0});
+        subjects.push_back({recording->name, {recording->id}, 0, false});
     }
     for (const RunSet& set : document.sets().all()) {
         if (!holds_it || set.id != current->id) {
             add_set(set);
         }
     }
+    std::vector<ReportSubject> sets;
+    std::ranges::copy_if(subjects, std::back_inserter(sets),
+                         [](const ReportSubject& each) { return each.set != 0; });
+    if (sets.size() > 1) {
+        ReportSubject all{reportText(QT_TRANSLATE_NOOP("Report", "All sets")), {}, 0, true};
+        for (const ReportSubject& each : sets) {
+            all.recordings.insert(all.recordings.end(), each.recordings.begin(),
+                                  each.recordings.end());
+        }
+        subjects.push_back(all);
+    }
     return subjects;
+}
+
+std::vector<ReportContent> reportContentsOf(const Document& document,
+                                            const ReportSubject& subject) {
+    if (!subject.all_sets) {
+        return {reportContentOf(document, subject)};
+    }
+    std::vector<ReportContent> contents;
+    for (const RunSet& set : document.sets().all()) {
+        const std::vector<int> recordings = analysed(document, set.recordings);
+        if (!recordings.empty()) {
+            const QString name = setName(document, set);
+            contents.push_back(reportContentOf(document, {name, recordings, set.id, false}));
+            contents.back().set = name;
+            contents.back().chapter = static_cast<int>(contents.size());
+        }
+    }
+    return contents;
 }
 
 ReportContent reportContentOf(const Document& document, const ReportSubject& subject) {

@@ -51,6 +51,8 @@ struct ReportRun {
 // Everything that a report shows, as a value. Its texts are in the language in which it is laid
 // out.
 struct ReportContent {
+    QString set;      // its name in a report of several sets
+    int chapter = 0;  // its number there, from 1; 0: the only one
     ReportTitle title;
     std::vector<ReportRecording> recordings;
     std::vector<ReportRun> runs;  // of the recordings, in their order

@@ -31,8 +31,12 @@ PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
 
 }  // namespace
 
-QString plotsName(std::size_t recording) {
-    return QStringLiteral("plots-%1").arg(recording);
+QString figureName(const ReportContent& content, const char* figure) {
+    return QStringLiteral("%1-%2").arg(content.chapter).arg(QLatin1String(figure));
+}
+
+QString plotsName(const ReportContent& content, std::size_t recording) {
+    return figureName(content, "plots") + QString::number(recording);
 }
 
 std::vector<ReportFigure> reportFigures(const ReportContent& content) {
@@ -43,18 +47,19 @@ std::vector<ReportFigure> reportFigures(const ReportContent& content) {
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
         const PlotContent plots = plotsOf(content, k);
         if (!plots.runs.empty()) {
-            figures.push_back(figure(plotsName(k), plotsDrawing(plots),
+            figures.push_back(figure(plotsName(content, k), plotsDrawing(plots),
                                      {report_page.width(), report_page.height() - heading}));
         }
     }
     if (content.outcome &&
         content.outcome->identification.fit.model == ResonatorModel::structured) {
         const QSizeF side(half * report_page.width(), half * report_page.width());
-        figures.push_back(figure(rim_name, roundDrawing(rimPlot(*content.outcome)), side));
         figures.push_back(
-            figure(drift_name, xyDrawing(driftPlot(*content.outcome, content.units)), side));
+            figure(figureName(content, rim_figure), roundDrawing(rimPlot(*content.outcome)), side));
+        figures.push_back(figure(figureName(content, drift_figure),
+                                 xyDrawing(driftPlot(*content.outcome, content.units)), side));
         figures.push_back(
-            figure(balance_name,
+            figure(figureName(content, balance_figure),
                    xyDrawing(balancePlot(*content.outcome, BalanceAxis::time, content.units)),
                    {report_page.width(), 0.33 * report_page.width()}));
     }
@@ -63,6 +68,14 @@ std::vector<ReportFigure> reportFigures(const ReportContent& content) {
 
 ReportPicture drawn(const ReportFigure& figure) {
     return {figure.name, toPicture(figure.draw, figure.drawn), QSizeF(figure.drawn), figure.paper};
+}
+
+std::vector<ReportPicture> drawnFigures(const ReportContent& content) {
+    std::vector<ReportPicture> pictures;
+    for (const ReportFigure& figure : reportFigures(content)) {
+        pictures.push_back(drawn(figure));
+    }
+    return pictures;
 }
 
 }  // namespace vybeg::ui

@@ -23,11 +23,13 @@ struct ReportFigure {
 // Content of a page between its margins, pixels of pixels_per_inch.
 inline constexpr QSizeF report_page{657, 950};
 
-// Name of the plots of a recording; rim, drift and balance.
-QString plotsName(std::size_t recording);
-inline const QString rim_name = QStringLiteral("rim");
-inline const QString drift_name = QStringLiteral("drift");
-inline const QString balance_name = QStringLiteral("balance");
+inline constexpr const char* rim_figure = "rim";
+inline constexpr const char* drift_figure = "drift";
+inline constexpr const char* balance_figure = "balance";
+
+// The name of one of these in the text, and of the plots of a recording: different in each chapter.
+QString figureName(const ReportContent& content, const char* figure);
+QString plotsName(const ReportContent& content, std::size_t recording);
 
 // All figures of a report: for each recording with a run the slow variables, then those of the
 // resonator. Drawing one needs the thread of the window (QCustomPlot is a widget).
@@ -41,5 +43,7 @@ struct ReportPicture {
     QSizeF paper;
 };
 ReportPicture drawn(const ReportFigure& figure);
+// All figures of a report in one go.
+std::vector<ReportPicture> drawnFigures(const ReportContent& content);
 
 }  // namespace vybeg::ui

@@ -1,23 +1,30 @@
 #include "ui/report/report_html.h"
 
-#include "ui/words/rich_text.h"
+#include <QRegularExpression>
 
 #include <algorithm>
 
 namespace vybeg::ui {
 
+QString withIndices(const QString& text) {
+    // A letter or two of a symbol, its index of as many; no part of a word, no name of a file.
+    static const QRegularExpression symbol(
+        QStringLiteral("(?<![\\p{L}_])(Δ?\\p{L})_(\\p{L}{1,2})(?![\\p{L}\\p{N}_]|\\.\\p{L})"));
+    return text.toHtmlEscaped().replace(symbol, QStringLiteral("\\1<sub>\\2</sub>"));
+}
+
 QString heading(const QString& text, bool new_page) {
     return QStringLiteral("<h2%1>%2</h2>")
         .arg(new_page ? QStringLiteral(" style=\"page-break-before:always\"") : QString(),
-             richText(text));
+             withIndices(text));
 }
 
 QString smallHeading(const QString& text) {
-    return QStringLiteral("<h3>%1</h3>").arg(richText(text));
+    return QStringLiteral("<h3>%1</h3>").arg(withIndices(text));
 }
 
 QString paragraph(const QString& text) {
-    return QStringLiteral("<p>%1</p>").arg(richText(text));
+    return QStringLiteral("<p>%1</p>").arg(withIndices(text));
 }
 
 QString monospaced(const QString& text) {
@@ -27,7 +34,7 @@ QString monospaced(const QString& text) {
 QString items(const QStringList& sentences) {
     QString list;
     for (const QString& sentence : sentences) {
-        list += QStringLiteral("<li>%1</li>").arg(richText(sentence));
+        list += QStringLiteral("<li>%1</li>").arg(withIndices(sentence));
     }
     return list.isEmpty() ? list : QStringLiteral("<ul>%1</ul>").arg(list);
 }
@@ -72,13 +79,13 @@ QString quantityTables(const QStringList& headers, const std::vector<QuantityRow
         if (!headers.isEmpty()) {
             table.head << QString();
             for (qsizetype k = from; k < from + count; ++k) {
-                table.head << richText(headers[k]);
+                table.head << withIndices(headers[k]);
             }
         }
         for (const QuantityRow& row : rows) {
-            QStringList cells{richText(row.name)};
+            QStringList cells{withIndices(row.name)};
             for (qsizetype k = from; k < from + count; ++k) {
-                cells << richText(row.cells[static_cast<std::size_t>(k)].text);
+                cells << withIndices(row.cells[static_cast<std::size_t>(k)].text);
             }
             table.rows.push_back(cells);
         }

@@ -97,6 +97,26 @@ void keepHeadingsWithTheirText(QTextDocument& document) {
     }
 }
 
+// The pages of the chapters in place of their marks.
+void tellPagesOfChapters(QTextDocument& document) {
+    std::vector<int> pages;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        const QTextBlockFormat format = block.blockFormat();
+        if (format.headingLevel() == 1 &&
+            format.pageBreakPolicy() == QTextFormat::PageBreak_AlwaysBefore) {
+            pages.push_back(pageOf(document, block) + 1);
+        }
+    }
+    QTextCursor whole(&document);
+    whole.beginEditBlock();
+    QTextCursor at(&document);
+    for (std::size_t k = 0; k < pages.size(); ++k) {
+        at = document.find(chapterMark(static_cast<int>(k) + 1), at);
+        at.insertText(QString::number(pages[k]));
+    }
+    whole.endEditBlock();
+}
+
 // As XML, with the characters that it reserves.
 QByteArray metadata(const ReportText& text) {
     const auto list = [](const char* kind, const char* item, const QString& value) {
@@ -153,6 +173,7 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
     document.setHtml(text.html);
     document.setPageSize(content);
     keepHeadingsWithTheirText(document);
+    tellPagesOfChapters(document);
 
     QPainter painter(&pdf);
     font.setPointSizeF(7.5);
@@ -182,14 +203,6 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
     }
     painter.end();
     return bytes;
-}
-
-QByteArray reportPdf(const ReportContent& content, const QString& program, const QDateTime& made) {
-    std::vector<ReportPicture> pictures;
-    for (const ReportFigure& figure : reportFigures(content)) {
-        pictures.push_back(drawn(figure));
-    }
-    return reportPdf(reportTextOf(content, program, made), pictures);
 }
 
 }  // namespace vybeg::ui

@@ -13,7 +13,4 @@ namespace vybeg::ui {
 // embedded, title and author in its metadata. Any thread may call it.
 QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& pictures);
 
-// All in one go, in the thread of the window.
-QByteArray reportPdf(const ReportContent& content, const QString& program, const QDateTime& made);
-
 }  // namespace vybeg::ui

@@ -1,240 +1,115 @@
 #include "ui/report/report_text.h"
 
-#include "core/analysis/setting_table.h"
 #include "ui/report/budget_text.h"
-#include "ui/report/report_figures.h"
 #include "ui/report/report_html.h"
+#include "ui/report/report_sections.h"
 #include "ui/report/resonator_section.h"
-#include "ui/resonator/resonator_text.h"
-#include "ui/words/algorithm_text.h"
-#include "ui/words/error_text.h"
-#include "ui/words/rich_text.h"
+#include "ui/resonator/parameter_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QLocale>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vybeg::ui {
 
 namespace {
 
-// Events of a run that are listed; of the rest the number.
-constexpr std::size_t most_events = 60;
-
-const QString none = QStringLiteral("—");
-
-QString seconds(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
+QString madeText(const QString& program, const QDateTime& made) {
+    return QStringLiteral("%1, %2").arg(QLocale().toString(made, QLocale::ShortFormat), program);
 }
 
-// A rate in Hz with its own digits.
-QString rateText(double rate_hz) {
-    return QLocale().toString(rate_hz, 'g', 12);
-}
-
-QStringList sentences(const std::vector<Diagnostic>& findings) {
-    QStringList texts;
-    for (const Diagnostic& each : findings) {
-        texts << diagnosticText(each);
-    }
-    return texts;
-}
-
-QString titleBlock(const ReportContent& content, const QString& program, const QDateTime& made) {
-    // Lines to write on by hand where nothing is told.
-    const QString line = QStringLiteral("____________________________");
-    const auto told = [&line](const QString& text) {
-        return text.isEmpty() ? line : richText(text);
-    };
-    const auto name = [](const char* text) {
-        return QStringLiteral("<b>%1</b>").arg(reportText(text));
-    };
-    HtmlTable table{{}, {}, {20, 80}};
-    table.rows = {
-        {name(QT_TRANSLATE_NOOP("Report", "Gyro, serial number")), told(content.title.gyro)},
-        {name(QT_TRANSLATE_NOOP("Report", "Operator")), told(content.title.engineer)},
-        {name(QT_TRANSLATE_NOOP("Report", "Date of measurement")), told(content.title.date)},
-        {name(QT_TRANSLATE_NOOP("Report", "Comment")), told(content.title.comment)},
-        {name(QT_TRANSLATE_NOOP("Report", "Report made")),
-         QStringLiteral("%1, %2").arg(QLocale().toString(made, QLocale::ShortFormat),
-                                      program.toHtmlEscaped())},
-    };
-    return html(table);
-}
-
-QString checkText(const ReportRecording& recording) {
-    if (!recording.check) {
-        return reportText(QT_TRANSLATE_NOOP("Report", "not finished yet"));
-    }
-    return recording.check->empty() ? reportText(QT_TRANSLATE_NOOP("Report", "no findings"))
-                                    : sentences(*recording.check).join(QStringLiteral(" "));
-}
-
-QString recordingsSection(const ReportContent& content) {
-    const auto head = [](const char* text, const char* unit = "") {
-        return withUnit(reportText(text), unitText(unit));
-    };
-    HtmlTable table{
-        {head(QT_TRANSLATE_NOOP("Report", "File")), head(QT_TRANSLATE_NOOP("Report", "Format")),
-         head(QT_TRANSLATE_NOOP("Report", "Start")),
-         head(QT_TRANSLATE_NOOP("Report", "Rate"), "Hz"),
-         head(QT_TRANSLATE_NOOP("Report", "Length"), "s")},
-        {},
-        {28, 30, 20, 12, 10}};
-    for (const ReportRecording& each : content.recordings) {
-        table.rows.push_back({QStringLiteral("<b>%1</b>").arg(each.name.toHtmlEscaped()),
-                              each.format.toHtmlEscaped(),
-                              each.start.isEmpty() ? none : each.start.toHtmlEscaped(),
-                              rateText(each.rate_hz), seconds(each.seconds, 3)});
-        const QString hash =
-            each.sha256.isEmpty()
-                ? reportText(QT_TRANSLATE_NOOP("Report", "not computed yet")).toHtmlEscaped()
-                : monospaced(each.sha256);
-        table.rows.push_back({QStringLiteral("SHA-256: ") + hash});
-        table.rows.push_back(
-            {reportText(QT_TRANSLATE_NOOP("Report", "Check: %1")).arg(richText(checkText(each)))});
-    }
-    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Recordings"))) + html(table);
-}
-
-// The settings that have a part and are not the defaults, as options of the command line.
-QString optionsText(const Settings& settings) {
-    QStringList options;
-    const Settings defaults;
-    for (const SettingRow<Settings>& row : analysis_settings()) {
-        const std::string text = row.text(settings);
-        if (row.has_part && text != row.text(defaults)) {
-            const QString option = QString::fromStdString(row.option());
-            options << (row.placeholder.empty()
-                            ? option
-                            : option + QLatin1Char(' ') + QString::fromStdString(text));
-        }
-    }
-    return options.join(QLatin1Char(' '));
-}
-
-QString settingsSection(const ReportContent& content) {
-    if (content.runs.empty()) {
-        return {};
-    }
-    const auto head = [](const char* text, const char* unit = "") {
-        return withUnit(reportText(text), unitText(unit));
-    };
-    HtmlTable table{{head(QT_TRANSLATE_NOOP("Report", "Recording")),
-                     head(QT_TRANSLATE_NOOP("Report", "Algorithm")),
-                     head(QT_TRANSLATE_NOOP("Report", "Window, hop (samples)")),
-                     head(QT_TRANSLATE_NOOP("Report", "Windows")),
-                     head(QT_TRANSLATE_NOOP("Report", "Mean frequency"), "Hz"),
-                     head(QT_TRANSLATE_NOOP("Report", "Noise σ"))},
-                    {},
-                    {22, 20, 14, 12, 20, 12}};
-    for (const ReportRun& each : content.runs) {
-        const Analysis& analysis = *each.run.analysis;
-        const QLocale locale;
-        table.rows.push_back({content.recordings[each.recording].name.toHtmlEscaped(),
-                              algorithmText(analysis.settings.algorithm).toHtmlEscaped(),
-                              QStringLiteral("%1, %2").arg(
-                                  locale.toString(static_cast<qint64>(analysis.plan.length)),
-                                  locale.toString(static_cast<qint64>(analysis.plan.hop))),
-                              locale.toString(static_cast<qint64>(analysis.plan.count)),
-                              valueText(each.means.mean_f_hz, each.means.sd_mean_f_hz),
-                              shortNumberText(each.means.noise, 3)});
-        if (const QString options = optionsText(analysis.settings); !options.isEmpty()) {
-            table.rows.push_back({monospaced(options)});
-        }
-    }
-    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Analyses and their settings"))) +
-           html(table);
-}
-
-QString plotsSection(const ReportContent& content) {
-    QString text;
-    for (std::size_t k = 0; k < content.recordings.size(); ++k) {
-        const auto is_of = [k](const ReportRun& run) { return run.recording == k; };
-        if (std::ranges::any_of(content.runs, is_of)) {
-            text += heading(reportText(QT_TRANSLATE_NOOP("Report", "Slow variables: %1"))
-                                .arg(content.recordings[k].name),
-                            true) +
-                    figureHtml(plotsName(k));
-        }
-    }
+ReportText framed(const QString& report, const QString& about, const QString& program) {
+    ReportText text;
+    text.title = QStringLiteral("%1: %2").arg(report, about);
+    text.program = program;
+    text.head = text.title;
+    text.foot = reportText(QT_TRANSLATE_NOOP("Report", "Page %1 of %2"));
+    text.html = QStringLiteral("<h1>%1</h1>").arg(report.toHtmlEscaped());
     return text;
 }
 
-QString eventsSection(const ReportContent& content) {
-    QString text = heading(reportText(QT_TRANSLATE_NOOP("Report", "Events")));
-    bool any = false;
-    for (const ReportRun& each : content.runs) {
-        if (each.events.empty()) {
-            continue;
-        }
-        any = true;
-        HtmlTable table{{reportText(QT_TRANSLATE_NOOP("Report", "Time, s")),
-                         reportText(QT_TRANSLATE_NOOP("Report", "Event"))},
-                        {},
-                        {14, 86}};
-        for (std::size_t k = 0; k < std::min(each.events.size(), most_events); ++k) {
-            table.rows.push_back(
-                {seconds(each.events[k].time_s, 4), richText(eventText(each.events[k]))});
-        }
-        if (each.events.size() > most_events) {
-            table.rows.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Further events: %1"))
-                                      .arg(static_cast<qint64>(each.events.size() - most_events))});
-        }
-        text += smallHeading(QStringLiteral("%1, %2").arg(content.recordings[each.recording].name,
-                                                          each.run.name)) +
-                html(table);
-    }
-    return any ? text
-               : text + paragraph(
-                            reportText(QT_TRANSLATE_NOOP("Report", "No axis crossings, no gaps.")));
+// "Set, gyro" where they differ.
+QString nameOf(const ReportContent& content) {
+    const QString& gyro = content.title.gyro;
+    return gyro.isEmpty() || gyro == content.set ? content.set
+                                                 : QStringLiteral("%1, %2").arg(content.set, gyro);
 }
 
-// Each warning once; those of the recording check stand with the recordings.
-QString warningsSection(const ReportContent& content) {
-    QStringList warnings;
-    for (const ReportRun& each : content.runs) {
-        const ReportRecording& recording = content.recordings[each.recording];
-        const QStringList known = recording.check ? sentences(*recording.check) : QStringList();
-        for (const QString& text : sentences(each.run.analysis->diagnostics)) {
-            if (!known.contains(text)) {
-                warnings << QStringLiteral("%1: %2").arg(recording.name, text);
-            }
-        }
+QStringList lineOf(const ReportContent& content) {
+    QStringList cells{nameOf(content).toHtmlEscaped(), chapterMark(content.chapter)};
+    if (!content.outcome) {
+        return cells << withIndices(absenceText(content));
     }
-    if (content.outcome) {
-        warnings += findingTexts(*content.outcome);
-        warnings += warningTexts(*content.outcome);
-    }
-    warnings.removeDuplicates();
-    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Warnings"))) +
-           (warnings.isEmpty() ? paragraph(reportText(QT_TRANSLATE_NOOP("Report", "None.")))
-                               : items(warnings));
+    const ResonatorEstimate& resonator = content.outcome->identification.fit.resonator;
+    const auto add = [&cells](const Estimate& estimate, double factor) {
+        cells << (estimate.given()
+                      ? valueText(factor * estimate.value, factor * estimate.uncertainty())
+                      : QStringLiteral("—"));
+    };
+    add(resonator.f_mean_hz, 1);
+    add(resonator.split_hz, 1);
+    add(resonator.theta_w_rad, angleFactor(content.units));
+    add(resonator.q, 1);
+    return cells;
 }
 
 }  // namespace
 
 ReportText reportTextOf(const ReportContent& content, const QString& program,
                         const QDateTime& made) {
-    ReportText text;
-    const QString& gyro = content.title.gyro;
-    const QString report = reportText(QT_TRANSLATE_NOOP("Report", "Report of a free decay"));
-    QString about = gyro.isEmpty() ? QString() : gyro;
+    QString about = content.title.gyro;
     if (about.isEmpty() && !content.recordings.empty()) {
         about = content.recordings.front().name;
     }
-    text.title = QStringLiteral("%1: %2").arg(report, about);
+    ReportText text =
+        framed(reportText(QT_TRANSLATE_NOOP("Report", "Report of a free decay")), about, program);
     text.author = content.title.engineer;
-    text.program = program;
-    text.head = text.title;
-    text.foot = reportText(QT_TRANSLATE_NOOP("Report", "Page %1 of %2"));
-    text.html = QStringLiteral("<h1>%1</h1>").arg(report.toHtmlEscaped()) +
-                titleBlock(content, program, made) + recordingsSection(content) +
-                settingsSection(content) + plotsSection(content) + resonatorSection(content) +
-                eventsSection(content) + warningsSection(content);
+    text.html += titleBlock(content.title, madeText(program, made)) + reportSections(content);
     return text;
+}
+
+ReportChapter chapterOf(const ReportContent& content) {
+    return {lineOf(content), QStringLiteral("<h1 style=\"page-break-before:always\">%1</h1>")
+                                     .arg(content.set.toHtmlEscaped()) +
+                                 titleBlock(content.title, {}) + reportSections(content)};
+}
+
+ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
+                        const DisplayUnits& units, const QString& program, const QDateTime& made) {
+    const auto head = [](const char* text, const QString& unit = {}) {
+        return withIndices(withUnit(reportText(text), unit));
+    };
+    HtmlTable table{
+        {head(QT_TRANSLATE_NOOP("Report", "Set, gyro")), head(QT_TRANSLATE_NOOP("Report", "Page")),
+         head(QT_TRANSLATE_NOOP("Report", "Mean f"), unitText("Hz")),
+         head(QT_TRANSLATE_NOOP("Report", "Split Δf"), unitText("Hz")),
+         head(QT_TRANSLATE_NOOP("Report", "Axis θ_w"), angleUnit(units)),
+         head(QT_TRANSLATE_NOOP("Report", "Quality factor Q"))},
+        {},
+        {18, 8, 23, 21, 14, 16},
+        true};
+    QString pages;
+    for (const ReportChapter& chapter : chapters) {
+        table.rows.push_back(chapter.line);
+        pages += chapter.html;
+    }
+    ReportText text =
+        framed(reportText(QT_TRANSLATE_NOOP("Report", "Report of free decays")), about, program);
+    text.html +=
+        paragraph(QStringLiteral("%1: %2").arg(
+            reportText(QT_TRANSLATE_NOOP("Report", "Report made")), madeText(program, made))) +
+        heading(reportText(QT_TRANSLATE_NOOP("Report", "All sets"))) +
+        paragraph(reportText(QT_TRANSLATE_NOOP(
+            "Report",
+            "Values with their combined standard uncertainties u. A dash: the "
+            "recordings do not show it; the page of the set gives the reason."))) +
+        html(table) + pages;
+    return text;
+}
+
+QString chapterMark(int number) {
+    return QStringLiteral("⟦%1⟧").arg(number);
 }
 
 }  // namespace vybeg::ui

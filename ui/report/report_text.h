@@ -4,6 +4,9 @@
 
 #include <QDateTime>
 #include <QString>
+#include <QStringList>
+
+#include <vector>
 
 namespace vybeg::ui {
 
@@ -18,8 +21,24 @@ struct ReportText {
     QString html;
 };
 
-// `program`: name and version. `made`: when.
+// Of one set or recording. `program`: name and version. `made`: when.
 ReportText reportTextOf(const ReportContent& content, const QString& program,
                         const QDateTime& made);
+
+// One set in a report of several.
+struct ReportChapter {
+    QStringList line;  // in the table of all sets: cells, each an HTML text
+    QString html;      // its pages
+};
+
+// Of a content with a number.
+ReportChapter chapterOf(const ReportContent& content);
+
+// Of several sets: a table of all, then a chapter for each. `about`: what they are.
+ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
+                        const DisplayUnits& units, const QString& program, const QDateTime& made);
+
+// Stands in the table for the page of a chapter, which the layout tells.
+QString chapterMark(int number);
 
 }  // namespace vybeg::ui

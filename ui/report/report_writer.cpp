@@ -8,7 +8,9 @@
 #include <QCoreApplication>
 #include <QTimer>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -22,13 +24,28 @@ struct ReportWriter::Work {
     std::function<void(const Status&)> done;
 };
 
-void ReportWriter::write(const ReportContent& content, const QString& path,
-                         std::function<void(const Status&)> done) {
+namespace {
+
+ReportText textOf(const std::vector<ReportContent>& contents, const QString& about) {
+    const QString program = QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
+    const QDateTime made = QDateTime::currentDateTime();
+    if (contents.size() == 1) {
+        return reportTextOf(contents.front(), program, made);
+    }
+    std::vector<ReportChapter> chapters;
+    std::ranges::transform(contents, std::back_inserter(chapters), chapterOf);
+    return reportTextOf(about, chapters, contents.front().units, program, made);
+}
+
+}  // namespace
+
+void ReportWriter::write(const std::vector<ReportContent>& contents, const QString& about,
+                         const QString& path, std::function<void(const Status&)> done) {
     auto work = std::make_shared<Work>();
-    work->figures = reportFigures(content);
-    work->text =
-        reportTextOf(content, QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion(),
-                     QDateTime::currentDateTime());
+    for (const ReportContent& content : contents) {
+        std::ranges::move(reportFigures(content), std::back_inserter(work->figures));
+    }
+    work->text = textOf(contents, about);
     work->path = path;
     work->done = std::move(done);
     drawNext(work);

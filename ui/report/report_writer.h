@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace vybeg::ui {
 
@@ -19,8 +20,9 @@ class ReportWriter : public QObject {
 
 public:
     // `done` is called in this thread. Errors: those of write_file().
-    void write(const ReportContent& content, const QString& path,
-               std::function<void(const Status&)> done);
+    // A content is a report of its own, several are its chapters; `about` says of what.
+    void write(const std::vector<ReportContent>& contents, const QString& about,
+               const QString& path, std::function<void(const Status&)> done);
 
 private:
     struct Work;

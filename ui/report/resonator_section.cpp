@@ -47,23 +47,27 @@ QString budget(const Identification& found, const DisplayUnits& units) {
         paragraph(sources) + quantityTables(budgetHeaders(found), rows, most_sources, true));
 }
 
-QString figures(const Identification& found, const DisplayUnits& units) {
+QString figures(const ReportContent& content) {
+    const Identification& found = content.outcome->identification;
     return part(reportText(QT_TRANSLATE_NOOP("Report", "Rim and drift function")),
-                sideBySide(rim_name, drift_name) + quantityTables({}, driftRows(found, units), 1)) +
+                sideBySide(figureName(content, rim_figure), figureName(content, drift_figure)) +
+                    quantityTables({}, driftRows(found, content.units), 1)) +
            part(reportText(QT_TRANSLATE_NOOP("Report", "Balance of the channels, condition (30)")),
-                figureHtml(balance_name));
+                figureHtml(figureName(content, balance_figure)));
 }
 
 }  // namespace
 
+QString absenceText(const ReportContent& content) {
+    return content.not_identified
+               ? errorText(*content.not_identified)
+               : reportText(QT_TRANSLATE_NOOP("Report", "It has not been identified."));
+}
+
 QString resonatorSection(const ReportContent& content) {
     const QString title = reportText(QT_TRANSLATE_NOOP("Report", "Resonator"));
     if (!content.outcome) {
-        const QString reason =
-            content.not_identified
-                ? errorText(*content.not_identified)
-                : reportText(QT_TRANSLATE_NOOP("Report", "It has not been identified."));
-        return heading(title) + paragraph(reason);
+        return heading(title) + paragraph(absenceText(content));
     }
     const Identification& found = content.outcome->identification;
     QStringList names;
@@ -83,7 +87,7 @@ QString resonatorSection(const ReportContent& content) {
                  quantityTables({}, modeRows(found.fit), 1));
     text += budget(found, content.units);
     if (structured) {
-        text += figures(found, content.units);
+        text += figures(content);
     }
     text +=
         part(reportText(QT_TRANSLATE_NOOP("Report", "Waves of the recordings, without a model")),

@@ -10,4 +10,7 @@ namespace vybeg::ui {
 // modes, and what is known of each recording; or why there are none.
 QString resonatorSection(const ReportContent& content);
 
+// Why a content has no identification.
+QString absenceText(const ReportContent& content);
+
 }  // namespace vybeg::ui

@@ -201,9 +201,11 @@ void FileCommands::askForReport() {
         ask_.reportTarget(QFileInfo(dialog->subject().name).completeBaseName(),
                           [this, dialog = QPointer(dialog)](const QString& path) {
                               if (dialog) {
-                                  ReportContent content = dialog->content();
-                                  content.units = tracks_.units();
-                                  writeReport(content, path);
+                                  std::vector<ReportContent> contents = dialog->contents();
+                                  for (ReportContent& content : contents) {
+                                      content.units = tracks_.units();
+                                  }
+                                  writeReport(contents, dialog->subject().name, path);
                                   dialog->accept();
                               }
                           });
@@ -211,12 +213,13 @@ void FileCommands::askForReport() {
     dialog->open();
 }
 
-void FileCommands::writeReport(const ReportContent& content, const QString& path) {
+void FileCommands::writeReport(const std::vector<ReportContent>& contents, const QString& about,
+                               const QString& path) {
     if (const Status possible = stayAsTheyAre(document_, path); !possible) {
         reportSaved(possible, path);
         return;
     }
-    reports_.write(content, path,
+    reports_.write(contents, about, path,
                    [this, path](const Status& status) { reportSaved(status, path); });
 }
 

@@ -53,7 +53,9 @@ public:
     void exportPlot(const Figure& figure);
     // By a dialog: subject, title block, plots. Written in the background.
     void askForReport();
-    void writeReport(const ReportContent& content, const QString& path);
+    // Several contents are chapters; `about` says of what.
+    void writeReport(const std::vector<ReportContent>& contents, const QString& about,
+                     const QString& path);
     // By the ending of the path; says so in the window.
     bool writeFigure(const Figure& figure, const Paper& paper, const QString& path);
 

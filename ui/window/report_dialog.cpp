@@ -41,7 +41,8 @@ ReportDialog::ReportDialog(const Document& document, QWidget* parent)
     for (const ReportSubject& each : subjects_) {
         subject_->addItem(each.name);
     }
-    add(tr("Report of"), subject_, tr("A recording, or a set of them with its resonator"));
+    add(tr("Report of"), subject_,
+        tr("A recording, a set of them with its resonator, or all sets"));
     const QString by_hand = tr("Empty: a line to fill in by hand");
     add(tr("Gyro"), gyro_, tr("Serial number. %1").arg(by_hand));
     add(tr("Operator"), engineer_, by_hand);
@@ -59,7 +60,10 @@ ReportDialog::ReportDialog(const Document& document, QWidget* parent)
     comment_->setText(kept.value(comment_key).toString());
     all_plots_->setChecked(kept.value(all_plots_key, false).toBool());
     const auto propose_date = [this] {
-        date_->setText(reportContentOf(document_, subject()).title.date);
+        // Each of several sets has its own.
+        date_->setEnabled(!subject().all_sets);
+        date_->setText(subject().all_sets ? QString()
+                                          : reportContentOf(document_, subject()).title.date);
     };
     connect(subject_, &QComboBox::currentIndexChanged, this, propose_date);
     propose_date();
@@ -82,14 +86,17 @@ const ReportSubject& ReportDialog::subject() const {
     return subjects_[static_cast<std::size_t>(subject_->currentIndex())];
 }
 
-ReportContent ReportDialog::content() const {
-    ReportContent content = reportContentOf(document_, subject());
-    content.title = {gyro_->text().trimmed(), engineer_->text().trimmed(), date_->text().trimmed(),
-                     comment_->text().trimmed()};
-    if (all_plots_->isChecked()) {
-        content.variables.assign(shown_slow_variables.begin(), shown_slow_variables.end());
+std::vector<ReportContent> ReportDialog::contents() const {
+    std::vector<ReportContent> contents = reportContentsOf(document_, subject());
+    for (ReportContent& content : contents) {
+        const QString date = subject().all_sets ? content.title.date : date_->text().trimmed();
+        content.title = {gyro_->text().trimmed(), engineer_->text().trimmed(), date,
+                         comment_->text().trimmed()};
+        if (all_plots_->isChecked()) {
+            content.variables.assign(shown_slow_variables.begin(), shown_slow_variables.end());
+        }
     }
-    return content;
+    return contents;
 }
 
 void ReportDialog::keep() const {

@@ -22,7 +22,7 @@ public:
     explicit ReportDialog(const Document& document, QWidget* parent = nullptr);
 
     const ReportSubject& subject() const;
-    ReportContent content() const;
+    std::vector<ReportContent> contents() const;
 
 signals:
     void saveWanted();
