@@ -108,6 +108,8 @@ QChart* makeRoundChart(bool polar) {
     chart->setLocalizeNumbers(true);
     for (const Qt::Alignment side : {Qt::AlignBottom, Qt::AlignLeft}) {
         auto* axis = new QValueAxis;
+        // Without a range there are no labels, and Qt Charts lays out the first of them.
+        axis->setRange(0, 1);
         if (polar) {
             static_cast<QPolarChart*>(chart)->addAxis(
                 axis, side == Qt::AlignBottom ? QPolarChart::PolarOrientationAngular
