@@ -1177,11 +1177,11 @@
     <name>Report</name>
     <message>
         <source>Gain ratio</source>
-        <translation>Отношение коэффициентов передачи</translation>
+        <translation>Отнош. усиления</translation>
     </message>
     <message>
         <source>Skew</source>
-        <translation>Неортогональность</translation>
+        <translation>Неортог.</translation>
     </message>
     <message>
         <source>Delay</source>
@@ -1189,7 +1189,7 @@
     </message>
     <message>
         <source>Crosstalk</source>
-        <translation>Перекрёстная помеха</translation>
+        <translation>Перекр. помеха</translation>
     </message>
     <message>
         <source>Phase drift</source>
@@ -1201,19 +1201,19 @@
     </message>
     <message>
         <source>Sample rate</source>
-        <translation>Частота дискретизации</translation>
+        <translation>Частота дискр.</translation>
     </message>
     <message>
         <source>Statistical</source>
-        <translation>Статистическая</translation>
+        <translation>Статист.</translation>
     </message>
     <message>
         <source>Combined u</source>
-        <translation>Суммарная u</translation>
+        <translation>Суммарн. u</translation>
     </message>
     <message>
         <source>Expanded U = 2u</source>
-        <translation>Расширенная U = 2u</translation>
+        <translation>Расшир. U = 2u</translation>
     </message>
     <message>
         <source>Gyro, serial number</source>
@@ -1257,7 +1257,7 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation>Дискретизация</translation>
+        <translation>Частота</translation>
     </message>
     <message>
         <source>Length</source>

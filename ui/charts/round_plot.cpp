@@ -3,6 +3,7 @@
 #include "ui/plots/plot_stack.h"
 
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QLegend>
 #include <QLegendMarker>
@@ -184,6 +185,9 @@ Drawing roundDrawing(const RoundPlot& content) {
         scene.addItem(chart);
         chart->resize(size);
         fillRoundChart(*chart, content, lightTheme());
+        // No event loop lays out the legend before it is drawn.
+        chart->layout()->invalidate();
+        chart->layout()->activate();
         scene.setSceneRect(QRectF(QPointF(), QSizeF(size)));
         scene.render(&painter, QRectF(QPointF(), QSizeF(size)), scene.sceneRect());
     };

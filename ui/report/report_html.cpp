@@ -9,7 +9,7 @@ namespace vybeg::ui {
 QString withIndices(const QString& text) {
     // A letter or two of a symbol, its index of as many; no part of a word, no name of a file.
     static const QRegularExpression symbol(
-        QStringLiteral("(?<![\\p{L}_])(Δ?\\p{L})_(\\p{L}{1,2})(?![\\p{L}\\p{N}_]|\\.\\p{L})"));
+        QStringLiteral("(?<![\\p{L}_])(d?Δ?\\p{L})_(\\p{L}{1,2})(?![\\p{L}\\p{N}_]|\\.\\p{L})"));
     return text.toHtmlEscaped().replace(symbol, QStringLiteral("\\1<sub>\\2</sub>"));
 }
 
@@ -69,13 +69,16 @@ QString quantityTables(const QStringList& headers, const std::vector<QuantityRow
                        qsizetype most, bool small) {
     QString text;
     const qsizetype values = rows.empty() ? 0 : qsizetype(rows.front().cells.size());
-    for (qsizetype from = 0; from < values; from += most) {
-        const qsizetype count = std::min(most, values - from);
+    const qsizetype tables = (values + most - 1) / most;
+    const qsizetype each = tables == 0 ? 0 : (values + tables - 1) / tables;
+    for (qsizetype from = 0; from < values; from += each) {
+        const qsizetype count = std::min(each, values - from);
         // Names of quantities are about as long as two values.
-        const int name = std::max(22, static_cast<int>(100 / (1 + count) + 8));
-        HtmlTable table{{}, {}, {name}, small};
-        table.columns.insert(table.columns.end(), static_cast<std::size_t>(count),
-                             static_cast<int>((100 - name) / count));
+        const int columns = static_cast<int>(count);
+        const int value =
+            (100 - std::max(22, 100 / (1 + columns) + (columns == 1 ? 8 : 0))) / columns;
+        HtmlTable table{{}, {}, {100 - columns * value}, small};
+        table.columns.insert(table.columns.end(), static_cast<std::size_t>(count), value);
         if (!headers.isEmpty()) {
             table.head << QString();
             for (qsizetype k = from; k < from + count; ++k) {

@@ -56,10 +56,13 @@ public:
                     const QTextFormat& format) override {
         if (const ReportPicture* picture = find(format)) {
             QPicture own = picture->picture;
+            // What a picture itself scales by as it is played.
+            const double own_scale =
+                double(painter->device()->logicalDpiX()) / double(own.logicalDpiX());
             painter->save();
             painter->translate(room.topLeft());
-            painter->scale(room.width() / picture->drawn.width(),
-                           room.height() / picture->drawn.height());
+            painter->scale(room.width() / (own_scale * picture->drawn.width()),
+                           room.height() / (own_scale * picture->drawn.height()));
             painter->drawPicture(0, 0, own);
             painter->restore();
         }
@@ -97,24 +100,25 @@ void keepHeadingsWithTheirText(QTextDocument& document) {
     }
 }
 
-// The pages of the chapters in place of their marks.
-void tellPagesOfChapters(QTextDocument& document) {
-    std::vector<int> pages;
+// The text with the page of each chapter in place of its mark.
+QString withPages(QString html, const QTextDocument& document) {
+    int chapter = 0;
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         const QTextBlockFormat format = block.blockFormat();
         if (format.headingLevel() == 1 &&
             format.pageBreakPolicy() == QTextFormat::PageBreak_AlwaysBefore) {
-            pages.push_back(pageOf(document, block) + 1);
+            html.replace(chapterMark(++chapter), QString::number(pageOf(document, block) + 1));
         }
     }
-    QTextCursor whole(&document);
-    whole.beginEditBlock();
-    QTextCursor at(&document);
-    for (std::size_t k = 0; k < pages.size(); ++k) {
-        at = document.find(chapterMark(static_cast<int>(k) + 1), at);
-        at.insertText(QString::number(pages[k]));
-    }
-    whole.endEditBlock();
+    return html;
+}
+
+void layOut(QTextDocument& document, const QString& html) {
+    document.setHtml(html);
+    // Qt lays out step by step, and a change before the last step leaves out the blocks of the
+    // rest: counting the pages finishes it.
+    (void)document.pageCount();
+    keepHeadingsWithTheirText(document);
 }
 
 // As XML, with the characters that it reserves.
@@ -170,10 +174,13 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
             .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family()));
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, &figures);
     document.documentLayout()->setPaintDevice(&pdf);
-    document.setHtml(text.html);
     document.setPageSize(content);
-    keepHeadingsWithTheirText(document);
-    tellPagesOfChapters(document);
+    layOut(document, text.html);
+    // The numbers are as long as their marks or shorter: the second layout has the pages of the
+    // first.
+    if (const QString told = withPages(text.html, document); told != text.html) {
+        layOut(document, told);
+    }
 
     QPainter painter(&pdf);
     font.setPointSizeF(7.5);

@@ -13,6 +13,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -66,7 +67,7 @@ QString recordingsSection(const ReportContent& content) {
          head(QT_TRANSLATE_NOOP("Report", "Rate"), "Hz"),
          head(QT_TRANSLATE_NOOP("Report", "Length"), "s")},
         {},
-        {28, 30, 20, 12, 10}};
+        {26, 29, 18, 14, 13}};
     for (const ReportRecording& each : content.recordings) {
         table.rows.push_back({QStringLiteral("<b>%1</b>").arg(each.name.toHtmlEscaped()),
                               each.format.toHtmlEscaped(),
@@ -83,13 +84,16 @@ QString recordingsSection(const ReportContent& content) {
     return heading(reportText(QT_TRANSLATE_NOOP("Report", "Recordings"))) + html(table);
 }
 
-// The settings that have a part and are not the defaults, as options of the command line.
+// The settings that have a part and are not the defaults, as options of the command line; without
+// those that stand in the table: the carrier that is found is one of its own.
 QString optionsText(const Settings& settings) {
     QStringList options;
     const Settings defaults;
+    constexpr std::array told{"algorithm", "window", "hop", "f0"};
     for (const SettingRow<Settings>& row : analysis_settings()) {
         const std::string text = row.text(settings);
-        if (row.has_part && text != row.text(defaults)) {
+        const bool is_told = std::ranges::find(told, row.name) != told.end();
+        if (row.has_part && !is_told && text != row.text(defaults)) {
             const QString option = QString::fromStdString(row.option());
             options << (row.placeholder.empty()
                             ? option
@@ -113,7 +117,7 @@ QString settingsSection(const ReportContent& content) {
                      head(QT_TRANSLATE_NOOP("Report", "Mean frequency"), "Hz"),
                      head(QT_TRANSLATE_NOOP("Report", "Noise σ"))},
                     {},
-                    {22, 20, 14, 12, 20, 12}};
+                    {20, 20, 15, 11, 22, 12}};
     for (const ReportRun& each : content.runs) {
         const Analysis& analysis = *each.run.analysis;
         const QLocale locale;
@@ -209,7 +213,7 @@ QString titleBlock(const ReportTitle& title, const QString& made) {
     const auto told = [&line](const QString& text) {
         return text.isEmpty() ? line : text.toHtmlEscaped();
     };
-    HtmlTable table{{}, {}, {20, 80}};
+    HtmlTable table{{}, {}, {32, 68}};
     table.rows = {
         {bold(QT_TRANSLATE_NOOP("Report", "Gyro, serial number")), told(title.gyro)},
         {bold(QT_TRANSLATE_NOOP("Report", "Operator")), told(title.engineer)},

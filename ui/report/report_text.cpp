@@ -87,7 +87,7 @@ ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& 
          head(QT_TRANSLATE_NOOP("Report", "Axis θ_w"), angleUnit(units)),
          head(QT_TRANSLATE_NOOP("Report", "Quality factor Q"))},
         {},
-        {18, 8, 23, 21, 14, 16},
+        {17, 7, 25, 23, 14, 14},
         true};
     QString pages;
     for (const ReportChapter& chapter : chapters) {

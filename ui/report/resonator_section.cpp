@@ -13,7 +13,7 @@ namespace vybeg::ui {
 namespace {
 
 // Columns of values that a page has room for.
-constexpr qsizetype most_recordings = 3;
+constexpr qsizetype most_recordings = 2;
 constexpr qsizetype most_sources = 10;
 
 QString part(const QString& title, const QString& tables) {
@@ -91,9 +91,9 @@ QString resonatorSection(const ReportContent& content) {
     }
     text +=
         part(reportText(QT_TRANSLATE_NOOP("Report", "Waves of the recordings, without a model")),
-             quantityTables(names, waveRows(found, content.units), most_recordings));
+             quantityTables(names, waveRows(found, content.units), most_recordings, true));
     text += part(reportText(QT_TRANSLATE_NOOP("Report", "Recordings in the fit")),
-                 quantityTables(names, runRows(found, content.units), most_recordings));
+                 quantityTables(names, runRows(found, content.units), most_recordings, true));
     return text;
 }
 
