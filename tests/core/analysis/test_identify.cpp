@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 using namespace vybeg;
@@ -13,9 +14,9 @@ using namespace vybeg::test;
 
 namespace {
 
-std::vector<Recording> two_runs() {
+std::vector<Recording> runs_at(std::initializer_list<double> two_theta_A) {
     std::vector<Recording> runs;
-    for (const double angle : {0.3, 1.4}) {
+    for (const double angle : two_theta_A) {
         FreeDecay decay;
         decay.seconds = 4;
         decay.tau_s = 40;
@@ -26,6 +27,10 @@ std::vector<Recording> two_runs() {
         runs.push_back(simulated_recording(decay));
     }
     return runs;
+}
+
+std::vector<Recording> two_runs() {
+    return runs_at({0.3, 1.4});
 }
 
 }  // namespace
@@ -62,7 +67,7 @@ private slots:
 
     // The budget of a recording with calibrated channels and a rate of few digits.
     void the_budget_holds_the_sample_rate_and_the_calibration() {
-        std::vector<Recording> runs = two_runs();
+        std::vector<Recording> runs = runs_at({0, 0.8, 1.6, 2.4});
         runs[1].rate_relative_sd = 1e-5;
         IdentifySettings settings;
         settings.signal.calibration.kappa = 0.98;
