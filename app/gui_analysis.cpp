@@ -27,6 +27,7 @@ void warn(const Diagnostic& diagnostic) {
 Status check_request(const std::string& option, const std::string& output,
                      const std::vector<std::string>& inputs, const Settings& settings) {
     std::vector<InputPath> paths;
+    paths.reserve(inputs.size());
     for (const std::string& input : inputs) {
         paths.push_back({input, "it is one of the recordings"});
     }

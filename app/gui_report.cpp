@@ -1,8 +1,8 @@
 #include "app/gui_report.h"
 
 #include "app/gui_analysis.h"
+#include "app/gui_report_set.h"
 #include "app/list_sets.h"
-#include "app/report_of_set.h"
 #include "core/base/messages.h"
 #include "core/output/file_ending.h"
 #include "core/output/output_file.h"

@@ -1,4 +1,4 @@
-#include "app/report_of_set.h"
+#include "app/gui_report_set.h"
 
 #include "app/gui_analysis.h"
 #include "core/analysis/identify.h"
