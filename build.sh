@@ -16,6 +16,7 @@ packages=(
     fonts-dejavu-core                       # text without a display
     python3-numpy python3-scipy python3-h5py # write files for the tests of readers
     libmatio-dev                            # reads those of the program in a test
+    poppler-utils                           # reads the report in a test
     libbenchmark-dev libceres-dev           # speed, and a peer to measure it by, tests/benchmarks
 )
 developer_packages=(clang-format clang-tidy)

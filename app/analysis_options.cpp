@@ -5,28 +5,34 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace vybeg::cli {
 namespace {
 
+template <class S>
+void add_setting(CLI::App& app, const SettingRow<S>& row, S& settings) {
+    const auto take = [&row, &settings](const std::string& text) {
+        if (const Status read = row.read(text, settings); !read) {
+            throw CLI::ValidationError(english(read.error()));
+        }
+    };
+    if (row.placeholder.empty()) {
+        app.add_flag_callback(
+            row.option(), [take] { take("yes"); }, row.help);
+    } else {
+        add_value(app, row.option(), row.placeholder, row.help,
+                  [take](const auto&, const auto& text) { take(text); });
+    }
+}
+
 // The rows of a table of settings as options.
 template <class S>
 void add_settings(CLI::App& app, const std::vector<SettingRow<S>>& rows, S& settings) {
     for (const SettingRow<S>& row : rows) {
-        const auto take = [&row, &settings](const std::string& text) {
-            if (const Status read = row.read(text, settings); !read) {
-                throw CLI::ValidationError(english(read.error()));
-            }
-        };
-        if (row.placeholder.empty()) {
-            app.add_flag_callback(
-                row.option(), [take] { take("yes"); }, row.help);
-        } else {
-            add_value(app, row.option(), row.placeholder, row.help,
-                      [take](const auto&, const auto& text) { take(text); });
-        }
+        add_setting(app, row, settings);
     }
 }
 
@@ -44,6 +50,13 @@ void add_analysis_options(CLI::App& app, Settings& settings) {
 void add_identify_options(CLI::App& app, IdentifySettings& settings) {
     add_settings(app, identify_settings(), settings);
     app.get_option("--periods")->excludes("--window");
+}
+
+void add_tolerance_option(CLI::App& app, IdentifySettings& settings) {
+    const auto& rows = identify_settings();
+    const auto row =
+        std::ranges::find(rows, std::string("tolerance"), &SettingRow<IdentifySettings>::name);
+    add_setting(app, *row, settings);
 }
 
 void add_compare_options(CLI::App& app, CompareOptions& options) {

@@ -25,6 +25,9 @@ void add_analysis_options(CLI::App& app, Settings& settings);
 // outlive the parse.
 void add_identify_options(CLI::App& app, IdentifySettings& settings);
 
+// --tolerance alone, for the window and its report. `settings` must outlive the parse.
+void add_tolerance_option(CLI::App& app, IdentifySettings& settings);
+
 // Those of a comparison: --f-limit. `options` must outlive the parse.
 void add_compare_options(CLI::App& app, CompareOptions& options);
 

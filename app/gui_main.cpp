@@ -1,6 +1,8 @@
 #include "app/analysis_options.h"
 #include "app/cli_interrupt.h"
+#include "app/gui_analysis.h"
 #include "app/gui_figure.h"
+#include "app/gui_report.h"
 #include "app/gui_screenshots.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
@@ -24,8 +26,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <sstream>
+#include <stop_token>
 #include <unistd.h>
 #include <utility>
 
@@ -47,12 +51,50 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
     return windows;
 }
 
+// What the command line asks for.
+struct Requested {
+    FigureRequest figure;
+    ReportRequest report;  // its own part
+    std::string gyro;
+    std::string engineer;
+    std::string comment;
+    std::string screenshots;
+    IdentifySettings identify;  // its tolerances
+};
+
+void add_report_options(CLI::App& app, Requested& requested) {
+    CLI::Option* const report =
+        app.add_option(
+               "--report", requested.report.report,
+               "Write a report of the recordings, as one set, into this file, without a window: "
+               ".pdf")
+            ->type_name("REPORT")
+            ->excludes(app.get_option("--figure"));
+    CLI::Option* const list =
+        app.add_option("--list", requested.report.list,
+                       "With --report: of the sets of this measurement list, a chapter each")
+            ->type_name("LIST.csv")
+            ->needs(report)
+            ->excludes(app.get_option("FILE"));
+    app.add_option("--set", requested.report.set, "Of this set of the list alone")
+        ->type_name("NAME")
+        ->needs(list);
+    const auto add_title = [&](const char* option, std::string& text, const char* help) {
+        app.add_option(option, text, help)->type_name("TEXT")->needs(report);
+    };
+    add_title("--gyro", requested.gyro, "With --report: serial number of the gyro");
+    add_title("--operator", requested.engineer, "With --report: who measured");
+    add_title("--comment", requested.comment, "With --report: a comment for the title");
+}
+
 // The line is read before anything of Qt exists: --help and a wrong line need no display.
-void describe(CLI::App& app, FigureRequest& request, std::string& screenshots) {
+void describe(CLI::App& app, Requested& requested) {
+    FigureRequest& request = requested.figure;
     app.name("vybeg");
     app.set_version_flag("--version", "vybeg " VYBEG_VERSION);
     app.add_option("FILE", request.inputs, "Recordings to open")->type_name("");
     add_analysis_options(app, request.settings);
+    add_tolerance_option(app, requested.identify);
     add_open_options(app, request.open);
     app.add_option("--figure", request.figure,
                    "Draw the stacked plots into this file, without a window: .svg, .pdf or .png")
@@ -64,20 +106,17 @@ void describe(CLI::App& app, FigureRequest& request, std::string& screenshots) {
               })
         ->excludes(app.get_option("--window"))
         ->excludes(app.get_option("--periods"));
-    app.add_option("--screenshots", screenshots,
+    add_report_options(app, requested);
+    app.add_option("--screenshots", requested.screenshots,
                    "Write a picture of every page into this folder, in both languages, themes and "
                    "scales; without FILE of simulated recordings")
         ->type_name("DIR")
-        ->excludes(app.get_option("--figure"));
+        ->excludes(app.get_option("--figure"))
+        ->excludes(app.get_option("--report"));
     app.footer(
-        "Without --figure and --screenshots the window opens, on the recordings named.\n"
+        "Without --figure, --report and --screenshots the window opens, on the recordings named.\n"
         "Exit status: 0 done, 2 wrong usage, 3 the input cannot be read, 4 the analysis is "
         "impossible,\n5 the output cannot be written, 130 interrupted.");
-}
-
-int fail(const Error& error) {
-    std::fprintf(stderr, "vybeg: %s\n", english(error).c_str());
-    return exit_status(error.code);
 }
 
 int usage(std::string text) {
@@ -87,7 +126,7 @@ int usage(std::string text) {
 }
 
 constexpr const char* no_display =
-    "There is no display to open a window on. Draw with --figure, or use vybeg-cli.";
+    "There is no display to open a window on. Draw with --figure or --report, or use vybeg-cli.";
 
 bool platform_chosen() {
     return qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
@@ -130,7 +169,8 @@ private:
     }
 };
 
-int figure_mode(int argc, char** argv, const FigureRequest& request) {
+// Without a window, on any platform of Qt.
+int drawing_mode(int argc, char** argv, const std::function<int(std::stop_token)>& work) {
     const InterruptGuard interrupt;
     if (!platform_chosen()) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -141,7 +181,34 @@ int figure_mode(int argc, char** argv, const FigureRequest& request) {
     name_application();
     ui::Language language;
     language.use(ui::Language::ofTheSystem());
-    return draw_figure(request, interrupt.token());
+    return work(interrupt.token());
+}
+
+int figure_mode(int argc, char** argv, const Requested& requested) {
+    if (requested.figure.inputs.empty()) {
+        return usage("--figure needs a recording to draw.");
+    }
+    if (requested.identify.tolerance != Tolerance{}) {
+        warn({DiagnosticKind::option_without_effect,
+              {"--tolerance", "a figure shows no resonator"}});
+    }
+    return drawing_mode(argc, argv, [&](auto stop) { return draw_figure(requested.figure, stop); });
+}
+
+int report_mode(int argc, char** argv, const Requested& requested) {
+    const FigureRequest& request = requested.figure;
+    if (request.inputs.empty() && requested.report.list.empty()) {
+        return usage("--report needs a recording, or a --list of them.");
+    }
+    ReportRequest report = requested.report;
+    report.inputs = request.inputs;
+    report.title.gyro = QString::fromStdString(requested.gyro);
+    report.title.engineer = QString::fromStdString(requested.engineer);
+    report.title.comment = QString::fromStdString(requested.comment);
+    report.open = request.open;
+    report.settings = request.settings;
+    report.tolerance = requested.identify.tolerance;
+    return drawing_mode(argc, argv, [&](auto stop) { return write_report(report, stop); });
 }
 
 // Scale 1 in this program, scale 2, which Qt reads at its start, in another.
@@ -169,7 +236,7 @@ int screenshot_mode(int argc, char** argv, const ScreenshotRequest& request) {
     return status;
 }
 
-int window_mode(int argc, char** argv, const FigureRequest& request) {
+int window_mode(int argc, char** argv, const FigureRequest& request, const Tolerance& tolerance) {
     std::optional<PlatformSearch> search(std::in_place, true);
     QApplication application(argc, argv);
     search.reset();
@@ -181,7 +248,7 @@ int window_mode(int argc, char** argv, const FigureRequest& request) {
     for (const std::string& input : request.inputs) {
         files << QString::fromStdString(input);
     }
-    document.startWith(request.settings);
+    document.startWith(request.settings, tolerance);
     window.show();
     window.session().offerAbandoned();
     window.files().open(files, request.open);
@@ -198,10 +265,9 @@ int printed(const CLI::App& app, const CLI::ParseError& asked) {
 }
 
 int run(int argc, char** argv) {
-    FigureRequest request;
-    std::string screenshots;
+    Requested requested;
     CLI::App app("Vybeg: standing waves in the free decay of a hemispherical resonator gyroscope.");
-    describe(app, request, screenshots);
+    describe(app, requested);
     let_repeated_options_parse(app);
     try {
         app.parse(argc, argv);
@@ -211,20 +277,24 @@ int run(int argc, char** argv) {
     if (const std::string fault = usage_fault(app); !fault.empty()) {
         return usage(fault);
     }
+    const FigureRequest& request = requested.figure;
     if (const Status valid = validate(request.settings); !valid) {
         return usage(english(valid.error()));
     }
-    if (!screenshots.empty()) {
-        return screenshot_mode(argc, argv, {screenshots, request.inputs, request.open});
+    if (!requested.screenshots.empty()) {
+        return screenshot_mode(argc, argv, {requested.screenshots, request.inputs, request.open});
     }
     if (!request.figure.empty()) {
-        return request.inputs.empty() ? usage("--figure needs a recording to draw.")
-                                      : figure_mode(argc, argv, request);
+        return figure_mode(argc, argv, requested);
     }
     if (!request.windows.empty()) {
         return usage("--windows needs --figure.");
     }
-    return has_display() ? window_mode(argc, argv, request) : usage(no_display);
+    if (!requested.report.report.empty()) {
+        return report_mode(argc, argv, requested);
+    }
+    return has_display() ? window_mode(argc, argv, request, requested.identify.tolerance)
+                         : usage(no_display);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "app/gui_screenshots.h"
 
-#include "core/base/messages.h"
+#include "app/gui_analysis.h"
 #include "core/base/system_reason.h"
 #include "core/output/output_file.h"
 #include "core/output/sample_files.h"
@@ -27,7 +27,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <functional>
 #include <numbers>
 #include <utility>
@@ -214,11 +213,6 @@ Status picture_all(MainWindow& window, const Content& content, const QDir& folde
         }
     }
     return {};
-}
-
-int fail(const Error& error) {
-    std::fprintf(stderr, "vybeg: %s\n", english(error).c_str());
-    return exit_status(error.code);
 }
 
 }  // namespace

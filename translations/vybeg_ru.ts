@@ -337,6 +337,14 @@
         <source>What the resonator&apos;s parameters have to keep</source>
         <translation>Каким значениям должны удовлетворять параметры резонатора</translation>
     </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>О&amp;тчёт…</translation>
+    </message>
+    <message>
+        <source>A PDF of the recordings: settings, plots, resonator with its uncertainty budget, events, warnings</source>
+        <translation>PDF о записях: настройки, графики, резонатор с бюджетом неопределённости, события, предупреждения</translation>
+    </message>
 </context>
 <context>
     <name>DisplayUnits</name>
@@ -1179,6 +1187,277 @@
     <message>
         <source>The modes of both sides are not named by the same: one by frequency, the other by decay.</source>
         <translation>Моды двух сторон названы по-разному: одни по частоте, другие по затуханию.</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>Gain ratio</source>
+        <translation>Отнош. усиления</translation>
+    </message>
+    <message>
+        <source>Skew</source>
+        <translation>Неортог.</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Задержка</translation>
+    </message>
+    <message>
+        <source>Crosstalk</source>
+        <translation>Перекр. помеха</translation>
+    </message>
+    <message>
+        <source>Phase drift</source>
+        <translation>Уход фазы</translation>
+    </message>
+    <message>
+        <source>Gain drift</source>
+        <translation>Уход усиления</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Частота дискр.</translation>
+    </message>
+    <message>
+        <source>Statistical</source>
+        <translation>Статист.</translation>
+    </message>
+    <message>
+        <source>Combined u</source>
+        <translation>Суммарн. u</translation>
+    </message>
+    <message>
+        <source>Expanded U = 2u</source>
+        <translation>Расшир. U = 2u</translation>
+    </message>
+    <message>
+        <source>All sets</source>
+        <translation>Все наборы</translation>
+    </message>
+    <message>
+        <source>not finished yet</source>
+        <translation>ещё не закончена</translation>
+    </message>
+    <message>
+        <source>no findings</source>
+        <translation>замечаний нет</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Формат</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Начало</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Частота</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Длина</translation>
+    </message>
+    <message>
+        <source>not computed yet</source>
+        <translation>ещё не вычислена</translation>
+    </message>
+    <message>
+        <source>Check: %1</source>
+        <translation>Проверка: %1</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Записи</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Запись</translation>
+    </message>
+    <message>
+        <source>Algorithm</source>
+        <translation>Алгоритм</translation>
+    </message>
+    <message>
+        <source>Window, hop (samples)</source>
+        <translation>Окно, шаг (отсчёты)</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Окна</translation>
+    </message>
+    <message>
+        <source>Mean frequency</source>
+        <translation>Средняя частота</translation>
+    </message>
+    <message>
+        <source>Noise σ</source>
+        <translation>Шум σ</translation>
+    </message>
+    <message>
+        <source>Analyses and their settings</source>
+        <translation>Расчёты и их настройки</translation>
+    </message>
+    <message>
+        <source>Slow variables: %1</source>
+        <translation>Медленные переменные: %1</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>События</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Время, с</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Событие</translation>
+    </message>
+    <message>
+        <source>Further events: %1</source>
+        <translation>Ещё событий: %1</translation>
+    </message>
+    <message>
+        <source>No axis crossings, no gaps.</source>
+        <translation>Переходов через оси и пропусков нет.</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Предупреждения</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Нет.</translation>
+    </message>
+    <message>
+        <source>Gyro, serial number</source>
+        <translation>Гироскоп, заводской номер</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Оператор</translation>
+    </message>
+    <message>
+        <source>Date of measurement</source>
+        <translation>Дата измерения</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Примечание</translation>
+    </message>
+    <message>
+        <source>Report made</source>
+        <translation>Отчёт составлен</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Страница %1 из %2</translation>
+    </message>
+    <message>
+        <source>Report of a free decay</source>
+        <translation>Отчёт о выбеге</translation>
+    </message>
+    <message>
+        <source>Set, gyro</source>
+        <translation>Набор, гироскоп</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Стр.</translation>
+    </message>
+    <message>
+        <source>Mean f</source>
+        <translation>Средняя f</translation>
+    </message>
+    <message>
+        <source>Split Δf</source>
+        <translation>Разночастотность Δf</translation>
+    </message>
+    <message>
+        <source>Axis θ_w</source>
+        <translation>Ось θ_w</translation>
+    </message>
+    <message>
+        <source>Quality factor Q</source>
+        <translation>Добротность Q</translation>
+    </message>
+    <message>
+        <source>Report of free decays</source>
+        <translation>Отчёт о выбегах</translation>
+    </message>
+    <message>
+        <source>Values with their combined standard uncertainties u. A dash: the recordings do not show it; the page of the set gives the reason.</source>
+        <translation>Значения с суммарной стандартной неопределённостью u. Прочерк: записи не показывают этой величины; причина названа на странице набора.</translation>
+    </message>
+    <message>
+        <source>Model: calibrated pair of pick-offs</source>
+        <translation>Модель с калиброванными датчиками</translation>
+    </message>
+    <message>
+        <source>Model: free</source>
+        <translation>Свободная модель</translation>
+    </message>
+    <message>
+        <source>After the GUM (JCGM 100:2008): standard uncertainties in the unit of each parameter; u² is the sum of the squares; U has the coverage factor 2. Tolerances of the channels (standard deviations): %1.</source>
+        <translation>По GUM (JCGM 100:2008, ГОСТ Р 54500.3): стандартные неопределённости в единицах каждого параметра; u² — сумма квадратов; коэффициент охвата U равен 2. Допуски каналов (СКО): %1.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>Uncertainty budget</source>
+        <translation>Бюджет неопределённости</translation>
+    </message>
+    <message>
+        <source>Rim and drift function</source>
+        <translation>Кромка и функция дрейфа</translation>
+    </message>
+    <message>
+        <source>Balance of the channels, condition (30)</source>
+        <translation>Баланс каналов, условие (30)</translation>
+    </message>
+    <message>
+        <source>It has not been identified.</source>
+        <translation>Он не идентифицирован.</translation>
+    </message>
+    <message>
+        <source>Resonator</source>
+        <translation>Резонатор</translation>
+    </message>
+    <message>
+        <source>Identified with other settings or recordings than the present ones.</source>
+        <translation>Идентифицирован с другими настройками или записями, чем нынешние.</translation>
+    </message>
+    <message>
+        <source>Parameters, ± standard deviation (u: with the tolerances)</source>
+        <translation>Параметры, ± СКО (u: с допусками)</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Пределы</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Моды</translation>
+    </message>
+    <message>
+        <source>Waves of the recordings, without a model</source>
+        <translation>Волны записей, без модели</translation>
+    </message>
+    <message>
+        <source>Recordings in the fit</source>
+        <translation>Записи в подгонке</translation>
     </message>
 </context>
 <context>
@@ -3420,6 +3699,10 @@
         <source>Track for NumPy (*.npz)</source>
         <translation>Ряд для NumPy (*.npz)</translation>
     </message>
+    <message>
+        <source>Save report</source>
+        <translation>Сохранить отчёт</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::GyroDialog</name>
@@ -4189,6 +4472,65 @@
             <numerusform>В проверке записи ещё %n замечания.</numerusform>
             <numerusform>В проверке записи ещё %n замечаний.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::ReportDialog</name>
+    <message>
+        <source>All plots, also phase, noise and orthogonality</source>
+        <translation>Все графики, также фаза, шум и ортогональность</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Отчёт</translation>
+    </message>
+    <message>
+        <source>Report of</source>
+        <translation>Отчёт о</translation>
+    </message>
+    <message>
+        <source>A recording, a set of them with its resonator, or all sets</source>
+        <translation>Запись, набор записей с его резонатором или все наборы</translation>
+    </message>
+    <message>
+        <source>Empty: a line to fill in by hand</source>
+        <translation>Пусто: строка для заполнения от руки</translation>
+    </message>
+    <message>
+        <source>Gyro</source>
+        <translation>Гироскоп</translation>
+    </message>
+    <message>
+        <source>Serial number. %1</source>
+        <translation>Заводской номер. %1</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Оператор</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>Of the measurement. %1</source>
+        <translation>Дата измерения. %1</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Примечание</translation>
+    </message>
+    <message>
+        <source>Off: the five slow variables</source>
+        <translation>Выключено: пять медленных переменных</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Сохранить…</translation>
+    </message>
+    <message>
+        <source>As a PDF document</source>
+        <translation>Как документ PDF</translation>
     </message>
 </context>
 <context>
@@ -5189,10 +5531,6 @@ Open a recording and press Run.</source>
         <translation>&amp;Файл</translation>
     </message>
     <message>
-        <source>Open &amp;recent</source>
-        <translation>&amp;Недавние</translation>
-    </message>
-    <message>
         <source>&amp;View</source>
         <translation>&amp;Вид</translation>
     </message>
@@ -5271,6 +5609,10 @@ Open a recording and press Run.</source>
     <message>
         <source>&amp;Gyro</source>
         <translation>&amp;Гироскоп</translation>
+    </message>
+    <message>
+        <source>Open rece&amp;nt</source>
+        <translation>&amp;Недавние</translation>
     </message>
 </context>
 <context>

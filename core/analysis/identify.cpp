@@ -130,6 +130,11 @@ void refer_to_recorded(double calibrated, ResonatorFit& fit) {
                   &by.gain_drift, &by.cubic_hz, &by.damping_share, &by.pickoff_share}) {
                 *each *= calibrated;
             }
+            ToleranceShares& shares = fit.shares[k];
+            for (double* each : {&shares.kappa, &shares.skew, &shares.delay, &shares.crosstalk,
+                                 &shares.phase_drift, &shares.gain_drift}) {
+                *each *= std::abs(calibrated);
+            }
         }
     }
 }
@@ -152,6 +157,11 @@ void add_clock(std::span<const Recording> recordings, Identification& found) {
     };
     ResonatorFit& fit = found.fit;
     widen(fit.resonator.f_mean_hz, fit.resonator.f_mean_hz.value);
+    for (std::size_t k = 0; k < fit.shares.size(); ++k) {
+        if (resonator_parameters[k].member == &ResonatorEstimate::f_mean_hz) {
+            fit.shares[k].sample_rate = relative * fit.resonator.f_mean_hz.value;
+        }
+    }
     for (ModeEstimate& mode : fit.modes) {
         widen(mode.f_hz, mode.f_hz.value);
     }

@@ -61,6 +61,7 @@ _vybeg_value() {
             mapfile -t COMPREPLY < <(compgen -d -- "$cur")
             return
             ;;
+        REPORT*) _vybeg_files '*.pdf' && return ;;
         FIGURE*) _vybeg_files '*.@(svg|pdf|png)' && return ;;
         *.csv) _vybeg_files '*.csv' && return ;;
         *.json) _vybeg_files '*.json' && return ;;

@@ -1,6 +1,7 @@
 // The desktop program as a process: its command line and exit statuses (INTERFACE.md).
 #include "tests/ui/gui_test.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -8,6 +9,7 @@
 #include <QMap>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTest>
 
 #include <functional>
@@ -55,10 +57,10 @@ private slots:
     void help_and_version_need_no_display() {
         const Outcome help = run({"--help"});
         QCOMPARE(help.status, 0);
-        for (const char* option : {"--figure", "--windows", "--algorithm", "--kappa", "--raw"}) {
+        for (const char* option : {"--figure", "--windows", "--report", "--tolerance",
+                                   "--algorithm", "--kappa", "--raw"}) {
             QVERIFY2(help.out.contains(option), option);
         }
-        QVERIFY(!help.out.contains("--report"));
         const Outcome version = run({"--version"});
         QCOMPARE(version.status, 0);
         QVERIFY(version.out.startsWith("vybeg "));
@@ -121,6 +123,21 @@ private slots:
         QTest::newRow("empty") << QStringList{home_.file("empty.wav", ""), "--figure", figure} << 3;
         QTest::newRow("window too long")
             << QStringList{good, "--figure", figure, "--window", "1000000"} << 4;
+        QTest::newRow("report without recording")
+            << QStringList{"--report", home_.path("wrong.pdf")} << 2;
+        QTest::newRow("title without report") << QStringList{good, "--gyro", "SN_7"} << 2;
+        QTest::newRow("list and recording")
+            << QStringList{good, "--list", good, "--report", home_.path("wrong.pdf")} << 2;
+        QTest::newRow("report and figure")
+            << QStringList{good, "--figure", figure, "--report", home_.path("wrong.pdf")} << 2;
+        QTest::newRow("report that is no PDF")
+            << QStringList{good, "--report", home_.path("wrong.svg")} << 2;
+        QTest::newRow("report twice over the same recording")
+            << QStringList{good, good, "--report", home_.path("wrong.pdf")} << 4;
+        QTest::newRow("report of nothing")
+            << QStringList{home_.path("none.wav"), "--report", home_.path("wrong.pdf")} << 3;
+        QTest::newRow("report into no folder")
+            << QStringList{good, "--report", home_.path("none/a.pdf")} << 5;
         QTest::newRow("unknown ending") << QStringList{good, "--figure", home_.path("a.bmp")} << 5;
         QTest::newRow("no folder") << QStringList{good, "--figure", home_.path("none/a.svg")} << 5;
     }
@@ -132,6 +149,103 @@ private slots:
         QVERIFY2(outcome.err.startsWith("vybeg: "), qPrintable(outcome.err));
         QCOMPARE(outcome.err.count('\n'), 1);
         QVERIFY(!QFile::exists(home_.path("wrong.svg")));
+        QVERIFY(!QFile::exists(home_.path("wrong.pdf")));
+    }
+
+    void a_report_is_written_without_a_display_in_the_language_of_the_system_data() {
+        QTest::addColumn<QString>("locale");
+        QTest::addColumn<QString>("page");
+        QTest::newRow("English") << "en_US.UTF-8"
+                                 << "Page 1 of ";
+        QTest::newRow("Russian") << "ru_RU.UTF-8"
+                                 << "Страница 1 из ";
+    }
+    void a_report_is_written_without_a_display_in_the_language_of_the_system() {
+        QFETCH(QString, locale);
+        QFETCH(QString, page);
+        const QString report = home_.path("report.pdf");
+        const Outcome written =
+            run({home_.recording("reported.wav"), "--report", report, "--tolerance", "skew=0.1deg"},
+                {{"LC_ALL", locale}, {"LANGUAGE", locale.left(2)}});
+        QVERIFY2(written.status == 0, qPrintable(written.err));
+        QFile file(report);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.read(5) == "%PDF-");
+        if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            qWarning("pdftotext is missing: the report's text is not tested.");
+            QSKIP("poppler-utils is missing");
+        }
+        QProcess reader;
+        reader.start("pdftotext", {"-layout", report, "-"});
+        QVERIFY(reader.waitForFinished());
+        const QString text = QString::fromUtf8(reader.readAllStandardOutput());
+        QVERIFY2(text.contains(page), qPrintable(text));
+        QVERIFY(text.contains("reported.wav"));
+        QFile samples(home_.path("reported.wav"));
+        QVERIFY(samples.open(QIODevice::ReadOnly));
+        const QByteArray hash =
+            QCryptographicHash::hash(samples.readAll(), QCryptographicHash::Sha256).toHex();
+        QVERIFY(text.contains(QString::fromLatin1(hash)));
+    }
+
+    // A chapter for each set of a list, also for the one that has no result; the title block from
+    // the list.
+    void a_list_is_reported_set_by_set() {
+        if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            qWarning("pdftotext is missing: the report's text is not tested.");
+            QSKIP("poppler-utils is missing");
+        }
+        (void)home_.recording("listed_1.wav");
+        (void)home_.recording("listed_2.wav");
+        const QString list = home_.file("list.csv",
+                                        "set,file,gyro,operator,comment\n"
+                                        "first,listed_1.wav,SN_0042,Ivanov,cold\n"
+                                        "second,listed_2.wav,SN_0043,Petrov,warm\n"
+                                        "third,missing.wav,SN_0044,,\n");
+        const QString report = home_.path("list.pdf");
+        const auto text = [&report] {
+            QProcess reader;
+            reader.start("pdftotext", {"-layout", report, "-"});
+            reader.waitForFinished();
+            return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+        };
+        const Outcome all = run({"--list", list, "--report", report});
+        QVERIFY2(all.status == 0, qPrintable(all.err));
+        QVERIFY2(all.err.contains("missing.wav"), qPrintable(all.err));
+        const QString told = text();
+        for (const char* word : {"list.csv", "SN_0042", "SN_0043", "SN_0044", "Ivanov", "Petrov",
+                                 "cold", "warm", "listed_1.wav", "listed_2.wav", "missing.wav"}) {
+            QVERIFY2(told.contains(word), word);
+        }
+        const Outcome one = run({"--list", list, "--set", "second", "--report", report});
+        QVERIFY2(one.status == 0, qPrintable(one.err));
+        QVERIFY(text().contains("SN_0043") && !text().contains("SN_0042"));
+        QCOMPARE(run({"--list", list, "--set", "third", "--report", report}).status, 3);
+        QCOMPARE(run({"--list", list, "--set", "fourth", "--report", report}).status, 2);
+        QCOMPARE(run({"--list", list}).status, 2);
+        // Neither the list nor a recording gives its place to the report.
+        const QString listed = home_.path("listed_1.pdf");
+        QVERIFY(QFile::link(home_.path("listed_1.wav"), listed));
+        QCOMPARE(run({"--list", list, "--report", listed}).status, 2);
+        QCOMPARE(run({home_.path("listed_1.wav"), "--report", listed}).status, 2);
+    }
+
+    void the_command_line_fills_the_title_of_a_report() {
+        const QString report = home_.path("title.pdf");
+        const Outcome written =
+            run({home_.recording("titled.wav"), "--report", report, "--gyro", "SN_7", "--operator",
+                 "Сидоров", "--comment", "after balancing"});
+        QVERIFY2(written.status == 0, qPrintable(written.err));
+        if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            QSKIP("poppler-utils is missing");
+        }
+        QProcess reader;
+        reader.start("pdftotext", {"-layout", report, "-"});
+        QVERIFY(reader.waitForFinished());
+        const QString text = QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+        for (const char* word : {"SN_7", "Сидоров", "after balancing"}) {
+            QVERIFY2(text.contains(word), qPrintable(text));
+        }
     }
 
     void a_display_that_cannot_be_opened_is_a_sentence_data() {
@@ -185,16 +299,20 @@ private slots:
 
     void a_disk_that_fills_leaves_the_old_figure_data() {
         QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("option");
         for (const char* name : {"full.svg", "full.pdf", "full.png"}) {
-            QTest::newRow(name) << name;
+            QTest::newRow(name) << name << "--figure";
         }
+        QTest::newRow("report.pdf") << "report.pdf"
+                                    << "--report";
     }
     void a_disk_that_fills_leaves_the_old_figure() {
+        QFETCH(QString, option);
         QFETCH(QString, name);
         const QString recording = home_.recording("full.wav", 0.2);
         QVERIFY(QDir().mkpath(home_.path("figures")));
         const QString figure = home_.path("figures/" + name);
-        QCOMPARE(run({recording, "--figure", figure}).status, 0);
+        QCOMPARE(run({recording, option, figure}).status, 0);
         const qint64 whole = QFileInfo(figure).size();
         constexpr int sizes = 15;
         QVERIFY(whole > sizes);
@@ -203,7 +321,7 @@ private slots:
             QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
             old.close();
             const auto most = static_cast<rlim_t>(whole * k / sizes);
-            const Outcome outcome = run({recording, "--figure", figure}, {}, [most] {
+            const Outcome outcome = run({recording, option, figure}, {}, [most] {
                 const rlimit both{most, most};
                 setrlimit(RLIMIT_FSIZE, &both);
             });

@@ -3,6 +3,7 @@
 #include "ui/plots/plot_stack.h"
 
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QLegend>
 #include <QLegendMarker>
@@ -108,6 +109,8 @@ QChart* makeRoundChart(bool polar) {
     chart->setLocalizeNumbers(true);
     for (const Qt::Alignment side : {Qt::AlignBottom, Qt::AlignLeft}) {
         auto* axis = new QValueAxis;
+        // Without a range there are no labels, and Qt Charts lays out the first of them.
+        axis->setRange(0, 1);
         if (polar) {
             static_cast<QPolarChart*>(chart)->addAxis(
                 axis, side == Qt::AlignBottom ? QPolarChart::PolarOrientationAngular
@@ -182,6 +185,9 @@ Drawing roundDrawing(const RoundPlot& content) {
         scene.addItem(chart);
         chart->resize(size);
         fillRoundChart(*chart, content, lightTheme());
+        // No event loop lays out the legend before it is drawn.
+        chart->layout()->invalidate();
+        chart->layout()->activate();
         scene.setSceneRect(QRectF(QPointF(), QSizeF(size)));
         scene.render(&painter, QRectF(QPointF(), QSizeF(size)), scene.sceneRect());
     };

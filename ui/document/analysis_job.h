@@ -117,6 +117,10 @@ public:
     void writeTrack(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
                     const QString& program, const QString& path, std::function<void(Status)> done);
 
+    // Anything else that makes a file.
+    void write(int key, std::function<Status(const JobControl&)> work,
+               std::function<void(Status)> done);
+
     // Stops all jobs about a key without a result.
     void forget(int key);
     void forgetLive(int key);
@@ -161,8 +165,6 @@ private:
     template <class Value>
     void start(QThreadPool& pool, TaskId id, std::function<Result<Value>(const Ticket&)> work,
                std::function<void(Result<Value>)> done);
-    void write(int key, std::function<Status(const JobControl&)> work,
-               std::function<void(Status)> done);
     bool isStale(const Ticket& ticket) const;
     // Lets `act` run in the window's thread, unless the job is stale by then.
     void post(const Ticket& ticket, std::function<void()> act);

@@ -23,6 +23,7 @@ enum class Command {
     save_session_as,
     export_plots,
     export_track,
+    report,
     save_passport,
     compare_passport,
     quit,

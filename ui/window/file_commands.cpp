@@ -9,6 +9,7 @@
 #include "ui/window/demonstration.h"
 #include "ui/window/export_dialog.h"
 #include "ui/window/file_questions.h"
+#include "ui/window/report_dialog.h"
 
 #include <QFileInfo>
 #include <QMessageBox>
@@ -192,6 +193,34 @@ void FileCommands::exportPlots(const FigureSource& source) {
 
 void FileCommands::exportPlot(const Figure& figure) {
     exportPlots({{figure.name}, [figure](const auto&) { return figure; }, {}, {}});
+}
+
+void FileCommands::askForReport() {
+    auto* dialog = new ReportDialog(document_, window_);
+    connect(dialog, &ReportDialog::saveWanted, this, [this, dialog] {
+        ask_.reportTarget(QFileInfo(dialog->subject().name).completeBaseName(),
+                          [this, dialog = QPointer(dialog)](const QString& path) {
+                              if (dialog) {
+                                  std::vector<ReportContent> contents = dialog->contents();
+                                  for (ReportContent& content : contents) {
+                                      content.units = tracks_.units();
+                                  }
+                                  writeReport(contents, dialog->subject().name, path);
+                                  dialog->accept();
+                              }
+                          });
+    });
+    dialog->open();
+}
+
+void FileCommands::writeReport(const std::vector<ReportContent>& contents, const QString& about,
+                               const QString& path) {
+    if (const Status possible = stayAsTheyAre(document_, path); !possible) {
+        reportSaved(possible, path);
+        return;
+    }
+    reports_.write(contents, about, path,
+                   [this, path](const Status& status) { reportSaved(status, path); });
 }
 
 bool FileCommands::writeFigure(const Figure& figure, const Paper& paper, const QString& path) {

@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/plots/figure_source.h"
+#include "ui/report/report_writer.h"
 
 #include <QObject>
 #include <QPointer>
@@ -50,6 +51,11 @@ public:
     // By a dialog: plots, size, caption.
     void exportPlots(const FigureSource& source);
     void exportPlot(const Figure& figure);
+    // By a dialog: subject, title block, plots. Written in the background.
+    void askForReport();
+    // Several contents are chapters; `about` says of what.
+    void writeReport(const std::vector<ReportContent>& contents, const QString& about,
+                     const QString& path);
     // By the ending of the path; says so in the window.
     bool writeFigure(const Figure& figure, const Paper& paper, const QString& path);
 
@@ -66,6 +72,7 @@ private:
     QPointer<CompareDialog> compare_;
     AnalysisJob imports_;  // previews of the import dialog
     QPointer<ImportDialog> import_;
+    ReportWriter reports_;
 };
 
 }  // namespace vybeg::ui

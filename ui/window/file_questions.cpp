@@ -115,6 +115,10 @@ void FileQuestions::figureTarget(const Save& save) {
     pictureTarget(tr("Export figure"), QStringLiteral("figure.pdf"), save);
 }
 
+void FileQuestions::reportTarget(const QString& name, const Save& save) {
+    target(tr("Save report"), name + QStringLiteral(".pdf"), {tr("PDF document (*.pdf)")}, save);
+}
+
 void FileQuestions::target(const QString& title, const QString& name, const QStringList& filters,
                            const Save& save) {
     QFileDialog& asked = dialog(title);

@@ -149,7 +149,7 @@ void MainWindow::buildToolBar() {
     tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     tools_->setIconSize({20, 20});
     for (const Command command :
-         {Command::open, Command::run, Command::compare, Command::export_plots}) {
+         {Command::open, Command::run, Command::compare, Command::export_plots, Command::report}) {
         tools_->addAction(action(command));
     }
     tools_->addSeparator();

@@ -6,6 +6,7 @@
 #include "ui/panels/run_list.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
+#include "ui/report/document_report.h"
 #include "ui/resonator/limits_dialog.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/window/file_commands.h"
@@ -73,6 +74,15 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                  return chosen && !chosen->partial();
              },
          .act = [to] { to.files.askWhereToPutTrack(); }},
+        {.id = Command::report,
+         .text = QT_TRANSLATE_NOOP("Command", "&Report…"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "A PDF of the recordings: settings, plots, resonator with its "
+                                  "uncertainty budget, events, warnings"),
+         .icon = "report",
+         .keys = {QKeySequence::Print},
+         .enabled = [to] { return !reportSubjects(to.document).empty(); },
+         .act = [to] { to.files.askForReport(); }},
         {.id = Command::save_passport,
          .text = QT_TRANSLATE_NOOP("Command", "Save &passport…"),
          .tip = QT_TRANSLATE_NOOP("Command",

@@ -77,13 +77,13 @@ void WindowMenus::addChoice(QMenu* parent, const char* title, const std::vector<
 void WindowMenus::addFile() {
     QMenu* file = top(QT_TR_NOOP("&File"));
     add(file, {Command::open});
-    titles_[recent_] = QT_TR_NOOP("Open &recent");
+    titles_[recent_] = QT_TR_NOOP("Open rece&nt");
     file->addMenu(recent_);
     add(file, {Command::import_file, Command::close_recording});
     file->addSeparator();
     add(file, {Command::save_session, Command::save_session_as});
     file->addSeparator();
-    add(file, {Command::export_plots, Command::export_track});
+    add(file, {Command::export_plots, Command::export_track, Command::report});
     file->addSeparator();
     add(file, {Command::save_passport, Command::compare_passport});
     file->addSeparator();

@@ -213,6 +213,7 @@ private:
             fit_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
         }
         fit_.sensitivities = sensitivities(set_, out, f_ref_hz_);
+        fit_.shares = tolerance_shares(set_, out, f_ref_hz_);
         add_drift_terms();
     }
 
@@ -225,6 +226,7 @@ private:
             run.split_sin_hz = run.direction_f_hz = run.direction_tau_s = none;
         }
         fit_.sensitivities.assign(resonator_parameters.size(), {});
+        fit_.shares.assign(resonator_parameters.size(), {});
     }
 
     void add_modes() {
@@ -364,6 +366,7 @@ void refuse_all(const Reason& reason, ResonatorFit& fit) {
     fit.modes.clear();
     fit.no_modes = reason;
     fit.sensitivities.assign(resonator_parameters.size(), {});
+    fit.shares.assign(resonator_parameters.size(), {});
     fit.identifiable = {};
     fit.drift_terms.given = false;
 }

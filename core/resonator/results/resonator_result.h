@@ -55,6 +55,21 @@ struct ChannelSensitivity {
     friend bool operator==(const ChannelSensitivity&, const ChannelSensitivity&) = default;
 };
 
+// Contributions to the combined standard uncertainty u of a parameter, in its unit, by the
+// tolerance of each channel error and by the sample rate: u^2 is the sum of their squares and of
+// sd^2. Zero: known exactly.
+struct ToleranceShares {
+    double kappa = 0;
+    double skew = 0;
+    double delay = 0;
+    double crosstalk = 0;
+    double phase_drift = 0;
+    double gain_drift = 0;
+    double sample_rate = 0;
+
+    friend bool operator==(const ToleranceShares&, const ToleranceShares&) = default;
+};
+
 // Frequencies of a drifting run refer to its reference instant, the mean time weighted with the
 // power.
 struct RunEstimate {
@@ -104,7 +119,8 @@ struct ResonatorFit {
     // Of the resonator's parameters, in the order of resonator_parameters.h; NaN if one is not
     // given.
     std::vector<ChannelSensitivity> sensitivities;
-    std::vector<RunEstimate> runs;  // in the order of the given runs
+    std::vector<ToleranceShares> shares;  // in the same order; zeros if one is not given
+    std::vector<RunEstimate> runs;        // in the order of the given runs
     Identifiable identifiable;
     DriftTerms drift_terms;
     double residual_rms = 0;          // of the windows' phasors per signal, recording units

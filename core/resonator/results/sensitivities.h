@@ -12,4 +12,10 @@ namespace vybeg {
 std::vector<ChannelSensitivity> sensitivities(const FittedSet& set,
                                               const ResonatorEstimate& resonator, double f_ref_hz);
 
+// Contributions of the channels' tolerances to the parameters' combined uncertainties, in the same
+// order: |dx/dm| s of the mean m and the deviation s of each tolerance's prior. Zeros if a
+// parameter is not given.
+std::vector<ToleranceShares> tolerance_shares(const FittedSet& set,
+                                              const ResonatorEstimate& resonator, double f_ref_hz);
+
 }  // namespace vybeg

@@ -1,9 +1,12 @@
 #include "core/analysis/identify.h"
+#include "core/resonator/results/uncertainty_budget.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <QtTest>
 
+#include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 using namespace vybeg;
@@ -11,9 +14,9 @@ using namespace vybeg::test;
 
 namespace {
 
-std::vector<Recording> two_runs() {
+std::vector<Recording> runs_at(std::initializer_list<double> two_theta_A) {
     std::vector<Recording> runs;
-    for (const double angle : {0.3, 1.4}) {
+    for (const double angle : two_theta_A) {
         FreeDecay decay;
         decay.seconds = 4;
         decay.tau_s = 40;
@@ -24,6 +27,10 @@ std::vector<Recording> two_runs() {
         runs.push_back(simulated_recording(decay));
     }
     return runs;
+}
+
+std::vector<Recording> two_runs() {
+    return runs_at({0.3, 1.4});
 }
 
 }  // namespace
@@ -56,6 +63,28 @@ private slots:
         QCOMPARE(open->fit.resonator.split_hz.uncertainty(),
                  exact->fit.resonator.split_hz.uncertainty());
         QCOMPARE(open->fit.resonator.f_mean_hz.sd, exact->fit.resonator.f_mean_hz.sd);
+    }
+
+    // The budget of a recording with calibrated channels and a rate of few digits.
+    void the_budget_of_calibrated_channels_holds_the_sample_rate() {
+        std::vector<Recording> runs = runs_at({0, 0.8, 1.6, 2.4});
+        runs[1].rate_relative_sd = 1e-5;
+        IdentifySettings settings;
+        settings.signal.calibration.kappa = 0.98;
+        settings.tolerance.kappa = 0.1;
+        settings.tolerance.skew_deg = 0.01;
+        const Result<Identification> found = identify(runs, settings, {});
+        QVERIFY(found);
+        const auto budget = uncertainty_budget(found->fit);
+        QVERIFY(budget.size() >= 5);
+        for (const ParameterBudget& row : budget) {
+            double squares = row.statistical * row.statistical;
+            for (const BudgetSource& source : budget_sources) {
+                squares += std::pow(row.shares.*source.member, 2);
+            }
+            VYBEG_CLOSE_RATIO(std::sqrt(squares), row.combined, 1e-6);
+        }
+        VYBEG_CLOSE_RATIO(budget.front().shares.sample_rate, 1e-5 * 5300, 0.01);
     }
 
     // A gain ratio known to a per cent moves the decay of a wave that turns.

@@ -1,0 +1,84 @@
+#include "app/gui_analysis.h"
+
+#include "app/analysis_options.h"
+#include "app/output_paths.h"
+#include "app/process_guard.h"
+#include "core/analysis/analyse.h"
+#include "core/base/messages.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/samples/file_changes.h"
+#include "ui/widgets/theme.h"
+
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+namespace vybeg::cli {
+
+int fail(const Error& error) {
+    std::fprintf(stderr, "vybeg: %s\n", english(error).c_str());
+    return exit_status(error.code);
+}
+
+void warn(const Diagnostic& diagnostic) {
+    std::fprintf(stderr, "vybeg: warning: %s\n", english(diagnostic).c_str());
+}
+
+Status check_request(const std::string& option, const std::string& output,
+                     const std::vector<std::string>& inputs, const Settings& settings) {
+    std::vector<InputPath> paths;
+    paths.reserve(inputs.size());
+    for (const std::string& input : inputs) {
+        paths.push_back({input, "it is one of the recordings"});
+    }
+    if (Status possible = check_outputs({{option, output, ""}}, paths); !possible) {
+        return possible;
+    }
+    if (Status enough = check_threads(settings.threads); !enough) {
+        return enough;
+    }
+    for (const Diagnostic& diagnostic : without_effect(settings)) {
+        warn(diagnostic);
+    }
+    return {};
+}
+
+Result<Recording> open_warned(const std::string& input, const OpenOptions& options,
+                              const JobControl& job) {
+    Result<Recording> recording = open_recording(input, options, job);
+    if (recording) {
+        for (const Diagnostic& diagnostic : without_effect(options, *recording)) {
+            warn(diagnostic);
+        }
+    }
+    return recording;
+}
+
+Result<Analysis> analyse_warned(const Recording& recording, const Settings& settings,
+                                const JobControl& job) {
+    Result<Analysis> analysis = analyse(recording, settings, job);
+    if (const Status still = unchanged(recording); !still) {
+        return still.error();
+    }
+    if (analysis) {
+        for (const Diagnostic& diagnostic : analysis->diagnostics) {
+            warn(diagnostic);
+        }
+    }
+    return analysis;
+}
+
+ui::Run run_of(const Recording& recording, Analysis analysis, int index) {
+    const ui::RunStyle style = ui::runStyle(index);
+    ui::Run run;
+    run.id = index + 1;
+    run.name = QStringLiteral("n = %1").arg(analysis.plan.length);
+    run.recording = QString::fromStdString(recording.path.filename().string());
+    run.color = style.color;
+    run.rate_hz = recording.rate_hz;
+    run.seconds_taken = analysis.timing.estimate_s;
+    run.analysis = std::make_shared<const Analysis>(std::move(analysis));
+    return run;
+}
+
+}  // namespace vybeg::cli

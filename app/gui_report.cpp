@@ -1,0 +1,152 @@
+#include "app/gui_report.h"
+
+#include "app/gui_analysis.h"
+#include "app/gui_report_set.h"
+#include "app/list_sets.h"
+#include "core/base/messages.h"
+#include "core/output/file_ending.h"
+#include "core/output/output_file.h"
+#include "ui/report/report_pdf.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFileInfo>
+
+#include <iterator>
+#include <utility>
+
+namespace vybeg::cli {
+
+namespace {
+
+Status check_ending(const std::string& path) {
+    const std::string ending = file_ending(path);
+    return ending == ".pdf" ? Status()
+                            : Error{ErrorCode::setting_invalid,
+                                    "",
+                                    {"--report", path, "a report is a PDF document: name it .pdf"}};
+}
+
+Result<std::vector<MeasurementSet>> wanted_sets(const ReportRequest& request) {
+    IdentifySettings settings;
+    settings.signal = request.settings;
+    settings.tolerance = request.tolerance;
+    settings.threads = request.settings.threads;
+    if (request.list.empty()) {
+        MeasurementSet set{"", {}, settings};
+        for (const std::string& name : request.inputs) {
+            set.recordings.push_back({name, name, request.open, {}, {}});
+        }
+        return std::vector{std::move(set)};
+    }
+    Result<MeasurementList> list = read_measurement_list(request.list, {request.open, settings});
+    if (!list) {
+        return list.error();
+    }
+    for (const Diagnostic& diagnostic : list->warnings) {
+        warn(diagnostic);
+    }
+    if (request.set.empty()) {
+        return std::move(list->sets);
+    }
+    Result<MeasurementSet> named = set_named(*list, "--set", request.set);
+    if (!named) {
+        return named.error();
+    }
+    return std::vector{std::move(*named)};
+}
+
+std::vector<std::string> files_of(const ReportRequest& request,
+                                  const std::vector<MeasurementSet>& sets) {
+    std::vector<std::string> files;
+    for (const MeasurementSet& set : sets) {
+        for (const ListedRecording& listed : set.recordings) {
+            files.push_back(listed.path.string());
+        }
+    }
+    if (!request.list.empty()) {
+        files.push_back(request.list);
+    }
+    return files;
+}
+
+// Faults that are no property of a set.
+bool ends_report(ErrorCode code) {
+    return code == ErrorCode::out_of_memory || code == ErrorCode::out_of_threads ||
+           exit_status(code) == exit_status(ErrorCode::interrupted);
+}
+
+QString program_text() {
+    return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
+}
+
+Result<QByteArray> pdf_of(const ReportRequest& request, const MeasurementSet& set,
+                          const JobControl& job) {
+    const Result<ui::ReportContent> content =
+        report_of_set(set, request.settings, request.title, job);
+    if (!content) {
+        return content.error();
+    }
+    return ui::reportPdf(ui::reportTextOf(*content, program_text(), QDateTime::currentDateTime()),
+                         ui::drawnFigures(*content));
+}
+
+// Set by set: only texts and figures stay in memory.
+Result<QByteArray> pdf_of(const ReportRequest& request, const std::vector<MeasurementSet>& sets,
+                          const JobControl& job) {
+    std::vector<ui::ReportChapter> chapters;
+    std::vector<ui::ReportPicture> pictures;
+    ui::DisplayUnits units;
+    units.angle = ui::AngleUnit::degrees;
+    for (const MeasurementSet& set : sets) {
+        Result<ui::ReportContent> content =
+            report_of_set(set, request.settings, request.title, job);
+        if (!content) {
+            if (ends_report(content.error().code)) {
+                return content.error();
+            }
+            (void)fail(content.error());
+            ui::ReportContent without;
+            without.title = title_of(set, request.title);
+            without.units = units;
+            without.not_identified = content.error();
+            content = std::move(without);
+        }
+        content->set = QString::fromStdString(set.name);
+        content->chapter = static_cast<int>(chapters.size()) + 1;
+        chapters.push_back(ui::chapterOf(*content));
+        std::ranges::move(ui::drawnFigures(*content), std::back_inserter(pictures));
+    }
+    const QString about = QFileInfo(QString::fromStdString(request.list)).fileName();
+    return ui::reportPdf(
+        ui::reportTextOf(about, chapters, units, program_text(), QDateTime::currentDateTime()),
+        pictures);
+}
+
+}  // namespace
+
+int write_report(const ReportRequest& request, std::stop_token stop) {
+    if (const Status is_pdf = check_ending(request.report); !is_pdf) {
+        return fail(is_pdf.error());
+    }
+    const Result<std::vector<MeasurementSet>> sets = wanted_sets(request);
+    if (!sets) {
+        return fail(sets.error());
+    }
+    if (const Status possible =
+            check_request("--report", request.report, files_of(request, *sets), request.settings);
+        !possible) {
+        return fail(possible.error());
+    }
+    const JobControl job(stop);
+    const Result<QByteArray> pdf =
+        sets->size() == 1 ? pdf_of(request, sets->front(), job) : pdf_of(request, *sets, job);
+    if (!pdf) {
+        return fail(pdf.error());
+    }
+    const Status written =
+        write_file(request.report, {pdf->constData(), static_cast<std::size_t>(pdf->size())}, job);
+    return written ? 0 : fail(written.error());
+}
+
+}  // namespace vybeg::cli

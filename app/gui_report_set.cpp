@@ -1,0 +1,133 @@
+#include "app/gui_report_set.h"
+
+#include "app/gui_analysis.h"
+#include "core/analysis/identify.h"
+#include "core/analysis/inspect.h"
+#include "core/recording/samples/file_changes.h"
+#include "core/track/events.h"
+
+#include <QStringList>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vybeg::cli {
+
+namespace {
+
+// The recordings with their check and their analysis.
+struct Analysed {
+    std::vector<Recording> recordings;
+    std::vector<std::string> hashes;
+    ui::ReportContent content;
+};
+
+Status add_recording(const ListedRecording& listed, const Settings& settings, const JobControl& job,
+                     Analysed& all) {
+    Result<Recording> recording = open_warned(listed.path.string(), listed.open, job);
+    if (!recording) {
+        return recording.error();
+    }
+    const Result<std::string> hash = recording_sha256(*recording, job);
+    if (!hash) {
+        return hash.error();
+    }
+    Result<Analysis> analysis = analyse_warned(*recording, settings, job);
+    if (!analysis) {
+        return analysis.error();
+    }
+    Result<SampleFaults> faults = inspect(*recording, settings, job);
+    if (!faults) {
+        return faults.error();
+    }
+    ui::ReportRecording told = ui::reportRecording(*recording, QString::fromStdString(*hash));
+    told.check = std::move(faults->findings);
+    const std::size_t index = all.recordings.size();
+    const TrackSummary means = analysis->means;
+    std::vector<Event> events = find_events(analysis->track);
+    all.content.runs.push_back({run_of(*recording, std::move(*analysis), static_cast<int>(index)),
+                                index, means, std::move(events)});
+    all.content.recordings.push_back(std::move(told));
+    all.recordings.push_back(std::move(*recording));
+    all.hashes.push_back(*hash);
+    return {};
+}
+
+Status add_resonator(const IdentifySettings& settings, const JobControl& job, Analysed& all) {
+    if (Status distinct = check_distinct(all.recordings, all.hashes); !distinct) {
+        return distinct;
+    }
+    Result<Identification> found = identify(all.recordings, settings, job);
+    for (const Recording& recording : all.recordings) {
+        if (Status still = unchanged(recording); !still) {
+            return still;
+        }
+    }
+    if (!found) {
+        if (found.error().code == ErrorCode::interrupted) {
+            return found.error();
+        }
+        all.content.not_identified = found.error();
+        return {};
+    }
+    auto outcome = std::make_shared<ui::ResonatorOutcome>();
+    for (std::size_t k = 0; k < all.recordings.size(); ++k) {
+        const Recording& recording = all.recordings[k];
+        outcome->inputs.push_back({recording.path.filename().string(), all.hashes[k],
+                                   recording.start, recording.seconds(), recording.rate_hz,
+                                   found->runs[k].f0_hz});
+    }
+    outcome->identification = std::move(*found);
+    all.content.outcome = std::move(outcome);
+    return {};
+}
+
+// A condition of the recordings, each value once; otherwise `usual`.
+QString told(const MeasurementSet& set, std::string Conditions::*condition, const QString& usual) {
+    QStringList values;
+    for (const ListedRecording& listed : set.recordings) {
+        const QString value = QString::fromStdString(listed.conditions.*condition);
+        if (!value.isEmpty() && !values.contains(value)) {
+            values << value;
+        }
+    }
+    return values.isEmpty() ? usual : values.join(QStringLiteral("; "));
+}
+
+}  // namespace
+
+ui::ReportTitle title_of(const MeasurementSet& set, const ui::ReportTitle& title) {
+    return {told(set, &Conditions::gyro, title.gyro),
+            told(set, &Conditions::operator_name, title.engineer),
+            told(set, &Conditions::date, title.date),
+            told(set, &Conditions::comment, title.comment)};
+}
+
+Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Settings& track,
+                                        const ui::ReportTitle& title, const JobControl& job) {
+    if (const Status alike = check_conditions(set); !alike) {
+        return alike.error();
+    }
+    Analysed all;
+    for (std::size_t k = 0; k < set.recordings.size(); ++k) {
+        Settings settings = track;
+        static_cast<SignalSettings&>(settings) = set.settings.signal_of(k);
+        settings.threads = set.settings.threads;
+        if (const Status added = add_recording(set.recordings[k], settings, job, all); !added) {
+            return added.error();
+        }
+    }
+    if (const Status identified = add_resonator(set.settings, job, all); !identified) {
+        return identified.error();
+    }
+    all.content.units.angle = ui::AngleUnit::degrees;
+    all.content.title = title_of(set, title);
+    if (all.content.title.date.isEmpty()) {
+        all.content.title.date = ui::measuredOn(all.content.recordings);
+    }
+    return std::move(all.content);
+}
+
+}  // namespace vybeg::cli

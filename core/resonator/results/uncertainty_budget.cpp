@@ -1,0 +1,30 @@
+#include "core/resonator/results/uncertainty_budget.h"
+
+#include <algorithm>
+
+namespace vybeg {
+
+std::vector<ParameterBudget> uncertainty_budget(const ResonatorFit& fit) {
+    std::vector<ParameterBudget> budget;
+    for (std::size_t k = 0; k < fit.shares.size(); ++k) {
+        const ResonatorParameter& parameter = resonator_parameters[k];
+        const Estimate& estimate = fit.resonator.*parameter.member;
+        if (estimate.given()) {
+            const double u = estimate.uncertainty();
+            budget.push_back(
+                {parameter, estimate.value, estimate.sd, fit.shares[k], u, coverage_factor * u});
+        }
+    }
+    return budget;
+}
+
+std::vector<BudgetSource> sources_of(std::span<const ParameterBudget> budget) {
+    std::vector<BudgetSource> found;
+    std::ranges::copy_if(budget_sources, std::back_inserter(found), [&](const auto& source) {
+        return std::ranges::any_of(
+            budget, [&](const ParameterBudget& row) { return row.shares.*source.member > 0; });
+    });
+    return found;
+}
+
+}  // namespace vybeg

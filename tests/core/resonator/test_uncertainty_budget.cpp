@@ -1,0 +1,121 @@
+// The uncertainty budget: shares of the tolerances, against the combined uncertainty and against
+// fits to channels that are really off.
+#include "core/resonator/results/uncertainty_budget.h"
+#include "tests/closeness.h"
+#include "tests/core/resonator/known_resonator.h"
+
+using namespace vybeg;
+using namespace vybeg::test;
+using std::numbers::pi;
+
+namespace {
+
+FreeDecay resonator() {
+    FreeDecay decay = reference();
+    decay.tau_s = 30;
+    decay.split_hz = 2e-3;
+    decay.theta_w = 0.35;
+    decay.damping_anisotropy_per_s = 2e-3;
+    decay.theta_tau = -0.2;
+    return decay;
+}
+
+FitOptions with(const ChannelTolerance& tolerance) {
+    FitOptions options;
+    options.tolerance = tolerance;
+    return options;
+}
+
+const ChannelTolerance every_tolerance{.kappa = 0.002,
+                                       .skew_rad = 0.1 * pi / 180,
+                                       .phase_rad = 1e-3,
+                                       .crosstalk = 1e-3,
+                                       .phase_drift = 1e-4,
+                                       .gain_drift = 1e-4};
+
+double shift_of(const ResonatorParameter& parameter, const ResonatorFit& from,
+                const ResonatorFit& to) {
+    const double moved =
+        (to.resonator.*parameter.member).value - (from.resonator.*parameter.member).value;
+    return parameter.period > 0 ? std::remainder(moved, parameter.period) : moved;
+}
+
+}  // namespace
+
+class TestUncertaintyBudget : public QObject {
+    Q_OBJECT
+
+private slots:
+    void the_shares_combine_to_u_data() {
+        QTest::addColumn<std::vector<double>>("angles");
+        QTest::addColumn<int>("least");
+        QTest::newRow("four recordings") << four_angles << 8;
+        QTest::newRow("two recordings") << std::vector<double>{10, 40} << 5;
+        QTest::newRow("one recording") << std::vector<double>{10} << 1;
+    }
+    void the_shares_combine_to_u() {
+        QFETCH(std::vector<double>, angles);
+        QFETCH(int, least);
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const ResonatorFit fit =
+                fitted(set_of(resonator(), angles, 1000, seed), with(every_tolerance));
+            const auto budget = uncertainty_budget(fit);
+            QVERIFY2(std::ssize(budget) >= least, qPrintable(QString::number(budget.size())));
+            bool any_share = false;
+            for (const ParameterBudget& row : budget) {
+                double squares = row.statistical * row.statistical;
+                for (const BudgetSource& source : budget_sources) {
+                    squares += std::pow(row.shares.*source.member, 2);
+                    any_share = any_share || row.shares.*source.member > 0;
+                }
+                const double u = (fit.resonator.*row.parameter.member).u;
+                VYBEG_CLOSE(std::sqrt(squares), u, 1e-6 * u);
+                QCOMPARE(row.combined, u);
+                QCOMPARE(row.expanded, 2 * u);
+            }
+            QVERIFY(any_share);
+            QCOMPARE(std::ssize(sources_of(budget)), 6);
+        }
+    }
+
+    void known_channels_leave_the_noise_alone() {
+        const ResonatorFit fit =
+            fitted(set_of(resonator(), four_angles, 1000, 1), with({.kappa = 0}));
+        const auto budget = uncertainty_budget(fit);
+        QVERIFY(!budget.empty());
+        QVERIFY(sources_of(budget).empty());
+        for (const ParameterBudget& row : budget) {
+            QCOMPARE(row.combined, row.statistical);
+        }
+    }
+
+    // A share is the change of the result by an error of one standard deviation that the fit does
+    // not know of: D that has a little of C in it moves the fit by as much.
+    void a_share_is_the_change_by_an_error_of_the_tolerances_size() {
+        const double skew = every_tolerance.skew_rad;
+        const std::vector<PhasorRun> runs = set_of(resonator(), four_angles, 1000, 7);
+        std::vector<PhasorRun> skewed = runs;
+        for (PhasorRun& run : skewed) {
+            for (std::size_t k = 0; k < run.d.size(); ++k) {
+                run.d[k] += std::sin(skew) * run.c[k];
+            }
+        }
+        const ResonatorFit fit = fitted(runs, with(every_tolerance));
+        const ResonatorFit moved = fitted(skewed, with(every_tolerance));
+        int compared = 0;
+        for (const ParameterBudget& row : uncertainty_budget(fit)) {
+            // The data narrow skew itself; what they do not say of it moves the others.
+            if (row.parameter.member != &ResonatorEstimate::non_orthogonality_rad &&
+                row.shares.skew > 0.05 * row.combined) {
+                const double change = std::abs(shift_of(row.parameter, fit, moved));
+                qInfo("%s: share %g, change %g", row.parameter.name, row.shares.skew, change);
+                VYBEG_CLOSE(change, row.shares.skew, 0.01 * row.shares.skew);
+                ++compared;
+            }
+        }
+        QVERIFY(compared > 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestUncertaintyBudget)
+#include "test_uncertainty_budget.moc"

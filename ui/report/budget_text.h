@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/analysis/identify.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/words/display_units.h"
+
+namespace vybeg::ui {
+
+// A text of context "Report" in the interface's language.
+QString reportText(const char* text);
+
+// The uncertainty budget as a table: a row for each given parameter; columns: the statistical
+// part, the tolerances that have a part in any of them, u and the expanded uncertainty. Empty where
+// no parameter is given.
+QStringList budgetHeaders(const Identification& found);
+std::vector<QuantityRow> budgetRows(const Identification& found, const DisplayUnits& units);
+
+// The tolerances that the identification was told, a text for each, e.g. "Delay: 10 ns".
+QStringList toleranceTexts(const Identification& found);
+
+}  // namespace vybeg::ui

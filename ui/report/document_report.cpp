@@ -1,0 +1,127 @@
+#include "ui/report/document_report.h"
+
+#include "ui/report/budget_text.h"
+#include "ui/resonator/set_panel.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <iterator>
+
+namespace vybeg::ui {
+
+namespace {
+
+bool isReported(const RunEntry& entry) {
+    return entry.run.visible && !entry.partial();
+}
+
+// Ids of the recordings that are open and have an analysis.
+std::vector<int> analysed(const Document& document, const std::vector<int>& ids) {
+    std::vector<int> found;
+    std::ranges::copy_if(ids, std::back_inserter(found), [&](int id) {
+        const RecordingEntry* recording = document.recording(id);
+        return recording && recording->recording &&
+               std::ranges::any_of(document.runs(), [id](const RunEntry& entry) {
+                   return entry.recording_id == id && isReported(entry);
+               });
+    });
+    return found;
+}
+
+// The set whose identification a report shows.
+const RunSet* identifiedSet(const Document& document, const ReportSubject& subject) {
+    if (subject.set != 0) {
+        return document.sets().find(subject.set);
+    }
+    const auto& sets = document.sets().all();
+    const auto alone = std::ranges::find_if(sets, [&](const RunSet& set) {
+        return set.recordings == subject.recordings && document.sets().outcome(set);
+    });
+    return alone == sets.end() ? nullptr : &*alone;
+}
+
+}  // namespace
+
+std::vector<ReportSubject> reportSubjects(const Document& document) {
+    std::vector<ReportSubject> subjects;
+    const auto add_set = [&](const RunSet& set) {
+        const std::vector<int> recordings = analysed(document, set.recordings);
+        if (!recordings.empty()) {
+            subjects.push_back({setName(document, set), recordings, set.id, false});
+        }
+    };
+    const RecordingEntry* recording = document.currentRecording();
+    const RunSet* current = document.sets().current();
+    const bool holds_it =
+        current && recording &&
+        std::ranges::find(current->recordings, recording->id) != current->recordings.end();
+    if (holds_it) {
+        add_set(*current);
+    }
+    if (recording && !analysed(document, {recording->id}).empty()) {
+        subjects.push_back({recording->name, {recording->id}, 0, false});
+    }
+    for (const RunSet& set : document.sets().all()) {
+        if (!holds_it || set.id != current->id) {
+            add_set(set);
+        }
+    }
+    std::vector<ReportSubject> sets;
+    std::ranges::copy_if(subjects, std::back_inserter(sets),
+                         [](const ReportSubject& each) { return each.set != 0; });
+    if (sets.size() > 1) {
+        ReportSubject all{reportText(QT_TRANSLATE_NOOP("Report", "All sets")), {}, 0, true};
+        for (const ReportSubject& each : sets) {
+            all.recordings.insert(all.recordings.end(), each.recordings.begin(),
+                                  each.recordings.end());
+        }
+        subjects.push_back(all);
+    }
+    return subjects;
+}
+
+std::vector<ReportContent> reportContentsOf(const Document& document,
+                                            const ReportSubject& subject) {
+    if (!subject.all_sets) {
+        return {reportContentOf(document, subject)};
+    }
+    std::vector<ReportContent> contents;
+    for (const RunSet& set : document.sets().all()) {
+        const std::vector<int> recordings = analysed(document, set.recordings);
+        if (!recordings.empty()) {
+            const QString name = setName(document, set);
+            contents.push_back(reportContentOf(document, {name, recordings, set.id, false}));
+            contents.back().set = name;
+            contents.back().chapter = static_cast<int>(contents.size());
+        }
+    }
+    return contents;
+}
+
+ReportContent reportContentOf(const Document& document, const ReportSubject& subject) {
+    ReportContent content;
+    for (const int id : subject.recordings) {
+        const RecordingEntry& entry = *document.recording(id);
+        ReportRecording told = reportRecording(*entry.recording, entry.sha256);
+        if (entry.faults) {
+            told.check = entry.faults->findings;
+        }
+        for (const RunEntry& run : document.runs()) {
+            if (run.recording_id == id && isReported(run)) {
+                content.runs.push_back(
+                    {run.run, content.recordings.size(), run.summary, run.events});
+            }
+        }
+        content.recordings.push_back(std::move(told));
+    }
+    content.title.date = measuredOn(content.recordings);
+    content.limits = document.dossier().dossier().limits;
+    if (const RunSet* set = identifiedSet(document, subject)) {
+        content.outcome = document.sets().outcome(*set);
+        content.out_of_date = content.outcome && document.sets().outOfDate(*set, *content.outcome);
+    }
+    return content;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/report/report_content.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace vybeg::ui {
+
+// What a report can be about: a set of recordings, one recording, or all sets.
+struct ReportSubject {
+    QString name;
+    std::vector<int> recordings;  // ids, those that are open
+    int set = 0;                  // id; 0: one recording, or all sets
+    bool all_sets = false;
+
+    friend bool operator==(const ReportSubject&, const ReportSubject&) = default;
+};
+
+// The current set first where it has the current recording, then the current recording, then the
+// other sets, and all sets where there are several. Only those with an analysis that has all its
+// windows.
+std::vector<ReportSubject> reportSubjects(const Document& document);
+
+// What the document holds of a subject: visible analyses, and the newest identification of the set
+// or of the recording alone. Without a title but for the date. All sets are a chapter each.
+std::vector<ReportContent> reportContentsOf(const Document& document, const ReportSubject& subject);
+
+// The same of one set or recording.
+ReportContent reportContentOf(const Document& document, const ReportSubject& subject);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/base/error.h"
+#include "core/recording/samples/recording.h"
+#include "core/resonator/results/parameter_limit.h"
+#include "core/track/events.h"
+#include "core/track/track_summary.h"
+#include "ui/values/run.h"
+#include "ui/values/run_set.h"
+#include "ui/words/display_units.h"
+
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vybeg::ui {
+
+// What no file tells. An empty text leaves a line to be filled in by hand.
+struct ReportTitle {
+    QString gyro;  // serial number
+    QString engineer;
+    QString date;  // of the recordings
+    QString comment;
+};
+
+struct ReportRecording {
+    QString name;
+    QString format;  // formatText()
+    QString start;   // date and time from the file, or empty
+    QString sha256;  // empty: not known yet
+    double rate_hz = 0;
+    double seconds = 0;
+    std::optional<std::vector<Diagnostic>> check;  // findings; none: not finished yet
+};
+
+// Without its check.
+ReportRecording reportRecording(const Recording& recording, const QString& sha256);
+
+// Date of the recordings as their files tell it; the first and the last of several. Empty where
+// none does.
+QString measuredOn(const std::vector<ReportRecording>& recordings);
+
+struct ReportRun {
+    Run run;
+    std::size_t recording = 0;  // index
+    TrackSummary means;
+    std::vector<Event> events;
+};
+
+// Everything that a report shows, as a value. Its texts are in the language in which it is laid
+// out.
+struct ReportContent {
+    QString set;      // its name in a report of several sets
+    int chapter = 0;  // its number there, from 1; 0: the only one
+    ReportTitle title;
+    std::vector<ReportRecording> recordings;
+    std::vector<ReportRun> runs;  // of the recordings, in their order
+    std::shared_ptr<const ResonatorOutcome> outcome;
+    bool out_of_date = false;  // the outcome is of other settings than the present ones
+    std::optional<Error>
+        not_identified;  // reason for the absence of the outcome, where one is known
+    std::vector<ParameterLimit> limits;
+    DisplayUnits units;
+    std::vector<SlowVariable> variables{main_slow_variables.begin(), main_slow_variables.end()};
+};
+
+}  // namespace vybeg::ui

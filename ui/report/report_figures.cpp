@@ -1,0 +1,81 @@
+#include "ui/report/report_figures.h"
+
+#include "ui/plots/plot_export.h"
+#include "ui/resonator/resonator_plots.h"
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr double reduced = 0.8;
+
+ReportFigure figure(const QString& name, Drawing draw, QSizeF paper) {
+    return {name, std::move(draw), (paper / reduced).toSize(), paper};
+}
+
+PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
+    PlotContent plots;
+    plots.variables = content.variables;
+    plots.units = content.units;
+    for (const ReportRun& each : content.runs) {
+        if (each.recording == recording) {
+            plots.runs.push_back(each.run);
+            plots.runs.back().visible = true;
+        }
+    }
+    plots.zoom.time = coveredTime(plots.runs).value_or(AxisRange{0, 1});
+    return plots;
+}
+
+}  // namespace
+
+QString figureName(const ReportContent& content, const char* figure) {
+    return QStringLiteral("%1-%2").arg(content.chapter).arg(QLatin1String(figure));
+}
+
+QString plotsName(const ReportContent& content, std::size_t recording) {
+    return figureName(content, "plots") + QString::number(recording);
+}
+
+std::vector<ReportFigure> reportFigures(const ReportContent& content) {
+    // Room for the heading of the page.
+    constexpr double heading = 60;
+    constexpr double half = 0.49;
+    std::vector<ReportFigure> figures;
+    for (std::size_t k = 0; k < content.recordings.size(); ++k) {
+        const PlotContent plots = plotsOf(content, k);
+        if (!plots.runs.empty()) {
+            figures.push_back(figure(plotsName(content, k), plotsDrawing(plots),
+                                     {report_page.width(), report_page.height() - heading}));
+        }
+    }
+    if (content.outcome &&
+        content.outcome->identification.fit.model == ResonatorModel::structured) {
+        const QSizeF side(half * report_page.width(), half * report_page.width());
+        figures.push_back(
+            figure(figureName(content, rim_figure), roundDrawing(rimPlot(*content.outcome)), side));
+        figures.push_back(figure(figureName(content, drift_figure),
+                                 xyDrawing(driftPlot(*content.outcome, content.units)), side));
+        figures.push_back(
+            figure(figureName(content, balance_figure),
+                   xyDrawing(balancePlot(*content.outcome, BalanceAxis::time, content.units)),
+                   {report_page.width(), 0.33 * report_page.width()}));
+    }
+    return figures;
+}
+
+ReportPicture drawn(const ReportFigure& figure) {
+    return {figure.name, toPicture(figure.draw, figure.drawn), QSizeF(figure.drawn), figure.paper};
+}
+
+std::vector<ReportPicture> drawnFigures(const ReportContent& content) {
+    std::vector<ReportPicture> pictures;
+    for (const ReportFigure& figure : reportFigures(content)) {
+        pictures.push_back(drawn(figure));
+    }
+    return pictures;
+}
+
+}  // namespace vybeg::ui

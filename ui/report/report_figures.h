@@ -1,0 +1,49 @@
+#pragma once
+
+#include "ui/plots/plot_file.h"
+#include "ui/report/report_content.h"
+
+#include <QPicture>
+#include <QString>
+
+#include <cstddef>
+#include <vector>
+
+namespace vybeg::ui {
+
+// A figure of the report, before it is drawn. `paper`: its size in the report, in pixels of
+// pixels_per_inch; drawn larger and reduced, for the sake of smaller texts than on screen.
+struct ReportFigure {
+    QString name;  // in the text of the report
+    Drawing draw;
+    QSize drawn;
+    QSizeF paper;
+};
+
+// Content of a page between its margins, pixels of pixels_per_inch.
+inline constexpr QSizeF report_page{657, 950};
+
+inline constexpr const char* rim_figure = "rim";
+inline constexpr const char* drift_figure = "drift";
+inline constexpr const char* balance_figure = "balance";
+
+// The name of one of these in the text, and of the plots of a recording: different in each chapter.
+QString figureName(const ReportContent& content, const char* figure);
+QString plotsName(const ReportContent& content, std::size_t recording);
+
+// All figures of a report: for each recording with a run the slow variables, then those of the
+// resonator. Drawing one needs the thread of the window (QCustomPlot is a widget).
+std::vector<ReportFigure> reportFigures(const ReportContent& content);
+
+// A figure as vectors, which any thread can play.
+struct ReportPicture {
+    QString name;
+    QPicture picture;
+    QSizeF drawn;
+    QSizeF paper;
+};
+ReportPicture drawn(const ReportFigure& figure);
+// All figures of a report in one go.
+std::vector<ReportPicture> drawnFigures(const ReportContent& content);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,112 @@
+#include "ui/report/report_html.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+QString withIndices(const QString& text) {
+    // A letter or two of a symbol, its index of as many; no part of a word, no name of a file.
+    static const QRegularExpression symbol(
+        QStringLiteral("(?<![\\p{L}_])(d?Δ?\\p{L})_(\\p{L}{1,2})(?![\\p{L}\\p{N}_]|\\.\\p{L})"));
+    return text.toHtmlEscaped().replace(symbol, QStringLiteral("\\1<sub>\\2</sub>"));
+}
+
+QString heading(const QString& text, bool new_page) {
+    return QStringLiteral("<h2%1>%2</h2>")
+        .arg(new_page ? QStringLiteral(" style=\"page-break-before:always\"") : QString(),
+             withIndices(text));
+}
+
+QString smallHeading(const QString& text) {
+    return QStringLiteral("<h3>%1</h3>").arg(withIndices(text));
+}
+
+QString paragraph(const QString& text) {
+    return QStringLiteral("<p>%1</p>").arg(withIndices(text));
+}
+
+QString monospaced(const QString& text) {
+    return QStringLiteral("<span class=\"mono\">%1</span>").arg(text.toHtmlEscaped());
+}
+
+QString items(const QStringList& sentences) {
+    QString list;
+    for (const QString& sentence : sentences) {
+        list += QStringLiteral("<li>%1</li>").arg(withIndices(sentence));
+    }
+    return list.isEmpty() ? list : QStringLiteral("<ul>%1</ul>").arg(list);
+}
+
+QString html(const HtmlTable& table) {
+    const auto line = [&table](const QStringList& cells, const QString& tag) {
+        QString text = QStringLiteral("<tr>");
+        // A row of fewer cells: the last one takes the rest.
+        for (qsizetype k = 0; k < cells.size(); ++k) {
+            const qsizetype rest = qsizetype(table.columns.size()) - k;
+            const bool last = k + 1 == cells.size();
+            text += QStringLiteral("<%1 width=\"%2%\" colspan=\"%3\">%4</%1>")
+                        .arg(tag)
+                        .arg(table.columns[static_cast<std::size_t>(k)])
+                        .arg(last ? rest : 1)
+                        .arg(cells[k]);
+        }
+        return text + QStringLiteral("</tr>");
+    };
+    QString text = QStringLiteral("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\"%1>")
+                       .arg(table.small ? QStringLiteral(" class=\"small\"") : QString());
+    if (!table.head.isEmpty()) {
+        text += QStringLiteral("<thead>%1</thead>").arg(line(table.head, QStringLiteral("th")));
+    }
+    for (const QStringList& row : table.rows) {
+        text += line(row, QStringLiteral("td"));
+    }
+    return text + QStringLiteral("</table>");
+}
+
+QString quantityTables(const QStringList& headers, const std::vector<QuantityRow>& rows,
+                       qsizetype most, bool small) {
+    QString text;
+    const qsizetype values = rows.empty() ? 0 : qsizetype(rows.front().cells.size());
+    const qsizetype tables = (values + most - 1) / most;
+    const qsizetype each = tables == 0 ? 0 : (values + tables - 1) / tables;
+    for (qsizetype from = 0; from < values; from += each) {
+        const qsizetype count = std::min(each, values - from);
+        // Names of quantities are about as long as two values.
+        const int columns = static_cast<int>(count);
+        const int value =
+            (100 - std::max(22, 100 / (1 + columns) + (columns == 1 ? 8 : 0))) / columns;
+        HtmlTable table{{}, {}, {100 - columns * value}, small};
+        table.columns.insert(table.columns.end(), static_cast<std::size_t>(count), value);
+        if (!headers.isEmpty()) {
+            table.head << QString();
+            for (qsizetype k = from; k < from + count; ++k) {
+                table.head << withIndices(headers[k]);
+            }
+        }
+        for (const QuantityRow& row : rows) {
+            QStringList cells{withIndices(row.name)};
+            for (qsizetype k = from; k < from + count; ++k) {
+                cells << withIndices(row.cells[static_cast<std::size_t>(k)].text);
+            }
+            table.rows.push_back(cells);
+        }
+        text += html(table);
+    }
+    return text;
+}
+
+QString figureHtml(const QString& name) {
+    return QStringLiteral("<p class=\"figure\"><img src=\"%1\"></p>").arg(name);
+}
+
+QString sideBySide(const QString& left, const QString& right) {
+    return QStringLiteral(
+               "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"0\" class=\"figures\"><tr>"
+               "<td width=\"50%\"><img src=\"%1\"></td><td width=\"50%\"><img src=\"%2\"></td>"
+               "</tr></table>")
+        .arg(left, right);
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,217 @@
+#include "ui/report/report_pdf.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
+#include <QFontDatabase>
+#include <QGuiApplication>
+#include <QPageLayout>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextObjectInterface>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int resolution = 1200;
+constexpr double scale = resolution / pixels_per_inch;  // device pixels of a pixel
+// Above the content of a page, and below it, pixels.
+constexpr double head_height = 34;
+constexpr double foot_height = 34;
+
+constexpr int base_points = 9;
+
+const char* const style_sheet =
+    "h1 { font-size: 17pt; margin-bottom: 8px; }"
+    "h2 { font-size: 12.5pt; margin-top: 14px; margin-bottom: 5px; }"
+    "h3 { font-size: 10pt; margin-top: 10px; margin-bottom: 3px; }"
+    "p, li { margin-top: 2px; margin-bottom: 3px; }"
+    "p.figure { margin-top: 0px; margin-bottom: 0px; }"
+    "table { border-collapse: collapse; }"
+    "th { text-align: left; background-color: #e9edf2; border: 1px solid #b8c0c8; }"
+    "td { border: 1px solid #c9d0d6; }"
+    "table.figures td { border: 0px; }"
+    "table.small { font-size: 7.5pt; }";
+
+// Draws the figures in place of images.
+class Figures : public QObject, public QTextObjectInterface {
+    Q_OBJECT
+    Q_INTERFACES(QTextObjectInterface)
+
+public:
+    explicit Figures(const std::vector<ReportPicture>& pictures) : pictures_(pictures) {}
+
+    QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat& format) override {
+        const ReportPicture* picture = find(format);
+        return picture ? picture->paper * scale : QSizeF();
+    }
+
+    void drawObject(QPainter* painter, const QRectF& room, QTextDocument*, int,
+                    const QTextFormat& format) override {
+        if (const ReportPicture* picture = find(format)) {
+            QPicture own = picture->picture;
+            // What a picture itself scales by as it is played.
+            const double own_scale =
+                double(painter->device()->logicalDpiX()) / double(own.logicalDpiX());
+            painter->save();
+            painter->translate(room.topLeft());
+            painter->scale(room.width() / (own_scale * picture->drawn.width()),
+                           room.height() / (own_scale * picture->drawn.height()));
+            painter->drawPicture(0, 0, own);
+            painter->restore();
+        }
+    }
+
+private:
+    const ReportPicture* find(const QTextFormat& format) const {
+        const auto found =
+            std::ranges::find(pictures_, format.toImageFormat().name(), &ReportPicture::name);
+        return found == pictures_.end() ? nullptr : &*found;
+    }
+
+    const std::vector<ReportPicture>& pictures_;
+};
+
+int pageOf(const QTextDocument& document, const QTextBlock& block) {
+    const QRectF place = document.documentLayout()->blockBoundingRect(block);
+    return static_cast<int>(std::floor(place.bottom() / document.pageSize().height()));
+}
+
+// A heading goes with what stands below it. Each break moves all that follows, so that headings
+// are looked at one after the other.
+void keepHeadingsWithTheirText(QTextDocument& document) {
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        QTextBlock below = block.next();
+        while (below.isValid() && below.blockFormat().headingLevel() > 0) {
+            below = below.next();
+        }
+        const bool is_heading = block.blockFormat().headingLevel() > 0;
+        if (is_heading && below.isValid() && pageOf(document, below) != pageOf(document, block)) {
+            QTextBlockFormat format = block.blockFormat();
+            format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+            QTextCursor(block).setBlockFormat(format);
+        }
+    }
+}
+
+// The text with the page of each chapter in place of its mark.
+QString withPages(QString html, const QTextDocument& document) {
+    int chapter = 0;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        const QTextBlockFormat format = block.blockFormat();
+        if (format.headingLevel() == 1 &&
+            format.pageBreakPolicy() == QTextFormat::PageBreak_AlwaysBefore) {
+            html.replace(chapterMark(++chapter), QString::number(pageOf(document, block) + 1));
+        }
+    }
+    return html;
+}
+
+void layOut(QTextDocument& document, const QString& html) {
+    document.setHtml(html);
+    // Qt lays out step by step, and a change before the last step leaves out the blocks of the
+    // rest: counting the pages finishes it.
+    (void)document.pageCount();
+    keepHeadingsWithTheirText(document);
+}
+
+// As XML, with the characters that it reserves.
+QByteArray metadata(const ReportText& text) {
+    const auto list = [](const char* kind, const char* item, const QString& value) {
+        return QStringLiteral("<dc:%1><rdf:%2><rdf:li%3>%4</rdf:li></rdf:%2></dc:%1>")
+            .arg(QLatin1String(item), QLatin1String(kind),
+                 QLatin1String(kind) == QLatin1String("Alt")
+                     ? QStringLiteral(" xml:lang=\"x-default\"")
+                     : QString(),
+                 value.toHtmlEscaped());
+    };
+    return (QStringLiteral("<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>"
+                           "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">"
+                           "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">"
+                           "<rdf:Description rdf:about=\"\" "
+                           "xmlns:dc=\"http://purl.org/dc/elements/1.1/\" "
+                           "xmlns:xmp=\"http://ns.adobe.com/xap/1.0/\">") +
+            list("Alt", "title", text.title) +
+            (text.author.isEmpty() ? QString() : list("Seq", "creator", text.author)) +
+            QStringLiteral("<xmp:CreatorTool>%1</xmp:CreatorTool></rdf:Description></rdf:RDF>"
+                           "</x:xmpmeta><?xpacket end=\"w\"?>")
+                .arg(text.program.toHtmlEscaped()))
+        .toUtf8();
+}
+
+}  // namespace
+
+QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& pictures) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter pdf(&buffer);
+    pdf.setResolution(resolution);
+    pdf.setPageSize(QPageSize(QPageSize::A4));
+    pdf.setPageMargins(QMarginsF(), QPageLayout::Point);
+    pdf.setTitle(text.title);
+    pdf.setCreator(text.program);
+    pdf.setDocumentXmpMetadata(metadata(text));
+    const QSizeF content = report_page * scale;
+    const double left = (pdf.width() - content.width()) / 2;
+    const double top = (pdf.height() - content.height()) / 2;
+
+    Figures figures(pictures);
+    QTextDocument document;
+    QFont font(QGuiApplication::font().family());
+    font.setPointSizeF(base_points);
+    document.setDefaultFont(font);
+    document.setDocumentMargin(0);
+    document.setDefaultStyleSheet(
+        QLatin1String(style_sheet) +
+        QStringLiteral(".mono { font-family: \"%1\"; font-size: 7.5pt; }")
+            .arg(QFontDatabase::systemFont(QFontDatabase::FixedFont).family()));
+    document.documentLayout()->registerHandler(QTextFormat::ImageObject, &figures);
+    document.documentLayout()->setPaintDevice(&pdf);
+    document.setPageSize(content);
+    layOut(document, text.html);
+    // The numbers are as long as their marks or shorter: the second layout has the pages of the
+    // first.
+    if (const QString told = withPages(text.html, document); told != text.html) {
+        layOut(document, told);
+    }
+
+    QPainter painter(&pdf);
+    font.setPointSizeF(7.5);
+    const int pages = document.pageCount();
+    for (int page = 0; page < pages; ++page) {
+        if (page > 0) {
+            pdf.newPage();
+        }
+        painter.setFont(font);
+        painter.setPen(Qt::darkGray);
+        const QRectF head(left, top - head_height * scale, content.width(), 24 * scale);
+        painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, text.head);
+        const QRectF foot(left, top + content.height() + (foot_height - 24) * scale,
+                          content.width(), 24 * scale);
+        painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,
+                         text.foot.arg(page + 1).arg(pages));
+        painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, text.program);
+        painter.save();
+        const QRectF shown(0, page * content.height(), content.width(), content.height());
+        painter.translate(left, top - shown.top());
+        painter.setClipRect(shown);
+        QAbstractTextDocumentLayout::PaintContext context;
+        context.clip = shown;
+        context.palette.setColor(QPalette::Text, Qt::black);
+        document.documentLayout()->draw(&painter, context);
+        painter.restore();
+    }
+    painter.end();
+    return bytes;
+}
+
+}  // namespace vybeg::ui
+
+#include "report_pdf.moc"

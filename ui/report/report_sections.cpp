@@ -1,0 +1,235 @@
+#include "ui/report/report_sections.h"
+
+#include "core/analysis/setting_table.h"
+#include "ui/report/budget_text.h"
+#include "ui/report/report_figures.h"
+#include "ui/report/report_html.h"
+#include "ui/report/resonator_section.h"
+#include "ui/resonator/resonator_text.h"
+#include "ui/words/algorithm_text.h"
+#include "ui/words/error_text.h"
+#include "ui/words/unit_text.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Events of a run that are listed; of the rest the number.
+constexpr std::size_t most_events = 60;
+
+const QString none = QStringLiteral("—");
+
+QString seconds(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+// A rate in Hz with its own digits.
+QString rateText(double rate_hz) {
+    return QLocale().toString(rate_hz, 'g', 12);
+}
+
+QStringList sentences(const std::vector<Diagnostic>& findings) {
+    QStringList texts;
+    for (const Diagnostic& each : findings) {
+        texts << diagnosticText(each);
+    }
+    return texts;
+}
+
+QString bold(const char* text) {
+    return QStringLiteral("<b>%1</b>").arg(reportText(text).toHtmlEscaped());
+}
+
+QString checkText(const ReportRecording& recording) {
+    if (!recording.check) {
+        return reportText(QT_TRANSLATE_NOOP("Report", "not finished yet"));
+    }
+    return recording.check->empty() ? reportText(QT_TRANSLATE_NOOP("Report", "no findings"))
+                                    : sentences(*recording.check).join(QStringLiteral(" "));
+}
+
+QString recordingsSection(const ReportContent& content) {
+    if (content.recordings.empty()) {
+        return {};
+    }
+    const auto head = [](const char* text, const char* unit = "") {
+        return withUnit(reportText(text), unitText(unit));
+    };
+    HtmlTable table{
+        {head(QT_TRANSLATE_NOOP("Report", "File")), head(QT_TRANSLATE_NOOP("Report", "Format")),
+         head(QT_TRANSLATE_NOOP("Report", "Start")),
+         head(QT_TRANSLATE_NOOP("Report", "Rate"), "Hz"),
+         head(QT_TRANSLATE_NOOP("Report", "Length"), "s")},
+        {},
+        {26, 29, 18, 14, 13}};
+    for (const ReportRecording& each : content.recordings) {
+        table.rows.push_back({QStringLiteral("<b>%1</b>").arg(each.name.toHtmlEscaped()),
+                              each.format.toHtmlEscaped(),
+                              each.start.isEmpty() ? none : each.start.toHtmlEscaped(),
+                              rateText(each.rate_hz), seconds(each.seconds, 3)});
+        const QString hash =
+            each.sha256.isEmpty()
+                ? reportText(QT_TRANSLATE_NOOP("Report", "not computed yet")).toHtmlEscaped()
+                : monospaced(each.sha256);
+        table.rows.push_back({QStringLiteral("SHA-256: ") + hash});
+        table.rows.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Check: %1"))
+                                  .arg(withIndices(checkText(each)))});
+    }
+    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Recordings"))) + html(table);
+}
+
+// The settings that have a part and are not the defaults, as options of the command line; without
+// those that stand in the table: the carrier that is found is one of its own.
+QString optionsText(const Settings& settings) {
+    QStringList options;
+    const Settings defaults;
+    constexpr std::array told{"algorithm", "window", "hop", "f0"};
+    for (const SettingRow<Settings>& row : analysis_settings()) {
+        const std::string text = row.text(settings);
+        const bool is_told = std::ranges::find(told, row.name) != told.end();
+        if (row.has_part && !is_told && text != row.text(defaults)) {
+            const QString option = QString::fromStdString(row.option());
+            options << (row.placeholder.empty()
+                            ? option
+                            : option + QLatin1Char(' ') + QString::fromStdString(text));
+        }
+    }
+    return options.join(QLatin1Char(' '));
+}
+
+QString settingsSection(const ReportContent& content) {
+    if (content.runs.empty()) {
+        return {};
+    }
+    const auto head = [](const char* text, const char* unit = "") {
+        return withUnit(reportText(text), unitText(unit));
+    };
+    HtmlTable table{{head(QT_TRANSLATE_NOOP("Report", "Recording")),
+                     head(QT_TRANSLATE_NOOP("Report", "Algorithm")),
+                     head(QT_TRANSLATE_NOOP("Report", "Window, hop (samples)")),
+                     head(QT_TRANSLATE_NOOP("Report", "Windows")),
+                     head(QT_TRANSLATE_NOOP("Report", "Mean frequency"), "Hz"),
+                     head(QT_TRANSLATE_NOOP("Report", "Noise σ"))},
+                    {},
+                    {20, 20, 15, 11, 22, 12}};
+    for (const ReportRun& each : content.runs) {
+        const Analysis& analysis = *each.run.analysis;
+        const QLocale locale;
+        table.rows.push_back({content.recordings[each.recording].name.toHtmlEscaped(),
+                              algorithmText(analysis.settings.algorithm).toHtmlEscaped(),
+                              QStringLiteral("%1, %2").arg(
+                                  locale.toString(static_cast<qint64>(analysis.plan.length)),
+                                  locale.toString(static_cast<qint64>(analysis.plan.hop))),
+                              locale.toString(static_cast<qint64>(analysis.plan.count)),
+                              valueText(each.means.mean_f_hz, each.means.sd_mean_f_hz),
+                              shortNumberText(each.means.noise, 3)});
+        if (const QString options = optionsText(analysis.settings); !options.isEmpty()) {
+            table.rows.push_back({monospaced(options)});
+        }
+    }
+    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Analyses and their settings"))) +
+           html(table);
+}
+
+QString plotsSection(const ReportContent& content) {
+    QString text;
+    for (std::size_t k = 0; k < content.recordings.size(); ++k) {
+        const auto is_of = [k](const ReportRun& run) { return run.recording == k; };
+        if (std::ranges::any_of(content.runs, is_of)) {
+            text += heading(reportText(QT_TRANSLATE_NOOP("Report", "Slow variables: %1"))
+                                .arg(content.recordings[k].name),
+                            true) +
+                    figureHtml(plotsName(content, k));
+        }
+    }
+    return text;
+}
+
+QString eventsSection(const ReportContent& content) {
+    if (content.runs.empty()) {
+        return {};
+    }
+    QString text = heading(reportText(QT_TRANSLATE_NOOP("Report", "Events")));
+    bool any = false;
+    for (const ReportRun& each : content.runs) {
+        if (each.events.empty()) {
+            continue;
+        }
+        any = true;
+        HtmlTable table{{reportText(QT_TRANSLATE_NOOP("Report", "Time, s")),
+                         reportText(QT_TRANSLATE_NOOP("Report", "Event"))},
+                        {},
+                        {14, 86}};
+        for (std::size_t k = 0; k < std::min(each.events.size(), most_events); ++k) {
+            table.rows.push_back(
+                {seconds(each.events[k].time_s, 4), withIndices(eventText(each.events[k]))});
+        }
+        if (each.events.size() > most_events) {
+            table.rows.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Further events: %1"))
+                                      .arg(static_cast<qint64>(each.events.size() - most_events))});
+        }
+        text += smallHeading(QStringLiteral("%1, %2").arg(content.recordings[each.recording].name,
+                                                          each.run.name)) +
+                html(table);
+    }
+    return any ? text
+               : text + paragraph(
+                            reportText(QT_TRANSLATE_NOOP("Report", "No axis crossings, no gaps.")));
+}
+
+// Each warning once; those of the recording check stand with the recordings.
+QString warningsSection(const ReportContent& content) {
+    QStringList warnings;
+    for (const ReportRun& each : content.runs) {
+        const ReportRecording& recording = content.recordings[each.recording];
+        const QStringList known = recording.check ? sentences(*recording.check) : QStringList();
+        for (const QString& text : sentences(each.run.analysis->diagnostics)) {
+            if (!known.contains(text)) {
+                warnings << QStringLiteral("%1: %2").arg(recording.name, text);
+            }
+        }
+    }
+    if (content.outcome) {
+        warnings += findingTexts(*content.outcome);
+        warnings += warningTexts(*content.outcome);
+    }
+    warnings.removeDuplicates();
+    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Warnings"))) +
+           (warnings.isEmpty() ? paragraph(reportText(QT_TRANSLATE_NOOP("Report", "None.")))
+                               : items(warnings));
+}
+
+}  // namespace
+
+QString titleBlock(const ReportTitle& title, const QString& made) {
+    // Lines to write on by hand where nothing is told.
+    const QString line = QStringLiteral("____________________________");
+    const auto told = [&line](const QString& text) {
+        return text.isEmpty() ? line : text.toHtmlEscaped();
+    };
+    HtmlTable table{{}, {}, {32, 68}};
+    table.rows = {
+        {bold(QT_TRANSLATE_NOOP("Report", "Gyro, serial number")), told(title.gyro)},
+        {bold(QT_TRANSLATE_NOOP("Report", "Operator")), told(title.engineer)},
+        {bold(QT_TRANSLATE_NOOP("Report", "Date of measurement")), told(title.date)},
+        {bold(QT_TRANSLATE_NOOP("Report", "Comment")), told(title.comment)},
+    };
+    if (!made.isEmpty()) {
+        table.rows.push_back(
+            {bold(QT_TRANSLATE_NOOP("Report", "Report made")), made.toHtmlEscaped()});
+    }
+    return html(table);
+}
+
+QString reportSections(const ReportContent& content) {
+    return recordingsSection(content) + settingsSection(content) + plotsSection(content) +
+           resonatorSection(content) + eventsSection(content) + warningsSection(content);
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,115 @@
+#include "ui/report/report_text.h"
+
+#include "ui/report/budget_text.h"
+#include "ui/report/report_html.h"
+#include "ui/report/report_sections.h"
+#include "ui/report/resonator_section.h"
+#include "ui/resonator/parameter_text.h"
+#include "ui/words/unit_text.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+QString madeText(const QString& program, const QDateTime& made) {
+    return QStringLiteral("%1, %2").arg(QLocale().toString(made, QLocale::ShortFormat), program);
+}
+
+ReportText framed(const QString& report, const QString& about, const QString& program) {
+    ReportText text;
+    text.title = QStringLiteral("%1: %2").arg(report, about);
+    text.program = program;
+    text.head = text.title;
+    text.foot = reportText(QT_TRANSLATE_NOOP("Report", "Page %1 of %2"));
+    text.html = QStringLiteral("<h1>%1</h1>").arg(report.toHtmlEscaped());
+    return text;
+}
+
+// "Set, gyro" where they differ.
+QString nameOf(const ReportContent& content) {
+    const QString& gyro = content.title.gyro;
+    return gyro.isEmpty() || gyro == content.set ? content.set
+                                                 : QStringLiteral("%1, %2").arg(content.set, gyro);
+}
+
+QStringList lineOf(const ReportContent& content) {
+    QStringList cells{nameOf(content).toHtmlEscaped(), chapterMark(content.chapter)};
+    if (!content.outcome) {
+        return cells << withIndices(absenceText(content));
+    }
+    const ResonatorEstimate& resonator = content.outcome->identification.fit.resonator;
+    const auto add = [&cells](const Estimate& estimate, double factor) {
+        cells << (estimate.given()
+                      ? valueText(factor * estimate.value, factor * estimate.uncertainty())
+                      : QStringLiteral("—"));
+    };
+    add(resonator.f_mean_hz, 1);
+    add(resonator.split_hz, 1);
+    add(resonator.theta_w_rad, angleFactor(content.units));
+    add(resonator.q, 1);
+    return cells;
+}
+
+}  // namespace
+
+ReportText reportTextOf(const ReportContent& content, const QString& program,
+                        const QDateTime& made) {
+    QString about = content.title.gyro;
+    if (about.isEmpty() && !content.recordings.empty()) {
+        about = content.recordings.front().name;
+    }
+    ReportText text =
+        framed(reportText(QT_TRANSLATE_NOOP("Report", "Report of a free decay")), about, program);
+    text.author = content.title.engineer;
+    text.html += titleBlock(content.title, madeText(program, made)) + reportSections(content);
+    return text;
+}
+
+ReportChapter chapterOf(const ReportContent& content) {
+    return {lineOf(content), QStringLiteral("<h1 style=\"page-break-before:always\">%1</h1>")
+                                     .arg(content.set.toHtmlEscaped()) +
+                                 titleBlock(content.title, {}) + reportSections(content)};
+}
+
+ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
+                        const DisplayUnits& units, const QString& program, const QDateTime& made) {
+    const auto head = [](const char* text, const QString& unit = {}) {
+        return withIndices(withUnit(reportText(text), unit));
+    };
+    HtmlTable table{
+        {head(QT_TRANSLATE_NOOP("Report", "Set, gyro")), head(QT_TRANSLATE_NOOP("Report", "Page")),
+         head(QT_TRANSLATE_NOOP("Report", "Mean f"), unitText("Hz")),
+         head(QT_TRANSLATE_NOOP("Report", "Split Δf"), unitText("Hz")),
+         head(QT_TRANSLATE_NOOP("Report", "Axis θ_w"), angleUnit(units)),
+         head(QT_TRANSLATE_NOOP("Report", "Quality factor Q"))},
+        {},
+        {17, 7, 25, 23, 14, 14},
+        true};
+    QString pages;
+    for (const ReportChapter& chapter : chapters) {
+        table.rows.push_back(chapter.line);
+        pages += chapter.html;
+    }
+    ReportText text =
+        framed(reportText(QT_TRANSLATE_NOOP("Report", "Report of free decays")), about, program);
+    text.html +=
+        paragraph(QStringLiteral("%1: %2").arg(
+            reportText(QT_TRANSLATE_NOOP("Report", "Report made")), madeText(program, made))) +
+        heading(reportText(QT_TRANSLATE_NOOP("Report", "All sets"))) +
+        paragraph(reportText(QT_TRANSLATE_NOOP(
+            "Report",
+            "Values with their combined standard uncertainties u. A dash: the "
+            "recordings do not show it; the page of the set gives the reason."))) +
+        html(table) + pages;
+    return text;
+}
+
+QString chapterMark(int number) {
+    return QStringLiteral("⟦%1⟧").arg(number);
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "ui/document/analysis_job.h"
+#include "ui/report/report_content.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace vybeg::ui {
+
+// Writes reports while the window is in use: one figure in each turn of the event loop, because
+// they need the window's thread; pages and file in the background.
+class ReportWriter : public QObject {
+    Q_OBJECT
+
+public:
+    // `done` is called in this thread. Errors: those of write_file().
+    // A content is a report of its own, several are its chapters; `about` says of what.
+    void write(const std::vector<ReportContent>& contents, const QString& about,
+               const QString& path, std::function<void(const Status&)> done);
+
+private:
+    struct Work;
+    void drawNext(const std::shared_ptr<Work>& work);
+
+    AnalysisJob job_;
+    int key_ = 0;
+};
+
+}  // namespace vybeg::ui

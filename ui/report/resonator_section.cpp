@@ -1,0 +1,104 @@
+#include "ui/report/resonator_section.h"
+
+#include "ui/report/budget_text.h"
+#include "ui/report/report_figures.h"
+#include "ui/report/report_html.h"
+#include "ui/resonator/resonator_text.h"
+#include "ui/words/error_text.h"
+
+#include <QStringList>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Columns of values that a page has room for.
+constexpr qsizetype most_recordings = 2;
+constexpr qsizetype most_sources = 10;
+
+QString part(const QString& title, const QString& tables) {
+    return tables.isEmpty() ? tables : smallHeading(title) + tables;
+}
+
+QString modelText(const Identification& found) {
+    const QString model =
+        found.fit.model == ResonatorModel::structured
+            ? reportText(QT_TRANSLATE_NOOP("Report", "Model: calibrated pair of pick-offs"))
+            : reportText(QT_TRANSLATE_NOOP("Report", "Model: free"));
+    return QStringLiteral("%1; χ²/ν = %2").arg(model, shortNumberText(found.fit.chi2_per_dof, 3));
+}
+
+QString budget(const Identification& found, const DisplayUnits& units) {
+    const auto rows = budgetRows(found, units);
+    if (rows.empty()) {
+        return {};
+    }
+    const QStringList tolerances = toleranceTexts(found);
+    const QString sources =
+        reportText(QT_TRANSLATE_NOOP(
+                       "Report",
+                       "After the GUM (JCGM 100:2008): standard uncertainties in the unit of each "
+                       "parameter; u² is the sum of the squares; U has the coverage factor 2. "
+                       "Tolerances of the channels (standard deviations): %1."))
+            .arg(tolerances.isEmpty() ? reportText(QT_TRANSLATE_NOOP("Report", "none"))
+                                      : tolerances.join(QStringLiteral("; ")));
+    return part(
+        reportText(QT_TRANSLATE_NOOP("Report", "Uncertainty budget")),
+        paragraph(sources) + quantityTables(budgetHeaders(found), rows, most_sources, true));
+}
+
+QString figures(const ReportContent& content) {
+    const Identification& found = content.outcome->identification;
+    return part(reportText(QT_TRANSLATE_NOOP("Report", "Rim and drift function")),
+                sideBySide(figureName(content, rim_figure), figureName(content, drift_figure)) +
+                    quantityTables({}, driftRows(found, content.units), 1)) +
+           part(reportText(QT_TRANSLATE_NOOP("Report", "Balance of the channels, condition (30)")),
+                figureHtml(figureName(content, balance_figure)));
+}
+
+}  // namespace
+
+QString absenceText(const ReportContent& content) {
+    return content.not_identified
+               ? errorText(*content.not_identified)
+               : reportText(QT_TRANSLATE_NOOP("Report", "It has not been identified."));
+}
+
+QString resonatorSection(const ReportContent& content) {
+    const QString title = reportText(QT_TRANSLATE_NOOP("Report", "Resonator"));
+    if (!content.outcome) {
+        return heading(title) + paragraph(absenceText(content));
+    }
+    const Identification& found = content.outcome->identification;
+    QStringList names;
+    for (const IdentifiedInput& input : content.outcome->inputs) {
+        names << QString::fromStdString(input.name);
+    }
+    QString text = heading(title, true) + paragraph(modelText(found));
+    if (content.out_of_date) {
+        text += paragraph(reportText(QT_TRANSLATE_NOOP(
+            "Report", "Identified with other settings or recordings than the present ones.")));
+    }
+    const bool structured = found.fit.model == ResonatorModel::structured;
+    const QString parameters = reportText(
+        QT_TRANSLATE_NOOP("Report", "Parameters, ± standard deviation (u: with the tolerances)"));
+    const QStringList columns{reportText(QT_TRANSLATE_NOOP("Report", "Value")),
+                              reportText(QT_TRANSLATE_NOOP("Report", "Limits"))};
+    text +=
+        part(parameters, quantityTables(content.limits.empty() ? QStringList() : columns,
+                                        resonatorRows(found, content.units, content.limits), 2));
+    text += part(reportText(QT_TRANSLATE_NOOP("Report", "Modes")),
+                 quantityTables({}, modeRows(found.fit), 1));
+    text += budget(found, content.units);
+    if (structured) {
+        text += figures(content);
+    }
+    text +=
+        part(reportText(QT_TRANSLATE_NOOP("Report", "Waves of the recordings, without a model")),
+             quantityTables(names, waveRows(found, content.units), most_recordings, true));
+    text += part(reportText(QT_TRANSLATE_NOOP("Report", "Recordings in the fit")),
+                 quantityTables(names, runRows(found, content.units), most_recordings, true));
+    return text;
+}
+
+}  // namespace vybeg::ui

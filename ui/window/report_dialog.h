@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ui/report/document_report.h"
+
+#include <QDialog>
+
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+
+namespace vybeg::ui {
+
+// Asks what a report is about and for its title block. Gyro, operator and comment are those of the
+// session's dossier, which takes what is typed here.
+class ReportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // Precondition: the document has a subject of a report.
+    explicit ReportDialog(Document& document, QWidget* parent = nullptr);
+
+    const ReportSubject& subject() const;
+    std::vector<ReportContent> contents() const;
+
+signals:
+    void saveWanted();
+
+private:
+    void keep();
+
+    Document& document_;
+    std::vector<ReportSubject> subjects_;
+    QComboBox* subject_;
+    QLineEdit* gyro_;
+    QLineEdit* engineer_;
+    QLineEdit* date_;
+    QLineEdit* comment_;
+    QCheckBox* all_plots_;
+};
+
+}  // namespace vybeg::ui
