@@ -5,6 +5,7 @@
 #include "core/recording/samples/open_options.h"
 #include "ui/document/run_store.h"
 #include "ui/plots/track_view.h"
+#include "ui/values/run_set.h"
 #include "ui/values/zoom_stack.h"
 #include "ui/words/display_units.h"
 
@@ -30,6 +31,7 @@ struct SessionSet {
     QString name;                 // empty: default name
     std::vector<int> recordings;  // places in Session::recordings
     FitOptions::Model model = FitOptions::Model::automatic;
+    std::optional<ListedSet> listed;  // its members by places in Session::recordings
 };
 
 // What the plots show.

@@ -1,5 +1,6 @@
 #include "ui/window/main_window.h"
 
+#include "ui/history/history_page.h"
 #include "ui/panels/cursor_panel.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/measure_panel.h"
@@ -85,12 +86,14 @@ void MainWindow::buildPages() {
     resonator_ = new ResonatorPage(document_, this);
     residuals_ = new ResidualsPage(document_, this);
     sweep_ = new SweepPage(document_, this);
+    history_ = new HistoryPage(document_, this);
     pages_ = new PageStack(welcome_, this);
     pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
     pages_->add(signals_, QT_TRANSLATE_NOOP("Pages", "Signals"));
     pages_->add(resonator_, QT_TRANSLATE_NOOP("Pages", "Resonator"));
     pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
     pages_->add(sweep_, QT_TRANSLATE_NOOP("Pages", "Windows"));
+    pages_->add(history_, QT_TRANSLATE_NOOP("Pages", "History"));
 
     messages_ = new MessageBar(this);
     auto* center = new QWidget(this);
@@ -180,6 +183,10 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
     connect(&document_, &Document::reported, messages_, &MessageBar::add);
     connect(&document_.sets(), &SetStore::changed, commands_, &Commands::refresh);
+    connect(&document_.sets(), &SetStore::listOpened, this, [this](const QString& path) {
+        menus_->recentFiles()->add(path);
+        pages_->showPage(Page::resonator);
+    });
     connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
         if (document_.sets().passport()) {
             pages_->showPage(Page::resonator);
@@ -227,6 +234,14 @@ void MainWindow::connectPanels() {
     connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(sweep_, &SweepPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(history_, &HistoryPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(history_, &HistoryPage::openWanted, files_, &FileCommands::askForDatabase);
+    connect(history_, &HistoryPage::newWanted, files_, &FileCommands::askForNewDatabase);
+    connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });
+    connect(files_, &FileCommands::databaseChosen, this, [this](const QString& path, bool make) {
+        pages_->showPage(Page::history);
+        history_->openDatabase(path, make);
+    });
     connect(tracks_, &TrackView::timeRangeChanged, this,
             [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
     connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
@@ -305,6 +320,7 @@ void MainWindow::setUnits(const DisplayUnits& units) {
     measure_->setUnits(units);
     resonator_->setUnits(units);
     sweep_->setUnits(units);
+    history_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }
@@ -316,6 +332,7 @@ FigureSource MainWindow::figures() const {
         case Page::resonator: return resonator_->figures();
         case Page::residuals: return residuals_->figures();
         case Page::sweep: return sweep_->figures();
+        case Page::history: return history_->figures();
     }
     return {};
 }

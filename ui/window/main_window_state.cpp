@@ -1,4 +1,5 @@
 // What the window keeps between sessions, and what changes while it stands: look and language.
+#include "ui/history/history_page.h"
 #include "ui/panels/wave_panel.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
@@ -124,6 +125,7 @@ void MainWindow::applyLook() {
     signals_->setTheme(theme_);
     residuals_->setTheme(theme_);
     sweep_->setTheme(theme_);
+    history_->setTheme(theme_);
     resonator_->setTheme(theme_);
     wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);

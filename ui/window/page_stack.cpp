@@ -34,8 +34,7 @@ void PageStack::add(QWidget* page, const char* title) {
 
 void PageStack::setWelcome(bool shown) {
     welcome_ = shown;
-    tabs_->setVisible(!shown);
-    showTab(tabs_->currentIndex());
+    showTab();
 }
 
 void PageStack::showPage(Page page) {
@@ -47,8 +46,11 @@ Page PageStack::page() const {
 }
 
 // Page 0 of the stack is the welcome.
-void PageStack::showTab(int tab) {
-    stack_->setCurrentIndex(welcome_ ? 0 : tab + 1);
+void PageStack::showTab() {
+    const int tab = tabs_->currentIndex();
+    const bool welcome = welcome_ && tab != static_cast<int>(Page::history);
+    tabs_->setVisible(!welcome);
+    stack_->setCurrentIndex(welcome ? 0 : tab + 1);
     emit pageShown();
 }
 
