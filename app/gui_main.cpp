@@ -51,7 +51,8 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
 void describe(CLI::App& app, FigureRequest& request, std::string& screenshots) {
     app.name("vybeg");
     app.set_version_flag("--version", "vybeg " VYBEG_VERSION);
-    app.add_option("FILE", request.inputs, "Recordings, measurement lists or sessions to open")->type_name("");
+    app.add_option("FILE", request.inputs, "Recordings, measurement lists or sessions to open")
+        ->type_name("");
     add_analysis_options(app, request.settings);
     add_open_options(app, request.open);
     app.add_option("--figure", request.figure,

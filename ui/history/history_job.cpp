@@ -38,9 +38,8 @@ void readHistory(AnalysisJob& job, int key, const QString& path,
                 return database.error();
             }
             auto gyros = database->gyros();
-            auto points =
-                gyros ? database->history(gyro, parameter)
-                      : Result<std::vector<HistoryPoint>>(gyros.error());
+            auto points = gyros ? database->history(gyro, parameter)
+                                : Result<std::vector<HistoryPoint>>(gyros.error());
             if (!points) {
                 return points.error();
             }

@@ -95,9 +95,8 @@ void HistoryPage::showEvent(QShowEvent* event) {
 }
 
 std::optional<std::string> HistoryPage::gyro() const {
-    return gyro_->currentIndex() > 0
-               ? std::optional(gyro_->currentData().toString().toStdString())
-               : std::nullopt;
+    return gyro_->currentIndex() > 0 ? std::optional(gyro_->currentData().toString().toStdString())
+                                     : std::nullopt;
 }
 
 std::size_t HistoryPage::baseline() const {
@@ -107,7 +106,8 @@ std::size_t HistoryPage::baseline() const {
 void HistoryPage::read() {
     reading_ = true;
     failure_.reset();
-    const auto& parameter = historyParameters()[static_cast<std::size_t>(parameter_->currentIndex())];
+    const auto& parameter =
+        historyParameters()[static_cast<std::size_t>(parameter_->currentIndex())];
     readHistory(job_, reading_job, path_, gyro(), parameter.name,
                 [this](Result<StoredHistory> history) { take(std::move(history)); });
     refresh();
@@ -175,9 +175,9 @@ void HistoryPage::showHistory() {
     shown_values_ = valuesPlot(*history_, charts_, now);
     shown_ranges_ = rangesPlot(*history_, charts_, now);
     shown_average_ = averagePlot(*history_, charts_, now);
-    for (const auto& [plot, shown] : {std::pair{values_, &shown_values_},
-                                      std::pair{ranges_, &shown_ranges_},
-                                      std::pair{average_, &shown_average_}}) {
+    for (const auto& [plot, shown] :
+         {std::pair{values_, &shown_values_}, std::pair{ranges_, &shown_ranges_},
+          std::pair{average_, &shown_average_}}) {
         plot->setContent(shown->plot);
         plot->setPickable(0);
         plot->setPointTips([this, shown = shown](std::size_t place) {
@@ -199,9 +199,10 @@ void HistoryPage::showHistory() {
 
 QString HistoryPage::stateText() const {
     if (path_.isEmpty()) {
-        return tr("A database keeps the results of a laboratory, of this window and of the command "
-                  "batch, so that each parameter of a gyro can be followed. Open one, or make a "
-                  "new one.");
+        return tr(
+            "A database keeps the results of a laboratory, of this window and of the command "
+            "batch, so that each parameter of a gyro can be followed. Open one, or make a "
+            "new one.");
     }
     if (failure_) {
         return errorText(*failure_);
@@ -210,8 +211,9 @@ QString HistoryPage::stateText() const {
         return tr("The database is being read…");
     }
     if (history_ && history_->gyros.empty()) {
-        return tr("The database holds no results yet. Identify a resonator and add its result, or "
-                  "fill it with vybeg-cli batch --database.");
+        return tr(
+            "The database holds no results yet. Identify a resonator and add its result, or "
+            "fill it with vybeg-cli batch --database.");
     }
     return {};
 }
@@ -233,9 +235,9 @@ void HistoryPage::refresh() {
     database_->setToolTip(path_);
     const QString hint = addHint();
     add_->setEnabled(hint.isEmpty());
-    add_->setToolTip(richTip(
-        hint.isEmpty() ? tr("The identified resonator of the current set into the database")
-                       : hint));
+    add_->setToolTip(
+        richTip(hint.isEmpty() ? tr("The identified resonator of the current set into the database")
+                               : hint));
     const QString state = stateText();
     state_->setText(state);
     state_->setVisible(!state.isEmpty());
@@ -258,8 +260,8 @@ void HistoryPage::step(int by) {
     const auto now = chosen_ ? std::ranges::find(points, *chosen_) : points.end();
     const auto place = now == points.end() ? (by > 0 ? 0 : std::ssize(points) - 1)
                                            : std::distance(points.begin(), now) + by;
-    choose(shown_values_, static_cast<int>(std::clamp(place, std::ptrdiff_t{0},
-                                                      std::ssize(points) - 1)));
+    choose(shown_values_,
+           static_cast<int>(std::clamp(place, std::ptrdiff_t{0}, std::ssize(points) - 1)));
 }
 
 void HistoryPage::openChosen() {
@@ -277,8 +279,7 @@ void HistoryPage::openChosen() {
 }
 
 void HistoryPage::openStored(const StoredResult& result) {
-    const StoredSet stored =
-        storedSet(result, document_.sets().measured(RunSet()).settings);
+    const StoredSet stored = storedSet(result, document_.sets().measured(RunSet()).settings);
     const auto warn = [this](std::function<QString()> text) {
         document_.report({Severity::warning, std::move(text), {}, {}});
     };
@@ -315,8 +316,8 @@ void HistoryPage::askToAdd() {
         date = date.isEmpty() ? QString::fromStdString(recording.conditions.date) : date;
     }
     for (const IdentifiedInput& input : addable()->inputs) {
-        date = date.isEmpty() && is_iso_date(input.start) ? QString::fromStdString(input.start)
-                                                          : date;
+        date =
+            date.isEmpty() && is_iso_date(input.start) ? QString::fromStdString(input.start) : date;
     }
     QStringList gyros;
     for (const StoredGyro& each : history_ ? history_->gyros : std::vector<StoredGyro>()) {

@@ -150,9 +150,9 @@ void HistoryPage::connectWidgets() {
         QSettings().setValue(baseline_key, count);
         compute();
     });
-    for (const auto& [plot, shown] : {std::pair{values_, &shown_values_},
-                                      std::pair{ranges_, &shown_ranges_},
-                                      std::pair{average_, &shown_average_}}) {
+    for (const auto& [plot, shown] :
+         {std::pair{values_, &shown_values_}, std::pair{ranges_, &shown_ranges_},
+          std::pair{average_, &shown_average_}}) {
         connect(plot, &XYPlotView::pointClicked, this,
                 [this, shown = shown](int place) { choose(*shown, place); });
         connect(plot, &XYPlotView::pointActivated, this, [this, shown = shown](int place) {
@@ -174,10 +174,10 @@ void HistoryPage::fillGyros() {
     }
     for (const StoredGyro& each : history_->gyros) {
         const QString name = QString::fromStdString(each.name);
-        gyro_->addItem(QStringLiteral("%1 (%2)")
-                           .arg(name.isEmpty() ? tr("without a name") : name,
-                                QLocale().toString(static_cast<qlonglong>(each.results))),
-                       name);
+        gyro_->addItem(
+            QStringLiteral("%1 (%2)").arg(name.isEmpty() ? tr("without a name") : name,
+                                          QLocale().toString(static_cast<qlonglong>(each.results))),
+            name);
     }
     gyro_->setCurrentIndex(before ? std::max(0, gyro_->findData(*before)) : 0);
 }
@@ -192,8 +192,9 @@ void HistoryPage::nameControls() {
     add_->setText(tr("Add this result…"));
     gyro_label_->setText(tr("Gyro"));
     gyro_->setAccessibleName(tr("Gyro of the history"));
-    gyro_->setToolTip(richTip(tr("Whose results are shown; the number of its results stands behind "
-                                 "its name")));
+    gyro_->setToolTip(
+        richTip(tr("Whose results are shown; the number of its results stands behind "
+                   "its name")));
     parameter_label_->setText(tr("Parameter"));
     parameter_->setAccessibleName(tr("Parameter of the history"));
     parameter_->setToolTip(richTip(tr("Which of its parameters is shown")));
@@ -212,8 +213,9 @@ void HistoryPage::nameControls() {
     ranges_->setAccessibleName(tr("Moving range"));
     average_->setAccessibleName(tr("Weighted average"));
     distribution_->setAccessibleName(tr("Distribution of the parameter"));
-    const QString tip = richTip(tr("A click chooses a result, a double click opens its recordings; "
-                                   "Left and Right go to its neighbours"));
+    const QString tip =
+        richTip(tr("A click chooses a result, a double click opens its recordings; "
+                   "Left and Right go to its neighbours"));
     for (XYPlotView* plot : {values_, ranges_, average_}) {
         plot->setToolTip(tip);
     }
@@ -224,7 +226,8 @@ void HistoryPage::retranslate() {
     nameControls();
     gyro_->setItemText(0, tr("All gyros"));
     for (std::size_t k = 0; k < historyParameters().size(); ++k) {
-        parameter_->setItemText(static_cast<int>(k), indexPlain(parameterTitle(historyParameters()[k])));
+        parameter_->setItemText(static_cast<int>(k),
+                                indexPlain(parameterTitle(historyParameters()[k])));
     }
     const QString axes[] = {tr("Date"), tr("Frequency"), tr("Order")};
     for (int k = 0; k < axis_->count(); ++k) {

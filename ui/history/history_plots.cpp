@@ -62,11 +62,11 @@ XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_nam
     plot.x_unit = axis == HistoryAxis::frequency ? unitText("Hz") : QString();
     plot.y_name = y_name;
     plot.y_unit = y_unit;
-    plot.empty = axis == HistoryAxis::date && view.axis == HistoryAxis::date
-                     ? translated(QT_TRANSLATE_NOOP(
-                           "History", "No result with a date has a value of this parameter."))
-                     : translated(QT_TRANSLATE_NOOP("History",
-                                                    "No result has a value of this parameter."));
+    plot.empty =
+        axis == HistoryAxis::date && view.axis == HistoryAxis::date
+            ? translated(QT_TRANSLATE_NOOP("History",
+                                           "No result with a date has a value of this parameter."))
+            : translated(QT_TRANSLATE_NOOP("History", "No result has a value of this parameter."));
     return plot;
 }
 
@@ -196,7 +196,8 @@ HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts
     const double factor = std::abs(parameterFactor(view.parameter, view.units));
     const HistoryAxis axis = sequenceAxis(view.axis);
     HistoryPlot shown{
-        emptyPlot(view, axis, translated(QT_TRANSLATE_NOOP("History", "Change from the one before")),
+        emptyPlot(view, axis,
+                  translated(QT_TRANSLATE_NOOP("History", "Change from the one before")),
                   parameterUnit(view.parameter, view.units)),
         {}};
     Placed at = placed(history, charts.individuals.ranges, axis);
@@ -257,7 +258,9 @@ XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
         return plot;
     }
     const double factor = parameterFactor(view.parameter, view.units);
-    const auto value = [&](double z) { return factor * (charts.moments.mean + z * charts.moments.sd); };
+    const auto value = [&](double z) {
+        return factor * (charts.moments.mean + z * charts.moments.sd);
+    };
     XYSeries steps;
     steps.name = translated(QT_TRANSLATE_NOOP("History", "results"));
     steps.steps = true;
@@ -278,8 +281,8 @@ XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
     normal.dashed = true;
     constexpr int points = 121;
     constexpr double reach = 4;
-    const double scale = found.width * static_cast<double>(charts.moments.count) /
-                         std::sqrt(2 * std::numbers::pi);
+    const double scale =
+        found.width * static_cast<double>(charts.moments.count) / std::sqrt(2 * std::numbers::pi);
     for (int k = 0; k < points; ++k) {
         const double z = reach * (2.0 * k / (points - 1) - 1);
         normal.x.push_back(value(z));

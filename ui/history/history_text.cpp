@@ -62,9 +62,9 @@ QString withoutDate(const StoredHistory& history, const HistoryView& view) {
     return count == 0 || view.axis != HistoryAxis::date
                ? QString()
                : QLatin1Char(' ') +
-                     counted(QT_TRANSLATE_NOOP("History",
-                                               "%n result(s) without a date are not shown; by "
-                                               "order they are."),
+                     counted(QT_TRANSLATE_N_NOOP("History",
+                                                 "%n result(s) without a date are not shown; by "
+                                                 "order they are."),
                              static_cast<std::size_t>(count));
 }
 
@@ -74,8 +74,8 @@ QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
     if (used < 2) {
         return translated(QT_TRANSLATE_NOOP("History", "Limits need two results of this gyro."));
     }
-    QString text = counted(QT_TRANSLATE_NOOP("History", "The first %n result(s) set the limits."),
-                           used);
+    QString text =
+        counted(QT_TRANSLATE_N_NOOP("History", "The first %n result(s) set the limits."), used);
     if (used < least_baseline) {
         text += QLatin1Char(' ') +
                 translated(QT_TRANSLATE_NOOP(
@@ -121,7 +121,7 @@ QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
                     const HistoryView& view, std::size_t baseline) {
     const std::size_t values = valuesIn(charts);
     if (!charts.one_gyro) {
-        return counted(QT_TRANSLATE_NOOP("History", "%n result(s) of all gyros."), values) +
+        return counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) of all gyros."), values) +
                QLatin1Char(' ') +
                translated(QT_TRANSLATE_NOOP(
                    "History", "Limits belong to one gyro: choose one for its control charts.")) +
@@ -140,13 +140,13 @@ QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
     }
     QString text =
         outside == 0
-            ? counted(QT_TRANSLATE_NOOP("History", "None of %n result(s) is outside the limits."),
+            ? counted(QT_TRANSLATE_N_NOOP("History", "None of %n result(s) is outside the limits."),
                       values)
-            : counted(QT_TRANSLATE_NOOP("History", "%n result(s) outside the limits:"), outside) +
+            : counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) outside the limits:"), outside) +
                   QLatin1Char(' ') + named.join(QStringLiteral("; ")) +
                   (outside > static_cast<std::size_t>(named.size())
                        ? QStringLiteral("; ") +
-                             counted(QT_TRANSLATE_NOOP("History", "and %n more"),
+                             counted(QT_TRANSLATE_N_NOOP("History", "and %n more"),
                                      outside - static_cast<std::size_t>(named.size()))
                        : QString()) +
                   QLatin1Char('.');

@@ -28,7 +28,8 @@ StoreDialog::StoreDialog(const QStringList& gyros, const QString& gyro, const QS
     gyro_->setToolTip(tr("The name under which the history of this resonator is kept"));
     date_->setObjectName(QStringLiteral("storeDate"));
     date_->setAccessibleName(tr("Date"));
-    date_->setToolTip(tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));
+    date_->setToolTip(
+        tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));
     fault_->setWordWrap(true);
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("Add"));
     buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
@@ -52,12 +53,12 @@ void StoreDialog::refresh() {
     const QString date = date_->text().trimmed();
     const bool dated = date.isEmpty() || is_iso_date(date.toStdString());
     const bool named = !gyro_->currentText().trimmed().isEmpty();
-    fault_->setText(!named  ? tr("A result without a gyro has no history: name one.")
-                    : !dated ? tr("A date is written as in 2026-03-31, with or without a time as in "
-                                  "T14:05.")
-                    : date.isEmpty()
-                        ? tr("Without a date the result stands behind all others.")
-                        : QString());
+    fault_->setText(!named ? tr("A result without a gyro has no history: name one.")
+                    : !dated
+                        ? tr("A date is written as in 2026-03-31, with or without a time as in "
+                             "T14:05.")
+                    : date.isEmpty() ? tr("Without a date the result stands behind all others.")
+                                     : QString());
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(named && dated);
 }
 

@@ -13,7 +13,8 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
     MeasurementSet set;
     set.name = result.set;
     // Settings that differ between the recordings stand there side by side, in no option's form.
-    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(result.json)).object();
+    const QJsonObject json =
+        QJsonDocument::fromJson(QByteArray::fromStdString(result.json)).object();
     const QJsonObject settings = json[QStringLiteral("settings")].toObject();
     const Result<IdentifySettings> known = settingsFromJson(identify_settings(), settings);
     stored.settings_known = known && !settings.isEmpty();

@@ -22,7 +22,8 @@ QStringList conditionsText(const ListedRecording& recording,
     const Conditions& told = recording.conditions;
     add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "gyro")), QString::fromStdString(told.gyro));
     add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "date")), QString::fromStdString(told.date));
-    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "bias voltage")), number(told.bias_v, QT_TRANSLATE_NOOP("Resonator", "%1 V")));
+    add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "bias voltage")),
+        number(told.bias_v, QT_TRANSLATE_NOOP("Resonator", "%1 V")));
     add(resonatorText(QT_TRANSLATE_NOOP("Resonator", "temperature")),
         number(told.temperature_c, QT_TRANSLATE_NOOP("Resonator", "%1 °C")));
     if (told.exchanged) {

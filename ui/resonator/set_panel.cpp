@@ -252,8 +252,9 @@ void SetPanel::retranslate() {
     remove_member_->setText(tr("Remove from the set"));
     choose_->setText(tr("Recordings"));
     choose_->setToolTip(tr("Which of the open recordings belong to the set"));
-    listed_->setText(tr("Settings and conditions are those of the measurement list; the panel "
-                        "Analysis does not change them."));
+    listed_->setText(
+        tr("Settings and conditions are those of the measurement list; the panel "
+           "Analysis does not change them."));
     model_label_->setText(tr("Model"));
     model_->setAccessibleName(tr("Model of the resonator"));
     model_->setToolTip(tr("What the fit assumes of the channels"));

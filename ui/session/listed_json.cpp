@@ -28,18 +28,19 @@ struct TextCondition {
     std::string Conditions::*member;
 };
 
-constexpr std::array text_conditions{
-    TextCondition{"gyro", &Conditions::gyro}, TextCondition{"date", &Conditions::date},
-    TextCondition{"operator", &Conditions::operator_name},
-    TextCondition{"comment", &Conditions::comment}};
+constexpr std::array text_conditions{TextCondition{"gyro", &Conditions::gyro},
+                                     TextCondition{"date", &Conditions::date},
+                                     TextCondition{"operator", &Conditions::operator_name},
+                                     TextCondition{"comment", &Conditions::comment}};
 
 struct NumberCondition {
     const char* key;
     std::optional<double> Conditions::*member;
 };
 
-constexpr std::array number_conditions{NumberCondition{"bias_v", &Conditions::bias_v},
-                                       NumberCondition{"temperature_c", &Conditions::temperature_c}};
+constexpr std::array number_conditions{
+    NumberCondition{"bias_v", &Conditions::bias_v},
+    NumberCondition{"temperature_c", &Conditions::temperature_c}};
 
 const QString exchanged_key = QStringLiteral("exchanged");
 

@@ -19,8 +19,7 @@ QJsonObject listedToJson(const ListedSet& listed, const QDir& folder);
 Result<ListedSet> listedFromJson(const QJsonObject& json, const QDir& folder);
 
 // The same with other numbers of the members: `number` of each; without one it is left out.
-ListedSet renumbered(const ListedSet& listed,
-                     const std::function<std::optional<int>(int)>& number);
+ListedSet renumbered(const ListedSet& listed, const std::function<std::optional<int>(int)>& number);
 
 // Relative below the folder of the session, so that both can be moved together.
 QString storedPath(const QString& path, const QDir& folder);

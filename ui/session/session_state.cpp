@@ -85,11 +85,12 @@ std::vector<int> restoreSession(const Session& session, Document& document) {
         document.sets().rename(set_ids.back(), set.name);
         document.sets().setModel(set_ids.back(), set.model);
         if (set.listed) {
-            document.sets().setListed(set_ids.back(), renumbered(*set.listed, [&](int place) {
-                const auto known = place >= 0 && place < static_cast<int>(ids.size());
-                const int id = known ? ids[static_cast<std::size_t>(place)] : 0;
-                return id == 0 ? std::nullopt : std::optional(id);
-            }));
+            document.sets().setListed(
+                set_ids.back(), renumbered(*set.listed, [&](int place) {
+                    const auto known = place >= 0 && place < static_cast<int>(ids.size());
+                    const int id = known ? ids[static_cast<std::size_t>(place)] : 0;
+                    return id == 0 ? std::nullopt : std::optional(id);
+                }));
         }
     }
     if (session.current_set >= 0) {

@@ -26,7 +26,8 @@ public:
     FileCommands(Document& document, SessionKeeper& session, TrackView& tracks, RunList& runs,
                  QWidget* window);
 
-    // Recordings, measurement lists and sessions. Before a session takes the place of one with changes, it asks.
+    // Recordings, measurement lists and sessions. Before a session takes the place of one with
+    // changes, it asks.
     void open(const QStringList& paths, const OpenOptions& options = {});
     // A simulated recording.
     void openDemonstration();

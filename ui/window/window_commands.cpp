@@ -26,7 +26,8 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
     return {
         {.id = Command::open,
          .text = QT_TRANSLATE_NOOP("Command", "&Open…"),
-         .tip = QT_TRANSLATE_NOOP("Command", "Open recordings of a free decay, a measurement list, or a session"),
+         .tip = QT_TRANSLATE_NOOP(
+             "Command", "Open recordings of a free decay, a measurement list, or a session"),
          .icon = "open",
          .keys = {QKeySequence::Open},
          .act = [to] { to.files.askForRecordings(); }},

@@ -45,17 +45,15 @@ class TestHistoryPage : public QObject {
 
     QString text(const char* name) { return the<QLabel>(name).text(); }
 
-    void click(const char* button) {
-        QTest::mouseClick(&the<QPushButton>(button), Qt::LeftButton);
-    }
+    void click(const char* button) { QTest::mouseClick(&the<QPushButton>(button), Qt::LeftButton); }
 
     // One result a day: split 0.01 Hz with deviation 1e-5 Hz, of which one in `out` lies 1e-3 off;
     // gyros G0, G1, ... in turn. In one transaction: the disk is not what is tested.
     QString database(const char* name, int results, int gyros = 1, int out = -1,
                      const QString& recording = {}) const {
         const QString path = home_.path(name);
-        auto made = ResultsDatabase::open(path.toStdString(), ResultsDatabase::Access::write,
-                                          JobControl());
+        auto made =
+            ResultsDatabase::open(path.toStdString(), ResultsDatabase::Access::write, JobControl());
         if (!made) {
             qFatal("no database");
         }
@@ -142,8 +140,7 @@ private slots:
         QCOMPARE(page().history()->gyros.size(), std::size_t(3));
         QCOMPARE(page().history()->points.size(), std::size_t(120));
         QVERIFY(!the<XYPlotView>("historyRanges").isVisible());
-        QVERIFY2(text("historyVerdict").contains("choose one"),
-                 qPrintable(text("historyVerdict")));
+        QVERIFY2(text("historyVerdict").contains("choose one"), qPrintable(text("historyVerdict")));
         VYBEG_CLOSE_RATIO(page().charts().moments.mean, 0.01, 0.01);
         chooseGyro(1);
         QCOMPARE(page().history()->points.size(), std::size_t(40));
@@ -274,8 +271,7 @@ private slots:
         again.setCurrentText("HRG-18");
         QTest::mouseClick(childOf<QDialogButtonBox>(*again.window()).button(QDialogButtonBox::Ok),
                           Qt::LeftButton);
-        QTRY_VERIFY(page().history() && !page().reading() &&
-                    page().history()->gyros.size() == 1 &&
+        QTRY_VERIFY(page().history() && !page().reading() && page().history()->gyros.size() == 1 &&
                     page().history()->gyros[0].name == "HRG-18");
     }
 

@@ -30,12 +30,11 @@ class TestOpenedList : public QObject {
     // Two sets of the same resonator, one of them from 1 s on with its channels named.
     QString list(const char* name) {
         resonatorRuns(home_, "runs");
-        return home_.file(
-            name,
-            "file;set;channels;from;gyro;date;bias_v;temperature_c;model;Bench\n"
-            "runs0.wav;whole;;;G7;2026-03-31;100;22,5;structured;B1\n"
-            "runs45.wav;whole;;;G7;;100;;;B1\n"
-            "runs0.wav;late;1,2;1;G8;;;;structured;\n");
+        return home_.file(name,
+                          "file;set;channels;from;gyro;date;bias_v;temperature_c;model;Bench\n"
+                          "runs0.wav;whole;;;G7;2026-03-31;100;22,5;structured;B1\n"
+                          "runs45.wav;whole;;;G7;;100;;;B1\n"
+                          "runs0.wav;late;1,2;1;G8;;;;structured;\n");
     }
 
     void waitUntilOpen(std::size_t recordings) {
@@ -103,8 +102,8 @@ private slots:
     }
 
     void a_wrong_field_is_named_by_row_and_column() {
-        const QString path = home_.file(
-            "wrong.csv", "file,date\na.wav,2026-03-31\nb.wav,31.03.2026\n");
+        const QString path =
+            home_.file("wrong.csv", "file,date\na.wav,2026-03-31\nb.wav,31.03.2026\n");
         window_->files().open({path});
         QVERIFY(sets().all().empty() && document().recordings().empty());
         const QString said = messages();
@@ -134,8 +133,8 @@ private slots:
 
     void conditions_that_differ_are_no_set_of_one_resonator() {
         resonatorRuns(home_, "other");
-        window_->files().open({home_.file(
-            "differ.csv", "file,set,gyro\nother0.wav,A,G1\nother45.wav,A,G2\n")});
+        window_->files().open(
+            {home_.file("differ.csv", "file,set,gyro\nother0.wav,A,G1\nother45.wav,A,G2\n")});
         waitUntilOpen(2);
         sets().identify();
         const QString said = messages();
