@@ -651,10 +651,10 @@
     <message numerus="yes">
         <source>%n result(s) without a date are not shown; by order they are.</source>
         <translation>
-                <numerusform>%n результат без даты не показан; по порядку он виден.</numerusform>
-                <numerusform>%n результата без даты не показаны; по порядку они видны.</numerusform>
-                <numerusform>%n результатов без даты не показаны; по порядку они видны.</numerusform>
-            </translation>
+            <numerusform>%n результат без даты не показан; по порядку он виден.</numerusform>
+            <numerusform>%n результата без даты не показаны; по порядку они видны.</numerusform>
+            <numerusform>%n результатов без даты не показаны; по порядку они видны.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Limits need two results of this gyro.</source>
@@ -663,10 +663,10 @@
     <message numerus="yes">
         <source>The first %n result(s) set the limits.</source>
         <translation>
-                <numerusform>Пределы заданы первым %n результатом.</numerusform>
-                <numerusform>Пределы заданы первыми %n результатами.</numerusform>
-                <numerusform>Пределы заданы первыми %n результатами.</numerusform>
-            </translation>
+            <numerusform>Пределы заданы первым %n результатом.</numerusform>
+            <numerusform>Пределы заданы первыми %n результатами.</numerusform>
+            <numerusform>Пределы заданы первыми %n результатами.</numerusform>
+        </translation>
     </message>
     <message>
         <source>So few make them unsure, and the average needs ten.</source>
@@ -687,10 +687,10 @@
     <message numerus="yes">
         <source>%n result(s) of all gyros.</source>
         <translation>
-                <numerusform>%n результат всех гироскопов.</numerusform>
-                <numerusform>%n результата всех гироскопов.</numerusform>
-                <numerusform>%n результатов всех гироскопов.</numerusform>
-            </translation>
+            <numerusform>%n результат всех гироскопов.</numerusform>
+            <numerusform>%n результата всех гироскопов.</numerusform>
+            <numerusform>%n результатов всех гироскопов.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Limits belong to one gyro: choose one for its control charts.</source>
@@ -699,26 +699,26 @@
     <message numerus="yes">
         <source>None of %n result(s) is outside the limits.</source>
         <translation>
-                <numerusform>Ни один из %n результата не выходит за пределы.</numerusform>
-                <numerusform>Ни один из %n результатов не выходит за пределы.</numerusform>
-                <numerusform>Ни один из %n результатов не выходит за пределы.</numerusform>
-            </translation>
+            <numerusform>Ни один из %n результата не выходит за пределы.</numerusform>
+            <numerusform>Ни один из %n результатов не выходит за пределы.</numerusform>
+            <numerusform>Ни один из %n результатов не выходит за пределы.</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n result(s) outside the limits:</source>
         <translation>
-                <numerusform>%n результат за пределами:</numerusform>
-                <numerusform>%n результата за пределами:</numerusform>
-                <numerusform>%n результатов за пределами:</numerusform>
-            </translation>
+            <numerusform>%n результат за пределами:</numerusform>
+            <numerusform>%n результата за пределами:</numerusform>
+            <numerusform>%n результатов за пределами:</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
-                <numerusform>и ещё %n</numerusform>
-                <numerusform>и ещё %n</numerusform>
-                <numerusform>и ещё %n</numerusform>
-            </translation>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2917,6 +2917,10 @@
         <source>another program has kept it locked for %1 s</source>
         <translation>другая программа не освобождает файл уже %1 с</translation>
     </message>
+    <message>
+        <source>the result is not there any more</source>
+        <translation>этого результата больше нет</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::CalibrationFields</name>
@@ -3636,10 +3640,6 @@
         <translation>Записи результата %1 не найдены на прежнем месте: %2.</translation>
     </message>
     <message>
-        <source>The settings of the result %1 differ between its recordings and are not taken: the set has those of the panel Analysis.</source>
-        <translation>Настройки результата %1 различаются у его записей и не взяты: у набора настройки панели «Обработка».</translation>
-    </message>
-    <message>
         <source>The result of %1 is in %2.</source>
         <translation>Результат %1 записан в %2.</translation>
     </message>
@@ -3770,6 +3770,10 @@
     <message>
         <source>Order</source>
         <translation>Порядок</translation>
+    </message>
+    <message>
+        <source>The settings of the result %1 cannot be read: the set has those of the panel Analysis.</source>
+        <translation>Настройки результата %1 не читаются: у набора настройки панели «Обработка».</translation>
     </message>
 </context>
 <context>

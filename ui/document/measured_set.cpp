@@ -42,7 +42,7 @@ MeasurementSet measurementOf(const RunSet& set, const SettingsModel& settings,
     measured.name = set.name.toStdString();
     measured.settings = set.listed ? set.listed->settings : settingsOfPanel(settings);
     measured.settings.model = set.model;
-    std::vector<SignalSettings> signals;
+    std::vector<SignalSettings> of_each;
     for (const int id : set.recordings) {
         const ListedMember* listed = nullptr;
         if (set.listed) {
@@ -50,13 +50,13 @@ MeasurementSet measurementOf(const RunSet& set, const SettingsModel& settings,
             listed = found == set.listed->members.end() ? nullptr : &found->second;
         }
         measured.recordings.push_back(listed ? listed->row : rowOf(*recordings.find(id)));
-        signals.push_back(listed ? listed->signal : measured.settings.signal);
+        of_each.push_back(listed ? listed->signal : measured.settings.signal);
     }
-    if (!signals.empty()) {
-        measured.settings.signal = signals.front();
-        const auto differs = [&](const auto& each) { return each != signals.front(); };
-        if (std::ranges::any_of(signals, differs)) {
-            measured.settings.of_recordings = std::move(signals);
+    if (!of_each.empty()) {
+        measured.settings.signal = of_each.front();
+        const auto differs = [&](const auto& each) { return each != of_each.front(); };
+        if (std::ranges::any_of(of_each, differs)) {
+            measured.settings.of_recordings = std::move(of_each);
         }
     }
     return measured;

@@ -231,7 +231,8 @@ void SetStore::openList(const QString& path, const OpenOptions& options) {
     ListDefaults defaults{options, {}};
     defaults.settings.signal = settings_.settings();
     defaults.settings.tolerance = settings_.tolerance();
-    const auto list = read_measurement_list(path.toStdU16String(), defaults);
+    const auto list =
+        read_measurement_list(QFileInfo(path).absoluteFilePath().toStdU16String(), defaults);
     if (!list) {
         emit reported(errorMessage(list.error()));
         return;

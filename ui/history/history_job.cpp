@@ -1,5 +1,6 @@
 #include "ui/history/history_job.h"
 
+#include "core/base/translatable.h"
 #include "core/output/identify_json.h"
 
 namespace vybeg::ui {
@@ -59,9 +60,12 @@ void readResult(AnalysisJob& job, int key, const QString& path, std::int64_t id,
             if (!found) {
                 return found.error();
             }
-            // Results are replaced but never removed, unless the whole file is another one.
-            return *found ? Result<StoredResult>(std::move(**found))
-                          : Error{ErrorCode::file_missing, path.toStdString(), {}};
+            if (!*found) {  // another file has taken its place
+                return Error{ErrorCode::file_read_failed,
+                             path.toStdString(),
+                             {words(VYBEG_MESSAGE("Words", "the result is not there any more"))}};
+            }
+            return std::move(**found);
         },
         std::move(done));
 }

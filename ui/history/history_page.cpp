@@ -1,6 +1,7 @@
 #include "ui/history/history_page.h"
 
 #include "core/analysis/list_fields.h"
+#include "core/output/batch_csv.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/document/document.h"
 #include "ui/history/history_job.h"
@@ -67,6 +68,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
     QSettings().setValue(path_key, path_);
     history_.reset();
     chosen_.reset();
+    gyro_->setCurrentIndex(0);
     if (make) {
         reading_ = true;
         refresh();
@@ -119,7 +121,12 @@ void HistoryPage::take(Result<StoredHistory> history) {
     history_.reset();
     if (history) {
         history_ = std::move(*history);
+        const auto asked = gyro();
         fillGyros();
+        if (gyro() != asked) {  // it has no results any more
+            read();
+            return;
+        }
     } else {
         failure_ = history.error();
     }
@@ -294,8 +301,8 @@ void HistoryPage::openStored(const StoredResult& result) {
     }
     if (!stored.settings_known) {
         warn([name = QString::fromStdString(result.set)] {
-            return tr("The settings of the result %1 differ between its recordings and are not "
-                      "taken: the set has those of the panel Analysis.")
+            return tr("The settings of the result %1 cannot be read: the set has those of the "
+                      "panel Analysis.")
                 .arg(name);
         });
     }

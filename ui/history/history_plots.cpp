@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
-#include <numeric>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -128,7 +129,7 @@ void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryVie
 
 void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
     const std::vector<double>& x = plot.series.front().x;
-    if (!view.passport.given() || x.empty()) {
+    if (!std::isfinite(view.passport.value) || x.empty()) {
         return;
     }
     XYSeries band;

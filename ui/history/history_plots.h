@@ -14,7 +14,7 @@ struct HistoryView {
     HistoryAxis axis = HistoryAxis::date;
     DisplayUnits units;
     std::optional<std::size_t> chosen;  // point
-    Estimate passport;                  // of the parameter; without a value: none is open
+    Estimate passport;                  // of the parameter; NaN: none is open
     QString passport_name;
 };
 

@@ -102,7 +102,7 @@ QString pointText(const StoredHistory& history, const HistoryCharts& charts,
     if (std::isfinite(charts.values[point]) && !unit.isEmpty()) {
         text += QStringLiteral(" ") + unit;
     }
-    if (at.f_mean_hz.given()) {
+    if (std::isfinite(at.f_mean_hz.value)) {
         text += numbered(QT_TRANSLATE_NOOP("History", "f = %1 Hz"), at.f_mean_hz.value, 9);
     }
     if (std::isfinite(at.temperature_c)) {
