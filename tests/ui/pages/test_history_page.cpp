@@ -106,13 +106,7 @@ class TestHistoryPage : public QObject {
         waitForPage();
     }
 
-    QString messages() {
-        QStringList texts;
-        for (const QLabel* label : the<MessageBar>().findChildren<QLabel*>()) {
-            texts << label->text();
-        }
-        return texts.join('\n');
-    }
+    QString messages() { return the<MessageBar>().texts().join('\n'); }
 
 private slots:
     void init() {

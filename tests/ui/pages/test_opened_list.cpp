@@ -32,9 +32,9 @@ class TestOpenedList : public QObject {
         resonatorRuns(home_, "runs");
         return home_.file(name,
                           "file;set;channels;from;gyro;date;bias_v;temperature_c;model;Bench\n"
-                          "runs0.wav;whole;;;G7;2026-03-31;100;22,5;structured;B1\n"
-                          "runs45.wav;whole;;;G7;;100;;;B1\n"
-                          "runs0.wav;late;1,2;1;G8;;;;structured;\n");
+                          "runs-0.wav;whole;;;G7;2026-03-31;100;22,5;structured;B1\n"
+                          "runs-45.wav;whole;;;G7;;100;;;B1\n"
+                          "runs-0.wav;late;1,2;1;G8;;;;structured;\n");
     }
 
     void waitUntilOpen(std::size_t recordings) {
@@ -42,13 +42,7 @@ class TestOpenedList : public QObject {
         QVERIFY(QTest::qWaitFor([&] { return sets().canIdentify() && !document().busy(); }, 30000));
     }
 
-    QString messages() {
-        QStringList texts;
-        for (const QLabel* label : childOf<MessageBar>(*window_).findChildren<QLabel*>()) {
-            texts << label->text();
-        }
-        return texts.join('\n');
-    }
+    QString messages() { return childOf<MessageBar>(*window_).texts().join('\n'); }
 
     void drop(const QString& path) {
         QMimeData data;
@@ -134,7 +128,7 @@ private slots:
     void conditions_that_differ_are_no_set_of_one_resonator() {
         resonatorRuns(home_, "other");
         window_->files().open(
-            {home_.file("differ.csv", "file,set,gyro\nother0.wav,A,G1\nother45.wav,A,G2\n")});
+            {home_.file("differ.csv", "file,set,gyro\nother-0.wav,A,G1\nother-45.wav,A,G2\n")});
         waitUntilOpen(2);
         sets().identify();
         const QString said = messages();
