@@ -3610,6 +3610,77 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::HistoryChoices</name>
+    <message>
+        <source>Gyro</source>
+        <translation>Гироскоп</translation>
+    </message>
+    <message>
+        <source>Gyro of the history</source>
+        <translation>Гироскоп истории</translation>
+    </message>
+    <message>
+        <source>Whose results are shown; the number of its results stands behind its name</source>
+        <translation>Чьи результаты показаны; за именем стоит число результатов</translation>
+    </message>
+    <message>
+        <source>All gyros</source>
+        <translation>Все гироскопы</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>без имени</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Параметр</translation>
+    </message>
+    <message>
+        <source>Parameter of the history</source>
+        <translation>Параметр истории</translation>
+    </message>
+    <message>
+        <source>Which of its parameters is shown</source>
+        <translation>Какой его параметр показан</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>От чего</translation>
+    </message>
+    <message>
+        <source>Axis of the history</source>
+        <translation>Ось истории</translation>
+    </message>
+    <message>
+        <source>The mean frequency follows the temperature of the resonator</source>
+        <translation>Средняя частота следует за температурой резонатора</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Частота</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Порядок</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>База</translation>
+    </message>
+    <message>
+        <source>Baseline of the control charts</source>
+        <translation>База контрольных карт</translation>
+    </message>
+    <message>
+        <source>So many first results of the gyro set centre and limits of the charts</source>
+        <translation>Столько первых результатов гироскопа задают центр и пределы карт</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::HistoryPage</name>
     <message>
         <source>A database keeps the results of a laboratory, of this window and of the command batch, so that each parameter of a gyro can be followed. Open one, or make a new one.</source>
@@ -3644,10 +3715,6 @@
         <translation>Результат %1 записан в %2.</translation>
     </message>
     <message>
-        <source>without a name</source>
-        <translation>без имени</translation>
-    </message>
-    <message>
         <source>Open…</source>
         <translation>Открыть…</translation>
     </message>
@@ -3674,54 +3741,6 @@
     <message>
         <source>Add this result…</source>
         <translation>Добавить результат…</translation>
-    </message>
-    <message>
-        <source>Gyro</source>
-        <translation>Гироскоп</translation>
-    </message>
-    <message>
-        <source>Gyro of the history</source>
-        <translation>Гироскоп истории</translation>
-    </message>
-    <message>
-        <source>Whose results are shown; the number of its results stands behind its name</source>
-        <translation>Чьи результаты показаны; за именем стоит число результатов</translation>
-    </message>
-    <message>
-        <source>Parameter</source>
-        <translation>Параметр</translation>
-    </message>
-    <message>
-        <source>Parameter of the history</source>
-        <translation>Параметр истории</translation>
-    </message>
-    <message>
-        <source>Which of its parameters is shown</source>
-        <translation>Какой его параметр показан</translation>
-    </message>
-    <message>
-        <source>Against</source>
-        <translation>От чего</translation>
-    </message>
-    <message>
-        <source>Axis of the history</source>
-        <translation>Ось истории</translation>
-    </message>
-    <message>
-        <source>The mean frequency follows the temperature of the resonator</source>
-        <translation>Средняя частота следует за температурой резонатора</translation>
-    </message>
-    <message>
-        <source>Baseline</source>
-        <translation>База</translation>
-    </message>
-    <message>
-        <source>Baseline of the control charts</source>
-        <translation>База контрольных карт</translation>
-    </message>
-    <message>
-        <source>So many first results of the gyro set centre and limits of the charts</source>
-        <translation>Столько первых результатов гироскопа задают центр и пределы карт</translation>
     </message>
     <message>
         <source>Open its recordings</source>
@@ -3754,22 +3773,6 @@
     <message>
         <source>How often each value occurs among the results shown</source>
         <translation>Как часто каждое значение встречается среди показанных результатов</translation>
-    </message>
-    <message>
-        <source>All gyros</source>
-        <translation>Все гироскопы</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Дата</translation>
-    </message>
-    <message>
-        <source>Frequency</source>
-        <translation>Частота</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Порядок</translation>
     </message>
     <message>
         <source>The settings of the result %1 cannot be read: the set has those of the panel Analysis.</source>

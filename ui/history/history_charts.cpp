@@ -3,6 +3,7 @@
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <cmath>
+#include <limits>
 
 namespace vybeg::ui {
 
@@ -51,6 +52,24 @@ HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
     charts.moments = moments_of(finite);
     charts.histogram = histogram_of(finite, charts.moments);
     return charts;
+}
+
+Estimate passportValue(const Passport* passport, const HistoryParameter& parameter) {
+    for (const ResonatorParameter& each : resonator_parameters) {
+        if (passport != nullptr && parameter.name == each.name) {
+            return passport->resonator.*each.member;
+        }
+    }
+    const std::size_t modes = passport != nullptr ? passport->modes.size() : 0;
+    for (std::size_t mode = 0; mode < modes; ++mode) {
+        for (const ModeParameter& each : mode_parameters) {
+            if (parameter.name == "modes[" + std::to_string(mode) + "]." + each.name) {
+                return passport->modes[mode].*each.member;
+            }
+        }
+    }
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none, {}};
 }
 
 }  // namespace vybeg::ui

@@ -4,6 +4,7 @@
 #include "core/database/results_database.h"
 #include "core/numerics/control_chart.h"
 #include "core/numerics/distribution.h"
+#include "core/resonator/results/passport.h"
 
 #include <optional>
 #include <string>
@@ -45,5 +46,8 @@ struct HistoryCharts {
 // `baseline`: results that set the limits.
 HistoryCharts historyCharts(const std::vector<HistoryPoint>& points,
                             const HistoryParameter& parameter, bool one_gyro, std::size_t baseline);
+
+// The value of a parameter in a passport; NaN: there is none.
+Estimate passportValue(const Passport* passport, const HistoryParameter& parameter);
 
 }  // namespace vybeg::ui

@@ -1,9 +1,8 @@
 #include "ui/history/history_page.h"
 
-#include "core/analysis/list_fields.h"
 #include "core/output/batch_csv.h"
-#include "core/resonator/results/resonator_parameters.h"
 #include "ui/document/document.h"
+#include "ui/history/history_choices.h"
 #include "ui/history/history_job.h"
 #include "ui/history/history_text.h"
 #include "ui/history/store_dialog.h"
@@ -13,7 +12,6 @@
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
-#include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QFileInfo>
@@ -21,11 +19,9 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <limits>
 
 namespace vybeg::ui {
 
@@ -68,7 +64,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
     QSettings().setValue(path_key, path_);
     history_.reset();
     chosen_.reset();
-    gyro_->setCurrentIndex(0);
+    choices_->chooseAllGyros();
     if (make) {
         reading_ = true;
         refresh();
@@ -96,21 +92,10 @@ void HistoryPage::showEvent(QShowEvent* event) {
     }
 }
 
-std::optional<std::string> HistoryPage::gyro() const {
-    return gyro_->currentIndex() > 0 ? std::optional(gyro_->currentData().toString().toStdString())
-                                     : std::nullopt;
-}
-
-std::size_t HistoryPage::baseline() const {
-    return static_cast<std::size_t>(baseline_->value());
-}
-
 void HistoryPage::read() {
     reading_ = true;
     failure_.reset();
-    const auto& parameter =
-        historyParameters()[static_cast<std::size_t>(parameter_->currentIndex())];
-    readHistory(job_, reading_job, path_, gyro(), parameter.name,
+    readHistory(job_, reading_job, path_, choices_->gyro(), choices_->parameter().name,
                 [this](Result<StoredHistory> history) { take(std::move(history)); });
     refresh();
 }
@@ -121,9 +106,9 @@ void HistoryPage::take(Result<StoredHistory> history) {
     history_.reset();
     if (history) {
         history_ = std::move(*history);
-        const auto asked = gyro();
-        fillGyros();
-        if (gyro() != asked) {  // it has no results any more
+        const auto asked = choices_->gyro();
+        choices_->setGyros(history_->gyros);
+        if (choices_->gyro() != asked) {  // it has no results any more
             read();
             return;
         }
@@ -135,37 +120,19 @@ void HistoryPage::take(Result<StoredHistory> history) {
 
 void HistoryPage::compute() {
     if (history_) {
-        charts_ = historyCharts(history_->points, view().parameter, gyro().has_value(), baseline());
+        charts_ = historyCharts(history_->points, choices_->parameter(),
+                                choices_->gyro().has_value(), choices_->baseline());
     }
     showHistory();
 }
 
-Estimate HistoryPage::passportValue() const {
-    const OpenPassport* open = document_.sets().passport();
-    const std::string name =
-        historyParameters()[static_cast<std::size_t>(parameter_->currentIndex())].name;
-    for (const ResonatorParameter& each : resonator_parameters) {
-        if (open && name == each.name) {
-            return open->passport.resonator.*each.member;
-        }
-    }
-    for (std::size_t mode = 0; open && mode < open->passport.modes.size(); ++mode) {
-        for (const ModeParameter& each : mode_parameters) {
-            if (name == "modes[" + std::to_string(mode) + "]." + each.name) {
-                return open->passport.modes[mode].*each.member;
-            }
-        }
-    }
-    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(), {}};
-}
-
 HistoryView HistoryPage::view() const {
     const OpenPassport* open = document_.sets().passport();
-    return {historyParameters()[static_cast<std::size_t>(parameter_->currentIndex())],
-            static_cast<HistoryAxis>(axis_->currentIndex()),
+    return {choices_->parameter(),
+            choices_->axis(),
             units_,
             chosen_,
-            passportValue(),
+            passportValue(open ? &open->passport : nullptr, choices_->parameter()),
             open ? open->name : QString()};
 }
 
@@ -196,7 +163,7 @@ void HistoryPage::showHistory() {
     distribution_->setContent(distributionPlot(charts_, now));
     ranges_->setVisible(charts_.one_gyro);
     average_->setVisible(charts_.one_gyro);
-    verdict_->setText(richText(verdictText(*history_, charts_, now, baseline())));
+    verdict_->setText(richText(verdictText(*history_, charts_, now, choices_->baseline())));
     point_->setVisible(chosen_.has_value());
     recordings_->setVisible(chosen_.has_value());
     if (chosen_) {
@@ -318,21 +285,13 @@ void HistoryPage::askToAdd() {
     const MeasurementSet measured = document_.sets().measured(*set);
     QString gyro = QString::fromStdString(gyro_of(measured));
     gyro = gyro.isEmpty() ? set->name : gyro;
-    QString date;
-    for (const ListedRecording& recording : measured.recordings) {
-        date = date.isEmpty() ? QString::fromStdString(recording.conditions.date) : date;
-    }
-    for (const IdentifiedInput& input : addable()->inputs) {
-        date =
-            date.isEmpty() && is_iso_date(input.start) ? QString::fromStdString(input.start) : date;
-    }
     QStringList gyros;
     for (const StoredGyro& each : history_ ? history_->gyros : std::vector<StoredGyro>()) {
         if (!each.name.empty()) {
             gyros << QString::fromStdString(each.name);
         }
     }
-    auto* dialog = new StoreDialog(gyros, gyro, date, this);
+    auto* dialog = new StoreDialog(gyros, gyro, toldDate(measured, addable()->inputs), this);
     connect(dialog, &StoreDialog::chosen, this, &HistoryPage::add);
     dialog->open();
 }

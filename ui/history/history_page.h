@@ -9,14 +9,13 @@
 
 #include <memory>
 
-class QComboBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace vybeg::ui {
 
 class Document;
+class HistoryChoices;
 class XYPlotView;
 
 // The history of a gyro's parameters in a laboratory's database of results: values, control charts,
@@ -56,8 +55,6 @@ private:
     XYPlotView* addPlot(const char* name, int height);
     void connectWidgets();
     void retranslate();
-    void nameControls();
-    void fillGyros();
 
     void read();
     void take(Result<StoredHistory> history);
@@ -65,9 +62,6 @@ private:
     void showHistory();
     void refresh();
     HistoryView view() const;
-    std::size_t baseline() const;
-    std::optional<std::string> gyro() const;
-    Estimate passportValue() const;
     QString stateText() const;
     std::shared_ptr<const ResonatorOutcome> addable() const;
     QString addHint() const;
@@ -94,15 +88,7 @@ private:
     QPushButton* open_;
     QPushButton* new_;
     QPushButton* add_;
-    QWidget* choices_ = nullptr;
-    QLabel* gyro_label_ = nullptr;
-    QComboBox* gyro_ = nullptr;
-    QLabel* parameter_label_ = nullptr;
-    QComboBox* parameter_ = nullptr;
-    QLabel* axis_label_ = nullptr;
-    QComboBox* axis_ = nullptr;
-    QLabel* baseline_label_ = nullptr;
-    QSpinBox* baseline_ = nullptr;
+    HistoryChoices* choices_ = nullptr;
     QLabel* state_;
     QWidget* content_ = nullptr;
     QLabel* verdict_ = nullptr;

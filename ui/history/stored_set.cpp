@@ -1,5 +1,6 @@
 #include "ui/history/stored_set.h"
 
+#include "core/analysis/list_fields.h"
 #include "core/analysis/setting_table.h"
 
 #include <QFileInfo>
@@ -68,6 +69,20 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
         stored.list.sets.push_back(std::move(set));
     }
     return stored;
+}
+
+QString toldDate(const MeasurementSet& set, const std::vector<IdentifiedInput>& inputs) {
+    for (const ListedRecording& recording : set.recordings) {
+        if (!recording.conditions.date.empty()) {
+            return QString::fromStdString(recording.conditions.date);
+        }
+    }
+    for (const IdentifiedInput& input : inputs) {
+        if (is_iso_date(input.start)) {
+            return QString::fromStdString(input.start);
+        }
+    }
+    return {};
 }
 
 void tellGyroAndDate(MeasurementSet& set, const std::string& gyro, const std::string& date) {

@@ -5,6 +5,9 @@
 
 #include <QStringList>
 
+#include <string>
+#include <vector>
+
 namespace vybeg::ui {
 
 // A stored result as a measurement list of one set, with its settings; `settings_known`: whether
@@ -16,6 +19,9 @@ struct StoredSet {
 };
 
 StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwise);
+
+// The date that a row tells, otherwise the first start that a recording tells as ISO 8601.
+QString toldDate(const MeasurementSet& set, const std::vector<IdentifiedInput>& inputs);
 
 // The set under this gyro and date, for the whole of it.
 void tellGyroAndDate(MeasurementSet& set, const std::string& gyro, const std::string& date);
