@@ -569,10 +569,6 @@
         <translation>за пределами</translation>
     </message>
     <message>
-        <source>chosen</source>
-        <translation>выбран</translation>
-    </message>
-    <message>
         <source>passport ± 3 u</source>
         <translation>паспорт ± 3 u</translation>
     </message>

@@ -51,9 +51,10 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addLayout(buildHead());
-    content_ = buildContent();
-    scroll->setWidget(content_);
+    scroll->setWidget(buildContent());
+    content_ = scroll;
     column->addWidget(scroll, 1);
+    column->addStretch();  // below the sentence where there is nothing to show
     connectWidgets();
     retranslate();
 }

@@ -98,15 +98,15 @@ void addLevel(XYPlot& plot, const QString& name, double level, Ink ink, bool das
 }
 
 // Points that lie outside in another colour and shape, and the chosen one.
-void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryView& view) {
+void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryView& view,
+              const QString& outside_name = {}) {
     const XYSeries& points = shown.plot.series.front();
     XYSeries outside;
-    outside.name = translated(QT_TRANSLATE_NOOP("History", "outside"));
+    outside.name = outside_name;
     outside.points = true;
     outside.style = 3;
     outside.ink = Ink::warning;
     XYSeries chosen;
-    chosen.name = translated(QT_TRANSLATE_NOOP("History", "chosen"));
     chosen.points = true;
     chosen.style = 1;
     chosen.ink = Ink::accent;
@@ -188,7 +188,8 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
     if (charts.one_gyro) {
         addPassport(shown.plot, view, factor);
     }
-    addMarks(shown, charts.individuals.out, view);
+    addMarks(shown, charts.individuals.out, view,
+             translated(QT_TRANSLATE_NOOP("History", "outside")));
     return shown;
 }
 

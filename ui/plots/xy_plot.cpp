@@ -111,7 +111,7 @@ private:
     // ISO dates, which read the same in every language; with the time where days are too coarse.
     void showDates() {
         constexpr double day_s = 86400;
-        constexpr int label_width = 90;
+        constexpr int label_width = 140;  // the ticker takes up to half as many more
         const AxisRange range = content_.x_range.value_or(rangeOf(content_, false));
         const QSharedPointer<QCPAxisTickerDateTime> dates(new QCPAxisTickerDateTime);
         dates->setDateTimeSpec(Qt::UTC);
