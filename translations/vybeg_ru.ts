@@ -3719,10 +3719,6 @@
         <translation>Открыть базу данных</translation>
     </message>
     <message>
-        <source>A database of results, as batch --database writes it</source>
-        <translation>База результатов, какую пишет batch --database</translation>
-    </message>
-    <message>
         <source>New…</source>
         <translation>Новая…</translation>
     </message>
@@ -3773,6 +3769,10 @@
     <message>
         <source>The settings of the result %1 cannot be read: the set has those of the panel Analysis.</source>
         <translation>Настройки результата %1 не читаются: у набора настройки панели «Обработка».</translation>
+    </message>
+    <message>
+        <source>A database of results, of this window or of the command line</source>
+        <translation>База результатов из этого окна или из командной строки</translation>
     </message>
 </context>
 <context>

@@ -113,7 +113,7 @@ void HistoryPage::connectWidgets() {
 void HistoryPage::retranslate() {
     open_->setText(tr("Open…"));
     open_->setAccessibleName(tr("Open a database"));
-    open_->setToolTip(richTip(tr("A database of results, as batch --database writes it")));
+    open_->setToolTip(richTip(tr("A database of results, of this window or of the command line")));
     new_->setText(tr("New…"));
     new_->setAccessibleName(tr("Make a database"));
     new_->setToolTip(richTip(tr("An empty database of results in a new file")));

@@ -21,6 +21,7 @@ constexpr int foot_height = 40;
 constexpr int left_margin = 60;
 constexpr int right_margin = 16;
 constexpr int legend_height = 22;
+constexpr std::size_t most_shapes = 2000;  // of points in a series
 constexpr std::size_t legend_columns = 3;  // limit of entries side by side in a panel
 
 // Range of all values with a margin of a twentieth at both ends.
@@ -166,14 +167,19 @@ void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, co
     graph->setData(vectorOf(series.x), vectorOf(series.y));
     graph->setLineStyle(QCPGraph::lsNone);
     const auto shape = static_cast<std::size_t>(series.style) % shapes.size();
+    // Thousands of shapes hide each other, and take half a second to draw.
+    const bool many = series.x.size() > most_shapes;
+    graph->setAntialiasedScatters(!many);
     graph->setScatterStyle(
-        QCPScatterStyle(shapes[shape], QPen(pen.color(), 1.2), QBrush(pen.color()), 5));
+        many ? QCPScatterStyle(QCPScatterStyle::ssDot, QPen(pen.color(), 2), Qt::NoBrush, 2)
+             : QCPScatterStyle(shapes[shape], QPen(pen.color(), 1.2), QBrush(pen.color()), 5));
     if (!series.sd.empty()) {
         auto* bars = new QCPErrorBars(graph->keyAxis(), graph->valueAxis());
         bars->setDataPlottable(graph);
         bars->setData(vectorOf(series.sd));
         bars->setPen(QPen(pen.color(), 1));
-        bars->setWhiskerWidth(4);
+        bars->setWhiskerWidth(many ? 0 : 4);
+        bars->setAntialiased(!many);
         bars->setSymbolGap(0);
     }
 }
