@@ -3679,16 +3679,8 @@
 <context>
     <name>vybeg::ui::HistoryPage</name>
     <message>
-        <source>A database keeps the results of a laboratory, of this window and of the command batch, so that each parameter of a gyro can be followed. Open one, or make a new one.</source>
-        <translation>База данных хранит результаты лаборатории, из этого окна и из команды batch, чтобы можно было следить за каждым параметром гироскопа. Откройте базу или создайте новую.</translation>
-    </message>
-    <message>
         <source>The database is being read…</source>
         <translation>База данных читается…</translation>
-    </message>
-    <message>
-        <source>The database holds no results yet. Identify a resonator and add its result, or fill it with vybeg-cli batch --database.</source>
-        <translation>В базе данных ещё нет результатов. Идентифицируйте резонатор и добавьте его результат или заполните базу командой vybeg-cli batch --database.</translation>
     </message>
     <message>
         <source>First open a database, or make a new one.</source>
@@ -3773,6 +3765,14 @@
     <message>
         <source>A database of results, of this window or of the command line</source>
         <translation>База результатов из этого окна или из командной строки</translation>
+    </message>
+    <message>
+        <source>A database keeps the results of a laboratory, of this window and of the command line, so that each parameter of a gyro can be followed. Open one, or make a new one.</source>
+        <translation>База данных хранит результаты лаборатории, из этого окна и из командной строки, чтобы можно было следить за каждым параметром гироскопа. Откройте базу или создайте новую.</translation>
+    </message>
+    <message>
+        <source>The database holds no results yet. Identify a resonator and add its result, or fill it from the command line.</source>
+        <translation>В базе данных ещё нет результатов. Идентифицируйте резонатор и добавьте его результат или заполните базу из командной строки.</translation>
     </message>
 </context>
 <context>

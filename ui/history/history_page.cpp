@@ -176,7 +176,7 @@ QString HistoryPage::stateText() const {
     if (path_.isEmpty()) {
         return tr(
             "A database keeps the results of a laboratory, of this window and of the command "
-            "batch, so that each parameter of a gyro can be followed. Open one, or make a "
+            "line, so that each parameter of a gyro can be followed. Open one, or make a "
             "new one.");
     }
     if (failure_) {
@@ -188,7 +188,7 @@ QString HistoryPage::stateText() const {
     if (history_ && history_->gyros.empty()) {
         return tr(
             "The database holds no results yet. Identify a resonator and add its result, or "
-            "fill it with vybeg-cli batch --database.");
+            "fill it from the command line.");
     }
     return {};
 }
