@@ -10,6 +10,7 @@ namespace vybeg::ui {
 const std::vector<HistoryParameter>& historyParameters() {
     static const std::vector<HistoryParameter> all = [] {
         std::vector<HistoryParameter> parameters;
+        parameters.reserve(resonator_parameters.size() + 2 * mode_parameters.size());
         for (const ResonatorParameter& each : resonator_parameters) {
             parameters.push_back({each.name, each.unit, each.period});
         }
