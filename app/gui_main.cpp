@@ -92,7 +92,8 @@ void describe(CLI::App& app, Requested& requested) {
     FigureRequest& request = requested.figure;
     app.name("vybeg");
     app.set_version_flag("--version", "vybeg " VYBEG_VERSION);
-    app.add_option("FILE", request.inputs, "Recordings to open")->type_name("");
+    app.add_option("FILE", request.inputs, "Recordings, measurement lists or sessions to open")
+        ->type_name("");
     add_analysis_options(app, request.settings);
     add_tolerance_option(app, requested.identify);
     add_open_options(app, request.open);

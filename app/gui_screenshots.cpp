@@ -1,11 +1,13 @@
 #include "app/gui_screenshots.h"
 
 #include "app/gui_analysis.h"
+#include "app/gui_pictured_history.h"
 #include "core/base/system_reason.h"
 #include "core/output/output_file.h"
 #include "core/output/sample_files.h"
 #include "core/simulation/simulate.h"
 #include "ui/document/document.h"
+#include "ui/history/history_page.h"
 #include "ui/plots/track_view.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/window/file_commands.h"
@@ -14,6 +16,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QBuffer>
+#include <QComboBox>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QEventLoop>
@@ -28,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -116,6 +120,7 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
         std::pair{Command::page_resonator, "resonator"},
         std::pair{Command::page_residuals, "residuals"},
         std::pair{Command::page_sweep, "windows"},
+        std::pair{Command::page_history, "history"},
     };
     if (tabs->isVisible()) {
         for (const auto& page : commands) {
@@ -125,7 +130,7 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
                              }});
         }
         // A sweep is computed when it is asked for.
-        pages.back().show = [](MainWindow& shown) {
+        std::prev(pages.end(), 2)->show = [](MainWindow& shown) {
             shown.action(Command::page_sweep)->trigger();
             auto* run = shown.findChild<QPushButton*>(QStringLiteral("sweepRun"));
             if (const auto* page = shown.findChild<SweepPage*>(); page->sweep() == nullptr) {
@@ -172,6 +177,21 @@ void fill(MainWindow& window, const QStringList& files, const OpenOptions& open)
         }
         settled(window);
     }
+}
+
+// A gyro of which one result lies outside.
+void show_history(HistoryPage& page, const QString& database) {
+    const auto wait = [&page] {
+        while (page.reading()) {
+            pass(settle_ms);
+        }
+    };
+    page.openDatabase(database, false);
+    wait();
+    auto* gyro = page.findChild<QComboBox*>(QStringLiteral("historyGyro"));
+    gyro->setCurrentIndex(1);
+    emit gyro->activated(1);
+    wait();
 }
 
 Status write_picture(const QImage& image, const QString& path) {
@@ -237,6 +257,10 @@ int take_screenshots(const ScreenshotRequest& request) {
         }
         files = *made;
     }
+    const QString database = QDir(own.path()).filePath(QStringLiteral("laboratory.db"));
+    if (const Status made = write_pictured_history(database.toStdString()); !made) {
+        return fail(made.error());
+    }
     for (const Content& content :
          {Content{"none", 0}, Content{"one", 1}, Content{"all", 1 << 20}}) {
         if (content.recordings > 1 && files.size() == 1) {
@@ -246,6 +270,10 @@ int take_screenshots(const ScreenshotRequest& request) {
         MainWindow window(document);
         window.show();
         fill(window, files.mid(0, content.recordings), request.open);
+        // The page without a database belongs to one recording.
+        if (content.recordings > 1) {
+            show_history(*window.findChild<HistoryPage*>(), database);
+        }
         if (const Status done = picture_all(window, content, QDir(target)); !done) {
             return fail(done.error());
         }

@@ -115,4 +115,49 @@
         </translation>
     </message>
 </context>
+    <context>
+        <name>History</name>
+        <message numerus="yes">
+            <source>%n result(s) without a date are not shown; by order they are.</source>
+            <translation>
+                <numerusform>%n result without a date is not shown; by order it is.</numerusform>
+                <numerusform>%n results without a date are not shown; by order they are.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>The first %n result(s) set the limits.</source>
+            <translation>
+                <numerusform>The first %n result sets the limits.</numerusform>
+                <numerusform>The first %n results set the limits.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n result(s) of all gyros.</source>
+            <translation>
+                <numerusform>%n result of all gyros.</numerusform>
+                <numerusform>%n results of all gyros.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>None of %n result(s) is outside the limits.</source>
+            <translation>
+                <numerusform>The one result is inside the limits.</numerusform>
+                <numerusform>None of %n results is outside the limits.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n result(s) outside the limits:</source>
+            <translation>
+                <numerusform>%n result outside the limits:</numerusform>
+                <numerusform>%n results outside the limits:</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>and %n more</numerusform>
+                <numerusform>and %n more</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

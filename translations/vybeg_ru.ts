@@ -258,10 +258,6 @@
         <translation>Записи другого резонатора, которые идентифицируются вместе</translation>
     </message>
     <message>
-        <source>Open recordings of a free decay, or a session</source>
-        <translation>Открыть записи свободного выбега или сеанс</translation>
-    </message>
-    <message>
         <source>&amp;Save session</source>
         <translation>&amp;Сохранить сеанс</translation>
     </message>
@@ -344,6 +340,26 @@
     <message>
         <source>A PDF of the recordings: settings, plots, resonator with its uncertainty budget, events, warnings</source>
         <translation>PDF о записях: настройки, графики, резонатор с бюджетом неопределённости, события, предупреждения</translation>
+    </message>
+    <message>
+        <source>Open recordings of a free decay, a measurement list, or a session</source>
+        <translation>Открыть записи свободного выбега, список измерений или сеанс</translation>
+    </message>
+    <message>
+        <source>Open &amp;database…</source>
+        <translation>Открыть &amp;базу данных…</translation>
+    </message>
+    <message>
+        <source>Open a database of results, for the history of its gyros</source>
+        <translation>Открыть базу результатов, чтобы видеть историю её гироскопов</translation>
+    </message>
+    <message>
+        <source>&amp;History</source>
+        <translation>&amp;История</translation>
+    </message>
+    <message>
+        <source>The page with the parameters of each gyro over all results of the laboratory&apos;s database</source>
+        <translation>Страница с параметрами каждого гироскопа по всем результатам базы данных лаборатории</translation>
     </message>
 </context>
 <context>
@@ -547,6 +563,181 @@
             <numerusform>%n столбец</numerusform>
             <numerusform>%n столбца</numerusform>
             <numerusform>%n столбцов</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>History</name>
+    <message>
+        <source>Date (UTC)</source>
+        <translation>Дата (UTC)</translation>
+    </message>
+    <message>
+        <source>Mean frequency f</source>
+        <translation>Средняя частота f</translation>
+    </message>
+    <message>
+        <source>Order of the results</source>
+        <translation>Порядковый номер результата</translation>
+    </message>
+    <message>
+        <source>No result with a date has a value of this parameter.</source>
+        <translation>Ни у одного результата с датой нет значения этого параметра.</translation>
+    </message>
+    <message>
+        <source>No result has a value of this parameter.</source>
+        <translation>Ни у одного результата нет значения этого параметра.</translation>
+    </message>
+    <message>
+        <source>passport ± 3 u</source>
+        <translation>паспорт ± 3 u</translation>
+    </message>
+    <message>
+        <source>values ± sd</source>
+        <translation>значения ± СКО</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>центр</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>пределы</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>за пределами</translation>
+    </message>
+    <message>
+        <source>Change from the one before</source>
+        <translation>Изменение от предыдущего</translation>
+    </message>
+    <message>
+        <source>moving range</source>
+        <translation>скользящий размах</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>предел</translation>
+    </message>
+    <message>
+        <source>Weighted average (EWMA)</source>
+        <translation>Взвешенное среднее (EWMA)</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>СКО</translation>
+    </message>
+    <message>
+        <source>This chart needs ten results of one gyro to set its limits.</source>
+        <translation>Для пределов этой карты нужны десять результатов одного гироскопа.</translation>
+    </message>
+    <message>
+        <source>average</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>Results in each step</source>
+        <translation>Результатов в каждой ступени</translation>
+    </message>
+    <message>
+        <source>A distribution needs two results with different values.</source>
+        <translation>Для распределения нужны два результата с разными значениями.</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>результаты</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>нормальное</translation>
+    </message>
+    <message>
+        <source>above the limit</source>
+        <translation>выше предела</translation>
+    </message>
+    <message>
+        <source>below the limit</source>
+        <translation>ниже предела</translation>
+    </message>
+    <message>
+        <source>a step from the one before</source>
+        <translation>скачок от предыдущего</translation>
+    </message>
+    <message>
+        <source>the average has moved</source>
+        <translation>среднее сместилось</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) without a date are not shown; by order they are.</source>
+        <translation>
+            &lt;numerusform&gt;%n результат без даты не показан; по порядку он виден.&lt;/numerusform&gt;
+            &lt;numerusform&gt;%n результата без даты не показаны; по порядку они видны.&lt;/numerusform&gt;
+            &lt;numerusform&gt;%n результатов без даты не показаны; по порядку они видны.&lt;/numerusform&gt;
+        </translation>
+    </message>
+    <message>
+        <source>Limits need two results of this gyro.</source>
+        <translation>Для пределов нужны два результата этого гироскопа.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The first %n result(s) set the limits.</source>
+        <translation>
+            &lt;numerusform&gt;Пределы заданы первым %n результатом.&lt;/numerusform&gt;
+            &lt;numerusform&gt;Пределы заданы первыми %n результатами.&lt;/numerusform&gt;
+            &lt;numerusform&gt;Пределы заданы первыми %n результатами.&lt;/numerusform&gt;
+        </translation>
+    </message>
+    <message>
+        <source>So few make them unsure, and the average needs ten.</source>
+        <translation>При столь малом числе они ненадёжны, а среднему нужны десять.</translation>
+    </message>
+    <message>
+        <source>f = %1 Hz</source>
+        <translation>f = %1 Гц</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>%1 V</source>
+        <translation>%1 В</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) of all gyros.</source>
+        <translation>
+            &lt;numerusform&gt;%n результат всех гироскопов.&lt;/numerusform&gt;
+            &lt;numerusform&gt;%n результата всех гироскопов.&lt;/numerusform&gt;
+            &lt;numerusform&gt;%n результатов всех гироскопов.&lt;/numerusform&gt;
+        </translation>
+    </message>
+    <message>
+        <source>Limits belong to one gyro: choose one for its control charts.</source>
+        <translation>Пределы относятся к одному гироскопу: выберите его, чтобы увидеть контрольные карты.</translation>
+    </message>
+    <message numerus="yes">
+        <source>None of %n result(s) is outside the limits.</source>
+        <translation>
+            &lt;numerusform&gt;Ни один из %n результата не выходит за пределы.&lt;/numerusform&gt;
+            &lt;numerusform&gt;Ни один из %n результатов не выходит за пределы.&lt;/numerusform&gt;
+            &lt;numerusform&gt;Ни один из %n результатов не выходит за пределы.&lt;/numerusform&gt;
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) outside the limits:</source>
+        <translation>
+            &lt;numerusform&gt;%n результат за пределами:&lt;/numerusform&gt;
+            &lt;numerusform&gt;%n результата за пределами:&lt;/numerusform&gt;
+            &lt;numerusform&gt;%n результатов за пределами:&lt;/numerusform&gt;
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            &lt;numerusform&gt;и ещё %n&lt;/numerusform&gt;
+            &lt;numerusform&gt;и ещё %n&lt;/numerusform&gt;
+            &lt;numerusform&gt;и ещё %n&lt;/numerusform&gt;
         </translation>
     </message>
 </context>
@@ -1082,6 +1273,10 @@
     <message>
         <source>Signals</source>
         <translation>Сигналы</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>История</translation>
     </message>
 </context>
 <context>
@@ -2020,6 +2215,42 @@
     <message>
         <source>τ of this direction</source>
         <translation>τ этого направления</translation>
+    </message>
+    <message>
+        <source>gyro</source>
+        <translation>гироскоп</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>дата</translation>
+    </message>
+    <message>
+        <source>bias voltage</source>
+        <translation>напряжение смещения</translation>
+    </message>
+    <message>
+        <source>%1 V</source>
+        <translation>%1 В</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>температура</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>the amplifiers are exchanged</source>
+        <translation>усилители переставлены</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>оператор</translation>
+    </message>
+    <message>
+        <source>comment</source>
+        <translation>примечание</translation>
     </message>
 </context>
 <context>
@@ -3040,6 +3271,10 @@
         <source>another program has kept it locked for %1 s</source>
         <translation>другая программа не освобождает файл уже %1 с</translation>
     </message>
+    <message>
+        <source>the result is not there any more</source>
+        <translation>этого результата больше нет</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::CalibrationFields</name>
@@ -3703,6 +3938,22 @@
         <source>Save report</source>
         <translation>Сохранить отчёт</translation>
     </message>
+    <message>
+        <source>Open database</source>
+        <translation>Открыть базу данных</translation>
+    </message>
+    <message>
+        <source>Database of results (*.db *.sqlite)</source>
+        <translation>База результатов (*.db *.sqlite)</translation>
+    </message>
+    <message>
+        <source>New database</source>
+        <translation>Новая база данных</translation>
+    </message>
+    <message>
+        <source>Database of results (*.db)</source>
+        <translation>База результатов (*.db)</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::GyroDialog</name>
@@ -3752,6 +4003,176 @@
     <message>
         <source>Contents</source>
         <translation>Содержание</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::HistoryChoices</name>
+    <message>
+        <source>Gyro</source>
+        <translation>Гироскоп</translation>
+    </message>
+    <message>
+        <source>Gyro of the history</source>
+        <translation>Гироскоп истории</translation>
+    </message>
+    <message>
+        <source>Whose results are shown; the number of its results stands behind its name</source>
+        <translation>Чьи результаты показаны; за именем стоит число результатов</translation>
+    </message>
+    <message>
+        <source>All gyros</source>
+        <translation>Все гироскопы</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>без имени</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Параметр</translation>
+    </message>
+    <message>
+        <source>Parameter of the history</source>
+        <translation>Параметр истории</translation>
+    </message>
+    <message>
+        <source>Which of its parameters is shown</source>
+        <translation>Какой его параметр показан</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>От чего</translation>
+    </message>
+    <message>
+        <source>Axis of the history</source>
+        <translation>Ось истории</translation>
+    </message>
+    <message>
+        <source>The mean frequency follows the temperature of the resonator</source>
+        <translation>Средняя частота следует за температурой резонатора</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Частота</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Порядок</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>База</translation>
+    </message>
+    <message>
+        <source>Baseline of the control charts</source>
+        <translation>База контрольных карт</translation>
+    </message>
+    <message>
+        <source>So many first results of the gyro set centre and limits of the charts</source>
+        <translation>Столько первых результатов гироскопа задают центр и пределы карт</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::HistoryPage</name>
+    <message>
+        <source>A database keeps the results of a laboratory, of this window and of the command line, so that each parameter of a gyro can be followed. Open one, or make a new one.</source>
+        <translation>База данных хранит результаты лаборатории, из этого окна и из командной строки, чтобы можно было следить за каждым параметром гироскопа. Откройте базу или создайте новую.</translation>
+    </message>
+    <message>
+        <source>The database is being read…</source>
+        <translation>База данных читается…</translation>
+    </message>
+    <message>
+        <source>The database holds no results yet. Identify a resonator and add its result, or fill it from the command line.</source>
+        <translation>В базе данных ещё нет результатов. Идентифицируйте резонатор и добавьте его результат или заполните базу из командной строки.</translation>
+    </message>
+    <message>
+        <source>First open a database, or make a new one.</source>
+        <translation>Сначала откройте базу данных или создайте новую.</translation>
+    </message>
+    <message>
+        <source>First identify the resonator of a set, on the page Resonator.</source>
+        <translation>Сначала идентифицируйте резонатор набора на странице «Резонатор».</translation>
+    </message>
+    <message>
+        <source>The identified resonator of the current set into the database</source>
+        <translation>Записать резонатор текущего набора в базу данных</translation>
+    </message>
+    <message>
+        <source>Of the result %1 these recordings are not where they were: %2.</source>
+        <translation>Записи результата %1 не найдены на прежнем месте: %2.</translation>
+    </message>
+    <message>
+        <source>The settings of the result %1 cannot be read: the set has those of the panel Analysis.</source>
+        <translation>Настройки результата %1 не читаются: у набора настройки панели «Обработка».</translation>
+    </message>
+    <message>
+        <source>The result of %1 is in %2.</source>
+        <translation>Результат %1 записан в %2.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Открыть…</translation>
+    </message>
+    <message>
+        <source>Open a database</source>
+        <translation>Открыть базу данных</translation>
+    </message>
+    <message>
+        <source>A database of results, of this window or of the command line</source>
+        <translation>База результатов из этого окна или из командной строки</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Новая…</translation>
+    </message>
+    <message>
+        <source>Make a database</source>
+        <translation>Создать базу данных</translation>
+    </message>
+    <message>
+        <source>An empty database of results in a new file</source>
+        <translation>Пустая база результатов в новом файле</translation>
+    </message>
+    <message>
+        <source>Add this result…</source>
+        <translation>Добавить результат…</translation>
+    </message>
+    <message>
+        <source>Open its recordings</source>
+        <translation>Открыть его записи</translation>
+    </message>
+    <message>
+        <source>As a set, with the settings and conditions of the result; a double click on the point does the same</source>
+        <translation>Набором, с настройками и условиями результата; то же делает двойной щелчок по точке</translation>
+    </message>
+    <message>
+        <source>Values of the parameter</source>
+        <translation>Значения параметра</translation>
+    </message>
+    <message>
+        <source>Moving range</source>
+        <translation>Скользящий размах</translation>
+    </message>
+    <message>
+        <source>Weighted average</source>
+        <translation>Взвешенное среднее</translation>
+    </message>
+    <message>
+        <source>Distribution of the parameter</source>
+        <translation>Распределение параметра</translation>
+    </message>
+    <message>
+        <source>A click chooses a result, a double click opens its recordings; Left and Right go to its neighbours</source>
+        <translation>Щелчок выбирает результат, двойной щелчок открывает его записи; стрелки влево и вправо ведут к соседним</translation>
+    </message>
+    <message>
+        <source>How often each value occurs among the results shown</source>
+        <translation>Как часто каждое значение встречается среди показанных результатов</translation>
     </message>
 </context>
 <context>
@@ -4960,6 +5381,10 @@
         <source>What the fit assumes of the channels</source>
         <translation>Что модель предполагает о каналах</translation>
     </message>
+    <message>
+        <source>Settings and conditions are those of the measurement list; the panel Analysis does not change them.</source>
+        <translation>Настройки и условия взяты из списка измерений; панель «Обработка» их не меняет.</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::SetStore</name>
@@ -4982,6 +5407,10 @@
     <message>
         <source>recordings of the set</source>
         <translation>записи набора</translation>
+    </message>
+    <message>
+        <source>sets of the list</source>
+        <translation>наборы списка</translation>
     </message>
 </context>
 <context>
@@ -5230,6 +5659,49 @@
     <message>
         <source>Cancelled</source>
         <translation>Прервано</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::StoreDialog</name>
+    <message>
+        <source>Add this result</source>
+        <translation>Добавить результат</translation>
+    </message>
+    <message>
+        <source>Gyro</source>
+        <translation>Гироскоп</translation>
+    </message>
+    <message>
+        <source>The name under which the history of this resonator is kept</source>
+        <translation>Имя, под которым хранится история этого резонатора</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>Of the recordings, as in 2026-03-31, with or without a time as in T14:05</source>
+        <translation>Дата записей, как 2026-03-31, со временем, как T14:05, или без него</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Добавить</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Прервать</translation>
+    </message>
+    <message>
+        <source>A result without a gyro has no history: name one.</source>
+        <translation>У результата без гироскопа нет истории: назовите его.</translation>
+    </message>
+    <message>
+        <source>A date is written as in 2026-03-31, with or without a time as in T14:05.</source>
+        <translation>Дата пишется как 2026-03-31, со временем, как T14:05, или без него.</translation>
+    </message>
+    <message>
+        <source>Without a date the result stands behind all others.</source>
+        <translation>Без даты результат стоит после всех остальных.</translation>
     </message>
 </context>
 <context>

@@ -336,6 +336,14 @@ Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
     return Reader(path, defaults).read();
 }
 
+bool is_measurement_list(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char letter) {
+        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    });
+    return (ending == ".csv" || ending == ".txt") && csv_has_name(path, "file");
+}
+
 Result<MeasurementList> list_of_folder(
     const std::filesystem::path& folder, const ListDefaults& defaults,
     const std::function<bool(const std::filesystem::path&)>& left_out) {

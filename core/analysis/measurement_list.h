@@ -59,6 +59,10 @@ struct ListDefaults {
 Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
                                               const ListDefaults& defaults);
 
+// Whether a file is a measurement list: its first row has the column `file`. Of files with other
+// endings than .csv and .txt none is read.
+bool is_measurement_list(const std::filesystem::path& path);
+
 // Every regular file of a folder as a set of its own, by name; without hidden files and those of
 // which `left_out` is true. Errors: file_read_failed.
 Result<MeasurementList> list_of_folder(

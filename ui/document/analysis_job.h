@@ -120,6 +120,10 @@ public:
     // Anything else that makes a file.
     void write(int key, std::function<Status(const JobControl&)> work,
                std::function<void(Status)> done);
+    // Any other work of a page on values of its own; it hears an interruption.
+    template <class Value>
+    void run(int key, std::function<Result<Value>(const JobControl&)> work,
+             std::function<void(Result<Value>)> done);
 
     // Stops all jobs about a key without a result.
     void forget(int key);
@@ -147,6 +151,7 @@ private:
         residuals,
         sweep,
         excerpt,
+        page,
         passport,
         write
     };
@@ -177,6 +182,15 @@ private:
     QThreadPool live_;
     QThreadPool others_;
 };
+
+template <class Value>
+void AnalysisJob::run(int key, std::function<Result<Value>(const JobControl&)> work,
+                      std::function<void(Result<Value>)> done) {
+    start<Value>(
+        others_, {Kind::page, key},
+        [work = std::move(work)](const Ticket& ticket) { return work(JobControl(ticket.stop)); },
+        std::move(done));
+}
 
 template <class Value>
 void AnalysisJob::start(QThreadPool& pool, TaskId id,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/recording/samples/open_options.h"
 
@@ -31,5 +32,7 @@ struct Message {
 };
 
 Message errorMessage(const Error& error, Topic topic = Topic::none);
+// A warning about a file.
+Message warningMessage(const QString& file, const Diagnostic& diagnostic);
 
 }  // namespace vybeg::ui

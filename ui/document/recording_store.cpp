@@ -141,9 +141,7 @@ void RecordingStore::whenOpened(int id, Result<Recording> result) {
 void RecordingStore::reportWarnings(const RecordingEntry& entry) {
     for (const Diagnostic& diagnostic : entry.recording->diagnostics) {
         if (diagnostic.kind != DiagnosticKind::text_lines_ignored) {
-            emit reported(warning([name = entry.name, diagnostic] {
-                return QStringLiteral("%1: %2").arg(name, diagnosticText(diagnostic));
-            }));
+            emit reported(warningMessage(entry.name, diagnostic));
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "ui/document/set_store.h"
 
+#include "ui/document/measured_set.h"
+
 #include <QCoreApplication>
 #include <QFileInfo>
 
@@ -122,6 +124,13 @@ void SetStore::setModel(int id, FitOptions::Model model) {
     }
 }
 
+void SetStore::setListed(int id, ListedSet listed) {
+    if (RunSet* set = entry(id)) {
+        set->listed = std::make_shared<const ListedSet>(std::move(listed));
+        emit changed();
+    }
+}
+
 void SetStore::edited(RunSet& set) {
     queue_.forget(queue_.keyOfSet(set.id));
     if (!set.outcomes.empty() && !sameRecordings(set.outcomes.back()->recordings, set.recordings)) {
@@ -202,6 +211,10 @@ std::vector<int> SetStore::holding(int recording_id) const {
 void SetStore::openIntoCurrent(const QStringList& paths) {
     std::vector<int> ids;
     for (const QString& path : paths) {
+        if (is_measurement_list(path.toStdU16String())) {
+            openList(path, {});
+            continue;
+        }
         const RecordingEntry* open = recordings_.findPath(QFileInfo(path).absoluteFilePath());
         if (!open) {
             recordings_.open({path}, {});
@@ -209,16 +222,47 @@ void SetStore::openIntoCurrent(const QStringList& paths) {
         }
         ids.push_back(open->id);
     }
-    addToCurrent(ids);
+    if (!ids.empty()) {
+        addToCurrent(ids);
+    }
 }
 
-// The window is the identification's own: that of the tracks has another purpose.
-IdentifySettings SetStore::settingsOf(const RunSet& set) const {
-    IdentifySettings settings;
-    settings.signal = settings_.settings();
-    settings.model = set.model;
-    settings.tolerance = settings_.tolerance();
-    return settings;
+void SetStore::openList(const QString& path, const OpenOptions& options) {
+    ListDefaults defaults{options, {}};
+    defaults.settings.signal = settings_.settings();
+    defaults.settings.tolerance = settings_.tolerance();
+    const auto list =
+        read_measurement_list(QFileInfo(path).absoluteFilePath().toStdU16String(), defaults);
+    if (!list) {
+        emit reported(errorMessage(list.error()));
+        return;
+    }
+    for (const Diagnostic& diagnostic : list->warnings) {
+        emit reported(warningMessage(QFileInfo(path).fileName(), diagnostic));
+    }
+    open(*list);
+    emit listOpened(path);
+}
+
+void SetStore::open(const MeasurementList& list) {
+    std::vector<RunSet> sets = openSets(list, recordings_);
+    const int first = ids_.next();
+    step([] { return tr("sets of the list"); },
+         [&] {
+             int id = first;
+             for (RunSet& set : sets) {
+                 set.id = id;
+                 set.number = ++made_;
+                 sets_.push_back(std::move(set));
+                 id = ids_.next();
+             }
+             current_ = first;
+         });
+    emit changed();
+}
+
+MeasurementSet SetStore::measured(const RunSet& set) const {
+    return measurementOf(set, settings_, recordings_);
 }
 
 bool SetStore::canIdentify() const {
@@ -239,6 +283,11 @@ void SetStore::identify() {
     }
     const RunSet& set = *current();
     queue_.forget(queue_.keyOfSet(set.id));
+    const MeasurementSet wanted = measured(set);
+    if (const Status alike = check_conditions(wanted); !alike) {
+        emit reported(errorMessage(alike.error()));
+        return;
+    }
     std::vector<Recording> recordings;
     std::vector<IdentifiedInput> inputs;
     for (const int id : set.recordings) {
@@ -252,7 +301,7 @@ void SetStore::identify() {
     Request request;
     request.set_id = set.id;
     queue_.enter(key, request);
-    job_.identify(key, recordings, std::move(inputs), settingsOf(set),
+    job_.identify(key, recordings, std::move(inputs), wanted.settings,
                   [this, key, members = set.recordings](Result<ResonatorOutcome> result) {
                       if (result) {
                           result->recordings = members;
@@ -281,7 +330,7 @@ void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
 
 bool SetStore::outOfDate(const RunSet& set, const ResonatorOutcome& outcome) const {
     return !sameRecordings(outcome.recordings, set.recordings) ||
-           outcome.identification.settings != settingsOf(set);
+           outcome.identification.settings != measured(set).settings;
 }
 
 std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RunSet& set) const {

@@ -34,6 +34,8 @@ public:
     void remove(int id);
     void rename(int id, const QString& name);
     void setModel(int id, FitOptions::Model model);
+    // No step: of a session, whose sets are made.
+    void setListed(int id, ListedSet listed);
     // Recordings into a set, each once.
     void addTo(int id, const std::vector<int>& recording_ids);
     // Into the current set; without one, into a new one.
@@ -46,6 +48,13 @@ public:
     std::vector<int> holding(int recording_id) const;
     // Files from outside into the current set; those that are not open yet are opened.
     void openIntoCurrent(const QStringList& paths);
+    // A measurement list: its recordings, and a set for each of its sets, in one step of undo.
+    // `options`: of recordings whose row gives none. Errors are reported.
+    void openList(const QString& path, const OpenOptions& options);
+    // The same of a list in memory; its first set becomes the current one.
+    void open(const MeasurementList& list);
+    // All that belongs to the identification of a set (measured_set.h).
+    MeasurementSet measured(const RunSet& set) const;
 
     // The current set, in the background; where it is empty, the current recording as a set of one.
     void identify();
@@ -69,6 +78,7 @@ signals:
     void changed();          // the sets, their recordings and outcomes
     void passportChanged();  // also its limits
     void identified(int set_id);
+    void listOpened(const QString& path);
     void reported(const Message& message);
 
 private:
@@ -83,7 +93,6 @@ private:
     void insertInto(int id, const std::vector<int>& recording_ids);
     void eraseFrom(int id, const std::vector<int>& recording_ids);
     RunSet* entry(int id);
-    IdentifySettings settingsOf(const RunSet& set) const;
     void edited(RunSet& set);
     void whenIdentified(int key, Result<ResonatorOutcome> result);
 

@@ -21,7 +21,34 @@ constexpr int foot_height = 40;
 constexpr int left_margin = 60;
 constexpr int right_margin = 16;
 constexpr int legend_height = 22;
+constexpr std::size_t most_shapes = 2000;  // of points in a series
 constexpr int legend_inset = 8;
+
+// Range of all values with a margin of a twentieth at both ends.
+AxisRange rangeOf(const XYPlot& content, bool of_y) {
+    const bool logarithmic = of_y ? content.y_logarithmic : content.x_logarithmic;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const XYSeries& series : content.series) {
+        for (std::size_t k = 0; k < series.x.size(); ++k) {
+            const double sd = of_y && !series.sd.empty() ? series.sd[k] : 0;
+            const double value = of_y ? series.y[k] : series.x[k];
+            if (std::isfinite(value) && std::isfinite(sd) && (!logarithmic || value - sd > 0)) {
+                low = std::min(low, value - sd);
+                high = std::max(high, value + sd);
+            }
+        }
+    }
+    if (low > high) {
+        return logarithmic ? AxisRange{0.1, 10} : AxisRange{0, 1};
+    }
+    if (logarithmic) {
+        const double spare = high > low ? std::pow(high / low, 0.05) : 2;
+        return {low / spare, high * spare};
+    }
+    const double spare = high > low ? 0.05 * (high - low) : std::max(0.05 * std::abs(high), 1e-12);
+    return {low - spare, high + spare};
+}
 
 // Axis rectangle with names in the style of the track's plots.
 class XYPanel : public QCPAxisRect {
@@ -44,6 +71,9 @@ public:
         }
         x_ticker_->setSteps(content.x_in_degrees ? TickSteps::degrees : TickSteps::decimal);
         makeLogarithmic(*axis(QCPAxis::atBottom), *x_ticker_, content.x_logarithmic);
+        if (content.x_is_date && !content.series.empty()) {
+            showDates();
+        }
         makeLogarithmic(*axis(QCPAxis::atLeft), *y_ticker_, content.y_logarithmic);
         setAutoMargins(QCP::msLeft);
         setMinimumMargins({left_margin, 0, 0, 0});
@@ -77,6 +107,19 @@ private:
     static void makeLogarithmic(QCPAxis& axis, PanelTicker& ticker, bool logarithmic) {
         axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
         ticker.setLogarithmic(logarithmic);
+    }
+
+    // ISO dates, which read the same in every language; with the time where days are too coarse.
+    void showDates() {
+        constexpr double day_s = 86400;
+        constexpr int label_width = 140;  // the ticker takes up to half as many more
+        const AxisRange range = content_.x_range.value_or(rangeOf(content_, false));
+        const QSharedPointer<QCPAxisTickerDateTime> dates(new QCPAxisTickerDateTime);
+        dates->setDateTimeSpec(Qt::UTC);
+        dates->setDateTimeFormat(range.span() > 3 * day_s ? QStringLiteral("yyyy-MM-dd")
+                                                          : QStringLiteral("MM-dd HH:mm"));
+        dates->setTickCount(std::max(2, room_.width() / label_width));
+        axis(QCPAxis::atBottom)->setTicker(dates);
     }
 
     // At the left end above the plot, or centred below it.
@@ -124,14 +167,19 @@ void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, co
     graph->setData(vectorOf(series.x), vectorOf(series.y));
     graph->setLineStyle(QCPGraph::lsNone);
     const auto shape = static_cast<std::size_t>(series.style) % shapes.size();
+    // Thousands of shapes hide each other, and take half a second to draw.
+    const bool many = series.x.size() > most_shapes;
+    graph->setAntialiasedScatters(!many);
     graph->setScatterStyle(
-        QCPScatterStyle(shapes[shape], QPen(pen.color(), 1.2), QBrush(pen.color()), 5));
+        many ? QCPScatterStyle(QCPScatterStyle::ssDot, QPen(pen.color(), 2), Qt::NoBrush, 2)
+             : QCPScatterStyle(shapes[shape], QPen(pen.color(), 1.2), QBrush(pen.color()), 5));
     if (!series.sd.empty()) {
         auto* bars = new QCPErrorBars(graph->keyAxis(), graph->valueAxis());
         bars->setDataPlottable(graph);
         bars->setData(vectorOf(series.sd));
         bars->setPen(QPen(pen.color(), 1));
-        bars->setWhiskerWidth(4);
+        bars->setWhiskerWidth(many ? 0 : 4);
+        bars->setAntialiased(!many);
         bars->setSymbolGap(0);
     }
 }
@@ -156,32 +204,6 @@ void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, cons
         upper->setChannelFillGraph(line(-1));
     }
     line(0);
-}
-
-// Range of all values with a margin of a twentieth at both ends.
-AxisRange rangeOf(const XYPlot& content, bool of_y) {
-    const bool logarithmic = of_y ? content.y_logarithmic : content.x_logarithmic;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const XYSeries& series : content.series) {
-        for (std::size_t k = 0; k < series.x.size(); ++k) {
-            const double sd = of_y && !series.sd.empty() ? series.sd[k] : 0;
-            const double value = of_y ? series.y[k] : series.x[k];
-            if (std::isfinite(value) && std::isfinite(sd) && (!logarithmic || value - sd > 0)) {
-                low = std::min(low, value - sd);
-                high = std::max(high, value + sd);
-            }
-        }
-    }
-    if (low > high) {
-        return logarithmic ? AxisRange{0.1, 10} : AxisRange{0, 1};
-    }
-    if (logarithmic) {
-        const double spare = high > low ? std::pow(high / low, 0.05) : 2;
-        return {low / spare, high * spare};
-    }
-    const double spare = high > low ? 0.05 * (high - low) : std::max(0.05 * std::abs(high), 1e-12);
-    return {low - spare, high + spare};
 }
 
 }  // namespace

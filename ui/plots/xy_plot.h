@@ -34,6 +34,7 @@ struct XYPlot {
     QString x_name;
     QString x_unit;
     bool x_in_degrees = false;
+    bool x_is_date = false;            // seconds since 1970, UTC
     bool x_logarithmic = false;        // values at and below 0 are not drawn
     std::optional<AxisRange> x_range;  // otherwise the range of the series
     QString y_name;

@@ -62,6 +62,10 @@ void XYPlotView::setPickable(std::optional<std::size_t> series) {
     setMouseTracking(pickable_.has_value());
 }
 
+void XYPlotView::setPointTips(const QStringList& tips) {
+    setPointTips([tips](std::size_t point) { return tips.value(static_cast<qsizetype>(point)); });
+}
+
 QPointF XYPlotView::positionOf(std::size_t series, std::size_t point) const {
     const QCPAxisRect* panel = plot_->axisRects().front();
     const XYSeries& values = content_.series[series];
@@ -91,8 +95,9 @@ bool XYPlotView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const auto point = pointAt(help->pos());
-        if (point && static_cast<qsizetype>(*point) < tips_.size()) {
-            QToolTip::showText(help->globalPos(), tips_[static_cast<qsizetype>(*point)], this);
+        const QString tip = point && tip_ ? tip_(*point) : QString();
+        if (!tip.isEmpty()) {
+            QToolTip::showText(help->globalPos(), tip, this);
             return true;
         }
     }
@@ -107,6 +112,13 @@ void XYPlotView::mouseReleaseEvent(QMouseEvent* event) {
     const auto point = pointAt(event->position());
     if (point && event->button() == Qt::LeftButton) {
         emit pointClicked(static_cast<int>(*point));
+    }
+}
+
+void XYPlotView::mouseDoubleClickEvent(QMouseEvent* event) {
+    const auto point = pointAt(event->position());
+    if (point && event->button() == Qt::LeftButton) {
+        emit pointActivated(static_cast<int>(*point));
     }
 }
 

@@ -6,7 +6,9 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
+#include <utility>
 
 class QAction;
 
@@ -25,11 +27,13 @@ public:
     const XYPlot& content() const { return content_; }
     // As high as a panel shows it, unless the minimum height is set to another one.
     QSize sizeHint() const override { return {260, minimumHeight()}; }
-    // A click near a point of this series, by its number in the content, emits pointClicked(); Left
-    // and Right emit stepWanted().
+    // A click near a point of this series, by its number in the content, emits pointClicked(), a
+    // double click also pointActivated(); Left and Right emit stepWanted().
     void setPickable(std::optional<std::size_t> series);
     // Tooltips of the points of that series, rich text.
-    void setPointTips(const QStringList& tips) { tips_ = tips; }
+    void setPointTips(const QStringList& tips);
+    // The same, made when one is shown: for thousands of points.
+    void setPointTips(std::function<QString(std::size_t)> tip) { tip_ = std::move(tip); }
     // Where a point of a series lies in the widget.
     QPointF positionOf(std::size_t series, std::size_t point) const;
 
@@ -39,6 +43,7 @@ public:
 signals:
     void exportWanted(const Figure& figure);
     void pointClicked(int point);
+    void pointActivated(int point);
     void stepWanted(int by);
 
 protected:
@@ -50,6 +55,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -64,7 +70,7 @@ private:
     XYPlot content_;
     Theme theme_;
     std::optional<std::size_t> pickable_;
-    QStringList tips_;
+    std::function<QString(std::size_t)> tip_;  // empty text: none
 };
 
 // What is exported of plots: those that show something, by their accessible names.

@@ -1,6 +1,7 @@
 #include "ui/resonator/set_panel.h"
 
 #include "ui/panels/recording_drag.h"
+#include "ui/resonator/conditions_text.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -96,6 +97,7 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
       remove_member_(new QAction(this)),
       choose_(new QPushButton(this)),
       choices_(new QMenu(this)),
+      listed_(new QLabel(this)),
       model_label_(new QLabel(this)),
       model_(new QComboBox(this)),
       identify_(new QPushButton(this)) {
@@ -109,6 +111,8 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     remove_member_->setShortcutContext(Qt::WidgetShortcut);
     members_->addAction(remove_member_);
     choose_->setMenu(choices_);
+    listed_->setObjectName(QStringLiteral("listed"));
+    listed_->setWordWrap(true);
     model_label_->setBuddy(model_);
     model_->setObjectName(QStringLiteral("model"));
     model_->addItems({QString(), QString(), QString()});
@@ -129,6 +133,7 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     layout->setSpacing(3);
     layout->addLayout(names);
     layout->addWidget(members_);
+    layout->addWidget(listed_);
     layout->addLayout(choices);
     layout->addLayout(buttons);
 
@@ -198,6 +203,7 @@ void SetPanel::refresh() {
     sets_->setEnabled(set != nullptr);
     remove_->setEnabled(set != nullptr);
     refreshMembers(set);
+    listed_->setVisible(set && set->listed);
     choose_->setEnabled(!document_.recordings().empty());
     model_->setCurrentIndex(set ? static_cast<int>(set->model) : 0);
     identify_->setEnabled(document_.sets().canIdentify());
@@ -213,7 +219,12 @@ void SetPanel::refreshMembers(const RunSet* set) {
         const RecordingEntry& entry = *document_.recording(id);
         auto* item = new QListWidgetItem(entry.name, members_);
         item->setData(Qt::UserRole, id);
-        item->setToolTip(QDir::toNativeSeparators(entry.path));
+        QStringList told{QDir::toNativeSeparators(entry.path)};
+        if (set->listed && set->listed->members.contains(id)) {
+            const ListedMember& member = set->listed->members.at(id);
+            told += conditionsText(member.row, set->listed->other_columns);
+        }
+        item->setToolTip(told.join(QLatin1Char('\n')));
         item->setSelected(std::ranges::count(selected, id) > 0);
     }
     members_->updateGeometry();
@@ -241,6 +252,9 @@ void SetPanel::retranslate() {
     remove_member_->setText(tr("Remove from the set"));
     choose_->setText(tr("Recordings"));
     choose_->setToolTip(tr("Which of the open recordings belong to the set"));
+    listed_->setText(
+        tr("Settings and conditions are those of the measurement list; the panel "
+           "Analysis does not change them."));
     model_label_->setText(tr("Model"));
     model_->setAccessibleName(tr("Model of the resonator"));
     model_->setToolTip(tr("What the fit assumes of the channels"));

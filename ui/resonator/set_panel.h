@@ -58,6 +58,7 @@ private:
     QAction* remove_member_;
     QPushButton* choose_;
     QMenu* choices_;
+    QLabel* listed_;  // where the settings are from
     QLabel* model_label_;
     QComboBox* model_;
     QPushButton* identify_;

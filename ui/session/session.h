@@ -7,6 +7,7 @@
 #include "ui/panels/fitted_trend.h"
 #include "ui/plots/track_view.h"
 #include "ui/values/dossier.h"
+#include "ui/values/run_set.h"
 #include "ui/values/zoom_stack.h"
 #include "ui/words/display_units.h"
 
@@ -32,6 +33,7 @@ struct SessionSet {
     QString name;                 // empty: default name
     std::vector<int> recordings;  // places in Session::recordings
     FitOptions::Model model = FitOptions::Model::automatic;
+    std::optional<ListedSet> listed;  // its members by places in Session::recordings
 };
 
 // What the plots show.

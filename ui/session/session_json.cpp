@@ -2,6 +2,7 @@
 
 #include "core/analysis/setting_table.h"
 #include "ui/import/open_options_json.h"
+#include "ui/session/listed_json.h"
 #include "ui/values/setting_json.h"
 
 #include <QCoreApplication>
@@ -24,6 +25,7 @@ const QString current_key = QStringLiteral("current");
 const QString sets_key = QStringLiteral("sets");
 const QString current_set_key = QStringLiteral("current_set");
 const QString current_run_key = QStringLiteral("current_run");
+const QString listed_key = QStringLiteral("listed");
 const QString view_key = QStringLiteral("view");
 const QString gyro_key = QStringLiteral("gyro");
 const QString limits_key = QStringLiteral("limits");
@@ -86,12 +88,6 @@ Result<RunWish> runFromJson(const QJsonObject& json) {
     return run;
 }
 
-// Relative below the folder of the session, so that both can be moved together.
-QString storedPath(const QString& path, const QDir& folder) {
-    const QString relative = folder.relativeFilePath(path);
-    return relative.startsWith(QLatin1String("..")) ? path : relative;
-}
-
 QJsonObject recordingToJson(const SessionRecording& recording, const QDir& folder) {
     QJsonArray runs;
     for (const RunWish& run : recording.runs) {
@@ -119,19 +115,23 @@ Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& 
     return recording;
 }
 
-QJsonObject setToJson(const SessionSet& set) {
+QJsonObject setToJson(const SessionSet& set, const QDir& folder) {
     QJsonArray members;
     for (const int place : set.recordings) {
         members.append(place);
     }
     IdentifySettings model;
     model.model = set.model;
-    return {{QStringLiteral("name"), set.name},
-            {QStringLiteral("model"), text(identifyRow("model").text(model))},
-            {recordings_key, members}};
+    QJsonObject json{{QStringLiteral("name"), set.name},
+                     {QStringLiteral("model"), text(identifyRow("model").text(model))},
+                     {recordings_key, members}};
+    if (set.listed) {
+        json[listed_key] = listedToJson(*set.listed, folder);
+    }
+    return json;
 }
 
-Result<SessionSet> setFromJson(const QJsonObject& json, int recordings) {
+Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QDir& folder) {
     SessionSet set;
     set.name = json[QStringLiteral("name")].toString();
     for (const auto& value : json[recordings_key].toArray()) {
@@ -146,6 +146,13 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings) {
         }
     }
     set.model = model.model;
+    if (const QJsonValue listed = json[listed_key]; listed.isObject()) {
+        Result<ListedSet> read = listedFromJson(listed.toObject(), folder);
+        if (!read) {
+            return read.error();
+        }
+        set.listed = std::move(*read);
+    }
     return set;
 }
 
@@ -301,7 +308,7 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     }
     QJsonArray sets;
     for (const SessionSet& set : session.sets) {
-        sets.append(setToJson(set));
+        sets.append(setToJson(set, folder));
     }
     QJsonObject json = session.unknown;
     json[schema_key] = session_schema;
@@ -345,7 +352,7 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     }
     for (const auto& value : json[sets_key].toArray()) {
         Result<SessionSet> set =
-            setFromJson(value.toObject(), static_cast<int>(session.recordings.size()));
+            setFromJson(value.toObject(), static_cast<int>(session.recordings.size()), folder);
         if (!set) {
             return set.error();
         }

@@ -68,6 +68,13 @@ void SessionKeeper::open(const QStringList& paths, const OpenOptions& options) {
         recordings.removeIf(&SessionKeeper::isSession);
         openSession(*session);
     }
+    const auto list = std::ranges::stable_partition(recordings, [](const QString& path) {
+        return !is_measurement_list(path.toStdU16String());
+    });
+    for (const QString& path : list) {
+        document_.sets().openList(path, options);
+    }
+    recordings.erase(list.begin(), recordings.end());
     document_.open(recordings, options);
 }
 

@@ -25,7 +25,7 @@ public:
 
     static bool isSession(const QString& path);
 
-    // Recordings and sessions; a session takes the place of everything open.
+    // Recordings, measurement lists and sessions; a session takes the place of everything open.
     void open(const QStringList& paths, const OpenOptions& options = {});
     // Errors are reported.
     void openSession(const QString& path);

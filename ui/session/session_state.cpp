@@ -1,5 +1,7 @@
 #include "ui/session/session_state.h"
 
+#include "ui/session/listed_json.h"
+
 #include <algorithm>
 
 namespace vybeg::ui {
@@ -33,9 +35,15 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
         session.current = placeOf(document.recordings(), current->id);
     }
     for (const RunSet& set : document.sets().all()) {
-        SessionSet stored{set.name, {}, set.model};
+        SessionSet stored{set.name, {}, set.model, {}};
         for (const int id : set.recordings) {
             stored.recordings.push_back(placeOf(document.recordings(), id));
+        }
+        if (set.listed) {
+            stored.listed = renumbered(*set.listed, [&](int id) {
+                const int place = placeOf(document.recordings(), id);
+                return place < 0 ? std::nullopt : std::optional(place);
+            });
         }
         if (document.sets().current() == &set) {
             session.current_set = static_cast<int>(session.sets.size());
@@ -78,6 +86,14 @@ std::vector<int> restoreSession(const Session& session, Document& document) {
         set_ids.push_back(document.sets().add(members));
         document.sets().rename(set_ids.back(), set.name);
         document.sets().setModel(set_ids.back(), set.model);
+        if (set.listed) {
+            document.sets().setListed(
+                set_ids.back(), renumbered(*set.listed, [&](int place) {
+                    const auto known = place >= 0 && place < static_cast<int>(ids.size());
+                    const int id = known ? ids[static_cast<std::size_t>(place)] : 0;
+                    return id == 0 ? std::nullopt : std::optional(id);
+                }));
+        }
     }
     if (session.current_set >= 0) {
         document.sets().setCurrent(set_ids[static_cast<std::size_t>(session.current_set)]);

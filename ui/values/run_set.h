@@ -1,11 +1,14 @@
 #pragma once
 
 #include "core/analysis/identify.h"
+#include "core/analysis/measurement_list.h"
 #include "core/resonator/results/passport.h"
 
 #include <QString>
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vybeg::ui {
@@ -18,6 +21,20 @@ struct ResonatorOutcome {
     double seconds = 0;                   // duration
 };
 
+// One recording as its row of a measurement list gives it.
+struct ListedMember {
+    ListedRecording row;
+    SignalSettings signal;
+};
+
+// What a measurement list says of a set. Recordings that come to the set later have the signal
+// settings of `settings`.
+struct ListedSet {
+    IdentifySettings settings;
+    std::vector<std::string> other_columns;  // of the list
+    std::map<int, ListedMember> members;     // by id in the document
+};
+
 // Recordings of one resonator, started at different angles, that are identified together. A single
 // recording is a set of one.
 struct RunSet {
@@ -26,6 +43,7 @@ struct RunSet {
     QString name;                 // empty: default name
     std::vector<int> recordings;  // ids in the document, in the order in which they were added
     FitOptions::Model model = FitOptions::Model::automatic;
+    std::shared_ptr<const ListedSet> listed;  // null: the settings of the panel hold
     // The newest last. All have the present recordings of the set; otherwise only the last one
     // remains, out of date.
     std::vector<std::shared_ptr<const ResonatorOutcome>> outcomes;

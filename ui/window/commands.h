@@ -18,6 +18,7 @@ namespace vybeg::ui {
 enum class Command {
     open,
     import_file,
+    open_database,
     close_recording,
     save_session,
     save_session_as,
@@ -36,6 +37,7 @@ enum class Command {
     page_resonator,
     page_residuals,
     page_sweep,
+    page_history,
     zoom_in,
     zoom_out,
     zoom_fit,

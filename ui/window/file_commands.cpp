@@ -135,6 +135,14 @@ void FileCommands::askForPassport() {
     ask_.passport([this](const QString& path) { document_.sets().openPassport(path); });
 }
 
+void FileCommands::askForDatabase() {
+    ask_.database([this](const QString& path) { emit databaseChosen(path, false); });
+}
+
+void FileCommands::askForNewDatabase() {
+    ask_.databaseTarget([this](const QString& path) { emit databaseChosen(path, true); });
+}
+
 void FileCommands::askWhereToPutTrack() {
     if (const RunEntry* entry = document_.run(runs_.currentRun())) {
         ask_.trackTarget(trackName(entry->run),

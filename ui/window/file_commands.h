@@ -27,7 +27,8 @@ public:
     FileCommands(Document& document, SessionKeeper& session, TrackView& tracks, RunList& runs,
                  QWidget* window);
 
-    // Recordings and sessions. Before a session takes the place of one with changes, it asks.
+    // Recordings, measurement lists and sessions. Before a session takes the place of one with
+    // changes, it asks.
     void open(const QStringList& paths, const OpenOptions& options = {});
     // A simulated recording.
     void openDemonstration();
@@ -39,6 +40,9 @@ public:
     void askForRecordings();
     void askForImport();
     void askForPassport();
+    // A database of results; both end in databaseChosen().
+    void askForDatabase();
+    void askForNewDatabase();
     void askWhereToPutTrack();
     void askWhereToPutPassport();
     void openImport(const QString& path, const OpenOptions& options);
@@ -58,6 +62,10 @@ public:
                      const QString& path);
     // By the ending of the path; says so in the window.
     bool writeFigure(const Figure& figure, const Paper& paper, const QString& path);
+
+signals:
+    // `make`: where there is none.
+    void databaseChosen(const QString& path, bool make);
 
 private:
     void reportSaved(const Status& status, const QString& path);

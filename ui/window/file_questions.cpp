@@ -92,6 +92,14 @@ void FileQuestions::passport(const std::function<void(const QString&)>& open) {
     asked.open();
 }
 
+void FileQuestions::database(const std::function<void(const QString&)>& open) {
+    QFileDialog& asked = dialog(tr("Open database"));
+    asked.setFileMode(QFileDialog::ExistingFile);
+    asked.setNameFilters({tr("Database of results (*.db *.sqlite)"), tr("All files (*)")});
+    connect(&asked, &QFileDialog::fileSelected, this, open);
+    asked.open();
+}
+
 void FileQuestions::sessionTarget(const QString& name, const Save& save) {
     target(tr("Save session"), name + QStringLiteral(".vybeg"), {tr("Session (*.vybeg)")}, save);
 }
@@ -105,6 +113,11 @@ void FileQuestions::trackTarget(const QString& name, const Save& save) {
 
 void FileQuestions::passportTarget(const Save& save) {
     target(tr("Save passport"), QStringLiteral("passport.json"), {tr("Passport (*.json)")}, save);
+}
+
+void FileQuestions::databaseTarget(const Save& save) {
+    target(tr("New database"), QStringLiteral("results.db"), {tr("Database of results (*.db)")},
+           save);
 }
 
 void FileQuestions::picture(const QString& name, const Save& save) {

@@ -27,12 +27,14 @@ public:
     // In the place of one that is not where it was.
     void missingRecording(const QString& name, const std::function<void(const QString&)>& open);
     void passport(const std::function<void(const QString&)>& open);
+    void database(const std::function<void(const QString&)>& open);
     // Where to write what.
     // `name` without its ending.
     void sessionTarget(const QString& name, const Save& save);
     // CSV, HDF5, NPZ or MAT. `name` without its ending.
     void trackTarget(const QString& name, const Save& save);
     void passportTarget(const Save& save);
+    void databaseTarget(const Save& save);
     // A PNG, SVG or PDF; `name` without its ending.
     void picture(const QString& name, const Save& save);
     void figureTarget(const Save& save);

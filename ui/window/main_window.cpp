@@ -1,5 +1,6 @@
 #include "ui/window/main_window.h"
 
+#include "ui/history/history_page.h"
 #include "ui/panels/cursor_panel.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/measure_panel.h"
@@ -26,7 +27,6 @@
 #include "ui/window/window_commands.h"
 #include "ui/window/window_menus.h"
 
-#include <QAbstractButton>
 #include <QAction>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -85,12 +85,14 @@ void MainWindow::buildPages() {
     resonator_ = new ResonatorPage(document_, this);
     residuals_ = new ResidualsPage(document_, this);
     sweep_ = new SweepPage(document_, this);
+    history_ = new HistoryPage(document_, this);
     pages_ = new PageStack(welcome_, this);
     pages_->add(tracks_page_, QT_TRANSLATE_NOOP("Pages", "Tracks"));
     pages_->add(signals_, QT_TRANSLATE_NOOP("Pages", "Signals"));
     pages_->add(resonator_, QT_TRANSLATE_NOOP("Pages", "Resonator"));
     pages_->add(residuals_, QT_TRANSLATE_NOOP("Pages", "Residuals"));
     pages_->add(sweep_, QT_TRANSLATE_NOOP("Pages", "Windows"));
+    pages_->add(history_, QT_TRANSLATE_NOOP("Pages", "History"));
 
     messages_ = new MessageBar(this);
     auto* center = new QWidget(this);
@@ -180,6 +182,10 @@ void MainWindow::connectDocument() {
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
     connect(&document_, &Document::reported, messages_, &MessageBar::add);
     connect(&document_.sets(), &SetStore::changed, commands_, &Commands::refresh);
+    connect(&document_.sets(), &SetStore::listOpened, this, [this](const QString& path) {
+        menus_->recentFiles()->add(path);
+        pages_->showPage(Page::resonator);
+    });
     connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
         if (document_.sets().passport()) {
             pages_->showPage(Page::resonator);
@@ -236,6 +242,14 @@ void MainWindow::connectPanels() {
     connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(sweep_, &SweepPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(history_, &HistoryPage::exportWanted, files_, &FileCommands::exportPlot);
+    connect(history_, &HistoryPage::openWanted, files_, &FileCommands::askForDatabase);
+    connect(history_, &HistoryPage::newWanted, files_, &FileCommands::askForNewDatabase);
+    connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });
+    connect(files_, &FileCommands::databaseChosen, this, [this](const QString& path, bool make) {
+        pages_->showPage(Page::history);
+        history_->openDatabase(path, make);
+    });
     connect(tracks_, &TrackView::timeRangeChanged, this,
             [this] { residuals_->setVisibleRange(tracks_->timeRange()); });
     connect(tracks_, &TrackView::trackerMoved, this, [this](double time_s) {
@@ -317,6 +331,7 @@ void MainWindow::setUnits(const DisplayUnits& units) {
     measure_->setUnits(units);
     resonator_->setUnits(units);
     sweep_->setUnits(units);
+    history_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }
@@ -328,6 +343,7 @@ FigureSource MainWindow::figures() const {
         case Page::resonator: return resonator_->figures();
         case Page::residuals: return residuals_->figures();
         case Page::sweep: return sweep_->figures();
+        case Page::history: return history_->figures();
     }
     return {};
 }
@@ -364,27 +380,6 @@ void MainWindow::showHelp() {
 
 QString MainWindow::diagnosticsText() const {
     return diagnosticsOf(document_, language_.code(), theme_.dark, devicePixelRatioF());
-}
-
-void MainWindow::retranslate() {
-    commands_->retranslate();
-    menus_->retranslate();
-    for (const auto& [dock, title] : docks_) {
-        dock->setWindowTitle(tr(title));
-        // Qt names these once, in the language of the start.
-        const auto name = [dock = dock](const char* button, const QString& text) {
-            if (auto* widget = dock->findChild<QAbstractButton*>(QLatin1String(button))) {
-                widget->setToolTip(text);
-                widget->setAccessibleName(text);
-            }
-        };
-        name("qt_dockwidget_floatbutton", tr("Float"));
-        name("qt_dockwidget_closebutton", tr("Close this panel"));
-    }
-    readings_->setTabText(0, tr("At the cursor"));
-    readings_->setTabText(1, tr("Wave"));
-    readings_->setTabText(2, tr("Events"));
-    tools_->setWindowTitle(tr("Tools"));
 }
 
 }  // namespace vybeg::ui

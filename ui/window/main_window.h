@@ -21,6 +21,7 @@ namespace vybeg::ui {
 class CursorPanel;
 class EventsPanel;
 class FileCommands;
+class HistoryPage;
 class HelpView;
 class MeasurePanel;
 class MessageBar;
@@ -112,6 +113,7 @@ private:
     SignalsPage* signals_ = nullptr;
     ResidualsPage* residuals_ = nullptr;
     SweepPage* sweep_ = nullptr;
+    HistoryPage* history_ = nullptr;
     RecordingPanel* recordings_ = nullptr;
     SettingsPanel* settings_ = nullptr;
     CursorPanel* cursor_ = nullptr;

@@ -1,4 +1,5 @@
 // What the window keeps between sessions, and what changes while it stands: look and language.
+#include "ui/history/history_page.h"
 #include "ui/panels/wave_panel.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
@@ -13,10 +14,14 @@
 #include "ui/window/tracks_page.h"
 #include "ui/window/window_menus.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QJsonDocument>
 #include <QSettings>
+#include <QTabWidget>
+#include <QToolBar>
 
 namespace vybeg::ui {
 
@@ -124,9 +129,31 @@ void MainWindow::applyLook() {
     signals_->setTheme(theme_);
     residuals_->setTheme(theme_);
     sweep_->setTheme(theme_);
+    history_->setTheme(theme_);
     resonator_->setTheme(theme_);
     wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);
+}
+
+void MainWindow::retranslate() {
+    commands_->retranslate();
+    menus_->retranslate();
+    for (const auto& [dock, title] : docks_) {
+        dock->setWindowTitle(tr(title));
+        // Qt names these once, in the language of the start.
+        const auto name = [dock = dock](const char* button, const QString& text) {
+            if (auto* widget = dock->findChild<QAbstractButton*>(QLatin1String(button))) {
+                widget->setToolTip(text);
+                widget->setAccessibleName(text);
+            }
+        };
+        name("qt_dockwidget_floatbutton", tr("Float"));
+        name("qt_dockwidget_closebutton", tr("Close this panel"));
+    }
+    readings_->setTabText(0, tr("At the cursor"));
+    readings_->setTabText(1, tr("Wave"));
+    readings_->setTabText(2, tr("Events"));
+    tools_->setWindowTitle(tr("Tools"));
 }
 
 }  // namespace vybeg::ui

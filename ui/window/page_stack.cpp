@@ -15,7 +15,8 @@ namespace vybeg::ui {
 namespace {
 
 // As Page.
-constexpr std::array page_words{"tracks", "signals", "resonator", "residuals", "windows"};
+constexpr std::array page_words{"tracks",    "signals", "resonator",
+                                "residuals", "windows", "history"};
 
 }  // namespace
 
@@ -55,8 +56,7 @@ void PageStack::add(QWidget* page, const char* title) {
 
 void PageStack::setWelcome(bool shown) {
     welcome_ = shown;
-    tabs_->setVisible(!shown);
-    showTab(tabs_->currentIndex());
+    showTab();
 }
 
 void PageStack::showPage(Page page) {
@@ -68,8 +68,11 @@ Page PageStack::page() const {
 }
 
 // Page 0 of the stack is the welcome.
-void PageStack::showTab(int tab) {
-    stack_->setCurrentIndex(welcome_ ? 0 : tab + 1);
+void PageStack::showTab() {
+    const int tab = tabs_->currentIndex();
+    const bool welcome = welcome_ && tab != static_cast<int>(Page::history);
+    tabs_->setVisible(!welcome);
+    stack_->setCurrentIndex(welcome ? 0 : tab + 1);
     emit pageShown();
 }
 

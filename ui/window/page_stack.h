@@ -9,14 +9,15 @@ class QTabBar;
 
 namespace vybeg::ui {
 
-// The pages about the open recordings, in the order of their tabs.
-enum class Page { tracks, samples, resonator, residuals, sweep };
+// The pages in the order of their tabs. All but the last are about the open recordings.
+enum class Page { tracks, samples, resonator, residuals, sweep, history };
 
 // The word of a page in a session, and the page of a word; nothing for another word.
 QString pageWord(Page page);
 std::optional<Page> pageOfWord(const QString& word);
 
-// The middle of the window: pages under a bar of tabs, or the welcome while no recording is open.
+// The middle of the window: pages under a bar of tabs. While no recording is open, the welcome
+// stands in the place of those about recordings.
 class PageStack : public QWidget {
     Q_OBJECT
 
@@ -36,7 +37,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void showTab(int tab);
+    void showTab();
     void retranslate();
 
     QTabBar* tabs_;

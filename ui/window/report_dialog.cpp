@@ -54,7 +54,7 @@ ReportDialog::ReportDialog(Document& document, QWidget* parent)
     const GyroData& known = document.dossier().dossier().gyro;
     gyro_->setText(known.serial);
     engineer_->setText(known.operator_name);
-    comment_->setText(known.comment);
+    comment_->setText(known.comment.simplified());
     all_plots_->setChecked(QSettings().value(all_plots_key, false).toBool());
     const auto propose_date = [this] {
         // Each of several sets has its own.
@@ -100,7 +100,10 @@ void ReportDialog::keep() {
     GyroData gyro = document_.dossier().dossier().gyro;
     gyro.serial = gyro_->text().trimmed();
     gyro.operator_name = engineer_->text().trimmed();
-    gyro.comment = comment_->text().trimmed();
+    // The dossier's comment may have several lines.
+    if (const QString comment = comment_->text().trimmed(); comment != gyro.comment.simplified()) {
+        gyro.comment = comment;
+    }
     document_.dossier().setGyro(gyro);
     QSettings().setValue(all_plots_key, all_plots_->isChecked());
 }

@@ -79,7 +79,7 @@ void WindowMenus::addFile() {
     add(file, {Command::open});
     titles_[recent_] = QT_TR_NOOP("Open rece&nt");
     file->addMenu(recent_);
-    add(file, {Command::import_file, Command::close_recording});
+    add(file, {Command::import_file, Command::open_database, Command::close_recording});
     file->addSeparator();
     add(file, {Command::save_session, Command::save_session_as});
     file->addSeparator();
@@ -94,7 +94,7 @@ void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>
                           int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
     add(view, {Command::page_tracks, Command::page_signals, Command::page_resonator,
-               Command::page_residuals, Command::page_sweep});
+               Command::page_residuals, Command::page_sweep, Command::page_history});
     view->addSeparator();
     add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
                Command::zoom_forward});

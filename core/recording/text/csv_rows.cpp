@@ -134,6 +134,13 @@ public:
         }
     }
 
+    bool has(const std::string& name) {
+        const Result<bool> more = rows_.next(',');
+        return more && *more &&
+               (has_name(split_row(rows_.text(), ',').fields, name) ||
+                has_name(split_row(rows_.text(), ';').fields, name));
+    }
+
 private:
     Status read_names(const std::string& needed) {
         // The separator follows from the names, which hold no line end in either case.
@@ -222,6 +229,11 @@ Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& n
         return file.error();
     }
     return Reader(std::move(*file), path.string()).read(needed);
+}
+
+bool csv_has_name(const std::filesystem::path& path, const std::string& name) {
+    auto file = FileBytes::open(path);
+    return file && Reader(std::move(*file), path.string()).has(name);
 }
 
 }  // namespace vybeg

@@ -29,4 +29,7 @@ struct CsvRows {
 // list_invalid with the line and the column.
 Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed);
 
+// Whether the first row of such a file has this name; false also for a file that cannot be read.
+bool csv_has_name(const std::filesystem::path& path, const std::string& name);
+
 }  // namespace vybeg

@@ -61,6 +61,25 @@ private slots:
         QVERIFY(recording.others == std::vector<std::string>{"L1"});
     }
 
+    void a_list_is_told_from_a_recording_by_its_first_row() {
+        const auto is_list = [this](const QString& name, const QByteArray& text) {
+            const std::filesystem::path path = folder_.filePath(name).toStdString();
+            std::ofstream(path, std::ios::binary).write(text.data(), text.size());
+            return is_measurement_list(path);
+        };
+        QVERIFY(is_list("a.csv", "file\na.wav\n"));
+        QVERIFY(is_list("b.CSV", "\xEF\xBB\xBFset; file ;date\n"));
+        QVERIFY(is_list("c.txt", "\"set, of a gyro\",\"file\"\n"));
+        // Faults of a list are for read_measurement_list().
+        QVERIFY(is_list("d.csv", "file,set,set\na.wav\n"));
+        QVERIFY(!is_list("e.csv", "t,C,D\n0,1,2\n"));
+        QVERIFY(!is_list("f.csv", "0.1 0.2\nfile,set\n"));
+        QVERIFY(!is_list("g.csv", ""));
+        QVERIFY(!is_list("h.wav", "file,set\na.wav,A\n"));
+        QVERIFY(!is_measurement_list(folder_.filePath("none.csv").toStdString()));
+        QVERIFY(!is_measurement_list(folder_.path().toStdString()));
+    }
+
     void rows_of_one_name_are_one_set_in_order() {
         const MeasurementList read =
             list("set,file\nB,1.wav\nA,2.wav\nB,3.wav\n,4.wav\n,4.wav\nA,5.wav\n");

@@ -1,0 +1,318 @@
+// Page History: a laboratory's database opened, looked at, added to, as a person does it.
+#include "core/database/result_rows.h"
+#include "core/database/results_database.h"
+#include "tests/closeness.h"
+#include "tests/core/database/made_result.h"
+#include "tests/ui/gui_test.h"
+#include "tests/ui/heartbeat.h"
+#include "tests/ui/resonator_runs.h"
+#include "ui/document/document.h"
+#include "ui/history/history_page.h"
+#include "ui/panels/message_bar.h"
+#include "ui/plots/xy_plot_view.h"
+#include "ui/window/file_commands.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTabBar>
+#include <QtTest>
+
+#include <random>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestHistoryPage : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+    HistoryPage& page() { return the<HistoryPage>(); }
+
+    template <class Widget>
+    Widget& the(const QString& name = {}) {
+        return childOf<Widget>(*window_, name);
+    }
+
+    QString text(const char* name) { return the<QLabel>(name).text(); }
+
+    void click(const char* button) { QTest::mouseClick(&the<QPushButton>(button), Qt::LeftButton); }
+
+    // One result a day: split 0.01 Hz with deviation 1e-5 Hz, of which one in `out` lies 1e-3 off;
+    // gyros G0, G1, ... in turn. In one transaction: the disk is not what is tested.
+    QString database(const char* name, int results, int gyros = 1, int out = -1,
+                     const QString& recording = {}) const {
+        const QString path = home_.path(name);
+        auto made =
+            ResultsDatabase::open(path.toStdString(), ResultsDatabase::Access::write, JobControl());
+        if (!made) {
+            qFatal("no database");
+        }
+        SqliteConnection connection(path.toStdString(), [](int) { return true; });
+        SqliteTransaction transaction(connection, "BEGIN IMMEDIATE");
+        std::mt19937 random(7);
+        std::normal_distribution<double> normal(0, 1e-5);
+        for (int k = 0; k < results; ++k) {
+            const std::string gyro = "G" + std::to_string(k % gyros);
+            StoredResult result = test::made_result(k, gyro);
+            result.set = "set " + std::to_string(k);
+            result.date = {QDate(2024, 1, 1).addDays(k).toString(Qt::ISODate).toStdString(),
+                           DateSource::list};
+            result.parameters[1].estimate = {
+                0.01 + normal(random) + (k == out ? 1e-3 : 0), 1e-5, {}, 2e-5};
+            for (StoredRecording& each : result.recordings) {
+                each.path = recording.isEmpty() ? each.path : recording.toStdString();
+                each.channel_c = 1;
+                each.channel_d = 2;
+            }
+            if (!recording.isEmpty()) {
+                result.recordings.resize(1);
+                result.json = R"({"settings": {"from": "0.25", "model": "structured"}})";
+            }
+            write_result(connection, result);
+        }
+        transaction.commit();
+        return path;
+    }
+
+    void waitForPage() {
+        QVERIFY(QTest::qWaitFor([&] { return !page().reading(); }, 20000));
+    }
+
+    // By File > Open database… and the dialog.
+    void open(const QString& path) {
+        window_->action(Command::open_database)->trigger();
+        auto* dialog = window_->findChild<QFileDialog*>("files");
+        QVERIFY(dialog && dialog->isVisible());
+        emit dialog->fileSelected(path);
+        dialog->close();
+        QVERIFY(page().isVisible());
+        waitForPage();
+    }
+
+    void chooseGyro(int row) {
+        auto& gyro = the<QComboBox>("historyGyro");
+        gyro.setCurrentIndex(row);
+        emit gyro.activated(row);
+        waitForPage();
+    }
+
+    QString messages() { return the<MessageBar>().texts().join('\n'); }
+
+private slots:
+    void init() {
+        QSettings().remove("history");
+        window_ = shownWindow();
+    }
+    void cleanup() { window_.reset(); }
+
+    // Ctrl+6 without any recording: a sentence and buttons. Tracks then is the welcome again.
+    void without_a_database_the_page_says_what_to_do() {
+        QTest::keyClick(window_.get(), Qt::Key_6, Qt::ControlModifier);
+        QVERIFY(page().isVisible() && the<QTabBar>("pages").isVisible());
+        QVERIFY2(text("historyState").contains("database"), qPrintable(text("historyState")));
+        QVERIFY(the<QPushButton>("historyOpen").isVisible());
+        QVERIFY(!the<QPushButton>("historyAdd").isEnabled());
+        QVERIFY(!the<XYPlotView>("historyValues").isVisible());
+        QVERIFY(page().figures().plots.isEmpty());
+        the<QTabBar>("pages").setCurrentIndex(0);
+        QVERIFY(!page().isVisible() && !the<QTabBar>("pages").isVisible());
+    }
+
+    // Open it, look at all gyros, choose one, find what lies outside, choose a point.
+    void a_journey_to_a_result_outside_the_limits() {
+        open(database("journey.db", 120, 3, 90));
+        QCOMPARE(page().history()->gyros.size(), std::size_t(3));
+        QCOMPARE(page().history()->points.size(), std::size_t(120));
+        QVERIFY(!the<XYPlotView>("historyRanges").isVisible());
+        QVERIFY2(text("historyVerdict").contains("choose one"), qPrintable(text("historyVerdict")));
+        VYBEG_CLOSE_RATIO(page().charts().moments.mean, 0.01, 0.01);
+        chooseGyro(1);
+        QCOMPARE(page().history()->points.size(), std::size_t(40));
+        // 90 is the 31st of G0.
+        const HistoryCharts& charts = page().charts();
+        QVERIFY(charts.individuals.out[30] && charts.individuals.range_is_out[30]);
+        VYBEG_CLOSE_RATIO(charts.individuals.centre, 0.01, 1e-3);
+        const QString verdict = text("historyVerdict");
+        QVERIFY2(verdict.contains("G0, 2024-03-31, set 90 (above the limit"), qPrintable(verdict));
+        QVERIFY2(verdict.contains("first 20 results"), qPrintable(verdict));
+        auto& values = the<XYPlotView>("historyValues");
+        QVERIFY(values.isVisible() && values.content().x_is_date);
+        QCOMPARE(values.content().series.front().x.size(), std::size_t(40));
+        QVERIFY(!the<QPushButton>("historyRecordings").isVisible());
+        QTest::mouseClick(&values, Qt::LeftButton, {}, values.positionOf(0, 30).toPoint());
+        QVERIFY2(text("historyPoint").contains("set 90"), qPrintable(text("historyPoint")));
+        values.setFocus();
+        QTest::keyClick(&values, Qt::Key_Left);
+        QVERIFY2(text("historyPoint").contains("set 87"), qPrintable(text("historyPoint")));
+        // Of a longer baseline that holds the value, it sets the limits itself.
+        the<QSpinBox>("historyBaseline").setValue(40);
+        QVERIFY(page().charts().individuals.mean_range > 2e-5);
+        QCOMPARE(page().figures().plots.size(), 4);
+    }
+
+    // The same values against the frequency, and in order; the parameter and its unit.
+    void axis_and_parameter_are_chosen() {
+        open(database("axis.db", 30));
+        chooseGyro(1);
+        auto& values = the<XYPlotView>("historyValues");
+        auto& axis = the<QComboBox>("historyAxis");
+        axis.setCurrentIndex(1);
+        QCOMPARE(values.content().x_unit, QString("Hz"));
+        VYBEG_CLOSE_RATIO(values.content().series.front().x.front(), 5300, 1e-3);
+        QVERIFY(std::ranges::is_sorted(values.content().series.front().x));
+        axis.setCurrentIndex(2);
+        QCOMPARE(values.content().series.front().x.back(), 30.0);
+        QVERIFY(!values.content().x_is_date);
+        auto& parameter = the<QComboBox>("historyParameter");
+        QCOMPARE(parameter.count(), 18);
+        parameter.setCurrentIndex(2);  // theta_w, in degrees
+        waitForPage();
+        QCOMPARE(values.content().y_unit, QString("°"));
+        parameter.setCurrentIndex(12);
+        waitForPage();
+        QVERIFY(values.content().y_name.contains("Mode 1"));
+        QCOMPARE(values.content().series.front().y.size(), std::size_t(30));
+        parameter.setCurrentIndex(15);
+        waitForPage();
+        QVERIFY(values.content().series.empty() && !values.content().empty.isEmpty());
+    }
+
+    void a_double_click_opens_the_recordings_of_a_result() {
+        open(database("there.db", 12, 1, -1, home_.recording("stored.wav")));
+        auto& values = the<XYPlotView>("historyValues");
+        QTest::mouseDClick(&values, Qt::LeftButton, {}, values.positionOf(0, 5).toPoint());
+        QTRY_COMPARE(document().sets().all().size(), std::size_t(1));
+        QTRY_COMPARE(document().recordings().size(), std::size_t(1));
+        const RunSet& set = *document().sets().current();
+        QCOMPARE(set.name, QString("set 5"));
+        QCOMPARE(set.model, FitOptions::Model::structured);
+        QCOMPARE(document().sets().measured(set).settings.signal.from_s, std::optional(0.25));
+        QCOMPARE(document().sets().measured(set).recordings[0].conditions.gyro, std::string("G0"));
+        QVERIFY(!page().isVisible());
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 20000));
+    }
+
+    void missing_recordings_are_named() {
+        open(database("gone.db", 12));
+        auto& values = the<XYPlotView>("historyValues");
+        QTest::mouseClick(&values, Qt::LeftButton, {}, values.positionOf(0, 3).toPoint());
+        click("historyRecordings");
+        QTRY_VERIFY2(messages().contains("/data/a/run-0.wav"), qPrintable(messages()));
+        QVERIFY(document().sets().all().empty() && document().recordings().empty());
+        QVERIFY(page().isVisible());
+    }
+
+    // A new database, an identified resonator, its result under a name and a date.
+    void this_result_is_added() {
+        const QString path = home_.path("new.db");
+        QTest::keyClick(window_.get(), Qt::Key_6, Qt::ControlModifier);
+        click("historyNew");
+        auto* files = window_->findChild<QFileDialog*>("files");
+        QVERIFY(files && files->isVisible());
+        emit files->fileSelected(path);
+        files->close();
+        waitForPage();
+        QVERIFY2(text("historyState").contains("no results"), qPrintable(text("historyState")));
+        QVERIFY(!the<QPushButton>("historyAdd").isEnabled());
+        window_->files().open(resonatorRuns(home_, "added"));
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                return document().recordings().size() == 4 && !document().busy() &&
+                       std::ranges::all_of(document().recordings(), [](const auto& entry) {
+                           return entry.recording.has_value();
+                       });
+            },
+            30000));
+        std::vector<int> ids;
+        for (const RecordingEntry& entry : document().recordings()) {
+            ids.push_back(entry.id);
+        }
+        document().sets().addToCurrent(ids);
+        document().sets().identify();
+        QVERIFY(QTest::qWaitFor([&] { return the<QPushButton>("historyAdd").isEnabled(); }, 60000));
+        click("historyAdd");
+        auto& gyro = the<QComboBox>("storeGyro");
+        auto& date = the<QLineEdit>("storeDate");
+        auto& buttons = childOf<QDialogButtonBox>(*gyro.window());
+        auto* ok = buttons.button(QDialogButtonBox::Ok);
+        QVERIFY(!ok->isEnabled());  // no name yet
+        QTest::keyClicks(gyro.lineEdit(), "HRG-17");
+        QTest::keyClicks(&date, "31.03.2026");
+        QVERIFY(!ok->isEnabled());
+        date.clear();
+        QTest::keyClicks(&date, "2026-03-31");
+        QVERIFY(ok->isEnabled());
+        QTest::mouseClick(ok, Qt::LeftButton);
+        QTRY_VERIFY(page().history() && page().history()->points.size() == 1);
+        const HistoryPoint& point = page().history()->points.front();
+        QCOMPARE(point.gyro, std::string("HRG-17"));
+        QCOMPARE(point.date.text, std::string("2026-03-31"));
+        VYBEG_WITHIN(point.value.value, 0.01, 4 * point.value.sd);
+        // Once more: the same recordings and settings are the same result.
+        click("historyAdd");
+        QTest::keyClicks(the<QComboBox>("storeGyro").lineEdit(), "");
+        auto& again = the<QComboBox>("storeGyro");
+        again.setCurrentText("HRG-18");
+        QTest::mouseClick(childOf<QDialogButtonBox>(*again.window()).button(QDialogButtonBox::Ok),
+                          Qt::LeftButton);
+        QTRY_VERIFY(page().history() && !page().reading() && page().history()->gyros.size() == 1 &&
+                    page().history()->gyros[0].name == "HRG-18");
+    }
+
+    void a_wrong_file_is_refused_and_the_path_is_remembered() {
+        const QString wrong = home_.file("wrong.db", "no database at all, only text");
+        open(wrong);
+        QVERIFY(!page().history());
+        QVERIFY2(text("historyState").contains("wrong.db"), qPrintable(text("historyState")));
+        open(database("kept.db", 3));
+        const QVariant kept = QSettings().value("history/database");
+        window_ = shownWindow();  // without settings
+        QSettings().setValue("history/database", kept);
+        QVERIFY(!page().history());
+        QTest::keyClick(window_.get(), Qt::Key_6, Qt::ControlModifier);
+        waitForPage();
+        QCOMPARE(page().path(), home_.path("kept.db"));
+        QCOMPARE(page().history()->points.size(), std::size_t(3));
+    }
+
+    void the_page_speaks_the_language_of_the_window() {
+        open(database("words.db", 30, 1, 25));
+        chooseGyro(1);
+        window_->setLanguage("ru");
+        QTRY_COMPARE(the<QTabBar>("pages").tabText(5), QString("История"));
+        QVERIFY2(text("historyVerdict").contains("выше"), qPrintable(text("historyVerdict")));
+        QCOMPARE(page().history()->points.size(), std::size_t(30));
+        window_->setLanguage("en");
+        QTRY_VERIFY(text("historyVerdict").contains("above"));
+    }
+
+    // From the choice to the drawn picture, with control charts of all.
+    void ten_thousand_results_are_shown_at_once() {
+        const QString path = database("large.db", 10000);
+        QElapsedTimer clock;
+        open(path);
+        Heartbeat heartbeat;
+        clock.start();
+        chooseGyro(1);
+        const QImage drawn = page().grab().toImage();
+        const qint64 elapsed = clock.elapsed();
+        QCOMPARE(page().history()->points.size(), std::size_t(10000));
+        QVERIFY(!drawn.isNull());
+        qInfo("first chart of 10000 results: %lld ms; window still for %s", elapsed,
+              qPrintable(heartbeat.text()));
+        QVERIFY2(elapsed < 2000, qPrintable(QString::number(elapsed)));
+    }
+};
+
+QTEST_MAIN(TestHistoryPage)
+#include "test_history_page.moc"

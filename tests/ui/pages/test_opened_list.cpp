@@ -1,0 +1,162 @@
+// A measurement list opened in the window: its sets, their settings and conditions.
+#include "tests/closeness.h"
+#include "tests/ui/gui_test.h"
+#include "tests/ui/resonator_runs.h"
+#include "ui/panels/message_bar.h"
+#include "ui/resonator/resonator_page.h"
+#include "ui/resonator/set_panel.h"
+#include "ui/session/session_keeper.h"
+#include "ui/window/file_commands.h"
+
+#include <QComboBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QtTest>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestOpenedList : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+    SetStore& sets() { return document().sets(); }
+
+    // Two sets of the same resonator, one of them from 1 s on with its channels named.
+    QString list(const char* name) {
+        resonatorRuns(home_, "runs");
+        return home_.file(name,
+                          "file;set;channels;from;gyro;date;bias_v;temperature_c;model;Bench\n"
+                          "runs-0.wav;whole;;;G7;2026-03-31;100;22,5;structured;B1\n"
+                          "runs-45.wav;whole;;;G7;;100;;;B1\n"
+                          "runs-0.wav;late;1,2;1;G8;;;;structured;\n");
+    }
+
+    void waitUntilOpen(std::size_t recordings) {
+        QTRY_COMPARE_WITH_TIMEOUT(document().recordings().size(), recordings, 20000);
+        QVERIFY(QTest::qWaitFor([&] { return sets().canIdentify() && !document().busy(); }, 30000));
+    }
+
+    QString messages() { return childOf<MessageBar>(*window_).texts().join('\n'); }
+
+    void drop(const QString& path) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &event);
+    }
+
+private slots:
+    void init() { window_ = shownWindow(); }
+    void cleanup() { window_.reset(); }
+
+    // Drop it, see the sets with their conditions, identify, take the sets back.
+    void a_dropped_list_becomes_sets() {
+        drop(list("dropped.csv"));
+        QCOMPARE(sets().all().size(), std::size_t(2));
+        // The same file under other options is another recording; here the options are the same.
+        waitUntilOpen(2);
+        const RunSet& whole = sets().all()[0];
+        QCOMPARE(whole.name, QString("whole"));
+        QCOMPARE(whole.recordings.size(), std::size_t(2));
+        QCOMPARE(whole.model, FitOptions::Model::structured);
+        QCOMPARE(sets().current()->id, whole.id);
+        QVERIFY(childOf<ResonatorPage>(*window_).isVisible());
+        QVERIFY(childOf<QLabel>(*window_, "listed").isVisible());
+        const QString tip = childOf<SetMembers>(*window_).item(0)->toolTip();
+        for (const char* told : {"G7", "2026-03-31", "100 V", "22.5 °C", "Bench: B1"}) {
+            QVERIFY2(tip.contains(told), qPrintable(tip));
+        }
+        QVERIFY(!sets().measured(whole).settings.signal.from_s);
+        const RunSet& late = sets().all()[1];
+        QCOMPARE(sets().measured(late).settings.signal.from_s, std::optional(1.0));
+        // The panel's settings are none of theirs.
+        Settings settings = document().settings();
+        settings.from_s = 0.25;
+        document().setSettings(settings);
+        QVERIFY(!sets().measured(whole).settings.signal.from_s);
+        QTest::mouseClick(&childOf<QPushButton>(*window_, "identify"), Qt::LeftButton);
+        QVERIFY(QTest::qWaitFor([&] { return sets().outcome(sets().all()[0]) != nullptr; }, 60000));
+        const auto found = sets().outcome(sets().all()[0]);
+        QCOMPARE(found->identification.runs.size(), std::size_t(2));
+        VYBEG_CLOSE_RATIO(found->identification.fit.resonator.tau_s.value, 40, 0.01);
+        QVERIFY(!sets().outOfDate(sets().all()[0], *found));
+        QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);  // the setting
+        QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);  // the list
+        QVERIFY(sets().all().empty());
+        QCOMPARE(document().recordings().size(), std::size_t(2));
+    }
+
+    void a_wrong_field_is_named_by_row_and_column() {
+        const QString path =
+            home_.file("wrong.csv", "file,date\na.wav,2026-03-31\nb.wav,31.03.2026\n");
+        window_->files().open({path});
+        QVERIFY(sets().all().empty() && document().recordings().empty());
+        const QString said = messages();
+        for (const char* told : {"wrong.csv", "3", "date", "31.03.2026"}) {
+            QVERIFY2(said.contains(told), qPrintable(said));
+        }
+    }
+
+    void a_missing_recording_leaves_the_others() {
+        home_.recording("there.wav");
+        window_->files().open({home_.file("half.csv", "file,set\nthere.wav,A\nnone.wav,A\n")});
+        QTRY_VERIFY_WITH_TIMEOUT(messages().contains("none.wav"), 20000);
+        waitUntilOpen(1);
+        QCOMPARE(sets().current()->recordings.size(), std::size_t(1));
+    }
+
+    // Recordings as CSV stay recordings, beside a list in one drop of files.
+    void a_table_of_numbers_is_no_list() {
+        home_.recording("one.wav");
+        const QString samples = home_.recording("samples.csv");
+        const QString path = home_.file("mixed.CSV", "\"file\"\none.wav\n");
+        window_->files().open({samples, path});
+        QTRY_COMPARE_WITH_TIMEOUT(document().recordings().size(), std::size_t(2), 20000);
+        QCOMPARE(sets().all().size(), std::size_t(1));
+        QCOMPARE(sets().all()[0].name, QString("one.wav"));
+    }
+
+    void conditions_that_differ_are_no_set_of_one_resonator() {
+        resonatorRuns(home_, "other");
+        window_->files().open(
+            {home_.file("differ.csv", "file,set,gyro\nother-0.wav,A,G1\nother-45.wav,A,G2\n")});
+        waitUntilOpen(2);
+        sets().identify();
+        const QString said = messages();
+        QVERIFY2(said.contains("G1") && said.contains("G2"), qPrintable(said));
+        QVERIFY(!document().busy());
+    }
+
+    void a_session_keeps_what_the_list_said() {
+        window_->files().open({list("kept.csv")});
+        waitUntilOpen(2);
+        const auto before = sets().measured(sets().all()[1]);
+        const QString path = home_.path("kept.vybeg");
+        QVERIFY(window_->session().save(path));
+        window_ = shownWindow();
+        window_->files().open({path});
+        QTRY_COMPARE(sets().all().size(), std::size_t(2));
+        waitUntilOpen(2);
+        const auto after = sets().measured(sets().all()[1]);
+        QCOMPARE(after.name, before.name);
+        QVERIFY(after.settings == before.settings);
+        QCOMPARE(after.recordings.size(), std::size_t(1));
+        QCOMPARE(after.recordings[0].conditions.gyro, std::string("G8"));
+        QCOMPARE(after.recordings[0].path, before.recordings[0].path);
+        const auto whole = sets().measured(sets().all()[0]);
+        QCOMPARE(whole.recordings[0].conditions.temperature_c, std::optional(22.5));
+        QCOMPARE(whole.recordings[0].others, std::vector<std::string>{"B1"});
+    }
+};
+
+QTEST_MAIN(TestOpenedList)
+#include "test_opened_list.moc"

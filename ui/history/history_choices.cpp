@@ -1,0 +1,161 @@
+#include "ui/history/history_choices.h"
+
+#include "ui/words/number_label.h"
+#include "ui/words/rich_text.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <array>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int least_results = 2;
+constexpr int most_results = 10'000;
+constexpr int usual_results = 20;
+
+const QString baseline_key = QStringLiteral("history/baseline");
+
+}  // namespace
+
+HistoryChoices::HistoryChoices(QWidget* parent)
+    : QWidget(parent),
+      gyro_label_(new QLabel(this)),
+      gyro_(new QComboBox(this)),
+      parameter_label_(new QLabel(this)),
+      parameter_(new QComboBox(this)),
+      axis_label_(new QLabel(this)),
+      axis_(new QComboBox(this)),
+      baseline_label_(new QLabel(this)),
+      baseline_(new QSpinBox(this)) {
+    gyro_->setObjectName(QStringLiteral("historyGyro"));
+    gyro_->addItem(QString());
+    parameter_->setObjectName(QStringLiteral("historyParameter"));
+    parameter_->setItemDelegate(new IndexDelegate(parameter_));
+    for ([[maybe_unused]] const HistoryParameter& each : historyParameters()) {
+        parameter_->addItem(QString());
+    }
+    parameter_->setCurrentIndex(1);
+    for (QComboBox* box : {gyro_, parameter_}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(9);
+    }
+    axis_->setObjectName(QStringLiteral("historyAxis"));
+    axis_->addItems({QString(), QString(), QString()});
+    baseline_->setObjectName(QStringLiteral("historyBaseline"));
+    baseline_->setRange(least_results, most_results);
+    baseline_->setValue(QSettings().value(baseline_key, usual_results).toInt());
+    baseline_->setKeyboardTracking(false);
+    gyro_label_->setBuddy(gyro_);
+    parameter_label_->setBuddy(parameter_);
+    axis_label_->setBuddy(axis_);
+    baseline_label_->setBuddy(baseline_);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(gyro_label_, 0, 0);
+    grid->addWidget(gyro_, 0, 1);
+    grid->addWidget(parameter_label_, 0, 2);
+    grid->addWidget(parameter_, 0, 3);
+    grid->addWidget(axis_label_, 1, 0);
+    grid->addWidget(axis_, 1, 1);
+    grid->addWidget(baseline_label_, 1, 2);
+    grid->addWidget(baseline_, 1, 3);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+    connect(gyro_, &QComboBox::activated, this, &HistoryChoices::dataWanted);
+    connect(parameter_, &QComboBox::currentIndexChanged, this, &HistoryChoices::dataWanted);
+    connect(axis_, &QComboBox::currentIndexChanged, this, &HistoryChoices::axisChanged);
+    connect(baseline_, &QSpinBox::valueChanged, this, [this](int count) {
+        QSettings().setValue(baseline_key, count);
+        emit limitsChanged();
+    });
+    retranslate();
+}
+
+std::optional<std::string> HistoryChoices::gyro() const {
+    const auto row = static_cast<std::size_t>(std::max(0, gyro_->currentIndex()));
+    return row > 0 && row <= gyros_.size() ? std::optional(gyros_[row - 1].name) : std::nullopt;
+}
+
+const HistoryParameter& HistoryChoices::parameter() const {
+    return historyParameters()[static_cast<std::size_t>(parameter_->currentIndex())];
+}
+
+HistoryAxis HistoryChoices::axis() const {
+    return static_cast<HistoryAxis>(axis_->currentIndex());
+}
+
+std::size_t HistoryChoices::baseline() const {
+    return static_cast<std::size_t>(baseline_->value());
+}
+
+void HistoryChoices::chooseAllGyros() {
+    gyro_->setCurrentIndex(0);
+}
+
+void HistoryChoices::setGyros(const std::vector<StoredGyro>& gyros) {
+    const auto before = gyro();
+    gyros_ = gyros;
+    while (gyro_->count() > 1) {
+        gyro_->removeItem(1);
+    }
+    for (const StoredGyro& each : gyros_) {
+        gyro_->addItem(QString());
+        if (before == each.name) {
+            gyro_->setCurrentIndex(gyro_->count() - 1);
+        }
+    }
+    retranslate();
+}
+
+void HistoryChoices::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+void HistoryChoices::retranslate() {
+    gyro_label_->setText(tr("Gyro"));
+    gyro_->setAccessibleName(tr("Gyro of the history"));
+    gyro_->setToolTip(
+        richTip(tr("Whose results are shown; the number of its results stands behind "
+                   "its name")));
+    gyro_->setItemText(0, tr("All gyros"));
+    for (std::size_t k = 0; k < gyros_.size(); ++k) {
+        const QString name = QString::fromStdString(gyros_[k].name);
+        gyro_->setItemText(static_cast<int>(k) + 1,
+                           QStringLiteral("%1 (%2)").arg(
+                               name.isEmpty() ? tr("without a name") : name,
+                               QLocale().toString(static_cast<qlonglong>(gyros_[k].results))));
+    }
+    parameter_label_->setText(tr("Parameter"));
+    parameter_->setAccessibleName(tr("Parameter of the history"));
+    parameter_->setToolTip(richTip(tr("Which of its parameters is shown")));
+    const auto& parameters = historyParameters();
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        parameter_->setItemText(static_cast<int>(k), indexPlain(parameterTitle(parameters[k])));
+    }
+    axis_label_->setText(tr("Against"));
+    axis_->setAccessibleName(tr("Axis of the history"));
+    axis_->setToolTip(richTip(tr("The mean frequency follows the temperature of the resonator")));
+    const std::array axes{tr("Date"), tr("Frequency"), tr("Order")};
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+        axis_->setItemText(static_cast<int>(k), axes[k]);
+    }
+    baseline_label_->setText(tr("Baseline"));
+    baseline_->setAccessibleName(tr("Baseline of the control charts"));
+    baseline_->setToolTip(
+        richTip(tr("So many first results of the gyro set centre and limits of the charts")));
+}
+
+}  // namespace vybeg::ui

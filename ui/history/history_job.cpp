@@ -1,0 +1,92 @@
+#include "ui/history/history_job.h"
+
+#include "core/base/translatable.h"
+#include "core/output/identify_json.h"
+
+namespace vybeg::ui {
+
+namespace {
+
+// While another program writes, a reader waits no longer than a person does.
+constexpr double patience_s = 20;
+
+Result<ResultsDatabase> opened(const QString& path, ResultsDatabase::Access access,
+                               const JobControl& job) {
+    return ResultsDatabase::open(path.toStdU16String(), access, job, patience_s);
+}
+
+}  // namespace
+
+void makeDatabase(AnalysisJob& job, int key, const QString& path,
+                  std::function<void(Result<bool>)> done) {
+    job.run<bool>(
+        key,
+        [path](const JobControl& control) -> Result<bool> {
+            const auto database = opened(path, ResultsDatabase::Access::write, control);
+            return database ? Result<bool>(true) : database.error();
+        },
+        std::move(done));
+}
+
+void readHistory(AnalysisJob& job, int key, const QString& path,
+                 const std::optional<std::string>& gyro, const std::string& parameter,
+                 std::function<void(Result<StoredHistory>)> done) {
+    job.run<StoredHistory>(
+        key,
+        [path, gyro, parameter](const JobControl& control) -> Result<StoredHistory> {
+            auto database = opened(path, ResultsDatabase::Access::read, control);
+            if (!database) {
+                return database.error();
+            }
+            auto gyros = database->gyros();
+            auto points = gyros ? database->history(gyro, parameter)
+                                : Result<std::vector<HistoryPoint>>(gyros.error());
+            if (!points) {
+                return points.error();
+            }
+            return StoredHistory{std::move(*gyros), std::move(*points)};
+        },
+        std::move(done));
+}
+
+void readResult(AnalysisJob& job, int key, const QString& path, std::int64_t id,
+                std::function<void(Result<StoredResult>)> done) {
+    job.run<StoredResult>(
+        key,
+        [path, id](const JobControl& control) -> Result<StoredResult> {
+            auto database = opened(path, ResultsDatabase::Access::read, control);
+            auto found = database ? database->result(id)
+                                  : Result<std::optional<StoredResult>>(database.error());
+            if (!found) {
+                return found.error();
+            }
+            if (!*found) {  // another file has taken its place
+                return Error{ErrorCode::file_read_failed,
+                             path.toStdString(),
+                             {words(VYBEG_MESSAGE("Words", "the result is not there any more"))}};
+            }
+            return std::move(**found);
+        },
+        std::move(done));
+}
+
+void storeResult(AnalysisJob& job, int key, const QString& path, ResultToStore result,
+                 std::function<void(Result<std::int64_t>)> done) {
+    job.run<std::int64_t>(
+        key,
+        [path, result = std::move(result)](const JobControl& control) -> Result<std::int64_t> {
+            const std::string program = result.program.toStdString();
+            const ResonatorOutcome& outcome = *result.outcome;
+            const auto stored = stored_result(
+                program, result.set, result.other_columns, outcome.inputs, outcome.identification,
+                identify_json(program, outcome.inputs, outcome.identification, nullptr));
+            if (!stored) {
+                return stored.error();
+            }
+            auto database = opened(path, ResultsDatabase::Access::write, control);
+            return database ? database->add(*stored) : database.error();
+        },
+        std::move(done));
+}
+
+}  // namespace vybeg::ui

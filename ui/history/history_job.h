@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/database/stored_result.h"
+#include "ui/document/analysis_job.h"
+#include "ui/history/history_charts.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vybeg::ui {
+
+// A database of results in the background: each job opens the file for itself, so that none of them
+// holds it. Errors: those of ResultsDatabase.
+
+// Makes the file where there is none, and says whether it is a database.
+void makeDatabase(AnalysisJob& job, int key, const QString& path,
+                  std::function<void(Result<bool>)> done);
+
+// Gyros, and the history of a parameter. Without `gyro`, of all.
+void readHistory(AnalysisJob& job, int key, const QString& path,
+                 const std::optional<std::string>& gyro, const std::string& parameter,
+                 std::function<void(Result<StoredHistory>)> done);
+
+void readResult(AnalysisJob& job, int key, const QString& path, std::int64_t id,
+                std::function<void(Result<StoredResult>)> done);
+
+// An identification of the window on its way into a database. `set` as the outcome's recordings.
+struct ResultToStore {
+    QString program;
+    MeasurementSet set;
+    std::vector<std::string> other_columns;
+    std::shared_ptr<const ResonatorOutcome> outcome;
+};
+
+// As `vybeg-cli batch --database` does; gives the id.
+void storeResult(AnalysisJob& job, int key, const QString& path, ResultToStore result,
+                 std::function<void(Result<std::int64_t>)> done);
+
+}  // namespace vybeg::ui

@@ -1,0 +1,355 @@
+#include "ui/history/history_page.h"
+
+#include "core/output/batch_csv.h"
+#include "ui/document/document.h"
+#include "ui/history/history_choices.h"
+#include "ui/history/history_job.h"
+#include "ui/history/history_text.h"
+#include "ui/history/store_dialog.h"
+#include "ui/history/stored_set.h"
+#include "ui/plots/xy_plot_view.h"
+#include "ui/resonator/set_panel.h"
+#include "ui/words/error_text.h"
+#include "ui/words/rich_text.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace vybeg::ui {
+
+namespace {
+
+enum JobKey : int { reading_job, result_job, storing_job };
+
+const QString path_key = QStringLiteral("history/database");
+
+}  // namespace
+
+HistoryPage::HistoryPage(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      theme_(lightTheme()),
+      database_(new QLabel(this)),
+      open_(new QPushButton(this)),
+      new_(new QPushButton(this)),
+      add_(new QPushButton(this)),
+      state_(new QLabel(this)) {
+    setObjectName(QStringLiteral("history"));
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addLayout(buildHead());
+    scroll->setWidget(buildContent());
+    content_ = scroll;
+    column->addWidget(scroll, 1);
+    column->addStretch();  // below the sentence where there is nothing to show
+    connectWidgets();
+    retranslate();
+}
+
+void HistoryPage::openDatabase(const QString& path, bool make) {
+    seen_ = true;
+    path_ = QFileInfo(path).absoluteFilePath();
+    QSettings().setValue(path_key, path_);
+    history_.reset();
+    chosen_.reset();
+    choices_->chooseAllGyros();
+    if (make) {
+        reading_ = true;
+        refresh();
+        makeDatabase(job_, reading_job, path_, [this](const Result<bool>& made) {
+            if (made) {
+                read();
+            } else {
+                take(made.error());
+            }
+        });
+    } else {
+        read();
+    }
+}
+
+// The database is read when the page is first seen: it may lie on a slow share.
+void HistoryPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (!seen_) {
+        seen_ = true;
+        path_ = QSettings().value(path_key).toString();
+        if (!path_.isEmpty()) {
+            read();
+        }
+    }
+}
+
+void HistoryPage::read() {
+    reading_ = true;
+    failure_.reset();
+    readHistory(job_, reading_job, path_, choices_->gyro(), choices_->parameter().name,
+                [this](Result<StoredHistory> history) { take(std::move(history)); });
+    refresh();
+}
+
+void HistoryPage::take(Result<StoredHistory> history) {
+    reading_ = false;
+    chosen_.reset();
+    history_.reset();
+    if (history) {
+        history_ = std::move(*history);
+        const auto asked = choices_->gyro();
+        choices_->setGyros(history_->gyros);
+        if (choices_->gyro() != asked) {  // it has no results any more
+            read();
+            return;
+        }
+    } else {
+        failure_ = history.error();
+    }
+    compute();
+}
+
+void HistoryPage::compute() {
+    if (history_) {
+        charts_ = historyCharts(history_->points, choices_->parameter(),
+                                choices_->gyro().has_value(), choices_->baseline());
+    }
+    showHistory();
+}
+
+HistoryView HistoryPage::view() const {
+    const OpenPassport* open = document_.sets().passport();
+    return {choices_->parameter(),
+            choices_->axis(),
+            units_,
+            chosen_,
+            passportValue(open ? &open->passport : nullptr, choices_->parameter()),
+            open ? open->name : QString()};
+}
+
+void HistoryPage::showHistory() {
+    refresh();
+    content_->setVisible(history_.has_value());
+    if (!history_) {
+        for (XYPlotView* plot : {values_, ranges_, average_, distribution_}) {
+            plot->setContent({});
+        }
+        return;
+    }
+    const HistoryView now = view();
+    shown_values_ = valuesPlot(*history_, charts_, now);
+    shown_ranges_ = rangesPlot(*history_, charts_, now);
+    shown_average_ = averagePlot(*history_, charts_, now);
+    for (const auto& [plot, shown] :
+         {std::pair{values_, &shown_values_}, std::pair{ranges_, &shown_ranges_},
+          std::pair{average_, &shown_average_}}) {
+        plot->setContent(shown->plot);
+        plot->setPickable(0);
+        plot->setPointTips([this, shown = shown](std::size_t place) {
+            return place < shown->points.size()
+                       ? richTip(pointText(*history_, charts_, view(), shown->points[place]))
+                       : QString();
+        });
+    }
+    distribution_->setContent(distributionPlot(charts_, now));
+    ranges_->setVisible(charts_.one_gyro);
+    average_->setVisible(charts_.one_gyro);
+    verdict_->setText(richText(verdictText(*history_, charts_, now, choices_->baseline())));
+    point_->setVisible(chosen_.has_value());
+    recordings_->setVisible(chosen_.has_value());
+    if (chosen_) {
+        point_->setText(richText(pointText(*history_, charts_, now, *chosen_)));
+    }
+}
+
+QString HistoryPage::stateText() const {
+    if (path_.isEmpty()) {
+        return tr(
+            "A database keeps the results of a laboratory, of this window and of the command "
+            "line, so that each parameter of a gyro can be followed. Open one, or make a "
+            "new one.");
+    }
+    if (failure_) {
+        return errorText(*failure_);
+    }
+    if (reading_) {
+        return tr("The database is being read…");
+    }
+    if (history_ && history_->gyros.empty()) {
+        return tr(
+            "The database holds no results yet. Identify a resonator and add its result, or "
+            "fill it from the command line.");
+    }
+    return {};
+}
+
+std::shared_ptr<const ResonatorOutcome> HistoryPage::addable() const {
+    const RunSet* set = document_.sets().current();
+    const auto outcome = set ? document_.sets().outcome(*set) : nullptr;
+    return outcome && !document_.sets().outOfDate(*set, *outcome) ? outcome : nullptr;
+}
+
+QString HistoryPage::addHint() const {
+    return path_.isEmpty() ? tr("First open a database, or make a new one.")
+           : !addable()    ? tr("First identify the resonator of a set, on the page Resonator.")
+                           : QString();
+}
+
+void HistoryPage::refresh() {
+    database_->setText(QFileInfo(path_).fileName());
+    database_->setToolTip(path_);
+    const QString hint = addHint();
+    add_->setEnabled(hint.isEmpty());
+    add_->setToolTip(
+        richTip(hint.isEmpty() ? tr("The identified resonator of the current set into the database")
+                               : hint));
+    const QString state = stateText();
+    state_->setText(state);
+    state_->setVisible(!state.isEmpty());
+    choices_->setVisible(history_.has_value());
+}
+
+void HistoryPage::choose(const HistoryPlot& shown, int place) {
+    if (place >= 0 && place < std::ssize(shown.points)) {
+        chosen_ = shown.points[static_cast<std::size_t>(place)];
+        showHistory();
+    }
+}
+
+// To the neighbour on the axis of the values.
+void HistoryPage::step(int by) {
+    const auto& points = shown_values_.points;
+    if (points.empty()) {
+        return;
+    }
+    const auto now = chosen_ ? std::ranges::find(points, *chosen_) : points.end();
+    const auto place = now == points.end() ? (by > 0 ? 0 : std::ssize(points) - 1)
+                                           : std::distance(points.begin(), now) + by;
+    choose(shown_values_,
+           static_cast<int>(std::clamp(place, std::ptrdiff_t{0}, std::ssize(points) - 1)));
+}
+
+void HistoryPage::openChosen() {
+    if (!history_ || !chosen_) {
+        return;
+    }
+    readResult(job_, result_job, path_, history_->points[*chosen_].id,
+               [this](const Result<StoredResult>& result) {
+                   if (result) {
+                       openStored(*result);
+                   } else {
+                       document_.report(errorMessage(result.error()));
+                   }
+               });
+}
+
+void HistoryPage::openStored(const StoredResult& result) {
+    const StoredSet stored = storedSet(result, document_.sets().measured(RunSet()).settings);
+    const auto warn = [this](std::function<QString()> text) {
+        document_.report({Severity::warning, std::move(text), {}, {}});
+    };
+    if (!stored.missing.isEmpty()) {
+        warn([missing = stored.missing, name = QString::fromStdString(result.set)] {
+            return tr("Of the result %1 these recordings are not where they were: %2.")
+                .arg(name, missing.join(QStringLiteral(", ")));
+        });
+    }
+    if (stored.list.sets.empty()) {
+        return;
+    }
+    if (!stored.settings_known) {
+        warn([name = QString::fromStdString(result.set)] {
+            return tr("The settings of the result %1 cannot be read: the set has those of the "
+                      "panel Analysis.")
+                .arg(name);
+        });
+    }
+    document_.sets().open(stored.list);
+    emit setOpened();
+}
+
+void HistoryPage::askToAdd() {
+    const RunSet* set = document_.sets().current();
+    if (!set || !addable() || path_.isEmpty()) {
+        return;
+    }
+    const MeasurementSet measured = document_.sets().measured(*set);
+    QString gyro = QString::fromStdString(gyro_of(measured));
+    gyro = gyro.isEmpty() ? set->name : gyro;
+    QStringList gyros;
+    for (const StoredGyro& each : history_ ? history_->gyros : std::vector<StoredGyro>()) {
+        if (!each.name.empty()) {
+            gyros << QString::fromStdString(each.name);
+        }
+    }
+    auto* dialog = new StoreDialog(gyros, gyro, toldDate(measured, addable()->inputs), this);
+    connect(dialog, &StoreDialog::chosen, this, &HistoryPage::add);
+    dialog->open();
+}
+
+void HistoryPage::add(const QString& gyro, const QString& date) {
+    const RunSet* set = document_.sets().current();
+    const auto outcome = addable();
+    if (!outcome) {
+        return;
+    }
+    RunSet ordered = *set;
+    ordered.name = setName(document_, *set);
+    ordered.recordings = outcome->recordings;  // the order of its inputs
+    ResultToStore result{QStringLiteral("vybeg ") + QCoreApplication::applicationVersion(),
+                         document_.sets().measured(ordered),
+                         set->listed ? set->listed->other_columns : std::vector<std::string>(),
+                         outcome};
+    tellGyroAndDate(result.set, gyro.toStdString(), date.toStdString());
+    storeResult(job_, storing_job, path_, std::move(result),
+                [this, gyro](const Result<std::int64_t>& stored) {
+                    if (!stored) {
+                        document_.report(errorMessage(stored.error()));
+                        return;
+                    }
+                    document_.report({Severity::info,
+                                      [gyro, name = QFileInfo(path_).fileName()] {
+                                          return tr("The result of %1 is in %2.").arg(gyro, name);
+                                      },
+                                      {},
+                                      {}});
+                    read();
+                });
+}
+
+FigureSource HistoryPage::figures() const {
+    return history_ ? figuresOf({values_, ranges_, average_, distribution_},
+                                QStringLiteral("history"), parameterTitle(view().parameter))
+                    : FigureSource();
+}
+
+void HistoryPage::setTheme(const Theme& theme) {
+    theme_ = theme;
+    for (XYPlotView* plot : {values_, ranges_, average_, distribution_}) {
+        plot->setTheme(theme);
+    }
+}
+
+void HistoryPage::setUnits(const DisplayUnits& units) {
+    units_ = units;
+    showHistory();
+}
+
+void HistoryPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+}
+
+}  // namespace vybeg::ui

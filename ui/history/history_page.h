@@ -1,0 +1,106 @@
+#pragma once
+
+#include "ui/document/analysis_job.h"
+#include "ui/history/history_plots.h"
+#include "ui/plots/figure_source.h"
+#include "ui/widgets/theme.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+class QPushButton;
+
+namespace vybeg::ui {
+
+class Document;
+class HistoryChoices;
+class XYPlotView;
+
+// The history of a gyro's parameters in a laboratory's database of results: values, control charts,
+// distribution. Read in the background; the database's path is kept between sessions.
+class HistoryPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit HistoryPage(Document& document, QWidget* parent = nullptr);
+
+    // Takes another database; `make`: also one that is still to come.
+    void openDatabase(const QString& path, bool make);
+    void setTheme(const Theme& theme);
+    void setUnits(const DisplayUnits& units);
+    const QString& path() const { return path_; }
+    // What is shown; null without a database.
+    const StoredHistory* history() const { return history_ ? &*history_ : nullptr; }
+    const HistoryCharts& charts() const { return charts_; }
+    bool reading() const { return reading_; }
+    FigureSource figures() const;
+
+signals:
+    void exportWanted(const Figure& figure);
+    void openWanted();
+    void newWanted();
+    // Recordings of a result, open as a set.
+    void setOpened();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    // history_page_layout.cpp
+    QLayout* buildHead();
+    QWidget* buildContent();
+    XYPlotView* addPlot(const char* name, int height);
+    void connectWidgets();
+    void retranslate();
+
+    void read();
+    void take(Result<StoredHistory> history);
+    void compute();
+    void showHistory();
+    void refresh();
+    HistoryView view() const;
+    QString stateText() const;
+    std::shared_ptr<const ResonatorOutcome> addable() const;
+    QString addHint() const;
+    // `place`: of a point in the plot.
+    void choose(const HistoryPlot& shown, int place);
+    void step(int by);
+    void openChosen();
+    void openStored(const StoredResult& result);
+    void askToAdd();
+    void add(const QString& gyro, const QString& date);
+
+    Document& document_;
+    AnalysisJob job_;
+    QString path_;
+    bool seen_ = false;
+    bool reading_ = false;
+    std::optional<Error> failure_;
+    std::optional<StoredHistory> history_;
+    HistoryCharts charts_;
+    std::optional<std::size_t> chosen_;
+    Theme theme_;
+    DisplayUnits units_;
+    QLabel* database_;
+    QPushButton* open_;
+    QPushButton* new_;
+    QPushButton* add_;
+    HistoryChoices* choices_ = nullptr;
+    QLabel* state_;
+    QWidget* content_ = nullptr;
+    QLabel* verdict_ = nullptr;
+    QLabel* point_ = nullptr;
+    QPushButton* recordings_ = nullptr;
+    XYPlotView* values_ = nullptr;
+    XYPlotView* ranges_ = nullptr;
+    XYPlotView* average_ = nullptr;
+    XYPlotView* distribution_ = nullptr;
+    HistoryPlot shown_values_;
+    HistoryPlot shown_ranges_;
+    HistoryPlot shown_average_;
+};
+
+}  // namespace vybeg::ui

@@ -1,0 +1,139 @@
+#include "ui/document/document.h"
+#include "ui/history/history_choices.h"
+#include "ui/history/history_page.h"
+#include "ui/plots/xy_plot_view.h"
+#include "ui/words/rich_text.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int plot_height = 240;
+void makeSentence(QLabel* label, const char* name) {
+    label->setObjectName(QLatin1String(name));
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label->setFocusPolicy(Qt::ClickFocus);
+}
+
+}  // namespace
+
+QLayout* HistoryPage::buildHead() {
+    database_->setTextFormat(Qt::PlainText);
+    database_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    open_->setObjectName(QStringLiteral("historyOpen"));
+    new_->setObjectName(QStringLiteral("historyNew"));
+    add_->setObjectName(QStringLiteral("historyAdd"));
+    makeSentence(state_, "historyState");
+    auto* first = new QHBoxLayout;
+    first->addWidget(database_, 1);
+    first->addWidget(open_);
+    first->addWidget(new_);
+    first->addWidget(add_);
+
+    choices_ = new HistoryChoices(this);
+    auto* rows = new QVBoxLayout;
+    rows->setContentsMargins(6, 4, 6, 0);
+    rows->setSpacing(4);
+    rows->addLayout(first);
+    rows->addWidget(choices_);
+    rows->addWidget(state_);
+    return rows;
+}
+
+QWidget* HistoryPage::buildContent() {
+    auto* content = new QWidget(this);
+    verdict_ = new QLabel(content);
+    makeSentence(verdict_, "historyVerdict");
+    point_ = new QLabel(content);
+    makeSentence(point_, "historyPoint");
+    recordings_ = new QPushButton(content);
+    recordings_->setObjectName(QStringLiteral("historyRecordings"));
+    values_ = addPlot("historyValues", plot_height + 20);
+    ranges_ = addPlot("historyRanges", plot_height);
+    average_ = addPlot("historyAverage", plot_height);
+    distribution_ = addPlot("historyDistribution", plot_height);
+    auto* chosen = new QHBoxLayout;
+    chosen->addWidget(point_, 1);
+    chosen->addWidget(recordings_, 0, Qt::AlignTop);
+    auto* grid = new QGridLayout(content);
+    grid->setContentsMargins(6, 0, 6, 0);
+    grid->setSpacing(4);
+    grid->addWidget(verdict_, 0, 0, 1, 2);
+    grid->addWidget(values_, 1, 0, 1, 2);
+    grid->addLayout(chosen, 2, 0, 1, 2);
+    grid->addWidget(ranges_, 3, 0);
+    grid->addWidget(average_, 3, 1);
+    grid->addWidget(distribution_, 4, 0, 1, 2);
+    grid->setRowStretch(1, 3);
+    grid->setRowStretch(3, 2);
+    grid->setRowStretch(4, 2);
+    return content;
+}
+
+XYPlotView* HistoryPage::addPlot(const char* name, int height) {
+    auto* plot = new XYPlotView(this);
+    plot->setObjectName(QLatin1String(name));
+    plot->setMinimumHeight(height);
+    plot->setMaximumHeight(QWIDGETSIZE_MAX);
+    plot->setMinimumWidth(180);
+    connect(plot, &XYPlotView::exportWanted, this, &HistoryPage::exportWanted);
+    connect(plot, &XYPlotView::stepWanted, this, &HistoryPage::step);
+    return plot;
+}
+
+void HistoryPage::connectWidgets() {
+    connect(open_, &QPushButton::clicked, this, &HistoryPage::openWanted);
+    connect(new_, &QPushButton::clicked, this, &HistoryPage::newWanted);
+    connect(add_, &QPushButton::clicked, this, &HistoryPage::askToAdd);
+    connect(recordings_, &QPushButton::clicked, this, &HistoryPage::openChosen);
+    connect(choices_, &HistoryChoices::dataWanted, this, &HistoryPage::read);
+    connect(choices_, &HistoryChoices::axisChanged, this, &HistoryPage::showHistory);
+    connect(choices_, &HistoryChoices::limitsChanged, this, &HistoryPage::compute);
+    for (const auto& [plot, shown] :
+         {std::pair{values_, &shown_values_}, std::pair{ranges_, &shown_ranges_},
+          std::pair{average_, &shown_average_}}) {
+        connect(plot, &XYPlotView::pointClicked, this,
+                [this, shown = shown](int place) { choose(*shown, place); });
+        connect(plot, &XYPlotView::pointActivated, this, [this, shown = shown](int place) {
+            choose(*shown, place);
+            openChosen();
+        });
+    }
+    connect(&document_.sets(), &SetStore::changed, this, &HistoryPage::refresh);
+    connect(&document_.sets(), &SetStore::passportChanged, this, &HistoryPage::showHistory);
+}
+
+void HistoryPage::retranslate() {
+    open_->setText(tr("Open…"));
+    open_->setAccessibleName(tr("Open a database"));
+    open_->setToolTip(richTip(tr("A database of results, of this window or of the command line")));
+    new_->setText(tr("New…"));
+    new_->setAccessibleName(tr("Make a database"));
+    new_->setToolTip(richTip(tr("An empty database of results in a new file")));
+    add_->setText(tr("Add this result…"));
+    recordings_->setText(tr("Open its recordings"));
+    recordings_->setToolTip(
+        richTip(tr("As a set, with the settings and conditions of the result; a double click on "
+                   "the point does the same")));
+    values_->setAccessibleName(tr("Values of the parameter"));
+    ranges_->setAccessibleName(tr("Moving range"));
+    average_->setAccessibleName(tr("Weighted average"));
+    distribution_->setAccessibleName(tr("Distribution of the parameter"));
+    const QString tip =
+        richTip(tr("A click chooses a result, a double click opens its recordings; "
+                   "Left and Right go to its neighbours"));
+    for (XYPlotView* plot : {values_, ranges_, average_}) {
+        plot->setToolTip(tip);
+    }
+    distribution_->setToolTip(richTip(tr("How often each value occurs among the results shown")));
+    showHistory();
+}
+
+}  // namespace vybeg::ui

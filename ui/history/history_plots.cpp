@@ -1,0 +1,297 @@
+#include "ui/history/history_plots.h"
+
+#include "ui/resonator/parameter_text.h"
+#include "ui/words/unit_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Deviations of the passport's value that its band covers: those of a change of one parameter.
+constexpr double passport_deviations = 3;
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("History", text);
+}
+
+// Points in the order of an axis, with their places on it.
+struct Placed {
+    std::vector<std::size_t> points;
+    std::vector<double> x;
+};
+
+Placed placed(const StoredHistory& history, const std::vector<double>& values, HistoryAxis axis) {
+    const auto place = [&](std::size_t k) {
+        const HistoryPoint& point = history.points[k];
+        return axis == HistoryAxis::date        ? point.time_s
+               : axis == HistoryAxis::frequency ? point.f_mean_hz.value
+                                                : static_cast<double>(k + 1);
+    };
+    Placed placed;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (std::isfinite(values[k]) && std::isfinite(place(k))) {
+            placed.points.push_back(k);
+        }
+    }
+    std::ranges::stable_sort(placed.points, {}, place);
+    for (const std::size_t k : placed.points) {
+        placed.x.push_back(place(k));
+    }
+    return placed;
+}
+
+HistoryAxis sequenceAxis(HistoryAxis axis) {
+    return axis == HistoryAxis::frequency ? HistoryAxis::order : axis;
+}
+
+XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_name,
+                 const QString& y_unit) {
+    XYPlot plot;
+    plot.x_is_date = axis == HistoryAxis::date;
+    plot.x_name = axis == HistoryAxis::date ? translated(QT_TRANSLATE_NOOP("History", "Date (UTC)"))
+                  : axis == HistoryAxis::frequency
+                      ? translated(QT_TRANSLATE_NOOP("History", "Mean frequency f"))
+                      : translated(QT_TRANSLATE_NOOP("History", "Order of the results"));
+    plot.x_unit = axis == HistoryAxis::frequency ? unitText("Hz") : QString();
+    plot.y_name = y_name;
+    plot.y_unit = y_unit;
+    plot.empty =
+        axis == HistoryAxis::date && view.axis == HistoryAxis::date
+            ? translated(QT_TRANSLATE_NOOP("History",
+                                           "No result with a date has a value of this parameter."))
+            : translated(QT_TRANSLATE_NOOP("History", "No result has a value of this parameter."));
+    return plot;
+}
+
+XYSeries pointsAt(const Placed& at, const std::vector<double>& values, double factor) {
+    XYSeries series;
+    series.points = true;
+    series.ink = Ink::text;
+    series.x = at.x;
+    for (const std::size_t k : at.points) {
+        series.y.push_back(factor * values[k]);
+    }
+    return series;
+}
+
+// A level across the plot.
+void addLevel(XYPlot& plot, const QString& name, double level, Ink ink, bool dashed) {
+    const std::vector<double>& x = plot.series.front().x;
+    if (!std::isfinite(level) || x.empty()) {
+        return;
+    }
+    XYSeries line;
+    line.name = name;
+    line.ink = ink;
+    line.dashed = dashed;
+    line.x = {x.front(), x.back()};
+    line.y = {level, level};
+    plot.series.push_back(std::move(line));
+}
+
+// Points that lie outside in another colour and shape, and the chosen one.
+void addMarks(HistoryPlot& shown, const std::vector<bool>& out, const HistoryView& view,
+              const QString& outside_name = {}) {
+    const XYSeries& points = shown.plot.series.front();
+    XYSeries outside;
+    outside.name = outside_name;
+    outside.points = true;
+    outside.style = 3;
+    outside.ink = Ink::warning;
+    XYSeries chosen;
+    chosen.points = true;
+    chosen.style = 1;
+    chosen.ink = Ink::accent;
+    for (std::size_t k = 0; k < shown.points.size(); ++k) {
+        if (out[shown.points[k]]) {
+            outside.x.push_back(points.x[k]);
+            outside.y.push_back(points.y[k]);
+        }
+        if (view.chosen == shown.points[k]) {
+            chosen.x = {points.x[k]};
+            chosen.y = {points.y[k]};
+        }
+    }
+    for (XYSeries* marks : {&outside, &chosen}) {
+        if (!marks->x.empty()) {
+            shown.plot.series.push_back(std::move(*marks));
+        }
+    }
+}
+
+void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
+    const std::vector<double>& x = plot.series.front().x;
+    if (!std::isfinite(view.passport.value) || x.empty()) {
+        return;
+    }
+    XYSeries band;
+    band.name = translated(QT_TRANSLATE_NOOP("History", "passport ± 3 u"));
+    band.ink = Ink::channel_c;
+    band.x = {x.front(), x.back()};
+    band.y = {factor * view.passport.value, factor * view.passport.value};
+    const double wide = std::abs(factor) * passport_deviations * view.passport.u;
+    if (std::isfinite(wide)) {
+        band.sd = {wide, wide};
+    }
+    plot.series.push_back(std::move(band));
+}
+
+}  // namespace
+
+QString parameterTitle(const HistoryParameter& parameter) {
+    const auto dot = parameter.name.find('.');
+    if (dot == std::string::npos) {
+        return shownAs(parameter.name, parameter.unit, {}).title;
+    }
+    return modeTitle(parameter.name[dot - 2] - '0', parameter.name.substr(dot + 1));
+}
+
+QString parameterUnit(const HistoryParameter& parameter, const DisplayUnits& units) {
+    return shownAs(parameter.name, parameter.unit, units).unit;
+}
+
+double parameterFactor(const HistoryParameter& parameter, const DisplayUnits& units) {
+    return shownAs(parameter.name, parameter.unit, units).factor;
+}
+
+HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts,
+                       const HistoryView& view) {
+    const double factor = parameterFactor(view.parameter, view.units);
+    Placed at = placed(history, charts.values, view.axis);
+    HistoryPlot shown{emptyPlot(view, view.axis, parameterTitle(view.parameter),
+                                parameterUnit(view.parameter, view.units)),
+                      {}};
+    if (at.points.empty()) {
+        return shown;
+    }
+    XYSeries values = pointsAt(at, charts.values, factor);
+    values.name = translated(QT_TRANSLATE_NOOP("History", "values ± sd"));
+    for (const std::size_t k : at.points) {
+        values.sd.push_back(std::isfinite(charts.sd[k]) ? std::abs(factor) * charts.sd[k] : 0);
+    }
+    shown.points = std::move(at.points);
+    shown.plot.series.push_back(std::move(values));
+    const IndividualsChart& limits = charts.individuals;
+    addLevel(shown.plot, translated(QT_TRANSLATE_NOOP("History", "centre")), factor * limits.centre,
+             Ink::muted, false);
+    addLevel(shown.plot, translated(QT_TRANSLATE_NOOP("History", "limits")), factor * limits.low,
+             Ink::muted, true);
+    addLevel(shown.plot, {}, factor * limits.high, Ink::muted, true);
+    if (charts.one_gyro) {
+        addPassport(shown.plot, view, factor);
+    }
+    addMarks(shown, charts.individuals.out, view,
+             translated(QT_TRANSLATE_NOOP("History", "outside")));
+    return shown;
+}
+
+HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts,
+                       const HistoryView& view) {
+    const double factor = std::abs(parameterFactor(view.parameter, view.units));
+    const HistoryAxis axis = sequenceAxis(view.axis);
+    HistoryPlot shown{
+        emptyPlot(view, axis,
+                  translated(QT_TRANSLATE_NOOP("History", "Change from the one before")),
+                  parameterUnit(view.parameter, view.units)),
+        {}};
+    Placed at = placed(history, charts.individuals.ranges, axis);
+    if (at.points.empty() || !charts.one_gyro) {
+        return shown;
+    }
+    XYSeries ranges = pointsAt(at, charts.individuals.ranges, factor);
+    ranges.name = translated(QT_TRANSLATE_NOOP("History", "moving range"));
+    shown.points = std::move(at.points);
+    shown.plot.series.push_back(std::move(ranges));
+    addLevel(shown.plot, translated(QT_TRANSLATE_NOOP("History", "limit")),
+             factor * charts.individuals.range_limit, Ink::muted, true);
+    addMarks(shown, charts.individuals.range_is_out, view);
+    return shown;
+}
+
+HistoryPlot averagePlot(const StoredHistory& history, const HistoryCharts& charts,
+                        const HistoryView& view) {
+    const HistoryAxis axis = sequenceAxis(view.axis);
+    HistoryPlot shown{
+        emptyPlot(view, axis, translated(QT_TRANSLATE_NOOP("History", "Weighted average (EWMA)")),
+                  translated(QT_TRANSLATE_NOOP("History", "sd"))),
+        {}};
+    Placed at = placed(history, charts.average.average, axis);
+    if (at.points.empty() || !charts.one_gyro) {
+        shown.plot.empty = translated(QT_TRANSLATE_NOOP(
+            "History", "This chart needs ten results of one gyro to set its limits."));
+        return shown;
+    }
+    XYSeries average = pointsAt(at, charts.average.average, 1);
+    average.name = translated(QT_TRANSLATE_NOOP("History", "average"));
+    XYSeries limits;
+    limits.name = translated(QT_TRANSLATE_NOOP("History", "limits"));
+    limits.ink = Ink::muted;
+    limits.dashed = true;
+    limits.x = at.x;
+    for (const std::size_t k : at.points) {
+        limits.y.push_back(charts.average.limits[k]);
+    }
+    XYSeries lower = limits;
+    lower.name.clear();
+    std::ranges::transform(limits.y, lower.y.begin(), std::negate());
+    shown.points = std::move(at.points);
+    shown.plot.series = {std::move(average), std::move(limits), std::move(lower)};
+    addMarks(shown, charts.average.out, view);
+    return shown;
+}
+
+XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
+    XYPlot plot;
+    plot.x_name = parameterTitle(view.parameter);
+    plot.x_unit = parameterUnit(view.parameter, view.units);
+    plot.y_name = translated(QT_TRANSLATE_NOOP("History", "Results in each step"));
+    plot.empty = translated(
+        QT_TRANSLATE_NOOP("History", "A distribution needs two results with different values."));
+    const Histogram& found = charts.histogram;
+    if (found.counts.empty()) {
+        return plot;
+    }
+    const double factor = parameterFactor(view.parameter, view.units);
+    const auto value = [&](double z) {
+        return factor * (charts.moments.mean + z * charts.moments.sd);
+    };
+    XYSeries steps;
+    steps.name = translated(QT_TRANSLATE_NOOP("History", "results"));
+    steps.steps = true;
+    steps.ink = Ink::channel_c;
+    const auto add = [&](double bin, double count) {
+        steps.x.push_back(value(found.low + (bin + 0.5) * found.width));
+        steps.y.push_back(count);
+    };
+    // The first and last steps fall to zero.
+    add(-1, 0);
+    for (std::size_t k = 0; k < found.counts.size(); ++k) {
+        add(static_cast<double>(k), static_cast<double>(found.counts[k]));
+    }
+    add(static_cast<double>(found.counts.size()), 0);
+    XYSeries normal;
+    normal.name = translated(QT_TRANSLATE_NOOP("History", "normal"));
+    normal.ink = Ink::text;
+    normal.dashed = true;
+    constexpr int points = 121;
+    constexpr double reach = 4;
+    const double scale =
+        found.width * static_cast<double>(charts.moments.count) / std::sqrt(2 * std::numbers::pi);
+    for (int k = 0; k < points; ++k) {
+        const double z = reach * (2.0 * k / (points - 1) - 1);
+        normal.x.push_back(value(z));
+        normal.y.push_back(scale * std::exp(-0.5 * z * z));
+    }
+    plot.series = {std::move(steps), std::move(normal)};
+    return plot;
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ui/history/history_charts.h"
+#include "ui/plots/xy_plot.h"
+#include "ui/words/display_units.h"
+
+namespace vybeg::ui {
+
+enum class HistoryAxis { date, frequency, order };
+
+// How the history is shown.
+struct HistoryView {
+    HistoryParameter parameter;
+    HistoryAxis axis = HistoryAxis::date;
+    DisplayUnits units;
+    std::optional<std::size_t> chosen;  // point
+    Estimate passport;                  // of the parameter; NaN: none is open
+    QString passport_name;
+};
+
+// A plot whose first series has the points of these places in the history.
+struct HistoryPlot {
+    XYPlot plot;
+    std::vector<std::size_t> points;
+};
+
+// "Decay time τ" or "Mode 1: f", with the unit as it is shown.
+QString parameterTitle(const HistoryParameter& parameter);
+QString parameterUnit(const HistoryParameter& parameter, const DisplayUnits& units);
+double parameterFactor(const HistoryParameter& parameter, const DisplayUnits& units);
+
+// Values with their standard deviations, limits and passport against the chosen axis. The others
+// are sequences: against the order where the axis is the frequency.
+HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts,
+                       const HistoryView& view);
+HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts,
+                       const HistoryView& view);
+HistoryPlot averagePlot(const StoredHistory& history, const HistoryCharts& charts,
+                        const HistoryView& view);
+XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view);
+
+}  // namespace vybeg::ui
