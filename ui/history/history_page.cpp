@@ -129,12 +129,15 @@ void HistoryPage::compute() {
 
 HistoryView HistoryPage::view() const {
     const OpenPassport* open = document_.sets().passport();
+    const ParameterLimit* limit =
+        limit_of(document_.dossier().dossier().limits, choices_->parameter().name.c_str());
     return {choices_->parameter(),
             choices_->axis(),
             units_,
             chosen_,
             passportValue(open ? &open->passport : nullptr, choices_->parameter()),
-            open ? open->name : QString()};
+            open ? open->name : QString(),
+            limit ? std::optional(*limit) : std::nullopt};
 }
 
 void HistoryPage::showHistory() {
@@ -285,6 +288,7 @@ void HistoryPage::askToAdd() {
     }
     const MeasurementSet measured = document_.sets().measured(*set);
     QString gyro = QString::fromStdString(gyro_of(measured));
+    gyro = gyro.isEmpty() ? document_.dossier().dossier().gyro.serial : gyro;
     gyro = gyro.isEmpty() ? set->name : gyro;
     QStringList gyros;
     for (const StoredGyro& each : history_ ? history_->gyros : std::vector<StoredGyro>()) {

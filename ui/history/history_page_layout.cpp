@@ -108,6 +108,7 @@ void HistoryPage::connectWidgets() {
     }
     connect(&document_.sets(), &SetStore::changed, this, &HistoryPage::refresh);
     connect(&document_.sets(), &SetStore::passportChanged, this, &HistoryPage::showHistory);
+    connect(&document_.dossier(), &DossierModel::changed, this, &HistoryPage::showHistory);
 }
 
 void HistoryPage::retranslate() {

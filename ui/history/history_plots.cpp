@@ -185,6 +185,16 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
     addLevel(shown.plot, translated(QT_TRANSLATE_NOOP("History", "limits")), factor * limits.low,
              Ink::muted, true);
     addLevel(shown.plot, {}, factor * limits.high, Ink::muted, true);
+    if (view.limit) {
+        const QString name = translated(QT_TRANSLATE_NOOP("History", "limits of the gyro"));
+        const auto& [parameter, lower, upper] = *view.limit;
+        if (lower) {
+            addLevel(shown.plot, name, factor * *lower, Ink::warning, true);
+        }
+        if (upper) {
+            addLevel(shown.plot, lower ? QString() : name, factor * *upper, Ink::warning, true);
+        }
+    }
     if (charts.one_gyro) {
         addPassport(shown.plot, view, factor);
     }

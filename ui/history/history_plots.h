@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/resonator/results/parameter_limit.h"
 #include "ui/history/history_charts.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/words/display_units.h"
@@ -16,6 +17,7 @@ struct HistoryView {
     std::optional<std::size_t> chosen;  // point
     Estimate passport;                  // of the parameter; NaN: none is open
     QString passport_name;
+    std::optional<ParameterLimit> limit;  // of the session's dossier
 };
 
 // A plot whose first series has the points of these places in the history.
@@ -29,7 +31,8 @@ QString parameterTitle(const HistoryParameter& parameter);
 QString parameterUnit(const HistoryParameter& parameter, const DisplayUnits& units);
 double parameterFactor(const HistoryParameter& parameter, const DisplayUnits& units);
 
-// Values with their standard deviations, limits and passport against the chosen axis. The others
+// Values with their standard deviations, limits of the chart, limits of the dossier and passport
+// against the chosen axis. The others
 // are sequences: against the order where the axis is the frequency.
 HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts,
                        const HistoryView& view);

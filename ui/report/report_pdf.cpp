@@ -166,6 +166,8 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
     QTextDocument document;
     QFont font(QGuiApplication::font().family());
     font.setPointSizeF(base_points);
+    // With any spacing Qt sets no ligatures, so that "fi" is found as two letters.
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 1e-3);
     document.setDefaultFont(font);
     document.setDocumentMargin(0);
     document.setDefaultStyleSheet(
