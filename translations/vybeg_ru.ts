@@ -671,9 +671,9 @@
     <message numerus="yes">
         <source>%n result(s) without a date are not shown; by order they are.</source>
         <translation>
-            &lt;numerusform&gt;%n результат без даты не показан; по порядку он виден.&lt;/numerusform&gt;
-            &lt;numerusform&gt;%n результата без даты не показаны; по порядку они видны.&lt;/numerusform&gt;
-            &lt;numerusform&gt;%n результатов без даты не показаны; по порядку они видны.&lt;/numerusform&gt;
+            <numerusform>%n результат без даты не показан; по порядку он виден.</numerusform>
+            <numerusform>%n результата без даты не показаны; по порядку они видны.</numerusform>
+            <numerusform>%n результатов без даты не показаны; по порядку они видны.</numerusform>
         </translation>
     </message>
     <message>
@@ -683,9 +683,9 @@
     <message numerus="yes">
         <source>The first %n result(s) set the limits.</source>
         <translation>
-            &lt;numerusform&gt;Пределы заданы первым %n результатом.&lt;/numerusform&gt;
-            &lt;numerusform&gt;Пределы заданы первыми %n результатами.&lt;/numerusform&gt;
-            &lt;numerusform&gt;Пределы заданы первыми %n результатами.&lt;/numerusform&gt;
+            <numerusform>Пределы заданы первым %n результатом.</numerusform>
+            <numerusform>Пределы заданы первыми %n результатами.</numerusform>
+            <numerusform>Пределы заданы первыми %n результатами.</numerusform>
         </translation>
     </message>
     <message>
@@ -707,9 +707,9 @@
     <message numerus="yes">
         <source>%n result(s) of all gyros.</source>
         <translation>
-            &lt;numerusform&gt;%n результат всех гироскопов.&lt;/numerusform&gt;
-            &lt;numerusform&gt;%n результата всех гироскопов.&lt;/numerusform&gt;
-            &lt;numerusform&gt;%n результатов всех гироскопов.&lt;/numerusform&gt;
+            <numerusform>%n результат всех гироскопов.</numerusform>
+            <numerusform>%n результата всех гироскопов.</numerusform>
+            <numerusform>%n результатов всех гироскопов.</numerusform>
         </translation>
     </message>
     <message>
@@ -719,25 +719,25 @@
     <message numerus="yes">
         <source>None of %n result(s) is outside the limits.</source>
         <translation>
-            &lt;numerusform&gt;Ни один из %n результата не выходит за пределы.&lt;/numerusform&gt;
-            &lt;numerusform&gt;Ни один из %n результатов не выходит за пределы.&lt;/numerusform&gt;
-            &lt;numerusform&gt;Ни один из %n результатов не выходит за пределы.&lt;/numerusform&gt;
+            <numerusform>Ни один из %n результата не выходит за пределы.</numerusform>
+            <numerusform>Ни один из %n результатов не выходит за пределы.</numerusform>
+            <numerusform>Ни один из %n результатов не выходит за пределы.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n result(s) outside the limits:</source>
         <translation>
-            &lt;numerusform&gt;%n результат за пределами:&lt;/numerusform&gt;
-            &lt;numerusform&gt;%n результата за пределами:&lt;/numerusform&gt;
-            &lt;numerusform&gt;%n результатов за пределами:&lt;/numerusform&gt;
+            <numerusform>%n результат за пределами:</numerusform>
+            <numerusform>%n результата за пределами:</numerusform>
+            <numerusform>%n результатов за пределами:</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
-            &lt;numerusform&gt;и ещё %n&lt;/numerusform&gt;
-            &lt;numerusform&gt;и ещё %n&lt;/numerusform&gt;
-            &lt;numerusform&gt;и ещё %n&lt;/numerusform&gt;
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
         </translation>
     </message>
 </context>
