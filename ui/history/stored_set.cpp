@@ -54,7 +54,10 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
             stored.missing << path;
             continue;
         }
-        ListedRecording row{each.file, path.toStdU16String(), {}, each.conditions, {}};
+        ListedRecording& row = set.recordings.emplace_back();
+        row.file = each.file;
+        row.path = path.toStdU16String();
+        row.conditions = each.conditions;
         row.open.channel_c = each.channel_c;
         row.open.channel_d = each.channel_d;
         stored.list.other_columns.clear();
@@ -62,7 +65,6 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
             stored.list.other_columns.push_back(column);
             row.others.push_back(value);
         }
-        set.recordings.push_back(std::move(row));
         set.settings.of_recordings.push_back(settings ? (*settings)[k].signal : otherwise.signal);
     }
     if (!set.recordings.empty()) {

@@ -160,6 +160,22 @@ private slots:
         QCOMPARE(page().figures().plots.size(), 4);
     }
 
+    // Limits of the session's dossier stand in the plot of their parameter, in the unit shown.
+    void limits_of_the_gyro_are_drawn() {
+        open(database("limits.db", 30));
+        const auto limits = [&] {
+            const auto& series = the<XYPlotView>("historyValues").content().series;
+            const auto found =
+                std::ranges::find(series, QStringLiteral("limits of the gyro"), &XYSeries::name);
+            return found == series.end() ? std::vector<double>() : found->y;
+        };
+        QVERIFY(limits().empty());
+        window_->document().dossier().setLimits({{"tau_s", 20.0, std::nullopt}});
+        QVERIFY(limits().empty());  // of another parameter
+        window_->document().dossier().setLimits({{"split_hz", std::nullopt, 0.0125}});
+        QCOMPARE(limits(), (std::vector<double>{0.0125, 0.0125}));
+    }
+
     // The same values against the frequency, and in order; the parameter and its unit.
     void axis_and_parameter_are_chosen() {
         open(database("axis.db", 30));
