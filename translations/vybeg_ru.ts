@@ -740,6 +740,10 @@
             <numerusform>и ещё %n</numerusform>
         </translation>
     </message>
+    <message>
+        <source>limits of the gyro</source>
+        <translation>пределы гироскопа</translation>
+    </message>
 </context>
 <context>
     <name>Message</name>

@@ -117,7 +117,12 @@ private slots:
                     break;
                 }
                 QVERIFY2(end.status == -1 || end.status == 130, end.err);
-                QCOMPARE(file("results.csv"), QByteArray("old"));
+                // Killed between the last step and its exit, the program has finished its table.
+                const QByteArray now = file("results.csv");
+                QVERIFY2(now == "old" || (signal == SIGKILL && now == table_), now);
+                if (now != "old") {
+                    break;
+                }
                 const int done = rows_done();
                 with_rows += done > 0 && done < 12 ? 1 : 0;
                 if (end.status == 130) {

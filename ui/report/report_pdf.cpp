@@ -26,6 +26,7 @@ constexpr double head_height = 34;
 constexpr double foot_height = 34;
 
 constexpr int base_points = 9;
+constexpr double least_spacing = 1.0 / 32;  // pixels of the page; Qt counts in 64ths
 
 const char* const style_sheet =
     "h1 { font-size: 17pt; margin-bottom: 8px; }"
@@ -166,8 +167,8 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportPicture>& p
     QTextDocument document;
     QFont font(QGuiApplication::font().family());
     font.setPointSizeF(base_points);
-    // With any spacing Qt sets no ligatures, so that "fi" is found as two letters.
-    font.setLetterSpacing(QFont::AbsoluteSpacing, 1e-3);
+    // With any spacing Qt sets no ligatures, so that a search finds "fi".
+    font.setLetterSpacing(QFont::AbsoluteSpacing, least_spacing);
     document.setDefaultFont(font);
     document.setDocumentMargin(0);
     document.setDefaultStyleSheet(

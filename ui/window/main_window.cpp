@@ -57,7 +57,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
         windowCommands({document_, *tracks_, *cursor_, *measure_, *runs_, *settings_, *status_,
                         *files_, [this](const DisplayUnits& units) { setUnits(units); },
                         [this](Page page) { pages_->showPage(page); }, [this] { return figures(); },
-                        [this] { identify(); }, [this] { addSet(); }, [this] { showHelp(); },
+                        [this] { showHelp(); },
                         [this] { showAbout(this, action(Command::copy_diagnostics)); },
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
         this);
@@ -346,16 +346,6 @@ FigureSource MainWindow::figures() const {
         case Page::history: return history_->figures();
     }
     return {};
-}
-
-void MainWindow::identify() {
-    pages_->showPage(Page::resonator);
-    document_.sets().identify();
-}
-
-void MainWindow::addSet() {
-    document_.sets().add();
-    pages_->showPage(Page::resonator);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

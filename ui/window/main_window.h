@@ -81,10 +81,7 @@ private:
     void setUnits(const DisplayUnits& units);
     // Of the page that is shown.
     FigureSource figures() const;
-    void identify();
-    void addSet();
     void showHelp();
-    void retranslate();
 
     // main_window_state.cpp
     static ThemeMode storedThemeMode();
@@ -92,6 +89,7 @@ private:
     void restoreState();
     void saveState();
     void applyLook();
+    void retranslate();
 
     Document& document_;
     Language language_;

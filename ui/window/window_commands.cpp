@@ -283,12 +283,20 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .tip = QT_TRANSLATE_NOOP("Command", "Fit one resonator to all recordings of the set"),
          .keys = {QKeySequence(Qt::Key_F7)},
          .enabled = [to] { return to.document.sets().canIdentify(); },
-         .act = [to] { to.identify(); }},
+         .act =
+             [to] {
+                 to.show_page(Page::resonator);
+                 to.document.sets().identify();
+             }},
         {.id = Command::new_set,
          .text = QT_TRANSLATE_NOOP("Command", "&New set of runs"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "Recordings of another resonator, to be identified together"),
-         .act = [to] { to.add_set(); }},
+         .act =
+             [to] {
+                 to.document.sets().add();
+                 to.show_page(Page::resonator);
+             }},
         {.id = Command::help,
          .text = QT_TRANSLATE_NOOP("Command", "&Help"),
          .tip = QT_TRANSLATE_NOOP("Command", "How to use the program, the method and its formulas"),

@@ -34,8 +34,6 @@ struct CommandTargets {
     std::function<void(Page)> show_page;
     // Of the page that is shown.
     std::function<FigureSource()> figures;
-    std::function<void()> identify;
-    std::function<void()> add_set;
     std::function<void()> show_help;
     std::function<void()> show_about;
     std::function<QString()> diagnostics;

@@ -111,7 +111,7 @@ private slots:
         QVERIFY(!window_->action(Command::page_residuals)->isEnabled());
         open(home_.recording("demo.wav"));
         QVERIFY(tabs.isVisible());
-        QCOMPARE(tabs.count(), 5);
+        QCOMPARE(tabs.count(), 6);
         goToResiduals();
         QCOMPARE(tabs.currentIndex(), 3);
         QVERIFY(!the<TrackView>().isVisible());
