@@ -10,7 +10,7 @@ QT_QPA_PLATFORM=offscreen "$program" --screenshots "$shots"
 
 # picture FROM TO [CROP]
 picture() {
-    convert "$shots/$1" ${3:+-crop "$3" +repage} -strip -colors 128 "PNG8:$2"
+    convert "$shots/$1" ${3:+-crop "$3" +repage} -strip +dither -colors 192 "PNG8:$2"
 }
 
 for page in tracks signals resonator windows; do

@@ -68,13 +68,15 @@ void SessionKeeper::open(const QStringList& paths, const OpenOptions& options) {
         recordings.removeIf(&SessionKeeper::isSession);
         openSession(*session);
     }
-    const auto list = std::ranges::stable_partition(recordings, [](const QString& path) {
-        return !is_measurement_list(path.toStdU16String());
-    });
-    for (const QString& path : list) {
-        document_.sets().openList(path, options);
+    const auto is_list = [](const QString& path) {
+        return is_measurement_list(path.toStdU16String());
+    };
+    for (const QString& path : std::as_const(recordings)) {
+        if (is_list(path)) {
+            document_.sets().openList(path, options);
+        }
     }
-    recordings.erase(list.begin(), recordings.end());
+    recordings.removeIf(is_list);
     document_.open(recordings, options);
 }
 
