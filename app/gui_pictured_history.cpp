@@ -30,7 +30,7 @@ Status write_pictured_history(const std::filesystem::path& path) {
         result.key = number;
         result.set = "run " + number;
         result.gyro = first ? "HRG-17" : "HRG-18";
-        result.date = {QDate(2026, 1, 8).addDays(3 * k).toString(Qt::ISODate).toStdString(),
+        result.date = {QDate(2026, 1, 8).addDays(qint64{3} * k).toString(Qt::ISODate).toStdString(),
                        DateSource::list};
         result.program = "vybeg";
         result.model = "structured";
