@@ -215,14 +215,15 @@ void SetPanel::refreshMembers(const RunSet* set) {
         selected.push_back(item->data(Qt::UserRole).toInt());
     }
     members_->clear();
+    const auto* listed = set && set->listed ? &*set->listed : nullptr;
     for (const int id : set ? set->recordings : std::vector<int>()) {
         const RecordingEntry& entry = *document_.recording(id);
         auto* item = new QListWidgetItem(entry.name, members_);
         item->setData(Qt::UserRole, id);
         QStringList told{QDir::toNativeSeparators(entry.path)};
-        if (set->listed && set->listed->members.contains(id)) {
-            const ListedMember& member = set->listed->members.at(id);
-            told += conditionsText(member.row, set->listed->other_columns);
+        if (listed && listed->members.contains(id)) {
+            const ListedMember& member = listed->members.at(id);
+            told += conditionsText(member.row, listed->other_columns);
         }
         item->setToolTip(told.join(QLatin1Char('\n')));
         item->setSelected(std::ranges::count(selected, id) > 0);
