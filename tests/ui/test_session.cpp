@@ -50,9 +50,21 @@ class TestSession : public QObject {
         QTRY_COMPARE(session().path(), path);
     }
 
+    // As soon as five in a row are the same: marks that come and go move the plots once more.
     QImage picture() {
-        QTest::qWait(50);  // the paint events of all that has changed
-        return the<TrackView>().grab().toImage();
+        QImage last;
+        int same = 0;
+        const bool settled = QTest::qWaitFor(
+            [&] {
+                QCoreApplication::sendPostedEvents();  // queued marks, then the layouts they ask
+                                                       // for
+                const QImage now = the<TrackView>().grab().toImage();
+                same = now == last ? same + 1 : 0;
+                last = now;
+                return same >= 5;
+            },
+            20000);
+        return settled ? last : QImage();
     }
 
     QString messages() { return the<MessageBar>().texts().join('\n'); }
@@ -126,6 +138,7 @@ private slots:
         QVERIFY(session().save(path));
         QVERIFY(!session().isModified());
         const QImage before = picture();
+        QVERIFY(!before.isNull());
         const QString table = the<MeasurePanel>().tableText();
         const Settings settings = document().settings();
         std::vector<Run> runs;
