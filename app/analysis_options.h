@@ -3,12 +3,9 @@
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/settings.h"
 #include "core/recording/samples/open_options.h"
-#include "core/recording/samples/recording.h"
 #include "core/resonator/results/passport.h"
 
 #include <CLI/CLI.hpp>
-
-#include <vector>
 
 namespace vybeg::cli {
 
@@ -16,7 +13,7 @@ namespace vybeg::cli {
 // their companions. `options` must outlive the parse.
 void add_open_options(CLI::App& app, OpenOptions& options);
 
-// The options of INTERFACE.md that say how it is analysed: --algorithm to --angle-zero, --threads.
+// The options that say how it is analysed: --algorithm to --angle-zero, --threads.
 // `settings` must outlive the parse. Their values are checked one by one here and together by
 // validate().
 void add_analysis_options(CLI::App& app, Settings& settings);
@@ -30,11 +27,5 @@ void add_tolerance_option(CLI::App& app, IdentifySettings& settings);
 
 // Those of a comparison: --f-limit. `options` must outlive the parse.
 void add_compare_options(CLI::App& app, CompareOptions& options);
-
-// Options that change nothing beside the others: option_without_effect for each.
-std::vector<Diagnostic> without_effect(const Settings& settings);
-std::vector<Diagnostic> without_effect(const IdentifySettings& settings);
-// Of those that say how the recording is opened, beside what the file itself says.
-std::vector<Diagnostic> without_effect(const OpenOptions& options, const Recording& recording);
 
 }  // namespace vybeg::cli

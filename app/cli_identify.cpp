@@ -1,11 +1,11 @@
 #include "app/cli_commands.h"
 #include "app/cli_identify_text.h"
 #include "app/cli_support.h"
-#include "app/list_sets.h"
-#include "app/output_paths.h"
-#include "app/set_identification.h"
 #include "core/analysis/setting_table.h"
+#include "core/batch/list_sets.h"
+#include "core/batch/set_identification.h"
 #include "core/output/identify_json.h"
+#include "core/output/output_paths.h"
 #include "core/output/passport_json.h"
 
 #include <nlohmann/json.hpp>

@@ -2,16 +2,12 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
+#include "core/batch/batch_events.h"
 
 #include <span>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace vybeg::cli {
-
-// Warnings and the file that they concern; empty: none alone.
-using NamedWarnings = std::pair<std::string, std::vector<Diagnostic>>;
 
 // What goes to standard error: sentences for people, or with --json-log one JSON object per line,
 // {"level": "warning"|"error"|"progress", "code": .., "text": .., ..}.

@@ -6,6 +6,7 @@
 #include "app/cli_support.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
+#include "core/base/caught_error.h"
 #include "core/base/plain_text.h"
 #include "core/simulation/simulate.h"
 
@@ -194,6 +195,7 @@ int run(int argc, char** argv) {
     add_log_options(*compare_command, log_options);
 
     BatchRequest batch;
+    batch.program = program;
     CLI::App* const batch_command =
         app.add_subcommand("batch", "The resonators of a measurement list, as a table");
     add_batch_options(*batch_command, batch);

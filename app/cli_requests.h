@@ -2,6 +2,7 @@
 
 #include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
+#include "core/batch/batch_request.h"
 #include "core/recording/samples/open_options.h"
 #include "core/resonator/results/passport.h"
 #include "core/simulation/free_decay.h"
@@ -38,20 +39,6 @@ struct IdentifyRequest {
     IdentifySettings settings;
     CompareOptions compare;
     bool timing = false;
-};
-
-struct BatchRequest {
-    std::string list;       // or a folder of recordings
-    std::string output;     // "-": standard output
-    std::string json;       // folder of the results; empty: none
-    std::string passports;  // folder of the gyros' passports; empty: none
-    std::string database;   // file that the results also go into; empty: none
-    std::string only;       // this set alone; empty: all
-    int jobs = 1;           // sets at once
-    bool resume = false;
-    OpenOptions open;
-    IdentifySettings settings;
-    CompareOptions compare;
 };
 
 struct SimulateRequest {

@@ -1,10 +1,10 @@
 #include "app/gui_analysis.h"
 
-#include "app/analysis_options.h"
-#include "app/output_paths.h"
 #include "app/process_guard.h"
 #include "core/analysis/analyse.h"
+#include "core/analysis/idle_options.h"
 #include "core/base/messages.h"
+#include "core/output/output_paths.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/file_changes.h"
 #include "ui/widgets/theme.h"

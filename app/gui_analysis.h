@@ -18,7 +18,7 @@ namespace vybeg::cli {
 // What --figure and --report share: an analysis without a window. Errors and warnings go to
 // standard error, one line each.
 
-// Returns the exit status of INTERFACE.md.
+// Returns the exit status (help, files.html).
 int fail(const Error& error);
 void warn(const Diagnostic& diagnostic);
 

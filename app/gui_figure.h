@@ -12,7 +12,7 @@ namespace vybeg::cli {
 
 // `vybeg FILE... --figure FIGURE [--windows 6,60]`: the stacked plots, one column per recording and
 // window length. Needs a QApplication, shows no window. Errors and warnings go to standard error;
-// returns the exit status of INTERFACE.md.
+// returns the exit status (help, files.html).
 struct FigureRequest {
     std::vector<std::string> inputs;
     std::string figure;                 // its ending chooses SVG, PDF or PNG

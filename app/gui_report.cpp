@@ -2,8 +2,8 @@
 
 #include "app/gui_analysis.h"
 #include "app/gui_report_set.h"
-#include "app/list_sets.h"
 #include "core/base/messages.h"
+#include "core/batch/list_sets.h"
 #include "core/output/file_ending.h"
 #include "core/output/output_file.h"
 #include "ui/report/report_pdf.h"

@@ -15,8 +15,8 @@ namespace vybeg::cli {
 // `vybeg --list LIST.csv --report REPORT.pdf`: of the sets of a measurement list, a chapter each,
 // or of one of them. In the language of the system. What the title does not tell is a line to fill
 // in by hand. Needs a QApplication, shows no window. Errors and warnings go to standard error;
-// returns the exit status of INTERFACE.md. A resonator that cannot be identified is no failure, nor
-// is one of several sets without a result: the report gives the reason.
+// returns the exit status (help, files.html). A resonator that cannot be identified is no failure,
+// nor is one of several sets without a result: the report gives the reason.
 struct ReportRequest {
     std::vector<std::string> inputs;
     std::string list;       // measurement list in place of inputs; empty: none

@@ -1,11 +1,13 @@
 #include "app/gui_screenshots.h"
 
 #include "app/gui_analysis.h"
+#include "app/gui_pictured_batch.h"
 #include "app/gui_pictured_history.h"
 #include "core/base/system_reason.h"
 #include "core/output/output_file.h"
 #include "core/output/sample_files.h"
 #include "core/simulation/simulate.h"
+#include "ui/batch/batch_window.h"
 #include "ui/document/document.h"
 #include "ui/history/history_page.h"
 #include "ui/plots/track_view.h"
@@ -52,15 +54,15 @@ void pass(int milliseconds) {
     loop.exec();
 }
 
-// Lets the program work until the window's picture stays the same.
-QImage settled(MainWindow& window) {
+// Lets the program work until a window's picture stays the same.
+QImage settled(QWidget& window, const Document& document) {
     QElapsedTimer clock;
     clock.start();
     QImage last;
     while (clock.elapsed() < most_ms) {
         pass(settle_ms);
         const QImage now = window.grab().toImage();
-        if (!window.document().busy() && now == last) {
+        if (!document.busy() && now == last) {
             break;
         }
         last = now;
@@ -108,6 +110,7 @@ struct Content {
 struct PagePicture {
     const char* name;
     std::function<void(MainWindow&)> show;
+    QWidget* of = nullptr;  // null: of the main window
 };
 
 // Every page, and what the panels beside the plots show.
@@ -119,7 +122,7 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
         std::pair{Command::page_signals, "signals"},
         std::pair{Command::page_resonator, "resonator"},
         std::pair{Command::page_residuals, "residuals"},
-        std::pair{Command::page_sweep, "windows"},
+        std::pair{Command::page_windows, "windows"},
         std::pair{Command::page_history, "history"},
     };
     if (tabs->isVisible()) {
@@ -131,7 +134,7 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
         }
         // A sweep is computed when it is asked for.
         std::prev(pages.end(), 2)->show = [](MainWindow& shown) {
-            shown.action(Command::page_sweep)->trigger();
+            shown.action(Command::page_windows)->trigger();
             auto* run = shown.findChild<QPushButton*>(QStringLiteral("sweepRun"));
             if (const auto* page = shown.findChild<SweepPage*>(); page->sweep() == nullptr) {
                 run->click();
@@ -149,6 +152,10 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
                              auto& tracks = *shown.findChild<TrackView*>();
                              tracks.setTimeRange({10, 10 + periods_s});
                          }});
+        if (auto* batch = window.findChild<BatchWindow*>()) {
+            pages.push_back(
+                {"batch", [batch](MainWindow& shown) { batch->resize(shown.size()); }, batch});
+        }
     } else {
         pages.push_back({"welcome", [](MainWindow&) {}});
     }
@@ -160,7 +167,7 @@ void fill(MainWindow& window, const QStringList& files, const OpenOptions& open)
     Document& document = window.document();
     document.setLive(false);
     window.files().open(files, open);
-    settled(window);
+    settled(window, document);
     std::vector<int> ids;
     for (const RecordingEntry& entry : document.recordings()) {
         ids.push_back(entry.id);
@@ -175,7 +182,7 @@ void fill(MainWindow& window, const QStringList& files, const OpenOptions& open)
             QKeyEvent press(QEvent::KeyPress, key, Qt::NoModifier);
             QCoreApplication::sendEvent(&tracks, &press);
         }
-        settled(window);
+        settled(window, document);
     }
 }
 
@@ -192,6 +199,18 @@ void show_history(HistoryPage& page, const QString& database) {
     gyro->setCurrentIndex(1);
     emit gyro->activated(1);
     wait();
+}
+
+// A table of many sets.
+void show_batch(MainWindow& window, const QStringList& files, const QDir& folder) {
+    start_pictured_batch(window, files, folder);
+    const auto* batch = window.findChild<BatchWindow*>();
+    QElapsedTimer clock;
+    clock.start();
+    // It begins once its passport is written.
+    do {
+        pass(settle_ms);
+    } while (clock.elapsed() < most_ms && (batch->running() || clock.elapsed() < 10 * settle_ms));
 }
 
 Status write_picture(const QImage& image, const QString& path) {
@@ -224,7 +243,8 @@ Status picture_all(MainWindow& window, const Content& content, const QDir& folde
                             .arg(width)
                             .arg(height)
                             .arg(window.devicePixelRatioF());
-                    const Status written = write_picture(settled(window), folder.filePath(name));
+                    const QImage picture = settled(page.of ? *page.of : window, window.document());
+                    const Status written = write_picture(picture, folder.filePath(name));
                     if (!written) {
                         return written;
                     }
@@ -273,6 +293,7 @@ int take_screenshots(const ScreenshotRequest& request) {
         // The page without a database belongs to one recording.
         if (content.recordings > 1) {
             show_history(*window.findChild<HistoryPage*>(), database);
+            show_batch(window, files, QDir(own.path()));
         }
         if (const Status done = picture_all(window, content, QDir(target)); !done) {
             return fail(done.error());

@@ -1,5 +1,6 @@
 #include "app/process_guard.h"
 
+#include "core/base/caught_error.h"
 #include "core/base/messages.h"
 
 #include <tbb/info.h>
@@ -14,11 +15,8 @@
 #include <exception>
 #include <fcntl.h>
 #include <mutex>
-#include <new>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
-#include <typeinfo>
 #include <unistd.h>
 #include <vector>
 
@@ -61,26 +59,6 @@ void open_missing_descriptors() {
 void make_write_signals_errors() {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-}
-
-Error error_of(const std::exception_ptr& exception) {
-    try {
-        std::rethrow_exception(exception);
-    } catch (const std::bad_alloc&) {
-        return {ErrorCode::out_of_memory, {}, {}};
-    } catch (const std::length_error&) {
-        return {ErrorCode::out_of_memory, {}, {}};  // more than the address space holds
-    } catch (const std::system_error& error) {
-        if (error.code() == std::errc::resource_unavailable_try_again) {
-            return {ErrorCode::out_of_threads, {}, {}};
-        }
-        throw;
-    } catch (const std::runtime_error& error) {
-        if (typeid(error) == typeid(std::runtime_error)) {
-            return {ErrorCode::out_of_threads, {}, {}};  // oneTBB's, of pthread_create
-        }
-        throw;
-    }
 }
 
 Status check_threads(int threads) {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "core/base/error.h"
 #include "core/base/result.h"
-
-#include <exception>
 
 namespace vybeg::cli {
 
@@ -16,10 +13,6 @@ void open_missing_descriptors();
 
 // SIGPIPE and SIGXFSZ become errors of write().
 void make_write_signals_errors();
-
-// The error behind an exception that no part of the program expects: out_of_memory or
-// out_of_threads. Other exceptions are thrown on.
-Error error_of(const std::exception_ptr& exception);
 
 // Whether the system starts the threads of an analysis: out_of_threads. `threads` as in Settings.
 // oneTBB starts its threads from within others, where a failure would end the program.

@@ -30,12 +30,12 @@ bool answer(ReplyKind kind, std::span<const char> bytes) {
     return send_value(reader_socket, reply) && send_bytes(reader_socket, bytes);
 }
 
-Result<std::unique_ptr<LibraryFile>> open_file(std::string_view kind) {
+Result<std::unique_ptr<HelperFile>> open_file(std::string_view kind) {
     const std::string path = "/proc/self/fd/" + std::to_string(reader_file);
     return open_hdf5_file(path, kind == "mat73" ? Naming::matlab : Naming::hdf5);
 }
 
-void serve(LibraryFile& file) {
+void serve(HelperFile& file) {
     SampleRequest request;
     std::vector<double> samples;
     while (receive_value(reader_socket, request) && fits(request, file.catalogue())) {

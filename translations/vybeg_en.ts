@@ -19,6 +19,23 @@
         </message>
     </context>
     <context>
+        <name>vybeg::ui::BatchWindow</name>
+        <message numerus="yes">
+            <source>%1 of %n set(s)</source>
+            <translation>
+                <numerusform>%1 of %n set</numerusform>
+                <numerusform>%1 of %n sets</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n without a result</source>
+            <translation>
+                <numerusform>%n without a result</numerusform>
+                <numerusform>%n without a result</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>vybeg::ui::CheckList</name>
         <message numerus="yes">
             <source>Recording check: %n finding(s)</source>

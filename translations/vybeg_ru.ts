@@ -68,6 +68,97 @@
     </message>
 </context>
 <context>
+    <name>BatchColumn</name>
+    <message>
+        <source>Set</source>
+        <translation>Набор</translation>
+    </message>
+    <message>
+        <source>Its name in the list</source>
+        <translation>Его имя в списке</translation>
+    </message>
+    <message>
+        <source>Gyro</source>
+        <translation>Гироскоп</translation>
+    </message>
+    <message>
+        <source>The first that the rows of the set name</source>
+        <translation>Первое, что указано в строках набора</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Состояние</translation>
+    </message>
+    <message>
+        <source>Whether the set is computed, and has a result</source>
+        <translation>Вычислен ли набор и есть ли результат</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Вердикт</translation>
+    </message>
+    <message>
+        <source>Of the comparison with the gyro&apos;s passport</source>
+        <translation>Итог сравнения с паспортом гироскопа</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Изменилось</translation>
+    </message>
+    <message>
+        <source>The parameters that differ from the passport</source>
+        <translation>Параметры, отличающиеся от паспорта</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Модель</translation>
+    </message>
+    <message>
+        <source>Structured: of known channels; free: where the data tell too little about it</source>
+        <translation>С калиброванными датчиками; свободная — где данных для неё недостаточно</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Шум</translation>
+    </message>
+    <message>
+        <source>White, or coloured about the carrier</source>
+        <translation>Белый или окрашенный около несущей</translation>
+    </message>
+    <message>
+        <source>χ² per dof</source>
+        <translation>χ² на степень свободы</translation>
+    </message>
+    <message>
+        <source>What the model leaves, in units of the noise: 1 is all noise</source>
+        <translation>Остаток модели в единицах шума: 1 — только шум</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Записи</translation>
+    </message>
+    <message>
+        <source>As the list names them</source>
+        <translation>Как они названы в списке</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Причина</translation>
+    </message>
+    <message>
+        <source>Why the set has no result</source>
+        <translation>Почему у набора нет результата</translation>
+    </message>
+    <message>
+        <source>A column of the list</source>
+        <translation>Столбец списка</translation>
+    </message>
+</context>
+<context>
     <name>Command</name>
     <message>
         <source>&amp;Open…</source>
@@ -361,6 +452,14 @@
         <source>The page with the parameters of each gyro over all results of the laboratory&apos;s database</source>
         <translation>Страница с параметрами каждого гироскопа по всем результатам базы данных лаборатории</translation>
     </message>
+    <message>
+        <source>&amp;Batch…</source>
+        <translation>Пакетная о&amp;бработка…</translation>
+    </message>
+    <message>
+        <source>Compute many sets of a list or folder into a table, without opening their recordings</source>
+        <translation>Вычислить много наборов из списка или папки в таблицу, не открывая записи</translation>
+    </message>
 </context>
 <context>
     <name>DisplayUnits</name>
@@ -391,6 +490,21 @@
     <message>
         <source>s</source>
         <translation>с</translation>
+    </message>
+</context>
+<context>
+    <name>Duration</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 с</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 мин</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 ч</translation>
     </message>
 </context>
 <context>
@@ -743,6 +857,10 @@
     <message>
         <source>limits of the gyro</source>
         <translation>пределы гироскопа</translation>
+    </message>
+    <message>
+        <source>A change needs two results of one gyro in their order.</source>
+        <translation>Для изменения нужны два результата одного гироскопа подряд.</translation>
     </message>
 </context>
 <context>
@@ -3279,6 +3397,274 @@
         <source>the result is not there any more</source>
         <translation>этого результата больше нет</translation>
     </message>
+    <message>
+        <source>this name is too long for a file</source>
+        <translation>это имя слишком длинно для файла</translation>
+    </message>
+    <message>
+        <source>it is the list of the recordings</source>
+        <translation>это список записей</translation>
+    </message>
+    <message>
+        <source>it is one of the passports</source>
+        <translation>это один из паспортов</translation>
+    </message>
+    <message>
+        <source>it is one of the recordings</source>
+        <translation>это одна из записей</translation>
+    </message>
+    <message>
+        <source>it must be a file</source>
+        <translation>это должен быть файл</translation>
+    </message>
+    <message>
+        <source>the table goes there already</source>
+        <translation>туда уже пишется таблица</translation>
+    </message>
+    <message>
+        <source>it is an input, the table or the database</source>
+        <translation>это исходный файл, таблица или база данных</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::BatchCommands</name>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Папка с записями</translation>
+    </message>
+    <message>
+        <source>Folder of passports</source>
+        <translation>Папка с паспортами</translation>
+    </message>
+    <message>
+        <source>Folder for JSON files</source>
+        <translation>Папка для файлов JSON</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::BatchForm</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Выбрать…</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Записи</translation>
+    </message>
+    <message>
+        <source>A measurement list (CSV), or a folder in which each file is a set of its own</source>
+        <translation>Список измерений (CSV) или папка, в которой каждый файл — отдельный набор</translation>
+    </message>
+    <message>
+        <source>List…</source>
+        <translation>Список…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Папка…</translation>
+    </message>
+    <message>
+        <source>A folder in which each file is a set of its own</source>
+        <translation>Папка, в которой каждый файл — отдельный набор</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Результаты</translation>
+    </message>
+    <message>
+        <source>The table that is written, CSV: as vybeg-cli batch writes it. Until it is whole, its rows are beside it, and nothing that is computed is lost.</source>
+        <translation>Таблица CSV, такая же, какую пишет vybeg-cli batch. Пока она не закончена, её строки лежат рядом, и вычисленное не пропадает.</translation>
+    </message>
+    <message>
+        <source>Passports</source>
+        <translation>Паспорта</translation>
+    </message>
+    <message>
+        <source>Optional. A folder with GYRO.json for the gyros: each set is compared with the one of its gyro.</source>
+        <translation>Необязательно. Папка с файлами ГИРОСКОП.json: каждый набор сравнивается с паспортом своего гироскопа.</translation>
+    </message>
+    <message>
+        <source>Database</source>
+        <translation>База данных</translation>
+    </message>
+    <message>
+        <source>Optional. The results also go into this database of results, for the history.</source>
+        <translation>Необязательно. Результаты заносятся и в эту базу данных, для истории.</translation>
+    </message>
+    <message>
+        <source>JSON files</source>
+        <translation>Файлы JSON</translation>
+    </message>
+    <message>
+        <source>Optional. A folder that also gets the whole result of each set, as vybeg-cli identify writes it.</source>
+        <translation>Необязательно. Папка, куда кладётся и полный результат каждого набора, как его пишет vybeg-cli identify.</translation>
+    </message>
+    <message>
+        <source>Settings of the Analysis panel where the list has none</source>
+        <translation>Настройки панели «Обработка», где их нет в списке</translation>
+    </message>
+    <message>
+        <source>Range, filter, calibration and tolerances as they are now; otherwise the defaults of the command line</source>
+        <translation>Диапазон, фильтр, калибровка и допуски, как они заданы сейчас; иначе — значения командной строки по умолчанию</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::BatchTable</name>
+    <message>
+        <source>waiting</source>
+        <translation>ожидает</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>готово</translation>
+    </message>
+    <message>
+        <source>no result</source>
+        <translation>нет результата</translation>
+    </message>
+    <message>
+        <source>structured</source>
+        <translation>с калиброванными датчиками</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>свободная</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>белый</translation>
+    </message>
+    <message>
+        <source>coloured</source>
+        <translation>окрашенный</translation>
+    </message>
+    <message>
+        <source>sd</source>
+        <translation>СКО</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::BatchWindow</name>
+    <message>
+        <source>Replace the results?</source>
+        <translation>Заменить результаты?</translation>
+    </message>
+    <message>
+        <source>%1 is there already. The new table takes its place when it is whole.</source>
+        <translation>%1 уже существует. Новая таблица заменит его, когда будет закончена.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Заменить</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
+    </message>
+    <message>
+        <source>Stopped. What is computed is kept: Start goes on from here.</source>
+        <translation>Остановлено. Вычисленное сохранено: «Начать» продолжит отсюда.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Остановлено.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n set(s)</source>
+        <translation>
+            <numerusform>%1 из %n набора</numerusform>
+            <numerusform>%1 из %n наборов</numerusform>
+            <numerusform>%1 из %n наборов</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a result</source>
+        <translation>
+            <numerusform>без результата: %n</numerusform>
+            <numerusform>без результата: %n</numerusform>
+            <numerusform>без результата: %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>stopping…</source>
+        <translation>останавливается…</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>осталось %1</translation>
+    </message>
+    <message>
+        <source>Stop the batch?</source>
+        <translation>Остановить пакетную обработку?</translation>
+    </message>
+    <message>
+        <source>The batch is running. What is computed is kept beside the table, and Start with the same files goes on from there.</source>
+        <translation>Идёт обработка. Вычисленное сохраняется рядом с таблицей; «Начать» с теми же файлами продолжит с этого места.</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Остановить и закрыть</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Продолжать</translation>
+    </message>
+    <message>
+        <source>Batch of sets</source>
+        <translation>Пакетная обработка</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Начать</translation>
+    </message>
+    <message>
+        <source>Compute every set of the list; rows of a stopped batch with the same files and options are kept</source>
+        <translation>Вычислить все наборы списка; строки остановленной обработки с теми же файлами и параметрами сохраняются</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Остановить</translation>
+    </message>
+    <message>
+        <source>Stop; what is computed is kept</source>
+        <translation>Остановить; вычисленное сохраняется</translation>
+    </message>
+    <message>
+        <source>Progress of the batch</source>
+        <translation>Ход пакетной обработки</translation>
+    </message>
+    <message>
+        <source>Results of the batch</source>
+        <translation>Результаты пакетной обработки</translation>
+    </message>
+    <message>
+        <source>A double click or Return opens the set in the main window</source>
+        <translation>Двойной щелчок или Enter открывает набор в главном окне</translation>
+    </message>
+    <message>
+        <source>About the chosen set</source>
+        <translation>О выбранном наборе</translation>
+    </message>
+    <message>
+        <source>Why the chosen set has no result, and its warnings</source>
+        <translation>Почему у выбранного набора нет результата, и его предупреждения</translation>
+    </message>
+    <message>
+        <source>Choose a set: here stands why it has no result, and its warnings.</source>
+        <translation>Выберите набор: здесь будет указано, почему у него нет результата, и его предупреждения.</translation>
+    </message>
+    <message>
+        <source>Open the set in the main window</source>
+        <translation>Открыть набор в главном окне</translation>
+    </message>
+    <message>
+        <source>Copy rows</source>
+        <translation>Копировать строки</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::CalibrationFields</name>
@@ -3637,6 +4023,10 @@
         <source>Of the window nearest to the mouse in the plots, with standard deviations</source>
         <translation>Ближайшего к указателю мыши окна на графиках, с СКО</translation>
     </message>
+    <message>
+        <source>no windows there</source>
+        <translation>окон здесь нет</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::Document</name>
@@ -3957,6 +4347,26 @@
     <message>
         <source>Database of results (*.db)</source>
         <translation>База результатов (*.db)</translation>
+    </message>
+    <message>
+        <source>Measurement list</source>
+        <translation>Список измерений</translation>
+    </message>
+    <message>
+        <source>Measurement list (*.csv *.txt)</source>
+        <translation>Список измерений (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Database of results</source>
+        <translation>База данных результатов</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Результаты</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Таблица (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -5110,6 +5520,10 @@
     <message>
         <source>The set or its settings have changed since: identify again.</source>
         <translation>Набор или его параметры с тех пор изменились: идентифицируйте снова.</translation>
+    </message>
+    <message>
+        <source>Result of the session, identified by %1 from %2. %3; χ² per degree of freedom %4. The motion of the waves, the plots and the report need the recordings.</source>
+        <translation>Результат из сеанса, вычислен программой %1 по записям %2. %3; χ² на степень свободы %4. Для движения волн, графиков и отчёта нужны сами записи.</translation>
     </message>
 </context>
 <context>

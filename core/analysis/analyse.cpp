@@ -15,7 +15,7 @@ Result<AnalysisSummary> analyse(const Recording& recording, const Settings& sett
     if (const Status valid = validate(settings); !valid) {
         return valid.error();
     }
-    const Result<Prepared> prepared = prepare(recording, settings, job);
+    const Result<ConditionedRecording> prepared = prepare(recording, settings, job);
     if (!prepared) {
         return prepared.error();
     }

@@ -12,7 +12,7 @@ namespace vybeg {
 
 // Called before the first window is estimated, with the prepared recording and what is known of the
 // analysis until then. An error ends the analysis.
-using BeforeWindows = std::function<Status(const Prepared&, const AnalysisSummary&)>;
+using BeforeWindows = std::function<Status(const ConditionedRecording&, const AnalysisSummary&)>;
 
 // The whole road from a recording to its track, of which `sink` takes the rows while they are made:
 // memory does not grow with the recording. The summary's `flagged` are left to the caller. Errors:

@@ -4,7 +4,7 @@
 
 namespace vybeg {
 
-Result<WindowPlan> plan_of(const WindowSettings& settings, const Prepared& prepared,
+Result<WindowPlan> plan_of(const WindowSettings& settings, const ConditionedRecording& prepared,
                            const Recording& recording) {
     const double rate = recording.rate_hz;
     std::int64_t length = settings.periods

@@ -37,7 +37,7 @@ void add_diagnostics(const EstimationSummary& estimation, AnalysisSummary& analy
 
 }  // namespace
 
-AnalysisSummary summary_before(const Settings& settings, const Prepared& prepared,
+AnalysisSummary summary_before(const Settings& settings, const ConditionedRecording& prepared,
                                const WindowPlan& plan, double rate_hz) {
     AnalysisSummary analysis;
     analysis.settings = settings;

@@ -9,7 +9,7 @@ namespace vybeg {
 
 // What is known of an analysis before its first window is estimated: settings as used, plan,
 // residual, and the findings of the recording.
-AnalysisSummary summary_before(const Settings& settings, const Prepared& prepared,
+AnalysisSummary summary_before(const Settings& settings, const ConditionedRecording& prepared,
                                const WindowPlan& plan, double rate_hz);
 
 // Adds what the windows have shown, and the sample check that has seen all samples on their way.

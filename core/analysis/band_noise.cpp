@@ -17,14 +17,14 @@ constexpr double pi = std::numbers::pi;
 constexpr std::int64_t most_frames = std::int64_t{1} << 18;
 constexpr std::int64_t read_frames = std::int64_t{1} << 16;
 
-using Stretch = std::vector<std::complex<double>>;
+using Segment = std::vector<std::complex<double>>;
 
 // The longest run of frames without a missing sample, as C + iD, up to most_frames; looked for in
 // no more than four times as many from `first` on.
-Result<Stretch> whole_stretch(const SampleSource& source, std::int64_t first, std::int64_t end,
+Result<Segment> whole_segment(const SampleSource& source, std::int64_t first, std::int64_t end,
                               const JobControl& job) {
-    Stretch longest;
-    Stretch run;
+    Segment longest;
+    Segment run;
     std::vector<double> c(static_cast<std::size_t>(read_frames));
     std::vector<double> d(c);
     const std::int64_t last = std::min(end, first + 4 * most_frames);
@@ -72,32 +72,32 @@ double power_gain(double f_hz, const Band& band, double rate_hz) {
 
 Result<double> noise_in_band(const SampleSource& source, std::int64_t first, std::int64_t end,
                              const Band& band, double rate_hz, const JobControl& job) {
-    auto stretch = whole_stretch(source, first, end, job);
-    if (!stretch) {
-        return stretch.error();
+    auto segment = whole_segment(source, first, end, job);
+    if (!segment) {
+        return segment.error();
     }
-    const std::size_t size = std::bit_floor(stretch->size());
+    const std::size_t size = std::bit_floor(segment->size());
     if (size < 16) {
         return std::numeric_limits<double>::quiet_NaN();
     }
-    stretch->resize(size);
+    segment->resize(size);
     double squares = 0;
     for (std::size_t j = 0; j < size; ++j) {
         const double weight =
             blackman_harris((static_cast<double>(j) + 0.5) / static_cast<double>(size));
-        (*stretch)[j] *= weight;
+        (*segment)[j] *= weight;
         squares += weight * weight;
     }
     Fft fft(size);
-    fft.forward(*stretch);
+    fft.forward(*segment);
     const double bins_per_hz = static_cast<double>(size) / rate_hz;
     const auto low = static_cast<std::size_t>(std::ceil(band.low_hz * bins_per_hz));
     const auto high = std::max(low, static_cast<std::size_t>(band.high_hz * bins_per_hz));
     std::vector<double> powers;
     for (std::size_t bin = low; bin <= high && bin < size / 2; ++bin) {
         // Both channels: the density of C + iD is the sum of theirs.
-        powers.push_back(std::norm((*stretch)[bin]));
-        powers.push_back(std::norm((*stretch)[size - bin]));
+        powers.push_back(std::norm((*segment)[bin]));
+        powers.push_back(std::norm((*segment)[size - bin]));
     }
     if (powers.empty()) {
         return std::numeric_limits<double>::quiet_NaN();

@@ -16,8 +16,8 @@
 namespace vybeg {
 namespace {
 
-constexpr std::int64_t most_stretches = 32;
-constexpr std::size_t longest_stretch = std::size_t{1} << 20;
+constexpr std::int64_t most_segments = 32;
+constexpr std::size_t longest_segment = std::size_t{1} << 20;
 constexpr std::size_t most_samples = std::size_t{1} << 21;
 // Half the main lobe of the window, and the distance from a line beyond which its skirt is gone.
 constexpr std::ptrdiff_t main_lobe = 7;
@@ -37,7 +37,7 @@ constexpr double kaiser_beta = 20;
 struct Spectrum {
     double bin_hz = 0;
     std::ptrdiff_t first = 0;
-    std::vector<std::vector<double>> stretches;
+    std::vector<std::vector<double>> segments;
     std::vector<double> mean;
 
     double hz(std::ptrdiff_t k) const { return static_cast<double>(first + k) * bin_hz; }
@@ -48,8 +48,8 @@ struct Reach {
     double high_hz = 0;
 };
 
-Result<Spectrum> spectrum_of(const Prepared& prepared, std::size_t size, const Reach& reach,
-                             double rate_hz, const JobControl& job) {
+Result<Spectrum> spectrum_of(const ConditionedRecording& prepared, std::size_t size,
+                             const Reach& reach, double rate_hz, const JobControl& job) {
     Spectrum spectrum;
     spectrum.bin_hz = rate_hz / static_cast<double>(size);
     const auto half = static_cast<std::ptrdiff_t>(size / 2);
@@ -64,7 +64,7 @@ Result<Spectrum> spectrum_of(const Prepared& prepared, std::size_t size, const R
     for (const double weight : weights) {
         squares += weight * weight;
     }
-    // What the band-pass cannot fill at both ends is missing; stretches overlap by half.
+    // What the band-pass cannot fill at both ends is missing; segments overlap by half.
     const auto length = static_cast<std::int64_t>(size);
     const std::int64_t first = std::max(prepared.first, prepared.filter_reach);
     const std::int64_t last =
@@ -72,16 +72,16 @@ Result<Spectrum> spectrum_of(const Prepared& prepared, std::size_t size, const R
     if (last < first) {
         return spectrum;
     }
-    const std::int64_t stretches = std::min({2 * (last - first) / length + 1, most_stretches,
-                                             static_cast<std::int64_t>(most_samples / size)});
+    const std::int64_t segments = std::min({2 * (last - first) / length + 1, most_segments,
+                                            static_cast<std::int64_t>(most_samples / size)});
     const std::int64_t step = prepared.ahead->seeks()
-                                  ? (last - first) / std::max<std::int64_t>(stretches - 1, 1)
+                                  ? (last - first) / std::max<std::int64_t>(segments - 1, 1)
                                   : length / 2;
     const Fft transform(size);
     std::vector<double> c(size);
     std::vector<double> d(size);
     std::vector<std::complex<double>> data(size);
-    for (std::int64_t s = 0; s < stretches; ++s) {
+    for (std::int64_t s = 0; s < segments; ++s) {
         if (job.cancelled()) {
             return Error{ErrorCode::interrupted, "", {}};
         }
@@ -97,7 +97,7 @@ Result<Spectrum> spectrum_of(const Prepared& prepared, std::size_t size, const R
             continue;
         }
         transform.forward(data);
-        std::vector<double>& power = spectrum.stretches.emplace_back(bins);
+        std::vector<double>& power = spectrum.segments.emplace_back(bins);
         for (std::size_t k = 0; k < bins; ++k) {
             const std::size_t bin = static_cast<std::size_t>(spectrum.first) + k;
             power[k] = 0.25 * (std::norm(data[bin]) + std::norm(data[size - bin])) / squares;
@@ -105,7 +105,7 @@ Result<Spectrum> spectrum_of(const Prepared& prepared, std::size_t size, const R
         }
     }
     for (double& power : spectrum.mean) {
-        power /= static_cast<double>(std::max<std::size_t>(spectrum.stretches.size(), 1));
+        power /= static_cast<double>(std::max<std::size_t>(spectrum.segments.size(), 1));
     }
     return spectrum;
 }
@@ -137,11 +137,11 @@ std::vector<Line> lines_of(const Spectrum& spectrum) {
     constexpr double least_of_strongest = 1e-7;
     const std::vector<double>& mean = spectrum.mean;
     std::vector<Line> lines;
-    if (spectrum.stretches.empty() || std::ssize(mean) < 2 * main_lobe + 3) {
+    if (spectrum.segments.empty() || std::ssize(mean) < 2 * main_lobe + 3) {
         return lines;
     }
-    // As in the search for the carrier, 16 dB for one stretch; the mean of many scatters less.
-    const double over = 1 + 39 / std::sqrt(static_cast<double>(spectrum.stretches.size()));
+    // As in the search for the carrier, 16 dB for one segment; the mean of many scatters less.
+    const double over = 1 + 39 / std::sqrt(static_cast<double>(spectrum.segments.size()));
     const double least =
         std::max(over * median_of(mean), least_of_strongest * *std::ranges::max_element(mean));
     for (std::ptrdiff_t k = 1; k + 1 < std::ssize(mean); ++k) {
@@ -160,7 +160,7 @@ std::vector<Line> lines_of(const Spectrum& spectrum) {
     return lines;
 }
 
-// The median density between the lines, stretch by stretch, so that a strike or a lost sample in
+// The median density between the lines, segment by segment, so that a strike or a lost sample in
 // one of them does not count.
 void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const Reach& reach,
                 CarrierLines& found) {
@@ -168,7 +168,7 @@ void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const 
     constexpr double median_over_mean = 0.83917;
     std::vector<double> densities;
     std::size_t bins = 0;
-    for (const std::vector<double>& power : spectrum.stretches) {
+    for (const std::vector<double>& power : spectrum.segments) {
         std::vector<double> between;
         for (std::ptrdiff_t k = 0; k < std::ssize(power); ++k) {
             const bool near = std::ranges::any_of(
@@ -185,14 +185,14 @@ void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const 
     if (densities.empty()) {
         return;
     }
-    found.stretches = static_cast<int>(densities.size());
+    found.segments = static_cast<int>(densities.size());
     found.noise_power = median_of(densities);
     // Two channels; 2.5 bins of this window to an independent one; a median, twice over, has 1.25
     // times the deviation of a mean each time.
     found.relative_sd = 1.8 / std::sqrt(static_cast<double>(bins));
 }
 
-std::size_t stretch_size(const Prepared& prepared, const SignalSettings& settings,
+std::size_t segment_size(const ConditionedRecording& prepared, const SignalSettings& settings,
                          std::int64_t window, double rate_hz) {
     constexpr double per_window = 64;
     constexpr double per_band = 60;
@@ -204,7 +204,7 @@ std::size_t stretch_size(const Prepared& prepared, const SignalSettings& setting
     const auto frames = static_cast<std::size_t>(
         std::max<std::int64_t>(prepared.end - prepared.first - 2 * prepared.filter_reach, 1));
     const auto wished = std::bit_ceil(
-        static_cast<std::size_t>(std::min(wish, static_cast<double>(longest_stretch))));
+        static_cast<std::size_t>(std::min(wish, static_cast<double>(longest_segment))));
     return std::min(wished, std::bit_floor(frames));
 }
 
@@ -224,7 +224,8 @@ std::optional<Line> carrier_of(const std::vector<Line>& lines, double f0_hz, dou
     return found == lines.end() ? std::nullopt : std::optional(*found);
 }
 
-Result<std::vector<double>> mains_of(const Prepared& prepared, double lobe_hz, double rate_hz) {
+Result<std::vector<double>> mains_of(const ConditionedRecording& prepared, double lobe_hz,
+                                     double rate_hz) {
     constexpr double seconds = 4;
     const auto count = static_cast<std::size_t>(
         std::min(static_cast<double>(prepared.end - prepared.first), seconds * rate_hz));
@@ -244,12 +245,13 @@ Result<std::vector<double>> mains_of(const Prepared& prepared, double lobe_hz, d
 
 }  // namespace
 
-Result<CarrierLines> carrier_lines(const Prepared& prepared, const SignalSettings& settings,
-                                   std::int64_t window, double rate_hz, const JobControl& job) {
+Result<CarrierLines> carrier_lines(const ConditionedRecording& prepared,
+                                   const SignalSettings& settings, std::int64_t window,
+                                   double rate_hz, const JobControl& job) {
     const double f0 = prepared.f0_hz;
     CarrierLines found;
     found.strongest_hz = found.lowest_hz = found.highest_hz = f0;
-    const std::size_t size = stretch_size(prepared, settings, window, rate_hz);
+    const std::size_t size = segment_size(prepared, settings, window, rate_hz);
     if (size < 16) {
         return found;
     }
@@ -262,7 +264,7 @@ Result<CarrierLines> carrier_lines(const Prepared& prepared, const SignalSetting
     }
     std::vector<Line> lines = lines_of(*spectrum);
     const std::optional<Line> carrier = carrier_of(lines, f0, lobe);
-    if (!carrier && settings.f0_hz && !spectrum->stretches.empty()) {
+    if (!carrier && settings.f0_hz && !spectrum->segments.empty()) {
         return Error{ErrorCode::carrier_not_near, "", {number_arg(f0), number_arg(far, 3)}};
     }
     if (carrier) {

@@ -86,8 +86,8 @@ struct Chunk {
 
 class TrackEstimation {
 public:
-    TrackEstimation(const Prepared& prepared, const WindowPlan& plan, const Settings& settings,
-                    double rate_hz)
+    TrackEstimation(const ConditionedRecording& prepared, const WindowPlan& plan,
+                    const Settings& settings, double rate_hz)
         : prepared_(prepared), plan_(plan), rate_hz_(rate_hz), algorithm_(settings.algorithm) {
         options_ = {plan.length,
                     rate_hz,
@@ -189,7 +189,7 @@ private:
         }
     }
 
-    const Prepared& prepared_;
+    const ConditionedRecording& prepared_;
     WindowPlan plan_;
     double rate_hz_;
     Algorithm algorithm_;
@@ -228,9 +228,10 @@ std::int64_t count_with(Flag flag, const Track& rows) {
 
 }  // namespace
 
-Result<EstimationSummary> estimate_track(const Prepared& prepared, const WindowPlan& plan,
-                                         const Settings& settings, double rate_hz, int threads,
-                                         const TrackSink& sink, const JobControl& job) {
+Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
+                                         const WindowPlan& plan, const Settings& settings,
+                                         double rate_hz, int threads, const TrackSink& sink,
+                                         const JobControl& job) {
     TrackEstimation estimation(prepared, plan, settings, rate_hz);
     AngleUnwrapper angle(prepared.calibration.angle_zero_deg * std::numbers::pi / 90);
     MotionMarker motion(plan.length, plan.hop, rate_hz);

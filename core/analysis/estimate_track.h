@@ -25,8 +25,9 @@ struct EstimationSummary {
 // its windows spread over `threads` threads, the next is read and the rows of the one before, their
 // angles unwrapped, go to the sink. Memory does not grow with the samples. Errors: those of the
 // source and of the sink; interrupted.
-Result<EstimationSummary> estimate_track(const Prepared& prepared, const WindowPlan& plan,
-                                         const Settings& settings, double rate_hz, int threads,
-                                         const TrackSink& sink, const JobControl& job);
+Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
+                                         const WindowPlan& plan, const Settings& settings,
+                                         double rate_hz, int threads, const TrackSink& sink,
+                                         const JobControl& job);
 
 }  // namespace vybeg

@@ -28,7 +28,8 @@ struct IdentifySettings {
     FitOptions::Model model = FitOptions::Model::automatic;
     Tolerance tolerance;
     int threads = 0;  // 0: as many as the machine has
-    // Of each recording, with the gain ratio of `signal`; empty: all recordings have `signal`.
+    // Signal settings of each recording, with the gain ratio of `signal`; empty: those of `signal`
+    // hold for all.
     std::vector<SignalSettings> of_recordings = {};
 
     const SignalSettings& signal_of(std::size_t recording) const {

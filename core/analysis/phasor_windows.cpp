@@ -54,8 +54,8 @@ struct Pass {
 };
 
 // All windows of the plan: one thread reads, the others estimate.
-Result<Pass> estimate_all(const Prepared& prepared, const WindowPlan& plan, const WindowMean& mean,
-                          int threads, const JobControl& job) {
+Result<Pass> estimate_all(const ConditionedRecording& prepared, const WindowPlan& plan,
+                          const WindowMean& mean, int threads, const JobControl& job) {
     Pass pass;
     pass.estimates.resize(static_cast<std::size_t>(plan.count));
     const std::int64_t per_chunk = std::max<std::int64_t>(1, chunk_frames / plan.length);
@@ -161,7 +161,8 @@ void leave_out_strike(const WindowPlan& plan, double rate_hz, std::int64_t filte
 
 // Degrees of freedom of a window's noise power: behind a band-pass only what noise the band leaves
 // to a window's length, less the two numbers of each channel that stand for the wave.
-double noise_freedom(const WindowMean& mean, const Prepared& prepared, double window_s) {
+double noise_freedom(const WindowMean& mean, const ConditionedRecording& prepared,
+                     double window_s) {
     if (!prepared.filter) {
         return mean.freedom();
     }
@@ -196,9 +197,10 @@ double median_power(const Estimates& estimates, double freedom) {
 // Variance per sample of the white noise that has the density beside the carrier. The residual
 // knows it best where it is white, but counts what lies far from the carrier, too, and behind a
 // band-pass the band's edges.
-double noise_at_carrier(double residual, const CarrierLines& lines, const Prepared& prepared) {
+double noise_at_carrier(double residual, const CarrierLines& lines,
+                        const ConditionedRecording& prepared) {
     constexpr double significant = 4;
-    // Fewer stretches are not robust: outliers in one of them are no noise of the others.
+    // Fewer segments are not robust: outliers in one of them are no noise of the others.
     constexpr int robust = 4;
     if (!std::isfinite(lines.noise_power)) {
         return residual;
@@ -208,7 +210,7 @@ double noise_at_carrier(double residual, const CarrierLines& lines, const Prepar
     }
     const double over = lines.noise_power / residual - 1;
     const bool coloured =
-        std::abs(over) > significant * lines.relative_sd && (over < 0 || lines.stretches >= robust);
+        std::abs(over) > significant * lines.relative_sd && (over < 0 || lines.segments >= robust);
     return coloured ? lines.noise_power : residual;
 }
 
@@ -264,9 +266,9 @@ struct Noise {
 };
 
 // The windows that exist, with their times, phasors and deviations.
-PhasorRun collect(const Estimates& estimates, const Prepared& prepared, const WindowPlan& plan,
-                  const std::vector<PhaseStep>& steps, double rate_hz, const WindowMean& mean,
-                  const Noise& noise) {
+PhasorRun collect(const Estimates& estimates, const ConditionedRecording& prepared,
+                  const WindowPlan& plan, const std::vector<PhaseStep>& steps, double rate_hz,
+                  const WindowMean& mean, const Noise& noise) {
     const double limit = noise.residual * chi2_ratio(disturbed, noise.freedom);
     const double two_theta_zero = prepared.calibration.angle_zero_deg * std::numbers::pi / 90;
     PhasorRun run;

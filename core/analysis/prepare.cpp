@@ -3,10 +3,10 @@
 #include "core/analysis/band_noise.h"
 #include "core/base/number_text.h"
 #include "core/recording/conditioning/calibrated_source.h"
+#include "core/recording/conditioning/checked_source.h"
 #include "core/recording/conditioning/filtered_source.h"
 #include "core/recording/conditioning/gapped_source.h"
-#include "core/recording/conditioning/watched_source.h"
-#include "core/windows/carrier.h"
+#include "core/windows/carrier_search.h"
 #include "core/windows/carrier_zoom.h"
 
 #include <algorithm>
@@ -21,25 +21,25 @@ namespace {
 // decay is strongest: half a minute at 33333 Hz, a bin of 0.03 Hz.
 constexpr std::int64_t search_frames = std::int64_t{1} << 20;
 
-struct Stretch {
+struct Segment {
     std::vector<double> c;
     std::vector<double> d;
 };
 
 // Read in blocks, between which the stop token is heard.
-Result<Stretch> read_stretch(const SampleSource& source, std::int64_t first, std::int64_t end,
+Result<Segment> read_segment(const SampleSource& source, std::int64_t first, std::int64_t end,
                              const JobControl& job) {
     constexpr std::size_t block = std::size_t{1} << 16;
     const auto count = static_cast<std::size_t>(std::min(end - first, search_frames));
-    Stretch stretch{std::vector<double>(count), std::vector<double>(count)};
+    Segment segment{std::vector<double>(count), std::vector<double>(count)};
     for (std::size_t at = 0; at < count; at += block) {
         if (job.cancelled()) {
             return Error{ErrorCode::interrupted, "", {}};
         }
         const std::size_t length = std::min(block, count - at);
         const Status read = source.read(first + static_cast<std::int64_t>(at),
-                                        std::span(stretch.c).subspan(at, length),
-                                        std::span(stretch.d).subspan(at, length));
+                                        std::span(segment.c).subspan(at, length),
+                                        std::span(segment.d).subspan(at, length));
         if (!read) {
             return read.error();
         }
@@ -47,7 +47,7 @@ Result<Stretch> read_stretch(const SampleSource& source, std::int64_t first, std
     if (job.cancelled()) {
         return Error{ErrorCode::interrupted, "", {}};
     }
-    return stretch;
+    return segment;
 }
 
 // Where the carrier is looked for in so many samples.
@@ -80,18 +80,18 @@ Result<double> given_carrier(double f0_hz, double rate_hz) {
     return f0_hz;
 }
 
-Result<double> carrier_of(const Stretch& stretch, const SignalSettings& settings, double rate_hz,
+Result<double> carrier_of(const Segment& segment, const SignalSettings& settings, double rate_hz,
                           const JobControl& job) {
     if (settings.f0_hz) {
         return given_carrier(*settings.f0_hz, rate_hz);
     }
-    const Result<Band> band = search_band(settings, stretch.c.size(), rate_hz);
-    return band ? find_carrier(stretch.c, stretch.d, rate_hz, band->low_hz, band->high_hz, job)
+    const Result<Band> band = search_band(settings, segment.c.size(), rate_hz);
+    return band ? find_carrier(segment.c, segment.d, rate_hz, band->low_hz, band->high_hz, job)
                 : band.error();
 }
 
-// The carrier of the frames [first, end), which are read only where it is not known, and held only
-// where a look at some of them after the other does not tell it.
+// The carrier of the frames [first, end): the given one, otherwise that of zoom_carrier(), which
+// reads a few places of the range, otherwise that of find_carrier(), which holds the whole range.
 Result<double> carrier_in(const SampleSource& source, std::int64_t first, std::int64_t end,
                           const SignalSettings& settings, double rate_hz, const JobControl& job) {
     if (settings.f0_hz) {
@@ -111,11 +111,11 @@ Result<double> carrier_in(const SampleSource& source, std::int64_t first, std::i
             return **found;
         }
     }
-    const Result<Stretch> stretch = read_stretch(source, first, end, job);
-    return stretch ? carrier_of(*stretch, settings, rate_hz, job) : stretch.error();
+    const Result<Segment> segment = read_segment(source, first, end, job);
+    return segment ? carrier_of(*segment, settings, rate_hz, job) : segment.error();
 }
 
-// Mean over as many whole periods as the stretch holds; missing samples do not count.
+// Mean over as many whole periods as the segment holds; missing samples do not count.
 double mean_over_periods(std::span<const double> x, double f_hz, double rate_hz) {
     const double period = rate_hz / f_hz;
     const double periods = std::floor(static_cast<double>(x.size()) / period);
@@ -133,7 +133,7 @@ double mean_over_periods(std::span<const double> x, double f_hz, double rate_hz)
 
 // Frames [first, end) of the settings' range.
 Status find_range(const SampleSource& source, double rate_hz, const SignalSettings& settings,
-                  Prepared& prepared) {
+                  ConditionedRecording& prepared) {
     const auto frames = static_cast<double>(source.frames());
     const double from = settings.from_s.value_or(0);
     const double to = settings.to_s.value_or(frames / rate_hz);
@@ -229,8 +229,8 @@ std::string recording_name(const Recording& recording) {
     return recording.path.filename().string();
 }
 
-Result<Prepared> prepare(const Recording& recording, const SignalSettings& settings,
-                         const JobControl& job) {
+Result<ConditionedRecording> prepare(const Recording& recording, const SignalSettings& settings,
+                                     const JobControl& job) {
     const double rate = recording.rate_hz;
     const auto named = [&recording](Error error) {
         if (error.where.empty()) {
@@ -238,7 +238,7 @@ Result<Prepared> prepare(const Recording& recording, const SignalSettings& setti
         }
         return error;
     };
-    Prepared prepared;
+    ConditionedRecording prepared;
     prepared.diagnostics = recording.diagnostics;
     prepared.calibration = settings.calibration;
 
@@ -258,16 +258,16 @@ Result<Prepared> prepare(const Recording& recording, const SignalSettings& setti
         return named(some.error());
     }
     if (settings.calibration.offset_auto) {
-        const Result<Stretch> stretch = read_stretch(*raw, prepared.first, prepared.end, job);
-        if (!stretch) {
-            return stretch.error();
+        const Result<Segment> segment = read_segment(*raw, prepared.first, prepared.end, job);
+        if (!segment) {
+            return segment.error();
         }
-        const Result<double> f0 = carrier_of(*stretch, settings, rate, job);
+        const Result<double> f0 = carrier_of(*segment, settings, rate, job);
         if (!f0) {
             return named(f0.error());
         }
-        prepared.calibration.offset_c = mean_over_periods(stretch->c, *f0, rate);
-        prepared.calibration.offset_d = mean_over_periods(stretch->d, *f0, rate);
+        prepared.calibration.offset_c = mean_over_periods(segment->c, *f0, rate);
+        prepared.calibration.offset_d = mean_over_periods(segment->d, *f0, rate);
         prepared.calibration.offset_auto = false;
     }
     const auto conditioned = condition(raw, prepared.calibration, settings.filter, rate);
@@ -284,7 +284,7 @@ Result<Prepared> prepare(const Recording& recording, const SignalSettings& setti
     prepared.rate_relative_sd = recording.rate_relative_sd;
     // What is read from here on goes into the windows, and past the check on its way.
     prepared.check = std::make_shared<FaultCheck>(*f0, rate);
-    const auto watched = std::make_shared<WatchedSource>(raw, prepared.check);
+    const auto watched = std::make_shared<CheckedSource>(raw, prepared.check);
     prepared.source = *condition(watched, prepared.calibration, settings.filter, rate, *f0);
     if (settings.filter) {
         const auto [low, high] = *settings.filter;

@@ -16,9 +16,9 @@ namespace vybeg {
 
 // A recording made ready for windows: what the samples are, where they lie, and what the carrier
 // is.
-struct Prepared {
+struct ConditionedRecording {
     std::shared_ptr<const SampleSource> source;  // calibrated and filtered
-    std::shared_ptr<const SampleSource> ahead;   // the same, past no check: to look ahead
+    std::shared_ptr<const SampleSource> ahead;   // the same samples, unseen by `check`
     std::int64_t first = 0;                      // the range to analyse: frames [first, end)
     std::int64_t end = 0;
     double f0_hz = 0;
@@ -32,8 +32,8 @@ struct Prepared {
     double carrier_s = 0;  // seconds that the search for the carrier took, reading included
 
     // The same for windows that are estimated out of order, of which the check must not know.
-    Prepared past_check() const {
-        Prepared other = *this;
+    ConditionedRecording past_check() const {
+        ConditionedRecording other = *this;
         other.source = ahead;
         return other;
     }
@@ -41,8 +41,8 @@ struct Prepared {
 
 // Lost samples, calibration, band-pass, range and carrier. Precondition: validate(settings). Errors
 // as of analyse().
-Result<Prepared> prepare(const Recording& recording, const SignalSettings& settings,
-                         const JobControl& job);
+Result<ConditionedRecording> prepare(const Recording& recording, const SignalSettings& settings,
+                                     const JobControl& job);
 
 // How a recording is called in messages.
 std::string recording_name(const Recording& recording);

@@ -10,7 +10,7 @@ Result<double> find_recording_carrier(const Recording& recording, const SignalSe
     if (const Status valid = validate(settings); !valid) {
         return valid.error();
     }
-    const Result<Prepared> prepared = prepare(recording, settings, job);
+    const Result<ConditionedRecording> prepared = prepare(recording, settings, job);
     if (!prepared) {
         return prepared.error();
     }

@@ -133,7 +133,8 @@ SettingRow<S> snap_row(Part part) {
         [=](auto& s) -> auto& { return part(s).snap; });
 }
 
-// `part` returns the settings of the window, whose length in samples has no part beside periods.
+// `part` returns the settings of the window. Its length in samples has no effect where periods are
+// given.
 template <class S, class Part>
 SettingRow<S> window_row(const std::string& help, Part part, Bounds bounds) {
     SettingRow<S> row = whole_row<S>(
@@ -157,18 +158,14 @@ SettingRow<S> threads_row() {
 Result<Algorithm> read_algorithm(const std::string& from) {
     const std::optional<Algorithm> algorithm = algorithm_from_name(from);
     if (!algorithm) {
-        return refused_value("--algorithm", from,
-                             "it is in-phase, phase-shift, moving-axes, demodulation, "
-                             "conjugate-gradient or maximum-likelihood");
+        return refused_value("--algorithm", from, "it is " + algorithm_names());
     }
     return *algorithm;
 }
 
 SettingRow<Settings> algorithm_row() {
     return value_row<Algorithm, Settings>(
-        {"algorithm", "NAME",
-         "in-phase, phase-shift, moving-axes, demodulation, conjugate-gradient "
-         "or maximum-likelihood (default)"},
+        {"algorithm", "NAME", algorithm_names() + " (default)"},
         [](auto& s) -> auto& { return s.algorithm; }, read_algorithm,
         [](Algorithm algorithm) { return std::string(algorithm_name(algorithm)); }, any_value);
 }

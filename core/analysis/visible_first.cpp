@@ -24,7 +24,7 @@ constexpr std::int64_t fewest_spread = 16;
 constexpr std::int64_t most_spread = 512;
 
 // Windows [first, end) of a plan.
-struct Stretch {
+struct Segment {
     std::int64_t first = 0;
     std::int64_t end = 0;
 
@@ -41,7 +41,7 @@ double about_s(std::int64_t windows, const WindowPlan& plan, Algorithm algorithm
 }
 
 // The windows whose centres are visible.
-Stretch visible_windows(const WindowPlan& plan, const TimeRange& visible, double rate_hz) {
+Segment visible_windows(const WindowPlan& plan, const TimeRange& visible, double rate_hz) {
     const auto windows = static_cast<double>(plan.count);
     const auto window_at = [&](double time_s) {
         const double hops = (time_s - plan.centre_s(0, rate_hz)) * rate_hz;
@@ -49,24 +49,24 @@ Stretch visible_windows(const WindowPlan& plan, const TimeRange& visible, double
     };
     const auto first = static_cast<std::int64_t>(std::ceil(window_at(visible.from_s)));
     const auto last = static_cast<std::int64_t>(std::floor(window_at(visible.to_s)));
-    const Stretch shown{std::clamp<std::int64_t>(first, 0, plan.count),
+    const Segment shown{std::clamp<std::int64_t>(first, 0, plan.count),
                         std::clamp<std::int64_t>(last + 1, 0, plan.count)};
-    return shown.count() > 0 ? shown : Stretch{};
+    return shown.count() > 0 ? shown : Segment{};
 }
 
 // Windows of an analysis by themselves, before all of them are made.
 class EarlyWindows {
 public:
-    EarlyWindows(Prepared prepared, const AnalysisSummary& whole, double rate_hz,
+    EarlyWindows(ConditionedRecording prepared, const AnalysisSummary& whole, double rate_hz,
                  const JobControl& job)
         : prepared_(std::move(prepared)), whole_(whole), rate_hz_(rate_hz), job_(job.silent()) {}
 
     // Single windows at even distances, first and last included, as many as there is time for.
-    Status spread(const Stretch& stretch) {
+    Status spread(const Segment& segment) {
         const double begun = job_.now();
         for (std::int64_t places = fewest_spread; places <= most_spread; places *= 2) {
             for (std::int64_t place = 0; place <= places; ++place) {
-                const std::int64_t window = stretch.first + (stretch.count() - 1) * place / places;
+                const std::int64_t window = segment.first + (segment.count() - 1) * place / places;
                 if (rows_.contains(window)) {
                     continue;
                 }
@@ -82,9 +82,9 @@ public:
     }
 
     // All of them.
-    Status fill(const Stretch& stretch) {
-        rows_.erase(rows_.lower_bound(stretch.first), rows_.lower_bound(stretch.end));
-        return estimate(stretch, threads_of(whole_.settings.threads));
+    Status fill(const Segment& segment) {
+        rows_.erase(rows_.lower_bound(segment.first), rows_.lower_bound(segment.end));
+        return estimate(segment, threads_of(whole_.settings.threads));
     }
 
     Analysis analysis() const {
@@ -99,9 +99,9 @@ public:
     }
 
 private:
-    Status estimate(const Stretch& stretch, int threads) {
-        const WindowPlan part{whole_.plan.start(stretch.first), whole_.plan.length, whole_.plan.hop,
-                              stretch.count()};
+    Status estimate(const Segment& segment, int threads) {
+        const WindowPlan part{whole_.plan.start(segment.first), whole_.plan.length, whole_.plan.hop,
+                              segment.count()};
         Settings settings = whole_.settings;
         if (settings.initial) {
             // Typed start values hold at the first window of the whole.
@@ -109,7 +109,7 @@ private:
             double& alpha = settings.initial->state.alpha;
             alpha = wrap(alpha - 2 * std::numbers::pi * settings.initial->f_hz * later);
         }
-        Track& rows = rows_[stretch.first];
+        Track& rows = rows_[segment.first];
         const TrackSink collect = [&rows](const Track& more) {
             rows.append(more);
             return Status{};
@@ -119,21 +119,22 @@ private:
         return done ? Status() : Status(done.error());
     }
 
-    Prepared prepared_;
+    ConditionedRecording prepared_;
     const AnalysisSummary& whole_;
     double rate_hz_;
     JobControl job_;
     std::map<std::int64_t, Track> rows_;  // by their first window
 };
 
-Status show_early(const Prepared& prepared, const AnalysisSummary& whole, double rate_hz,
-                  const TimeRange& visible, const EarlySink& early, const JobControl& job) {
+Status show_early(const ConditionedRecording& prepared, const AnalysisSummary& whole,
+                  double rate_hz, const TimeRange& visible, const EarlySink& early,
+                  const JobControl& job) {
     const WindowPlan& plan = whole.plan;
     EarlyWindows windows(prepared.past_check(), whole, rate_hz, job);
     if (const Status made = windows.spread({0, plan.count}); !made) {
         return made;
     }
-    const Stretch shown = visible_windows(plan, visible, rate_hz);
+    const Segment shown = visible_windows(plan, visible, rate_hz);
     const bool is_part = shown.count() > 0 && 2 * shown.count() <= plan.count;
     const bool is_quick = about_s(shown.count(), plan, whole.settings.algorithm) < at_once_s;
     if (is_part && !is_quick) {
@@ -158,7 +159,8 @@ Status show_early(const Prepared& prepared, const AnalysisSummary& whole, double
 Result<Analysis> analyse_visible_first(const Recording& recording, const Settings& settings,
                                        const TimeRange& visible, const EarlySink& early,
                                        const JobControl& job) {
-    const BeforeWindows show = [&](const Prepared& prepared, const AnalysisSummary& whole) {
+    const BeforeWindows show = [&](const ConditionedRecording& prepared,
+                                   const AnalysisSummary& whole) {
         // Repairing lost samples goes through the whole recording before the first window: nothing
         // of it could be early.
         const bool long_enough =

@@ -20,8 +20,8 @@ struct Length {
     bool chosen = false;  // by the engineer
 };
 
-Result<Length> wished_length(const PhasorWindowSettings& wished, const Prepared& prepared,
-                             double rate_hz) {
+Result<Length> wished_length(const PhasorWindowSettings& wished,
+                             const ConditionedRecording& prepared, double rate_hz) {
     Length length;
     if (wished.periods) {
         length = {window_of_periods(*wished.periods, prepared.f0_hz, rate_hz), true};
@@ -68,11 +68,12 @@ Result<std::int64_t> slow_enough(const Length& wish, const CarrierLines& lines, 
 }
 
 // The same recording, prepared at another carrier without looking for anything again.
-Result<Prepared> prepared_at(double f_hz, const Prepared& before, const Recording& recording,
-                             SignalSettings settings, const JobControl& job) {
+Result<ConditionedRecording> prepared_at(double f_hz, const ConditionedRecording& before,
+                                         const Recording& recording, SignalSettings settings,
+                                         const JobControl& job) {
     settings.f0_hz = f_hz;
     settings.calibration = before.calibration;
-    Result<Prepared> prepared = prepare(recording, settings, job);
+    Result<ConditionedRecording> prepared = prepare(recording, settings, job);
     if (prepared) {
         prepared->carrier_s += before.carrier_s;
     }
@@ -84,7 +85,7 @@ Result<Prepared> prepared_at(double f_hz, const Prepared& before, const Recordin
 Result<WindowChoice> choose_windows(const Recording& recording, const SignalSettings& settings,
                                     const PhasorWindowSettings& wished, const JobControl& job) {
     const double rate = recording.rate_hz;
-    Result<Prepared> prepared = prepare(recording, settings, job);
+    Result<ConditionedRecording> prepared = prepare(recording, settings, job);
     if (!prepared) {
         return prepared.error();
     }

@@ -12,7 +12,7 @@ namespace vybeg {
 
 // A recording made ready, and the windows in which its phasors are demodulated.
 struct WindowChoice {
-    Prepared prepared;  // f0_hz is the frequency of demodulation
+    ConditionedRecording prepared;  // f0_hz is the frequency of demodulation
     WindowPlan plan;
     CarrierLines lines;
 };

@@ -8,9 +8,9 @@
 
 namespace vybeg {
 
-// Which windows of a plan lie over faults of the samples: Flag::clipped over stretches at the rail,
+// Which windows of a plan lie over faults of the samples: Flag::clipped over segments at the rail,
 // Flag::gap where samples were lost or doubled inside. Ordered by first row;
-// stretches of one flag do not overlap.
+// segments of one flag do not overlap.
 std::vector<FlaggedRows> windows_over(const SampleFaults& faults, const WindowPlan& plan);
 
 // The rows of `moving` that no window over a fault explains: all but those within two

@@ -85,7 +85,7 @@ struct Error {
 // The name of a code as it stands in JSON, e.g. "file-missing".
 std::string code_name(ErrorCode code);
 
-// Exit status of the command line for an error (INTERFACE.md): 2, 3, 4, 5 or 130.
+// Exit status of the command line for an error (help, files.html): 2, 3, 4, 5 or 130.
 int exit_status(ErrorCode code);
 
 }  // namespace vybeg

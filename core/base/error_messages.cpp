@@ -4,7 +4,7 @@
 namespace vybeg {
 namespace {
 
-// Exit statuses of INTERFACE.md.
+// Exit statuses (help, files.html).
 constexpr int wrong_call = 2;
 constexpr int bad_input = 3;
 constexpr int impossible = 4;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// Mean of two independent normal numbers' distance, in deviations, and the chart's factors for it.
+// Factors of the mean moving range of two points, whose expectation is d2 = 1.128 deviations.
 constexpr double limit_per_range = 2.66;         // 3 / d2, d2 = 1.128
 constexpr double range_limit_per_range = 3.267;  // D4 of two
 

@@ -29,16 +29,6 @@ constexpr std::array parameters{
     Parameter{"angle_rate_rad_s", &ResonatorEstimate::angle_rate_rad_s},
     Parameter{"kappa", &ResonatorEstimate::kappa}};
 
-std::vector<std::string> columns() {
-    std::vector<std::string> names{"set", "gyro", "date", "files", "status", "message", "model"};
-    for (const Parameter& parameter : parameters) {
-        names.emplace_back(parameter.name);
-        names.push_back(std::string("sd_") + parameter.name);
-    }
-    names.insert(names.end(), {"noise", "chi2_per_dof", "verdict", "changed"});
-    return names;
-}
-
 // A text as a field: in quotes where it holds a separator, a quote or a blank at its end.
 std::string field(const std::string& text) {
     const std::string plain = plain_text(text);
@@ -102,7 +92,7 @@ std::string whole_row(const MeasurementSet& set, const std::string& status,
     std::vector<std::string> texts{set.name, gyro_of(set), first_told(set, &Conditions::date),
                                    files,    status,       message};
     texts.insert(texts.end(), results.begin(), results.end());
-    texts.resize(columns().size());
+    texts.resize(batch_columns().size());
     for (std::size_t k = 0; k < set.recordings.front().others.size(); ++k) {
         texts.push_back(of_all(set, [k](const ListedRecording& r) { return r.others[k]; }));
     }
@@ -129,6 +119,16 @@ std::pair<std::string, std::string> verdict(const PassportComparison* comparison
 
 }  // namespace
 
+std::vector<std::string> batch_columns() {
+    std::vector<std::string> names{"set", "gyro", "date", "files", "status", "message", "model"};
+    for (const Parameter& parameter : parameters) {
+        names.emplace_back(parameter.name);
+        names.push_back(std::string("sd_") + parameter.name);
+    }
+    names.insert(names.end(), {"noise", "chi2_per_dof", "verdict", "changed"});
+    return names;
+}
+
 std::string gyro_of(const MeasurementSet& set) {
     return first_told(set, &Conditions::gyro);
 }
@@ -139,7 +139,7 @@ std::string batch_head(std::span<const std::string> header,
     for (const std::string& line : header) {
         text += "# " + plain_text(line) + "\n";
     }
-    std::vector<std::string> names = columns();
+    std::vector<std::string> names = batch_columns();
     for (std::string name : other_columns) {
         while (std::ranges::find(names, name) != names.end()) {
             name.insert(0, "list_");

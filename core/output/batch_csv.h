@@ -11,7 +11,10 @@
 
 namespace vybeg {
 
-// The table of a batch, RESULTS.csv of INTERFACE.md, line by line without line feeds.
+// The table of a batch, RESULTS.csv of the help, line by line without line feeds.
+
+// The names of the table's own columns; those of the list come behind them.
+std::vector<std::string> batch_columns();
 
 // "# " lines and the line of names, for a list with these unknown columns. An unknown column whose
 // name is one of the table's has "list_" before it.

@@ -313,6 +313,11 @@ Error OutputFile::as_it_stands(const Error& error) const {
                : error;
 }
 
+Result<OutputFile> open_output(const std::string& name, const JobControl& job) {
+    return name == "-" ? OutputFile::onto(STDOUT_FILENO, "standard output", job)
+                       : OutputFile::create(name, job);
+}
+
 Status write_file(const std::filesystem::path& target, std::string_view bytes,
                   const JobControl& job) {
     Result<OutputFile> file = OutputFile::create(target, job);

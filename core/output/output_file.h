@@ -86,6 +86,9 @@ private:
     JobControl job_;
 };
 
+// A file, or standard output for "-".
+Result<OutputFile> open_output(const std::string& name, const JobControl& job);
+
 // Writes a whole file from memory, reads it back for comparison and renames it. Errors: those of
 // OutputFile.
 Status write_file(const std::filesystem::path& target, std::string_view bytes,

@@ -103,7 +103,8 @@ Frames frames_of(const ResidualRange& range, const WindowPlan& plan, double rate
 Result<ResidualSamples> residual_samples(const Recording& recording, const Analysis& analysis,
                                          const ResidualRange& range, const JobControl& job) {
     // Carrier and offsets are in the settings as used, so that nothing is searched again.
-    const Result<Prepared> prepared = prepare(recording, analysis.settings, job.silent());
+    const Result<ConditionedRecording> prepared =
+        prepare(recording, analysis.settings, job.silent());
     if (!prepared) {
         return prepared.error();
     }

@@ -41,7 +41,8 @@ Result<SignalSource> signal_source(const Recording& recording,
         return SignalSource{recording.source, recording.rate_hz, nullptr};
     }
     // Carrier and offsets are in the settings as used, so that nothing is searched again.
-    const Result<Prepared> prepared = prepare(recording, analysis->settings, job.silent());
+    const Result<ConditionedRecording> prepared =
+        prepare(recording, analysis->settings, job.silent());
     if (!prepared) {
         return prepared.error();
     }

@@ -52,7 +52,7 @@ private:
 };
 
 // Reads the range once, past the check of the samples, and holds it where it is not too long.
-Status read_range(Prepared& prepared, const JobControl& job) {
+Status read_range(ConditionedRecording& prepared, const JobControl& job) {
     const bool held = prepared.end - prepared.first <= most_held;
     const auto count = static_cast<std::size_t>(held ? prepared.end - prepared.first : block);
     std::vector<double> c(count);
@@ -78,7 +78,8 @@ Status read_range(Prepared& prepared, const JobControl& job) {
 }
 
 // White noise about the carrier: the median of the density, which lines do not move.
-Result<double> white_noise(const Prepared& prepared, double rate_hz, const JobControl& job) {
+Result<double> white_noise(const ConditionedRecording& prepared, double rate_hz,
+                           const JobControl& job) {
     if (prepared.filter) {
         return prepared.noise_in_band.value_or(SweepValue::none);
     }
@@ -88,8 +89,9 @@ Result<double> white_noise(const Prepared& prepared, double rate_hz, const JobCo
 }
 
 // Waves evenly spread over the range.
-Result<std::vector<WaveState>> waves_of(const Prepared& prepared, const Settings& settings,
-                                        double rate_hz, const JobControl& job) {
+Result<std::vector<WaveState>> waves_of(const ConditionedRecording& prepared,
+                                        const Settings& settings, double rate_hz,
+                                        const JobControl& job) {
     const std::int64_t length = std::max(wave_window, least_window(prepared.f0_hz, rate_hz));
     const std::int64_t span = prepared.end - prepared.first;
     std::vector<WaveState> waves;
@@ -119,8 +121,8 @@ Result<std::vector<WaveState>> waves_of(const Prepared& prepared, const Settings
 
 class Sweep {
 public:
-    Sweep(const Prepared& prepared, const SampleFaults& faults, const Settings& settings,
-          double rate_hz, double white, std::vector<WaveState> waves)
+    Sweep(const ConditionedRecording& prepared, const SampleFaults& faults,
+          const Settings& settings, double rate_hz, double white, std::vector<WaveState> waves)
         : prepared_(prepared),
           faults_(faults),
           settings_(settings),
@@ -161,7 +163,7 @@ public:
     }
 
 private:
-    const Prepared& prepared_;
+    const ConditionedRecording& prepared_;
     const SampleFaults& faults_;
     const Settings& settings_;
     double rate_hz_;
@@ -181,7 +183,7 @@ Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& se
         return valid.error();
     }
     const double rate = recording.rate_hz;
-    Result<Prepared> prepared = prepare(recording, settings, job.silent());
+    Result<ConditionedRecording> prepared = prepare(recording, settings, job.silent());
     if (!prepared) {
         return prepared.error();
     }

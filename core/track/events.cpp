@@ -81,7 +81,7 @@ void find_crossings(const Track& track, std::vector<Event>& events) {
 }
 
 // Events of consecutive windows with a flag.
-void find_stretches(const Track& track, Flag flag, EventKind kind, std::vector<Event>& events) {
+void find_segments(const Track& track, Flag flag, EventKind kind, std::vector<Event>& events) {
     const auto time = track.time_s();
     const auto flags = track.flags();
     for (std::size_t k = 0; k < track.rows(); ++k) {
@@ -101,12 +101,12 @@ void find_stretches(const Track& track, Flag flag, EventKind kind, std::vector<E
 std::vector<Event> find_events(const Track& track) {
     std::vector<Event> events;
     find_crossings(track, events);
-    find_stretches(track, Flag::gap, EventKind::gap, events);
-    find_stretches(track, Flag::clipped, EventKind::clipped, events);
-    find_stretches(track, Flag::not_converged, EventKind::not_converged, events);
-    find_stretches(track, Flag::filter_transient, EventKind::filter_transient, events);
-    find_stretches(track, Flag::delay_reach, EventKind::delay_reach, events);
-    find_stretches(track, Flag::moving, EventKind::moving, events);
+    find_segments(track, Flag::gap, EventKind::gap, events);
+    find_segments(track, Flag::clipped, EventKind::clipped, events);
+    find_segments(track, Flag::not_converged, EventKind::not_converged, events);
+    find_segments(track, Flag::filter_transient, EventKind::filter_transient, events);
+    find_segments(track, Flag::delay_reach, EventKind::delay_reach, events);
+    find_segments(track, Flag::moving, EventKind::moving, events);
     std::stable_sort(events.begin(), events.end(),
                      [](const Event& a, const Event& b) { return a.time_s < b.time_s; });
     return events;

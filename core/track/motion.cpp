@@ -18,15 +18,15 @@ constexpr double rounding = 1e-9;
 constexpr double foretold = 0.08;
 
 // Adds rows [first, end) to ranges ordered by their ends.
-void add(std::size_t first, std::size_t end, std::vector<FlaggedRows>& stretches) {
-    if (!stretches.empty()) {
-        FlaggedRows& last = stretches.back();
+void add(std::size_t first, std::size_t end, std::vector<FlaggedRows>& segments) {
+    if (!segments.empty()) {
+        FlaggedRows& last = segments.back();
         if (first <= last.first + last.count) {
             last.count = std::max(end, last.first + last.count) - last.first;
             return;
         }
     }
-    stretches.push_back({first, end - first, Flag::moving});
+    segments.push_back({first, end - first, Flag::moving});
 }
 
 double turned(double from, double to) {

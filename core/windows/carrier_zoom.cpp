@@ -24,7 +24,7 @@ constexpr double pi = std::numbers::pi;
 // For shorter ranges the whole spectrum takes a few milliseconds.
 constexpr std::size_t least_length = std::size_t{1} << 17;
 constexpr std::size_t coarse_length = 4096;
-constexpr std::size_t coarse_stretches = 8;
+constexpr std::size_t coarse_segments = 8;
 // Number of blocks after decimation; the filter of a block covers four of them.
 constexpr std::size_t blocks_wished = 8192;
 constexpr std::size_t overlap = 4;
@@ -69,8 +69,8 @@ Result<std::optional<double>> coarse_peak(const SampleFeed& read, std::size_t co
     std::vector<double> c(coarse_length);
     std::vector<double> d(coarse_length);
     const Fft transform(coarse_length);
-    for (std::size_t s = 0; s < coarse_stretches; ++s) {
-        const std::size_t first = (count - coarse_length) * s / (coarse_stretches - 1);
+    for (std::size_t s = 0; s < coarse_segments; ++s) {
+        const std::size_t first = (count - coarse_length) * s / (coarse_segments - 1);
         if (const Status status = read(static_cast<std::int64_t>(first), c, d); !status) {
             return status.error();
         }

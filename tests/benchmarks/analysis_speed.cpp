@@ -8,7 +8,7 @@
 #include "core/recording/samples/open_options.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
-#include "core/windows/carrier.h"
+#include "core/windows/carrier_search.h"
 #include "tests/benchmarks/ratio_table.h"
 
 #include <openssl/evp.h>

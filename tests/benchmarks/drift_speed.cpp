@@ -70,7 +70,7 @@ constexpr std::array<Condition, 5> conditions{{{"still", 0, 0},
 
 void estimate(benchmark::State& state, const Recorded& recorded, const Case& one,
               const Condition& condition) {
-    Prepared prepared;
+    ConditionedRecording prepared;
     prepared.source = recorded.source;
     prepared.end = recorded.source->frames();
     prepared.f0_hz = f0 + condition.off_lobes * rate / static_cast<double>(one.length);

@@ -21,7 +21,7 @@ using namespace vybeg::benchmarks;
 
 constexpr double longest_s = 1000;
 
-Prepared decay_in_memory(double seconds) {
+ConditionedRecording decay_in_memory(double seconds) {
     FreeDecay decay = demo_decay();
     decay.noise = 1e-3 * decay.a_A;
     decay.seconds = seconds;
@@ -32,7 +32,7 @@ Prepared decay_in_memory(double seconds) {
         std::fputs("The decay cannot be simulated.\n", stderr);
         std::exit(1);
     }
-    Prepared prepared;
+    ConditionedRecording prepared;
     prepared.end = static_cast<std::int64_t>(simulated->c.size());
     prepared.source =
         std::make_shared<MemorySource>(std::move(simulated->c), std::move(simulated->d));
@@ -52,7 +52,7 @@ struct Case {
     }
 };
 
-void estimate(benchmark::State& state, const Prepared& prepared, const Case& one) {
+void estimate(benchmark::State& state, const ConditionedRecording& prepared, const Case& one) {
     const WindowPlan plan = one.plan();
     const TrackSink sink = [](const Track& rows) {
         benchmark::DoNotOptimize(rows.time_s().data());
@@ -69,7 +69,7 @@ void estimate(benchmark::State& state, const Prepared& prepared, const Case& one
 }
 
 // The estimators alone, on samples that nobody copies: blocks of windows over `threads` threads.
-void estimate_alone(benchmark::State& state, const Prepared& prepared, int threads) {
+void estimate_alone(benchmark::State& state, const ConditionedRecording& prepared, int threads) {
     constexpr std::int64_t n = 60;
     constexpr std::int64_t per_block = 136;  // as estimate_track() has them
     constexpr std::int64_t blocks = 400;
@@ -134,7 +134,7 @@ void print_growth(const RatioReporter& reporter, const std::vector<Case>& cases)
 
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
-    const Prepared prepared = decay_in_memory(longest_s);
+    const ConditionedRecording prepared = decay_in_memory(longest_s);
     const auto add = [&prepared](const Case& one) {
         benchmark::RegisterBenchmark(
             one.name.c_str(),

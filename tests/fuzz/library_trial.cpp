@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t most_read = std::int64_t{1} << 16;
 
 // As the program does it: the catalogue and each answer in the form in which they are sent.
-Verdict read_through(LibraryFile& file) {
+Verdict read_through(HelperFile& file) {
     const auto catalogue = decode_catalogue(encode(file.catalogue()));
     if (!catalogue) {
         return {Outcome::read, "a catalogue that cannot be sent"};
@@ -37,7 +37,7 @@ Verdict read_through(LibraryFile& file) {
     return {Outcome::read, ""};
 }
 
-Verdict judge(Result<std::unique_ptr<LibraryFile>> opened) {
+Verdict judge(Result<std::unique_ptr<HelperFile>> opened) {
     if (!opened) {
         return {Outcome::refused,
                 decode_error(encode(opened.error())) ? "" : "an error that cannot be sent"};

@@ -15,9 +15,9 @@ enum class Damage {
     length,   // a number of 2, 4 or 8 bytes that no length can be: 2^63, all ones, 0, ...
     real,     // a number of 4 or 8 bytes that no rate can be: NaN, infinite, 1e300, -1, ...
     digits,   // a number in letters becomes one of those
-    moved,    // a stretch stands in another place, or twice
-    missing,  // a stretch is left out
-    zeros     // a stretch of zeros
+    moved,    // a segment stands in another place, or twice
+    missing,  // a segment is left out
+    zeros     // a segment of zeros
 };
 inline constexpr std::array<const char*, 9> damage_names{
     "cut", "bits", "bytes", "length", "real", "digits", "moved", "missing", "zeros"};

@@ -119,14 +119,14 @@ void TestLayering::aBrokenRuleIsFound_data() {
         "core/base/a.cpp:1: Qt: qcustomplot.h");
     row("libhdf5 in the programs", "core/windows/a.cpp", "#include <hdf5.h>\n",
         "core/windows/a.cpp:1: libhdf5: hdf5.h");
-    row("later folder", "core/base/a.cpp", "#include \"core/windows/carrier.h\"\n",
-        "core/base/a.cpp:1: a later folder of core/: core/windows/carrier.h");
+    row("later folder", "core/base/a.cpp", "#include \"core/windows/carrier_search.h\"\n",
+        "core/base/a.cpp:1: a later folder of core/: core/windows/carrier_search.h");
     row("later sub-folder", "core/recording/bytes/a.cpp",
         "#include \"core/recording/text/text_rows.h\"\n",
         "core/recording/bytes/a.cpp:1: a later folder of core/: core/recording/text/text_rows.h");
     row("later folder from a sub-folder", "core/recording/text/a.cpp",
-        "#include \"core/windows/carrier.h\"\n",
-        "core/recording/text/a.cpp:1: a later folder of core/: core/windows/carrier.h");
+        "#include \"core/windows/carrier_search.h\"\n",
+        "core/recording/text/a.cpp:1: a later folder of core/: core/windows/carrier_search.h");
     row("beside the sub-folders", "core/recording/a.h", "#include <vector>\n",
         "core/recording/a.h:1: its folder is not in core/CMakeLists.txt");
     row("later folder of ui", "ui/words/a.cpp", "#include \"ui/window/main_window.h\"\n",

@@ -115,7 +115,7 @@ void Demonstration::theWaveSwingsAndTurnsThroughAnAxis() {
         QVERIFY(found[k].kind == EventKind::axis_crossing);
         QCOMPARE(found[k].direction, expected[k].direction);
         // Where 2theta_A moves by three standard deviations of a window, a crossing is known to a
-        // part of that stretch.
+        // part of that segment.
         VYBEG_CLOSE(found[k].time_s, expected[k].time_s, 0.05);
     }
 }

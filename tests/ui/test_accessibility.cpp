@@ -1,6 +1,7 @@
 // Every control of every page can be named, explained and reached by the Tab key, and no text is
 // cut off, in both languages at the smallest size the program is made for.
 #include "tests/ui/gui_test.h"
+#include "ui/batch/batch_window.h"
 #include "ui/charts/round_view.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
@@ -178,6 +179,27 @@ private slots:
         auto& dialog = childOf<ExportDialog>(*window_);
         const QStringList faults = faultsOfControls(dialog) + cutTexts(dialog);
         dialog.reject();
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+    void so_has_every_control_of_the_batch() {
+        window_->action(Command::batch)->trigger();
+        auto& batch = childOf<BatchWindow>(*window_);
+        QVERIFY(QTest::qWaitForWindowExposed(&batch));
+        batch.resize(1000, 600);
+        batch.form().setPath(BatchPath::list, home_.path("a.wav"));
+        batch.form().setPath(BatchPath::results, home_.path("results.csv"));
+        QStringList faults;
+        for (const QString& language : {QStringLiteral("en"), QStringLiteral("ru")}) {
+            window_->setLanguage(language);
+            // A layout may take several turns of the event loop.
+            if (!QTest::qWaitFor([&] { return cutTexts(batch).isEmpty(); }, 5000)) {
+                faults << cutTexts(batch);
+            }
+            faults << faultsOfControls(batch);
+        }
+        batch.close();
+        window_->setLanguage(QStringLiteral("en"));
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
     }
 

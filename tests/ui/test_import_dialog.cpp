@@ -34,7 +34,7 @@ class TestImportDialog : public QObject {
 
     GuiTestHome home_;
     Language language_;
-    AnalysisJob job_;
+    BackgroundJobs job_;
     QPointer<ImportDialog> dialog_;
 
     template <class Widget>

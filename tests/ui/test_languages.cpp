@@ -156,7 +156,7 @@ private slots:
         window.action(Command::identify)->trigger();
         QVERIFY(QTest::qWaitFor(
             [&] {
-                const RunSet* set = window.document().sets().current();
+                const RecordingSet* set = window.document().sets().current();
                 return set && window.document().sets().outcome(*set);
             },
             20000));
@@ -167,7 +167,7 @@ private slots:
         window.action(Command::compare)->trigger();
         // Both with every choice on the screen: text here, raw samples in the other.
         const QString table = home_.file("demo-2.csv", "t;C;D\n0,1;1;2\n0,2;3;4\n0,3;5;6\n");
-        AnalysisJob job;
+        BackgroundJobs job;
         OpenOptions as_text;
         as_text.text = TextChoice{};
         ImportDialog text_import(job, table, as_text, &window);

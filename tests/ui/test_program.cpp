@@ -1,4 +1,4 @@
-// The desktop program as a process: its command line and exit statuses (INTERFACE.md).
+// The desktop program as a process: its command line and exit statuses (help, files.html).
 #include "tests/ui/gui_test.h"
 
 #include <QCryptographicHash>

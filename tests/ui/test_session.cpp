@@ -162,7 +162,7 @@ private slots:
             QVERIFY(std::ranges::equal(entry.run.analysis->track.values(SlowVariable::a_A),
                                        runs[k].analysis->track.values(SlowVariable::a_A), same));
         }
-        const RunSet* set = document().sets().current();
+        const RecordingSet* set = document().sets().current();
         QVERIFY(set);
         QCOMPARE(set->name, "gyro 17");
         QVERIFY(set->model == FitOptions::Model::free);

@@ -155,6 +155,22 @@ private slots:
         QVERIFY(tracks.shownVariables() == plots);
         QVERIFY(!next.action(Command::sigma_bands)->isChecked());
     }
+
+    void the_cursor_reads_nothing_where_a_run_has_no_windows() {
+        window_->document().open(
+            {home_.recording("short.wav", 1.0), home_.recording("long.wav", 3.0)});
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !window_->document().busy() && window_->document().runs().size() == 2, 20000);
+        auto& cursor = the<CursorPanel>();
+        cursor.setTime(2.5);
+        // Symbol, then value and deviation of each run.
+        const QStringList cells = cursor.tableText().split('\n')[1].split('\t');
+        QCOMPARE(cells[1], QString());
+        QCOMPARE(cells[2], QString());
+        QVERIFY2(!cells[3].isEmpty(), qPrintable(cursor.tableText()));
+        cursor.setTime(0.5);
+        QVERIFY(!cursor.tableText().split('\n')[1].split('\t')[1].isEmpty());
+    }
 };
 
 QTEST_MAIN(TestWindowLayout)

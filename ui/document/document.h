@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 #include "ui/document/dossier_model.h"
 #include "ui/document/id_counter.h"
 #include "ui/document/live_follower.h"
@@ -128,7 +128,7 @@ private:
     void runAgain(int recording_id, const Settings& requested);
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
 
-    AnalysisJob job_;
+    BackgroundJobs job_;
     IdCounter ids_;
     UndoSteps steps_;
     SettingsModel settings_{steps_};

@@ -5,7 +5,7 @@
 
 namespace vybeg::ui {
 
-LiveFollower::LiveFollower(AnalysisJob& job, const SettingsModel& settings,
+LiveFollower::LiveFollower(BackgroundJobs& job, const SettingsModel& settings,
                            RecordingStore& recordings, RunStore& runs, RequestQueue& queue,
                            QObject* parent)
     : QObject(parent),

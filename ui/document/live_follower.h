@@ -16,7 +16,7 @@ class LiveFollower : public QObject {
     Q_OBJECT
 
 public:
-    LiveFollower(AnalysisJob& job, const SettingsModel& settings, RecordingStore& recordings,
+    LiveFollower(BackgroundJobs& job, const SettingsModel& settings, RecordingStore& recordings,
                  RunStore& runs, RequestQueue& queue, QObject* parent = nullptr);
 
     void setOn(bool on);
@@ -39,7 +39,7 @@ private:
     int show(int recording_id, const Settings& requested, AnalysisOutcome outcome);
     void whenDone(int recording_id, Result<AnalysisOutcome> result);
 
-    AnalysisJob& job_;
+    BackgroundJobs& job_;
     const SettingsModel& settings_;
     RecordingStore& recordings_;
     RunStore& runs_;

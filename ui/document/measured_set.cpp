@@ -36,7 +36,7 @@ int openOnce(const ListedRecording& row, RecordingStore& recordings) {
 
 }  // namespace
 
-MeasurementSet measurementOf(const RunSet& set, const SettingsModel& settings,
+MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& settings,
                              const RecordingStore& recordings) {
     MeasurementSet measured;
     measured.name = set.name.toStdString();
@@ -62,10 +62,10 @@ MeasurementSet measurementOf(const RunSet& set, const SettingsModel& settings,
     return measured;
 }
 
-std::vector<RunSet> openSets(const MeasurementList& list, RecordingStore& recordings) {
-    std::vector<RunSet> sets;
+std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& recordings) {
+    std::vector<RecordingSet> sets;
     for (const MeasurementSet& measured : list.sets) {
-        RunSet set;
+        RecordingSet set;
         set.name = QString::fromStdString(measured.name);
         set.model = measured.settings.model;
         ListedSet listed{measured.settings, list.other_columns, {}};

@@ -2,7 +2,7 @@
 
 #include "ui/document/recording_store.h"
 #include "ui/document/settings_model.h"
-#include "ui/values/run_set.h"
+#include "ui/values/recording_set.h"
 
 #include <vector>
 
@@ -11,11 +11,11 @@ namespace vybeg::ui {
 // A set with all that belongs to its identification: recordings with their conditions, and the
 // settings, which are those of its measurement list or of the panel. Precondition: its recordings
 // are in `recordings`.
-MeasurementSet measurementOf(const RunSet& set, const SettingsModel& settings,
+MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& settings,
                              const RecordingStore& recordings);
 
 // Opens the recordings of a measurement list, and makes a set of the document of each of its sets,
 // still without ids. A recording that is open already, read in the same way, is taken as it is.
-std::vector<RunSet> openSets(const MeasurementList& list, RecordingStore& recordings);
+std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& recordings);
 
 }  // namespace vybeg::ui

@@ -35,7 +35,7 @@ Message warning(std::function<QString()> text) {
 
 }  // namespace
 
-RecordingStore::RecordingStore(AnalysisJob& job, const SettingsModel& settings, IdCounter& ids,
+RecordingStore::RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids,
                                QObject* parent)
     : QObject(parent), job_(job), settings_(settings), ids_(ids) {}
 
@@ -90,7 +90,7 @@ void RecordingStore::begin(int id, std::size_t place, const QString& path,
     entry.options = options;
     recordings_.insert(recordings_.begin() + static_cast<std::ptrdiff_t>(place), std::move(entry));
     job_.open(
-        id, path, options, [this, id](const FirstLook& look) { whenLookedAt(id, look); },
+        id, path, options, [this, id](const QuickOverview& look) { whenLookedAt(id, look); },
         [this, id](Result<Recording> result) { whenOpened(id, std::move(result)); });
 }
 
@@ -108,7 +108,7 @@ void RecordingStore::close(int id) {
     }
 }
 
-void RecordingStore::whenLookedAt(int id, const FirstLook& look) {
+void RecordingStore::whenLookedAt(int id, const QuickOverview& look) {
     RecordingEntry& looked_at = *entry(id);
     looked_at.envelope = look.envelope;
     looked_at.envelope_rate_hz = look.rate_hz;

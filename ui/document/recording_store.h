@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 #include "ui/document/id_counter.h"
 #include "ui/document/message.h"
 #include "ui/document/settings_model.h"
@@ -39,7 +39,7 @@ class RecordingStore : public QObject {
     Q_OBJECT
 
 public:
-    RecordingStore(AnalysisJob& job, const SettingsModel& settings, IdCounter& ids,
+    RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids,
                    QObject* parent = nullptr);
 
     const std::vector<RecordingEntry>& all() const { return recordings_; }
@@ -77,7 +77,7 @@ signals:
 private:
     void begin(int id, std::size_t place, const QString& path, const OpenOptions& options);
     RecordingEntry* entry(int id);
-    void whenLookedAt(int id, const FirstLook& look);
+    void whenLookedAt(int id, const QuickOverview& look);
     void whenOpened(int id, Result<Recording> result);
     void reportWarnings(const RecordingEntry& entry);
     void readEnvelope(int id);
@@ -85,7 +85,7 @@ private:
     void whenChecked(int id, SampleFaults faults);
     void hashFile(int id);
 
-    AnalysisJob& job_;
+    BackgroundJobs& job_;
     const SettingsModel& settings_;
     IdCounter& ids_;
     std::vector<RecordingEntry> recordings_;

@@ -14,14 +14,14 @@ int firstKey(const std::map<int, Request>& requests, Condition condition) {
 
 }  // namespace
 
-RequestQueue::RequestQueue(AnalysisJob& job, QObject* parent) : QObject(parent), job_(job) {
-    connect(&job_, &AnalysisJob::analysisProgress, this, [this](int key, double fraction) {
+RequestQueue::RequestQueue(BackgroundJobs& job, QObject* parent) : QObject(parent), job_(job) {
+    connect(&job_, &BackgroundJobs::analysisProgress, this, [this](int key, double fraction) {
         if (requests_.contains(key)) {
             fraction_ = fraction;
             emit progressChanged();
         }
     });
-    connect(&job_, &AnalysisJob::analysisStarted, this, [this] {
+    connect(&job_, &BackgroundJobs::analysisStarted, this, [this] {
         fraction_ = 0;
         emit progressChanged();
     });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/settings.h"
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 
 #include <QElapsedTimer>
 #include <QList>
@@ -28,7 +28,7 @@ class RequestQueue : public QObject {
     Q_OBJECT
 
 public:
-    explicit RequestQueue(AnalysisJob& job, QObject* parent = nullptr);
+    explicit RequestQueue(BackgroundJobs& job, QObject* parent = nullptr);
 
     // A key that is there already gets the new request.
     void enter(int key, const Request& request);
@@ -59,7 +59,7 @@ signals:
     void batchDone(const QList<int>& run_ids);
 
 private:
-    AnalysisJob& job_;
+    BackgroundJobs& job_;
     std::map<int, Request> requests_;  // by key, in the order of asking
     std::map<int, QList<int>> batches_;
     int asked_ = 0;        // since the window was last idle

@@ -1,8 +1,8 @@
 #include "ui/document/run_store.h"
 
 #include "ui/widgets/theme.h"
+#include "ui/words/program_name.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ RunWish wishOf(const RunEntry& entry, int place) {
             .place = place};
 }
 
-RunStore::RunStore(AnalysisJob& job, const RecordingStore& recordings, IdCounter& ids,
+RunStore::RunStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
                    UndoSteps& steps, QObject* parent)
     : QObject(parent), job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
 
@@ -293,8 +293,7 @@ void RunStore::exportTrack(int id, const QString& path, std::function<void(const
     const RunEntry* entry = find(id);
     if (entry && !entry->partial()) {
         job_.writeTrack(id, *recordings_.find(entry->recording_id)->recording, entry->run.analysis,
-                        QStringLiteral("vybeg ") + QCoreApplication::applicationVersion(), path,
-                        std::move(done));
+                        programName(), path, std::move(done));
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 #include "ui/document/id_counter.h"
 #include "ui/document/recording_store.h"
 #include "ui/values/run.h"
@@ -52,8 +52,8 @@ class RunStore : public QObject {
     Q_OBJECT
 
 public:
-    RunStore(AnalysisJob& job, const RecordingStore& recordings, IdCounter& ids, UndoSteps& steps,
-             QObject* parent = nullptr);
+    RunStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
+             UndoSteps& steps, QObject* parent = nullptr);
 
     const std::vector<RunEntry>& all() const { return runs_; }
     const RunEntry* find(int id) const;
@@ -94,7 +94,7 @@ private:
     // The run that is expected, in its place; null where none is.
     RunEntry* addExpected(int recording_id, const Settings& requested, bool live);
 
-    AnalysisJob& job_;
+    BackgroundJobs& job_;
     const RecordingStore& recordings_;
     IdCounter& ids_;
     UndoSteps& steps_;

@@ -1,8 +1,8 @@
 #include "ui/document/set_store.h"
 
 #include "ui/document/measured_set.h"
+#include "ui/words/program_name.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ bool contains(const std::vector<int>& ids, int id) {
 
 }  // namespace
 
-SetStore::SetStore(AnalysisJob& job, const SettingsModel& settings, RecordingStore& recordings,
+SetStore::SetStore(BackgroundJobs& job, const SettingsModel& settings, RecordingStore& recordings,
                    RequestQueue& queue, IdCounter& ids, UndoSteps& steps, QObject* parent)
     : QObject(parent),
       job_(job),
@@ -37,13 +37,13 @@ SetStore::SetStore(AnalysisJob& job, const SettingsModel& settings, RecordingSto
     connect(&settings_, &SettingsModel::toleranceChanged, this, &SetStore::changed);
 }
 
-const RunSet* SetStore::find(int id) const {
-    const auto found = std::ranges::find(sets_, id, &RunSet::id);
+const RecordingSet* SetStore::find(int id) const {
+    const auto found = std::ranges::find(sets_, id, &RecordingSet::id);
     return found == sets_.end() ? nullptr : &*found;
 }
 
-RunSet* SetStore::entry(int id) {
-    return const_cast<RunSet*>(std::as_const(*this).find(id));
+RecordingSet* SetStore::entry(int id) {
+    return const_cast<RecordingSet*>(std::as_const(*this).find(id));
 }
 
 void SetStore::setCurrent(int id) {
@@ -63,18 +63,19 @@ void SetStore::step(UndoSteps::Words words, const std::function<void()>& edit) {
 
 // Results found meanwhile stay with their recordings; closed recordings stay away.
 void SetStore::restore(const State& state) {
-    std::vector<RunSet> sets = state.sets;
-    for (RunSet& set : sets) {
+    std::vector<RecordingSet> sets = state.sets;
+    for (RecordingSet& set : sets) {
         std::erase_if(set.recordings, [this](int id) { return !recordings_.find(id); });
-        if (const RunSet* now = find(set.id);
+        if (const RecordingSet* now = find(set.id);
             now && sameRecordings(now->recordings, set.recordings)) {
             set.outcomes = now->outcomes;
+            set.kept = now->kept;
         } else {
             queue_.forget(queue_.keyOfSet(set.id));
         }
     }
-    for (const RunSet& set : sets_) {
-        if (std::ranges::find(sets, set.id, &RunSet::id) == sets.end()) {
+    for (const RecordingSet& set : sets_) {
+        if (std::ranges::find(sets, set.id, &RecordingSet::id) == sets.end()) {
             queue_.forget(queue_.keyOfSet(set.id));
         }
     }
@@ -86,7 +87,7 @@ void SetStore::restore(const State& state) {
 int SetStore::add(const std::vector<int>& recording_ids) {
     step([] { return tr("new set"); },
          [&] {
-             RunSet set;
+             RecordingSet set;
              set.id = ids_.next();
              set.number = ++made_;
              set.recordings = recording_ids;
@@ -101,7 +102,7 @@ void SetStore::remove(int id) {
     queue_.forget(queue_.keyOfSet(id));
     step([] { return tr("remove the set"); },
          [&] {
-             std::erase_if(sets_, [id](const RunSet& set) { return set.id == id; });
+             std::erase_if(sets_, [id](const RecordingSet& set) { return set.id == id; });
              if (!find(current_)) {
                  current_ = sets_.empty() ? 0 : sets_.back().id;
              }
@@ -110,14 +111,14 @@ void SetStore::remove(int id) {
 }
 
 void SetStore::rename(int id, const QString& name) {
-    if (RunSet* set = entry(id); set && set->name != name.trimmed()) {
+    if (RecordingSet* set = entry(id); set && set->name != name.trimmed()) {
         step([] { return tr("rename the set"); }, [&] { set->name = name.trimmed(); });
         emit changed();
     }
 }
 
 void SetStore::setModel(int id, FitOptions::Model model) {
-    if (RunSet* set = entry(id); set && set->model != model) {
+    if (RecordingSet* set = entry(id); set && set->model != model) {
         queue_.forget(queue_.keyOfSet(id));
         step([] { return tr("model of the set"); }, [&] { set->model = model; });
         emit changed();
@@ -125,13 +126,18 @@ void SetStore::setModel(int id, FitOptions::Model model) {
 }
 
 void SetStore::setListed(int id, ListedSet listed) {
-    if (RunSet* set = entry(id)) {
+    if (RecordingSet* set = entry(id)) {
         set->listed = std::make_shared<const ListedSet>(std::move(listed));
         emit changed();
     }
 }
 
-void SetStore::edited(RunSet& set) {
+void SetStore::setKept(int id, KeptResult kept) {
+    entry(id)->kept = std::move(kept);
+    emit changed();
+}
+
+void SetStore::edited(RecordingSet& set) {
     queue_.forget(queue_.keyOfSet(set.id));
     if (!set.outcomes.empty() && !sameRecordings(set.outcomes.back()->recordings, set.recordings)) {
         set.outcomes.erase(set.outcomes.begin(), set.outcomes.end() - 1);
@@ -140,7 +146,7 @@ void SetStore::edited(RunSet& set) {
 }
 
 void SetStore::insertInto(int id, const std::vector<int>& recording_ids) {
-    RunSet& set = *entry(id);
+    RecordingSet& set = *entry(id);
     const std::size_t before = set.recordings.size();
     for (const int recording : recording_ids) {
         if (recordings_.find(recording) && !contains(set.recordings, recording)) {
@@ -153,7 +159,7 @@ void SetStore::insertInto(int id, const std::vector<int>& recording_ids) {
 }
 
 void SetStore::eraseFrom(int id, const std::vector<int>& recording_ids) {
-    RunSet* set = entry(id);
+    RecordingSet* set = entry(id);
     const auto gone = [&](int recording) { return contains(recording_ids, recording); };
     if (set && std::erase_if(set->recordings, gone) > 0) {
         edited(*set);
@@ -161,7 +167,7 @@ void SetStore::eraseFrom(int id, const std::vector<int>& recording_ids) {
 }
 
 void SetStore::addTo(int id, const std::vector<int>& recording_ids) {
-    const RunSet& set = *entry(id);
+    const RecordingSet& set = *entry(id);
     const auto is_new = [&](int recording) { return !contains(set.recordings, recording); };
     if (std::ranges::any_of(recording_ids, is_new)) {
         step([] { return tr("recordings of the set"); }, [&] { insertInto(id, recording_ids); });
@@ -177,7 +183,7 @@ void SetStore::addToCurrent(const std::vector<int>& recording_ids) {
 }
 
 void SetStore::removeFrom(int id, const std::vector<int>& recording_ids) {
-    const RunSet* set = find(id);
+    const RecordingSet* set = find(id);
     const auto is_there = [&](int recording) { return contains(set->recordings, recording); };
     if (set && std::ranges::any_of(recording_ids, is_there)) {
         step([] { return tr("recordings of the set"); }, [&] { eraseFrom(id, recording_ids); });
@@ -200,7 +206,7 @@ void SetStore::putInto(const std::vector<int>& set_ids, int recording_id) {
 
 std::vector<int> SetStore::holding(int recording_id) const {
     std::vector<int> ids;
-    for (const RunSet& set : sets_) {
+    for (const RecordingSet& set : sets_) {
         if (contains(set.recordings, recording_id)) {
             ids.push_back(set.id);
         }
@@ -245,12 +251,12 @@ void SetStore::openList(const QString& path, const OpenOptions& options) {
 }
 
 void SetStore::open(const MeasurementList& list) {
-    std::vector<RunSet> sets = openSets(list, recordings_);
+    std::vector<RecordingSet> sets = openSets(list, recordings_);
     const int first = ids_.next();
     step([] { return tr("sets of the list"); },
          [&] {
              int id = first;
-             for (RunSet& set : sets) {
+             for (RecordingSet& set : sets) {
                  set.id = id;
                  set.number = ++made_;
                  sets_.push_back(std::move(set));
@@ -261,12 +267,12 @@ void SetStore::open(const MeasurementList& list) {
     emit changed();
 }
 
-MeasurementSet SetStore::measured(const RunSet& set) const {
+MeasurementSet SetStore::measured(const RecordingSet& set) const {
     return measurementOf(set, settings_, recordings_);
 }
 
 bool SetStore::canIdentify() const {
-    const RunSet* set = current();
+    const RecordingSet* set = current();
     if (!set || set->recordings.empty()) {
         return recordings_.current() && recordings_.current()->recording;
     }
@@ -281,7 +287,11 @@ void SetStore::identify() {
     if (!current() || current()->recordings.empty()) {
         addToCurrent({recordings_.current()->id});
     }
-    const RunSet& set = *current();
+    identifySet(current_);
+}
+
+void SetStore::identifySet(int id) {
+    const RecordingSet& set = *find(id);
     queue_.forget(queue_.keyOfSet(set.id));
     const MeasurementSet wanted = measured(set);
     if (const Status alike = check_conditions(wanted); !alike) {
@@ -290,8 +300,8 @@ void SetStore::identify() {
     }
     std::vector<Recording> recordings;
     std::vector<IdentifiedInput> inputs;
-    for (const int id : set.recordings) {
-        const RecordingEntry& entry = *recordings_.find(id);
+    for (const int recording : set.recordings) {
+        const RecordingEntry& entry = *recordings_.find(recording);
         recordings.push_back(*entry.recording);
         inputs.push_back({entry.name.toStdString(), entry.sha256.toStdString(),
                           entry.recording->start, entry.recording->seconds(),
@@ -313,13 +323,14 @@ void SetStore::identify() {
 void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
     const int id = queue_.find(key)->set_id;
     if (result) {
-        RunSet& set = *entry(id);
+        RecordingSet& set = *entry(id);
         // Older ones of other recordings, or of the same settings, have no use any more.
         std::erase_if(set.outcomes, [&](const auto& older) {
             return !sameRecordings(older->recordings, result->recordings) ||
                    older->identification.settings == result->identification.settings;
         });
         set.outcomes.push_back(std::make_shared<const ResonatorOutcome>(std::move(*result)));
+        set.kept = {};
         emit changed();
         emit identified(id);
     } else if (result.error().code != ErrorCode::interrupted) {
@@ -328,12 +339,12 @@ void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
     queue_.done(key);
 }
 
-bool SetStore::outOfDate(const RunSet& set, const ResonatorOutcome& outcome) const {
+bool SetStore::outOfDate(const RecordingSet& set, const ResonatorOutcome& outcome) const {
     return !sameRecordings(outcome.recordings, set.recordings) ||
            outcome.identification.settings != measured(set).settings;
 }
 
-std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RunSet& set) const {
+std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RecordingSet& set) const {
     const auto up_to_date = std::ranges::find_if(
         set.outcomes, [&](const auto& outcome) { return !outOfDate(set, *outcome); });
     if (up_to_date != set.outcomes.end()) {
@@ -342,12 +353,15 @@ std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RunSet& set) con
     return set.outcomes.empty() ? nullptr : set.outcomes.back();
 }
 
+KeptResult SetStore::kept(const RecordingSet& set) const {
+    const auto found = outcome(set);
+    return found ? KeptResult{found->kept, !outOfDate(set, *found)} : set.kept;
+}
+
 void SetStore::savePassport(const QString& path, std::function<void(const Status&)> done) {
-    const RunSet* set = current();
+    const RecordingSet* set = current();
     if (const auto found = set ? outcome(*set) : nullptr) {
-        job_.writePassport(ids_.next(), found,
-                           QStringLiteral("vybeg ") + QCoreApplication::applicationVersion(), path,
-                           std::move(done));
+        job_.writePassport(ids_.next(), found, programName(), path, std::move(done));
     }
 }
 
@@ -376,7 +390,7 @@ void SetStore::setFrequencyLimit(double ppm) {
 }
 
 std::vector<Difference> SetStore::differences() const {
-    const RunSet* set = current();
+    const RecordingSet* set = current();
     const auto found = set ? outcome(*set) : nullptr;
     return passport_ && found ? compare(passport_->passport, found->identification.fit, compare_)
                               : std::vector<Difference>();

@@ -3,7 +3,7 @@
 #include "core/resonator/results/passport.h"
 #include "ui/document/recording_store.h"
 #include "ui/document/request_queue.h"
-#include "ui/values/run_set.h"
+#include "ui/values/recording_set.h"
 
 #include <QObject>
 #include <QString>
@@ -22,12 +22,12 @@ class SetStore : public QObject {
     Q_OBJECT
 
 public:
-    SetStore(AnalysisJob& job, const SettingsModel& settings, RecordingStore& recordings,
+    SetStore(BackgroundJobs& job, const SettingsModel& settings, RecordingStore& recordings,
              RequestQueue& queue, IdCounter& ids, UndoSteps& steps, QObject* parent = nullptr);
 
-    const std::vector<RunSet>& all() const { return sets_; }
-    const RunSet* find(int id) const;
-    const RunSet* current() const { return find(current_); }
+    const std::vector<RecordingSet>& all() const { return sets_; }
+    const RecordingSet* find(int id) const;
+    const RecordingSet* current() const { return find(current_); }
     void setCurrent(int id);
     // Steps of undo, up to removeFrom().
     int add(const std::vector<int>& recording_ids = {});  // becomes the current one
@@ -36,6 +36,7 @@ public:
     void setModel(int id, FitOptions::Model model);
     // No step: of a session, whose sets are made.
     void setListed(int id, ListedSet listed);
+    void setKept(int id, KeptResult kept);
     // Recordings into a set, each once.
     void addTo(int id, const std::vector<int>& recording_ids);
     // Into the current set; without one, into a new one.
@@ -54,14 +55,18 @@ public:
     // The same of a list in memory; its first set becomes the current one.
     void open(const MeasurementList& list);
     // All that belongs to the identification of a set (measured_set.h).
-    MeasurementSet measured(const RunSet& set) const;
+    MeasurementSet measured(const RecordingSet& set) const;
 
     // The current set, in the background; where it is empty, the current recording as a set of one.
     void identify();
+    // Precondition: all its recordings are open.
+    void identifySet(int id);
     bool canIdentify() const;
     // The newest of a set: with its present recordings and settings where there is one.
-    std::shared_ptr<const ResonatorOutcome> outcome(const RunSet& set) const;
-    bool outOfDate(const RunSet& set, const ResonatorOutcome& outcome) const;
+    std::shared_ptr<const ResonatorOutcome> outcome(const RecordingSet& set) const;
+    bool outOfDate(const RecordingSet& set, const ResonatorOutcome& outcome) const;
+    // What a session keeps of that: the newest outcome, otherwise what the session brought.
+    KeptResult kept(const RecordingSet& set) const;
 
     // Passports are written and read in the background; errors are reported.
     void savePassport(const QString& path, std::function<void(const Status&)> done);
@@ -84,7 +89,7 @@ signals:
 private:
     // What a step of undo brings back.
     struct State {
-        std::vector<RunSet> sets;
+        std::vector<RecordingSet> sets;
         int current = 0;
     };
     // Makes an edit a step.
@@ -92,17 +97,17 @@ private:
     void restore(const State& state);
     void insertInto(int id, const std::vector<int>& recording_ids);
     void eraseFrom(int id, const std::vector<int>& recording_ids);
-    RunSet* entry(int id);
-    void edited(RunSet& set);
+    RecordingSet* entry(int id);
+    void edited(RecordingSet& set);
     void whenIdentified(int key, Result<ResonatorOutcome> result);
 
-    AnalysisJob& job_;
+    BackgroundJobs& job_;
     const SettingsModel& settings_;
     RecordingStore& recordings_;
     RequestQueue& queue_;
     IdCounter& ids_;
     UndoSteps& steps_;
-    std::vector<RunSet> sets_;
+    std::vector<RecordingSet> sets_;
     int current_ = 0;
     int made_ = 0;
     std::optional<OpenPassport> passport_;

@@ -17,7 +17,7 @@ Result<ResultsDatabase> opened(const QString& path, ResultsDatabase::Access acce
 
 }  // namespace
 
-void makeDatabase(AnalysisJob& job, int key, const QString& path,
+void makeDatabase(BackgroundJobs& job, int key, const QString& path,
                   std::function<void(Result<bool>)> done) {
     job.run<bool>(
         key,
@@ -28,7 +28,7 @@ void makeDatabase(AnalysisJob& job, int key, const QString& path,
         std::move(done));
 }
 
-void readHistory(AnalysisJob& job, int key, const QString& path,
+void readHistory(BackgroundJobs& job, int key, const QString& path,
                  const std::optional<std::string>& gyro, const std::string& parameter,
                  std::function<void(Result<StoredHistory>)> done) {
     job.run<StoredHistory>(
@@ -49,7 +49,7 @@ void readHistory(AnalysisJob& job, int key, const QString& path,
         std::move(done));
 }
 
-void readResult(AnalysisJob& job, int key, const QString& path, std::int64_t id,
+void readResult(BackgroundJobs& job, int key, const QString& path, std::int64_t id,
                 std::function<void(Result<StoredResult>)> done) {
     job.run<StoredResult>(
         key,
@@ -70,7 +70,7 @@ void readResult(AnalysisJob& job, int key, const QString& path, std::int64_t id,
         std::move(done));
 }
 
-void storeResult(AnalysisJob& job, int key, const QString& path, ResultToStore result,
+void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStore result,
                  std::function<void(Result<std::int64_t>)> done) {
     job.run<std::int64_t>(
         key,

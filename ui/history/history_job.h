@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/database/stored_result.h"
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 #include "ui/history/history_charts.h"
 
 #include <functional>
@@ -15,15 +15,15 @@ namespace vybeg::ui {
 // holds it. Errors: those of ResultsDatabase.
 
 // Makes the file where there is none, and says whether it is a database.
-void makeDatabase(AnalysisJob& job, int key, const QString& path,
+void makeDatabase(BackgroundJobs& job, int key, const QString& path,
                   std::function<void(Result<bool>)> done);
 
 // Gyros, and the history of a parameter. Without `gyro`, of all.
-void readHistory(AnalysisJob& job, int key, const QString& path,
+void readHistory(BackgroundJobs& job, int key, const QString& path,
                  const std::optional<std::string>& gyro, const std::string& parameter,
                  std::function<void(Result<StoredHistory>)> done);
 
-void readResult(AnalysisJob& job, int key, const QString& path, std::int64_t id,
+void readResult(BackgroundJobs& job, int key, const QString& path, std::int64_t id,
                 std::function<void(Result<StoredResult>)> done);
 
 // An identification of the window on its way into a database. `set` as the outcome's recordings.
@@ -35,7 +35,7 @@ struct ResultToStore {
 };
 
 // As `vybeg-cli batch --database` does; gives the id.
-void storeResult(AnalysisJob& job, int key, const QString& path, ResultToStore result,
+void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStore result,
                  std::function<void(Result<std::int64_t>)> done);
 
 }  // namespace vybeg::ui

@@ -10,9 +10,9 @@
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/words/error_text.h"
+#include "ui/words/program_name.h"
 #include "ui/words/rich_text.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
@@ -129,8 +129,12 @@ void HistoryPage::compute() {
 
 HistoryView HistoryPage::view() const {
     const OpenPassport* open = document_.sets().passport();
+    const Dossier& dossier = document_.dossier().dossier();
+    const std::string serial = dossier.gyro.serial.toStdString();
+    // Those of the session's gyro are not limits of another one.
+    const bool same_gyro = serial.empty() || choices_->gyro().value_or(serial) == serial;
     const ParameterLimit* limit =
-        limit_of(document_.dossier().dossier().limits, choices_->parameter().name.c_str());
+        same_gyro ? limit_of(dossier.limits, choices_->parameter().name.c_str()) : nullptr;
     return {choices_->parameter(),
             choices_->axis(),
             units_,
@@ -197,7 +201,7 @@ QString HistoryPage::stateText() const {
 }
 
 std::shared_ptr<const ResonatorOutcome> HistoryPage::addable() const {
-    const RunSet* set = document_.sets().current();
+    const RecordingSet* set = document_.sets().current();
     const auto outcome = set ? document_.sets().outcome(*set) : nullptr;
     return outcome && !document_.sets().outOfDate(*set, *outcome) ? outcome : nullptr;
 }
@@ -257,7 +261,7 @@ void HistoryPage::openChosen() {
 }
 
 void HistoryPage::openStored(const StoredResult& result) {
-    const StoredSet stored = storedSet(result, document_.sets().measured(RunSet()).settings);
+    const StoredSet stored = storedSet(result, document_.sets().measured(RecordingSet()).settings);
     const auto warn = [this](std::function<QString()> text) {
         document_.report({Severity::warning, std::move(text), {}, {}});
     };
@@ -282,7 +286,7 @@ void HistoryPage::openStored(const StoredResult& result) {
 }
 
 void HistoryPage::askToAdd() {
-    const RunSet* set = document_.sets().current();
+    const RecordingSet* set = document_.sets().current();
     if (!set || !addable() || path_.isEmpty()) {
         return;
     }
@@ -302,16 +306,15 @@ void HistoryPage::askToAdd() {
 }
 
 void HistoryPage::add(const QString& gyro, const QString& date) {
-    const RunSet* set = document_.sets().current();
+    const RecordingSet* set = document_.sets().current();
     const auto outcome = addable();
     if (!outcome) {
         return;
     }
-    RunSet ordered = *set;
+    RecordingSet ordered = *set;
     ordered.name = setName(document_, *set);
     ordered.recordings = outcome->recordings;  // the order of its inputs
-    ResultToStore result{QStringLiteral("vybeg ") + QCoreApplication::applicationVersion(),
-                         document_.sets().measured(ordered),
+    ResultToStore result{programName(), document_.sets().measured(ordered),
                          set->listed ? set->listed->other_columns : std::vector<std::string>(),
                          outcome};
     tellGyroAndDate(result.set, gyro.toStdString(), date.toStdString());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 #include "ui/history/history_plots.h"
 #include "ui/plots/figure_source.h"
 #include "ui/widgets/theme.h"
@@ -74,7 +74,7 @@ private:
     void add(const QString& gyro, const QString& date);
 
     Document& document_;
-    AnalysisJob job_;
+    BackgroundJobs job_;
     QString path_;
     bool seen_ = false;
     bool reading_ = false;

@@ -212,6 +212,8 @@ HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts
                   translated(QT_TRANSLATE_NOOP("History", "Change from the one before")),
                   parameterUnit(view.parameter, view.units)),
         {}};
+    shown.plot.empty = translated(
+        QT_TRANSLATE_NOOP("History", "A change needs two results of one gyro in their order."));
     Placed at = placed(history, charts.individuals.ranges, axis);
     if (at.points.empty() || !charts.one_gyro) {
         return shown;

@@ -127,6 +127,9 @@ QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
                    "History", "Limits belong to one gyro: choose one for its control charts.")) +
                withoutDate(history, view);
     }
+    if (std::min(values, baseline) < 2) {
+        return limitsText(charts, baseline) + withoutDate(history, view);
+    }
     QStringList named;
     std::size_t outside = 0;
     for (std::size_t k = 0; k < charts.values.size(); ++k) {

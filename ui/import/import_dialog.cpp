@@ -23,7 +23,7 @@ constexpr int preview_key = 0;
 
 }  // namespace
 
-ImportDialog::ImportDialog(AnalysisJob& job, const QString& path, const OpenOptions& options,
+ImportDialog::ImportDialog(BackgroundJobs& job, const QString& path, const OpenOptions& options,
                            QWidget* parent)
     : QDialog(parent),
       job_(&job),

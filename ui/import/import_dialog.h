@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 
 #include <QDialog>
 #include <QPointer>
@@ -21,7 +21,7 @@ class ImportDialog : public QDialog {
 
 public:
     // `job` must outlive the dialog; of one job only one dialog may be open.
-    ImportDialog(AnalysisJob& job, const QString& path, const OpenOptions& options,
+    ImportDialog(BackgroundJobs& job, const QString& path, const OpenOptions& options,
                  QWidget* parent = nullptr);
     ~ImportDialog() override;
 
@@ -45,7 +45,7 @@ private:
     void enableOpen();
     void retranslate();
 
-    QPointer<AnalysisJob> job_;  // may be destroyed before the dialog when the window closes
+    QPointer<BackgroundJobs> job_;  // may be destroyed before the dialog when the window closes
     QString path_;
     bool proposed_ = false;      // start values for the given file were set
     bool shown_ = false;         // a preview was shown

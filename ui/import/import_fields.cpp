@@ -164,7 +164,7 @@ bool ImportFields::isText() const {
 
 bool ImportFields::hasVariables() const {
     return readAs() == ReadAs::content && preview_ &&
-           (preview_->kind == FileKind::library || preview_->kind == FileKind::npz);
+           (preview_->kind == FileKind::mat_or_hdf5 || preview_->kind == FileKind::npz);
 }
 
 TextChoice ImportFields::textChoice() const {

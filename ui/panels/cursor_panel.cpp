@@ -2,6 +2,7 @@
 
 #include "ui/panels/reading.h"
 #include "ui/panels/run_list.h"
+#include "ui/values/covered_time.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
@@ -99,16 +100,19 @@ void CursorPanel::refresh() {
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             table_->setItem(line, column, item);
         };
+        const bool covered = covers(analysis, time_s);
         for (int line = 0; line < shown_count; ++line) {
-            const Reading reading = readingAt(
-                analysis, shown_slow_variables[static_cast<std::size_t>(line)], row, units_);
+            const SlowVariable variable = shown_slow_variables[static_cast<std::size_t>(line)];
+            const Reading reading =
+                covered ? readingAt(analysis, variable, row, units_) : Reading();
             QString text = valueText(reading.value, reading.sd);
             if (runs.size() > 1) {
                 text.replace(QStringLiteral(" ± "), QStringLiteral("\n± "));  // narrower columns
             }
             set(line, text);
         }
-        const QString reason = flagsText(analysis.track.flags()[row]);
+        const QString reason =
+            covered ? flagsText(analysis.track.flags()[row]) : tr("no windows there");
         set(shown_count, reason);
         any_flag = any_flag || !reason.isEmpty();
     }
@@ -134,7 +138,9 @@ QString CursorPanel::tableText() const {
         for (const RunEntry* entry : runs) {
             const Analysis& analysis = *entry->run.analysis;
             const Reading reading =
-                readingAt(analysis, variable, nearestRow(analysis.track, time_s), units_);
+                covers(analysis, time_s)
+                    ? readingAt(analysis, variable, nearestRow(analysis.track, time_s), units_)
+                    : Reading();
             cells << spreadsheetNumber(reading.value) << spreadsheetNumber(reading.sd);
         }
         lines << cells.join(QLatin1Char('\t'));

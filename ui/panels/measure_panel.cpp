@@ -1,5 +1,6 @@
 #include "ui/panels/measure_panel.h"
 
+#include "ui/values/covered_time.h"
 #include "ui/widgets/number_field.h"
 #include "ui/words/rich_text.h"
 
@@ -134,13 +135,7 @@ void MeasurePanel::setTrendKind(TrendKind kind) {
 }
 
 bool MeasurePanel::isInside(const std::optional<double>& time_s) const {
-    if (!time_s) {
-        return false;
-    }
-    const Run& run = document_.run(run_)->run;
-    const auto times = run.analysis->track.time_s();
-    const double window_s = static_cast<double>(run.analysis->plan.length) / run.rate_hz;
-    return *time_s >= times.front() - window_s && *time_s <= times.back() + window_s;
+    return time_s && covers(*document_.run(run_)->run.analysis, *time_s);
 }
 
 void MeasurePanel::retranslate() {

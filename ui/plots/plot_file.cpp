@@ -20,6 +20,9 @@ namespace {
 
 constexpr int title_height = 26;
 constexpr int settings_height = 34;  // two lines
+// The scale is Qt's: 100 does not compress. A plot takes two thirds of the time of Qt's own choice
+// and a third more bytes.
+constexpr int png_quality = 70;
 
 void drawVectors(const Drawing& draw, QPaintDevice& device, QSize size, double scale) {
     QCPPainter painter;
@@ -115,7 +118,7 @@ Status writeDrawing(const Drawing& draw, const Paper& paper, const QString& path
     bool known = true;
     const QByteArray bytes = drawn([&](QIODevice& device) {
         if (ending == QStringLiteral("png")) {
-            toImage(draw, paper).save(&device, "PNG");
+            toImage(draw, paper).save(&device, "PNG", png_quality);
         } else if (ending == QStringLiteral("svg")) {
             writeSvg(draw, paper.size, device);
         } else if (ending == QStringLiteral("pdf")) {

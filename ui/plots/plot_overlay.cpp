@@ -1,10 +1,11 @@
 #include "ui/plots/plot_overlay.h"
 
-#include "ui/plots/crisp_graph.h"
+#include "ui/plots/decimated_graph.h"
 #include "ui/plots/hair_line.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/plot_strip.h"
+#include "ui/values/covered_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ constexpr double value_gap = 14;
 
 struct Reading {
     QString text;
-    const CrispGraph* graph = nullptr;
+    const DecimatedGraph* graph = nullptr;
     double width = 0;
 };
 
@@ -27,8 +28,11 @@ std::vector<Reading> readings(const PlotPanel& panel, double time_s, const QFont
     for (const bool with_sd : {true, false}) {
         std::vector<Reading> list;
         double total = 0;
-        for (const CrispGraph* graph : panel.graphs()) {
+        for (const DecimatedGraph* graph : panel.graphs()) {
             const CurveData& data = graph->data();
+            if (!covers(data.analysis(), time_s)) {
+                continue;
+            }
             const std::size_t row = data.nearest(time_s);
             const double stored = data.value(row);
             const double sd = with_sd ? graph->scale().sd(stored, data.sd(row))
@@ -139,7 +143,10 @@ void PlotOverlay::drawReadout(QCPPainter& painter, const PlotPanel& panel) const
 
 void PlotOverlay::drawDots(QCPPainter& painter, const PlotPanel& panel) const {
     painter.setAntialiasing(true);
-    for (const CrispGraph* graph : panel.graphs()) {
+    for (const DecimatedGraph* graph : panel.graphs()) {
+        if (!covers(graph->data().analysis(), *tracker_)) {
+            continue;
+        }
         const std::size_t row = graph->data().nearest(*tracker_);
         const double value = graph->scale().value(graph->data().value(row));
         const double time = graph->data().time(row);

@@ -1,6 +1,6 @@
 #include "ui/plots/plot_panel.h"
 
-#include "ui/plots/crisp_graph.h"
+#include "ui/plots/decimated_graph.h"
 #include "ui/plots/panel_frame.h"
 #include "ui/plots/value_range.h"
 #include "ui/words/index_text.h"
@@ -47,10 +47,10 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
         }
         const auto made = std::ranges::find(run.curves, variable_,
                                             [](const auto& curve) { return curve->variable(); });
-        auto* graph = new CrispGraph(timeAxis(), valueAxis(),
-                                     made == run.curves.end()
-                                         ? std::make_shared<CurveData>(run.analysis, variable_)
-                                         : *made);
+        auto* graph = new DecimatedGraph(timeAxis(), valueAxis(),
+                                         made == run.curves.end()
+                                             ? std::make_shared<CurveData>(run.analysis, variable_)
+                                             : *made);
         graph->setScale(scale);
         graph->setBand(units_.sigma_bands && info(variable_).has_sd);
         graph->setPointers(static_cast<double>(graphs_.size()) /
@@ -73,15 +73,16 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     value_ticker_->setLogarithmic(scale.logarithmic);
     valueAxis()->setScaleType(scale.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     // Without values no scale is shown.
-    const bool any = std::any_of(graphs_.begin(), graphs_.end(),
-                                 [](const CrispGraph* graph) { return !graph->data().empty(); });
+    const bool any = std::any_of(graphs_.begin(), graphs_.end(), [](const DecimatedGraph* graph) {
+        return !graph->data().empty();
+    });
     valueAxis()->setTickLabels(any);
     valueAxis()->setTicks(any);
     setLook(theme_);
 }
 
 void PlotPanel::removeGraphs() {
-    for (CrispGraph* graph : graphs_) {
+    for (DecimatedGraph* graph : graphs_) {
         mParentPlot->removePlottable(graph);
     }
     graphs_.clear();
@@ -118,7 +119,7 @@ AxisRange PlotPanel::values() const {
 AxisRange PlotPanel::automaticValues() const {
     ValueRange range;
     bool logarithmic = false;
-    for (const CrispGraph* graph : graphs_) {
+    for (const DecimatedGraph* graph : graphs_) {
         logarithmic = graph->scale().logarithmic;
         range.add(graph->columns(time(), expected_.width()), graph->scale(),
                   units_.sigma_bands && info(variable_).has_sd);
@@ -163,16 +164,18 @@ void PlotPanel::update(UpdatePhase phase) {
 
 QString PlotPanel::emptyReason() const {
     const bool has_runs = !graphs_.empty();
-    const bool nothing = std::all_of(graphs_.begin(), graphs_.end(),
-                                     [](const CrispGraph* graph) { return graph->data().empty(); });
+    const bool nothing =
+        std::all_of(graphs_.begin(), graphs_.end(),
+                    [](const DecimatedGraph* graph) { return graph->data().empty(); });
     if (!has_runs || !nothing) {
         return {};
     }
-    const bool by_design = std::all_of(graphs_.begin(), graphs_.end(), [](const CrispGraph* graph) {
-        const auto flags = graph->data().analysis().track.flags();
-        return std::all_of(flags.begin(), flags.end(),
-                           [](Flags f) { return has(f, Flag::no_quadrature); });
-    });
+    const bool by_design =
+        std::all_of(graphs_.begin(), graphs_.end(), [](const DecimatedGraph* graph) {
+            const auto flags = graph->data().analysis().track.flags();
+            return std::all_of(flags.begin(), flags.end(),
+                               [](Flags f) { return has(f, Flag::no_quadrature); });
+        });
     return by_design && variable_ == SlowVariable::a_B
                ? QCoreApplication::translate("PlotPanel", "not estimated by this algorithm")
                : QCoreApplication::translate("PlotPanel", "no window has a value");

@@ -9,7 +9,7 @@
 
 namespace vybeg::ui {
 
-class CrispGraph;
+class DecimatedGraph;
 
 // One plot: the curves of one slow variable of all visible runs, and above them a line with its
 // symbol and unit. The right end of that line is free for the readout (readoutArea()).
@@ -20,7 +20,7 @@ public:
     PlotPanel(QCustomPlot* plot, SlowVariable variable);
 
     SlowVariable variable() const { return variable_; }
-    const std::vector<CrispGraph*>& graphs() const { return graphs_; }
+    const std::vector<DecimatedGraph*>& graphs() const { return graphs_; }
 
     // Sets curves, units and colours.
     void setContent(const PlotContent& content, const QFont& font);
@@ -70,7 +70,7 @@ private:
     SlowVariable variable_;
     QSharedPointer<PanelTicker> time_ticker_;
     QSharedPointer<PanelTicker> value_ticker_;
-    std::vector<CrispGraph*> graphs_;
+    std::vector<DecimatedGraph*> graphs_;
     QPointer<QCPGraph> trend_;
     DisplayUnits units_;
     Theme theme_;

@@ -1,6 +1,6 @@
 #include "ui/plots/plot_strip.h"
 
-#include "ui/plots/crisp_graph.h"
+#include "ui/plots/decimated_graph.h"
 #include "ui/words/index_text.h"
 
 namespace vybeg::ui {

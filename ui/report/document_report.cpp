@@ -30,12 +30,12 @@ std::vector<int> analysed(const Document& document, const std::vector<int>& ids)
 }
 
 // The set whose identification a report shows.
-const RunSet* identifiedSet(const Document& document, const ReportSubject& subject) {
+const RecordingSet* identifiedSet(const Document& document, const ReportSubject& subject) {
     if (subject.set != 0) {
         return document.sets().find(subject.set);
     }
     const auto& sets = document.sets().all();
-    const auto alone = std::ranges::find_if(sets, [&](const RunSet& set) {
+    const auto alone = std::ranges::find_if(sets, [&](const RecordingSet& set) {
         return set.recordings == subject.recordings && document.sets().outcome(set);
     });
     return alone == sets.end() ? nullptr : &*alone;
@@ -45,14 +45,14 @@ const RunSet* identifiedSet(const Document& document, const ReportSubject& subje
 
 std::vector<ReportSubject> reportSubjects(const Document& document) {
     std::vector<ReportSubject> subjects;
-    const auto add_set = [&](const RunSet& set) {
+    const auto add_set = [&](const RecordingSet& set) {
         const std::vector<int> recordings = analysed(document, set.recordings);
         if (!recordings.empty()) {
             subjects.push_back({setName(document, set), recordings, set.id, false});
         }
     };
     const RecordingEntry* recording = document.currentRecording();
-    const RunSet* current = document.sets().current();
+    const RecordingSet* current = document.sets().current();
     const bool holds_it =
         current && recording &&
         std::ranges::find(current->recordings, recording->id) != current->recordings.end();
@@ -62,7 +62,7 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
     if (recording && !analysed(document, {recording->id}).empty()) {
         subjects.push_back({recording->name, {recording->id}, 0, false});
     }
-    for (const RunSet& set : document.sets().all()) {
+    for (const RecordingSet& set : document.sets().all()) {
         if (!holds_it || set.id != current->id) {
             add_set(set);
         }
@@ -87,7 +87,7 @@ std::vector<ReportContent> reportContentsOf(const Document& document,
         return {reportContentOf(document, subject)};
     }
     std::vector<ReportContent> contents;
-    for (const RunSet& set : document.sets().all()) {
+    for (const RecordingSet& set : document.sets().all()) {
         const std::vector<int> recordings = analysed(document, set.recordings);
         if (!recordings.empty()) {
             const QString name = setName(document, set);
@@ -117,7 +117,7 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
     }
     content.title.date = measuredOn(content.recordings);
     content.limits = document.dossier().dossier().limits;
-    if (const RunSet* set = identifiedSet(document, subject)) {
+    if (const RecordingSet* set = identifiedSet(document, subject)) {
         content.outcome = document.sets().outcome(*set);
         content.out_of_date = content.outcome && document.sets().outOfDate(*set, *content.outcome);
     }

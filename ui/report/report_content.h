@@ -5,8 +5,8 @@
 #include "core/resonator/results/parameter_limit.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
+#include "ui/values/recording_set.h"
 #include "ui/values/run.h"
-#include "ui/values/run_set.h"
 #include "ui/words/display_units.h"
 
 #include <QString>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 #include "ui/report/report_content.h"
 
 #include <QObject>
@@ -28,7 +28,7 @@ private:
     struct Work;
     void drawNext(const std::shared_ptr<Work>& work);
 
-    AnalysisJob job_;
+    BackgroundJobs job_;
     int key_ = 0;
 };
 

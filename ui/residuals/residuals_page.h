@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/residuals/residuals.h"
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 #include "ui/plots/figure_source.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/widgets/theme.h"
@@ -83,7 +83,7 @@ private:
     void retranslate();
 
     Document& document_;
-    AnalysisJob job_;
+    BackgroundJobs job_;
     QTimer pause_;  // between the last change and the computation
     QComboBox* range_;
     QLabel* range_label_;

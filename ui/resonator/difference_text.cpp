@@ -35,13 +35,11 @@ QString titleOfRun(const std::string& name) {
     return directionTitle(std::stoi(name.substr(digits)), name.substr(name.rfind('.') + 1));
 }
 
-QString titleOf(const Difference& difference) {
-    if (difference.name.starts_with("modes[")) {
-        return titleOfMode(difference.name);
+QString titleOf(const std::string& name) {
+    if (name.starts_with("modes[")) {
+        return titleOfMode(name);
     }
-    return difference.name.starts_with("runs[")
-               ? titleOfRun(difference.name)
-               : shownAs(difference.name, difference.unit, {}).title;
+    return name.starts_with("runs[") ? titleOfRun(name) : shownAs(name, "", {}).title;
 }
 
 // Percent, or ppm for small values.
@@ -67,21 +65,22 @@ QuantityCell sideCell(const Estimate& estimate, double factor) {
     return cell;
 }
 
-QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
-    // Sign, word and an Okabe-Ito colour are redundant.
-    switch (difference.verdict) {
-        case Verdict::unchanged: {
-            const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "unchanged"));
-            return {QStringLiteral("= ") + word, {word}, readable(QColor("#009e73"), theme)};
-        }
-        case Verdict::changed: {
-            const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "changed"));
-            return {QStringLiteral("≠ ") + word, {word}, readable(QColor("#d55e00"), theme)};
-        }
+QString verdictWord(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::unchanged: return resonatorText(QT_TRANSLATE_NOOP("Resonator", "unchanged"));
+        case Verdict::changed: return resonatorText(QT_TRANSLATE_NOOP("Resonator", "changed"));
         case Verdict::not_comparable: break;
     }
-    const QString word = resonatorText(QT_TRANSLATE_NOOP("Resonator", "not comparable"));
-    return {QStringLiteral("? ") + word, {word}, theme.mutedText};
+    return resonatorText(QT_TRANSLATE_NOOP("Resonator", "not comparable"));
+}
+
+// Sign, word and an Okabe-Ito colour are redundant.
+QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
+    const Verdict verdict = difference.verdict;
+    const QColor color = verdict == Verdict::unchanged ? readable(QColor("#009e73"), theme)
+                         : verdict == Verdict::changed ? readable(QColor("#d55e00"), theme)
+                                                       : theme.mutedText;
+    return {verdictText(verdict), {verdictWord(verdict)}, color};
 }
 
 QString whyText(const Difference& difference) {
@@ -97,6 +96,19 @@ QString whyText(const Difference& difference) {
 
 }  // namespace
 
+QString verdictText(Verdict verdict) {
+    const char* const sign = verdict == Verdict::unchanged ? "= "
+                             : verdict == Verdict::changed ? "≠ "
+                                                           : "? ";
+    return QString::fromUtf8(sign) + verdictWord(verdict);
+}
+
+QString differenceSymbol(const std::string& name) {
+    return name.starts_with("modes[")  ? resonatorText("Modes")
+           : name.starts_with("runs[") ? titleOf(name)
+                                       : titleOf(name).section(QLatin1Char(' '), -1);
+}
+
 QStringList incomparableTexts(const std::vector<Difference>& differences) {
     std::vector<std::pair<QString, QStringList>> reasons;  // and the names of their parameters
     for (const Difference& difference : differences) {
@@ -104,10 +116,7 @@ QStringList incomparableTexts(const std::vector<Difference>& differences) {
             continue;
         }
         const QString reason = whyText(difference);
-        const QString symbol = difference.name.starts_with("modes[") ? resonatorText("Modes")
-                               : difference.name.starts_with("runs[")
-                                   ? titleOf(difference)
-                                   : titleOf(difference).section(QLatin1Char(' '), -1);
+        const QString symbol = differenceSymbol(difference.name);
         const auto same =
             std::ranges::find(reasons, reason, &std::pair<QString, QStringList>::first);
         if (same == reasons.end()) {
@@ -146,7 +155,7 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
         const double factor = shown.factor;
         const QuantityCell change = valueCell(factor * difference.change, factor * difference.u);
         rows.push_back(
-            {withUnit(titleOf(difference), shown.unit),
+            {withUnit(titleOf(difference.name), shown.unit),
              shown.tip,
              {verdictCell(difference, theme), deviations, change, relativeCell(difference.relative),
               sideCell(difference.then, factor), sideCell(difference.now, factor)}});

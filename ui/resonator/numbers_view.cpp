@@ -9,6 +9,9 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vybeg::ui {
 
 namespace {
@@ -91,6 +94,12 @@ void NumbersView::rebuild() {
     findings_->setText(paragraphs(findings, QStringLiteral("⚠ %1")));
     findings_->setVisible(!findings.isEmpty());
     waves_->setContent(markedNames(outcome), waveRows(found, units_));
+    // The result of a session holds no motion of the waves.
+    const bool has_motion = std::ranges::any_of(found.runs, [](const IdentifiedRun& run) {
+        return !run.wave.f_hz.given() || std::isfinite(run.wave.f_hz.value);
+    });
+    waves_->setVisible(has_motion);
+    waves_section_->setVisible(has_motion || !findings.isEmpty());
     const auto rows = resonatorRows(found, units_, limits_, theme_);
     const QStringList headers{tr("Value"), tr("Limits")};
     resonator_->setContent(limits_.empty() ? QStringList() : headers, rows);

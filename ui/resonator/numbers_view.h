@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/resonator/results/parameter_limit.h"
-#include "ui/values/run_set.h"
+#include "ui/values/recording_set.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 

@@ -83,44 +83,70 @@ void ResonatorPage::showComparison() {
 
 // Changes of the settings, many per second during a drag, affect only the state of the result.
 void ResonatorPage::refresh() {
-    const RunSet* set = document_.sets().current();
-    const auto outcome = set ? document_.sets().outcome(*set) : nullptr;
-    if (outcome != shown_) {
-        rebuild();
+    const RecordingSet* set = document_.sets().current();
+    const bool same = (set ? document_.sets().outcome(*set) : nullptr) == shown_ &&
+                      (set ? set->kept.json : QJsonObject()) == kept_json_;
+    if (same) {
+        showState(set);
     } else {
-        showState(set, outcome.get());
+        rebuild();
     }
 }
 
 void ResonatorPage::rebuild() {
-    const RunSet* set = document_.sets().current();
+    const RecordingSet* set = document_.sets().current();
     shown_ = set ? document_.sets().outcome(*set) : nullptr;
-    showState(set, shown_.get());
-    numbers_->setOutcome(shown_);
+    kept_json_ = set ? set->kept.json : QJsonObject();
+    kept_ = kept_json_.isEmpty() ? ReadResult{} : readKeptResult(kept_json_);
+    showState(set);
+    const bool from_session = !shown_ && !kept_json_.isEmpty() && kept_;
+    numbers_->setOutcome(from_session ? std::make_shared<const ResonatorOutcome>(kept_->outcome)
+                                      : shown_);
     figures_->setOutcome(shown_);
     comparison_->setOutcome(shown_);
 }
 
-void ResonatorPage::showState(const RunSet* set, const ResonatorOutcome* outcome) {
-    if (!outcome) {
-        state_->setText(document_.sets().canIdentify()
-                            ? tr("Nothing identified yet.")
-                            : tr("Open recordings of a free decay to identify the resonator."));
-        return;
-    }
-    const ResonatorFit& fit = outcome->identification.fit;
-    const QString model =
-        fit.model == ResonatorModel::structured ? tr("Structured model") : tr("Free model");
-    QString text = tr("%1, %n recording(s); χ² per degree of freedom %2", nullptr,
-                      static_cast<int>(outcome->inputs.size()))
-                       .arg(model, shortNumberText(fit.chi2_per_dof, 3));
-    if (document_.sets().outOfDate(*set, *outcome)) {
+void ResonatorPage::showState(const RecordingSet* set) {
+    QString text = stateText(set);
+    const bool out_of_date = shown_ ? document_.sets().outOfDate(*set, *shown_)
+                                    : !kept_json_.isEmpty() && !set->kept.up_to_date;
+    if (out_of_date) {
         text = QStringLiteral("<b style=\"color:%1\">⚠ %2</b> %3")
                    .arg(readable(theme_.warning, theme_).name(), tr("Out of date."),
                         tr("The set or its settings have changed since: identify again.")) +
                QStringLiteral("<br>") + text;
     }
     state_->setText(text);
+}
+
+QString ResonatorPage::stateText(const RecordingSet* set) const {
+    if (shown_) {
+        const ResonatorFit& fit = shown_->identification.fit;
+        return tr("%1, %n recording(s); χ² per degree of freedom %2", nullptr,
+                  static_cast<int>(shown_->inputs.size()))
+            .arg(modelText(fit.model), shortNumberText(fit.chi2_per_dof, 3));
+    }
+    if (set && !kept_json_.isEmpty()) {
+        if (!kept_) {
+            return errorText(kept_.error());
+        }
+        QStringList names;
+        for (const IdentifiedInput& input : kept_->outcome.inputs) {
+            names << QString::fromStdString(input.name).toHtmlEscaped();
+        }
+        const ResonatorFit& fit = kept_->outcome.identification.fit;
+        return tr("Result of the session, identified by %1 from %2. %3; χ² per degree of freedom "
+                  "%4. The motion of the waves, the plots and the report need the recordings.")
+            .arg(kept_->program.toHtmlEscaped(), names.join(QStringLiteral(", ")),
+                 modelText(fit.model), shortNumberText(fit.chi2_per_dof, 3));
+    }
+    return document_.sets().canIdentify()
+               ? tr("Nothing identified yet.")
+               : tr("Open recordings of a free decay to identify the resonator.");
+}
+
+QString ResonatorPage::modelText(ResonatorModel model) {
+    return model == ResonatorModel::structured ? tr("Structured model") : tr("Free model");
 }
 
 void ResonatorPage::changeEvent(QEvent* event) {

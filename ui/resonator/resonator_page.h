@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/document/kept_result.h"
 #include "ui/plots/figure_source.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
@@ -40,11 +41,16 @@ protected:
 private:
     void refresh();
     void rebuild();
-    void showState(const RunSet* set, const ResonatorOutcome* outcome);
+    void showState(const RecordingSet* set);
+    QString stateText(const RecordingSet* set) const;
+    static QString modelText(ResonatorModel model);
 
     Document& document_;
     Theme theme_;
     std::shared_ptr<const ResonatorOutcome> shown_;
+    // The session's result, shown where nothing is identified here, and what it was read from.
+    Result<ReadResult> kept_ = ReadResult{};
+    QJsonObject kept_json_;
     SetPanel* set_;
     QLabel* state_;
     NumbersView* numbers_;

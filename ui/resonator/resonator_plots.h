@@ -2,7 +2,7 @@
 
 #include "ui/charts/round_plot.h"
 #include "ui/plots/xy_plot.h"
-#include "ui/values/run_set.h"
+#include "ui/values/recording_set.h"
 #include "ui/words/display_units.h"
 
 namespace vybeg::ui {

@@ -24,7 +24,7 @@ constexpr double negligible = 0.01;
 constexpr int limit_digits = 8;
 
 // Replaces a repeated reason by a reference to its first row.
-void sayOnce(std::vector<QuantityRow>& rows) {
+void collapseRepeatedReasons(std::vector<QuantityRow>& rows) {
     for (std::size_t k = 1; k < rows.size(); ++k) {
         for (std::size_t first = 0; first < k; ++first) {
             QuantityCell& cell = rows[k].cells.front();
@@ -90,7 +90,7 @@ std::vector<QuantityRow> resonatorRows(const Identification& found, const Displa
                                               : QuantityCell{{}, {QString()}, {}});
         }
     }
-    sayOnce(rows);
+    collapseRepeatedReasons(rows);
     return rows;
 }
 

@@ -24,7 +24,7 @@
 
 namespace vybeg::ui {
 
-QString setName(const Document& document, const RunSet& set) {
+QString setName(const Document& document, const RecordingSet& set) {
     if (!set.name.isEmpty()) {
         return set.name;
     }
@@ -140,7 +140,7 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(sets_, &QComboBox::activated, this,
             [this](int row) { document_.sets().setCurrent(sets_->itemData(row).toInt()); });
     connect(sets_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
-        const RunSet* set = document_.sets().current();
+        const RecordingSet* set = document_.sets().current();
         if (set && sets_->lineEdit()->isModified()) {
             sets_->lineEdit()->setModified(false);
             document_.sets().rename(set->id, sets_->currentText());
@@ -154,13 +154,13 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
         for (const QListWidgetItem* item : members_->selectedItems()) {
             ids.push_back(item->data(Qt::UserRole).toInt());
         }
-        if (const RunSet* set = document_.sets().current()) {
+        if (const RecordingSet* set = document_.sets().current()) {
             document_.sets().removeFrom(set->id, ids);
         }
     });
     connect(choices_, &QMenu::aboutToShow, this, &SetPanel::fillMenu);
     connect(model_, &QComboBox::activated, this, [this](int index) {
-        const RunSet* set = document_.sets().current();
+        const RecordingSet* set = document_.sets().current();
         document_.sets().setModel(set ? set->id : document_.sets().add(),
                                   static_cast<FitOptions::Model>(index));
     });
@@ -174,7 +174,7 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
 
 void SetPanel::fillMenu() {
     choices_->clear();
-    const RunSet* set = document_.sets().current();
+    const RecordingSet* set = document_.sets().current();
     for (const RecordingEntry& entry : document_.recordings()) {
         QAction* choice = choices_->addAction(entry.name);
         choice->setCheckable(true);
@@ -190,12 +190,12 @@ void SetPanel::fillMenu() {
 }
 
 void SetPanel::refresh() {
-    const RunSet* set = document_.sets().current();
+    const RecordingSet* set = document_.sets().current();
     const bool typing = sets_->lineEdit()->hasFocus() && sets_->lineEdit()->isModified();
     if (!typing) {
         const QSignalBlocker blocker(sets_);
         sets_->clear();
-        for (const RunSet& each : document_.sets().all()) {
+        for (const RecordingSet& each : document_.sets().all()) {
             sets_->addItem(setName(document_, each), each.id);
         }
         sets_->setCurrentIndex(set ? sets_->findData(set->id) : -1);
@@ -209,7 +209,7 @@ void SetPanel::refresh() {
     identify_->setEnabled(document_.sets().canIdentify());
 }
 
-void SetPanel::refreshMembers(const RunSet* set) {
+void SetPanel::refreshMembers(const RecordingSet* set) {
     std::vector<int> selected;
     for (const QListWidgetItem* item : members_->selectedItems()) {
         selected.push_back(item->data(Qt::UserRole).toInt());

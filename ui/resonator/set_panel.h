@@ -46,7 +46,7 @@ protected:
 
 private:
     void refresh();
-    void refreshMembers(const RunSet* set);
+    void refreshMembers(const RecordingSet* set);
     void fillMenu();
     void retranslate();
 
@@ -65,6 +65,6 @@ private:
 };
 
 // Name of a set: the given one, that of its only recording, or "Set 2".
-QString setName(const Document& document, const RunSet& set);
+QString setName(const Document& document, const RecordingSet& set);
 
 }  // namespace vybeg::ui

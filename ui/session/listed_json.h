@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "ui/values/run_set.h"
+#include "ui/values/recording_set.h"
 
 #include <QDir>
 #include <QJsonObject>

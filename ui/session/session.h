@@ -7,7 +7,7 @@
 #include "ui/panels/fitted_trend.h"
 #include "ui/plots/track_view.h"
 #include "ui/values/dossier.h"
-#include "ui/values/run_set.h"
+#include "ui/values/recording_set.h"
 #include "ui/values/zoom_stack.h"
 #include "ui/words/display_units.h"
 
@@ -34,6 +34,7 @@ struct SessionSet {
     std::vector<int> recordings;  // places in Session::recordings
     FitOptions::Model model = FitOptions::Model::automatic;
     std::optional<ListedSet> listed;  // its members by places in Session::recordings
+    KeptResult result;
 };
 
 // What the plots show.

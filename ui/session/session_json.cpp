@@ -4,8 +4,8 @@
 #include "ui/import/open_options_json.h"
 #include "ui/session/listed_json.h"
 #include "ui/values/setting_json.h"
+#include "ui/words/program_name.h"
 
-#include <QCoreApplication>
 #include <QJsonArray>
 
 #include <algorithm>
@@ -26,6 +26,8 @@ const QString sets_key = QStringLiteral("sets");
 const QString current_set_key = QStringLiteral("current_set");
 const QString current_run_key = QStringLiteral("current_run");
 const QString listed_key = QStringLiteral("listed");
+const QString result_key = QStringLiteral("result");
+const QString up_to_date_key = QStringLiteral("result_up_to_date");
 const QString view_key = QStringLiteral("view");
 const QString gyro_key = QStringLiteral("gyro");
 const QString limits_key = QStringLiteral("limits");
@@ -128,6 +130,10 @@ QJsonObject setToJson(const SessionSet& set, const QDir& folder) {
     if (set.listed) {
         json[listed_key] = listedToJson(*set.listed, folder);
     }
+    if (!set.result.json.isEmpty()) {
+        json[result_key] = set.result.json;
+        json[up_to_date_key] = set.result.up_to_date;
+    }
     return json;
 }
 
@@ -153,6 +159,7 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
         }
         set.listed = std::move(*read);
     }
+    set.result = {json[result_key].toObject(), json[up_to_date_key].toBool()};
     return set;
 }
 
@@ -312,7 +319,7 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     }
     QJsonObject json = session.unknown;
     json[schema_key] = session_schema;
-    json[program_key] = QStringLiteral("vybeg ") + QCoreApplication::applicationVersion();
+    json[program_key] = programName();
     json[settings_key] = settingsToJson(analysis_settings(), session.settings);
     json[tolerance_key] = text(identifyRow("tolerance").text(tolerance));
     json[live_key] = session.live;

@@ -141,7 +141,7 @@ void SessionKeeper::begin(Session session) {
     opening_ = true;
     keepAbsent(session);
     wanted_ids_ = restoreSession(session, document_);
-    const std::vector<RunSet>& sets = document_.sets().all();
+    const std::vector<RecordingSet>& sets = document_.sets().all();
     for (std::size_t set = 0; set < session.sets.size(); ++set) {
         for (std::size_t k = 0; k < absent_.size(); ++k) {
             if (std::ranges::count(session.sets[set].recordings, absent_[k].place) > 0) {
@@ -220,11 +220,26 @@ void SessionKeeper::finishWhenComputed() {
     document_.setLive(wanted_.live);
     restoreView(wanted_.view, tracks_);
     saved_ = content();
+    identifyAgain();
     if (wanted_.current_run >= 0 &&
         wanted_.current_run < static_cast<int>(document_.runs().size())) {
         emit runWanted(document_.runs()[static_cast<std::size_t>(wanted_.current_run)].run.id);
     }
     emit viewRestored(wanted_.view);
+}
+
+// The waves, plots and reports of an identification are not kept.
+void SessionKeeper::identifyAgain() {
+    const auto is_open = [this](int id) { return document_.recording(id)->recording.has_value(); };
+    for (const RecordingSet& set : document_.sets().all()) {
+        const bool complete = std::ranges::none_of(absent_, [&set](const Absent& absent) {
+            return std::ranges::count(absent.sets, set.id) > 0;
+        });
+        if (set.kept.up_to_date && complete && !set.recordings.empty() &&
+            std::ranges::all_of(set.recordings, is_open)) {
+            document_.sets().identifySet(set.id);
+        }
+    }
 }
 
 void SessionKeeper::compareHash(int recording_id) {
@@ -252,7 +267,7 @@ Session SessionKeeper::present() const {
     if (run != document_.runs().end()) {
         session.current_run = static_cast<int>(run - document_.runs().begin());
     }
-    const std::vector<RunSet>& sets = document_.sets().all();
+    const std::vector<RecordingSet>& sets = document_.sets().all();
     for (const Absent& absent : absent_) {
         if (absent.supplied) {
             continue;
@@ -284,8 +299,9 @@ bool SessionKeeper::isModified() const {
         return false;
     }
     if (path_.isEmpty() && !recovered_) {
-        const bool has_sets = std::ranges::any_of(
-            document_.sets().all(), [](const RunSet& set) { return !set.recordings.empty(); });
+        const bool has_sets =
+            std::ranges::any_of(document_.sets().all(),
+                                [](const RecordingSet& set) { return !set.recordings.empty(); });
         return has_sets || (!document_.recordings().empty() && !document_.undoStack().isClean());
     }
     return recovered_ || content() != saved_;

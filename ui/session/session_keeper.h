@@ -38,6 +38,8 @@ public:
     // Whether closing loses something: changes of a saved session; without a file, changed settings
     // or sets.
     bool isModified() const;
+    // Until the recordings of the session that was opened last are read and analysed.
+    bool isOpening() const { return opening_; }
     // Offers the sessions of programs that did not end as they should.
     void offerAbandoned();
     // Opens a recording that was not found in the place of one of the session.
@@ -69,6 +71,7 @@ private:
     void begin(Session session);
     void keepAbsent(Session& session);
     void finishWhenComputed();
+    void identifyAgain();
     void compareHash(int recording_id);
     void warn(std::function<QString()> text);
     void fail(std::function<QString()> text);

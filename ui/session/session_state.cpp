@@ -34,8 +34,8 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
     if (const RecordingEntry* current = document.currentRecording()) {
         session.current = placeOf(document.recordings(), current->id);
     }
-    for (const RunSet& set : document.sets().all()) {
-        SessionSet stored{set.name, {}, set.model, {}};
+    for (const RecordingSet& set : document.sets().all()) {
+        SessionSet stored{set.name, {}, set.model, {}, document.sets().kept(set)};
         for (const int id : set.recordings) {
             stored.recordings.push_back(placeOf(document.recordings(), id));
         }
@@ -94,6 +94,9 @@ std::vector<int> restoreSession(const Session& session, Document& document) {
                     return id == 0 ? std::nullopt : std::optional(id);
                 }));
         }
+    }
+    for (std::size_t place = 0; place < set_ids.size(); ++place) {
+        document.sets().setKept(set_ids[place], session.sets[place].result);
     }
     if (session.current_set >= 0) {
         document.sets().setCurrent(set_ids[static_cast<std::size_t>(session.current_set)]);

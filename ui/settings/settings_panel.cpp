@@ -21,17 +21,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
-#include <array>
-
 namespace vybeg::ui {
-
-namespace {
-
-constexpr std::array algorithms{Algorithm::in_phase,           Algorithm::phase_shift,
-                                Algorithm::moving_axes,        Algorithm::demodulation,
-                                Algorithm::conjugate_gradient, Algorithm::maximum_likelihood};
-
-}  // namespace
 
 SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
@@ -43,7 +33,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     algorithm_ = new QComboBox(content);
     algorithm_->setObjectName(QStringLiteral("algorithm"));
     algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    for (const Algorithm algorithm : algorithms) {
+    for (const Algorithm algorithm : all_algorithms) {
         algorithm_->addItem({}, static_cast<int>(algorithm));
     }
     algorithm_label_ = new QLabel(content);
@@ -155,10 +145,10 @@ void SettingsPanel::changeEvent(QEvent* event) {
 void SettingsPanel::retranslate() {
     algorithm_label_->setText(tr("Algorithm"));
     algorithm_->setAccessibleName(tr("Algorithm"));
-    for (std::size_t i = 0; i < algorithms.size(); ++i) {
+    for (std::size_t i = 0; i < all_algorithms.size(); ++i) {
         const int row = static_cast<int>(i);
-        algorithm_->setItemText(row, algorithmText(algorithms[i]));
-        algorithm_->setItemData(row, richTip(algorithmTip(algorithms[i])), Qt::ToolTipRole);
+        algorithm_->setItemText(row, algorithmText(all_algorithms[i]));
+        algorithm_->setItemData(row, richTip(algorithmTip(all_algorithms[i])), Qt::ToolTipRole);
     }
     for (const Group& group : groups_) {
         group.section->setTitle(tr(group.title));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 #include "ui/plots/figure_source.h"
 #include "ui/signals/signal_picture.h"
 
@@ -61,7 +61,7 @@ private:
 
     Document& document_;
     TrackView& tracks_;
-    AnalysisJob job_;
+    BackgroundJobs job_;
     QTimer pause_;  // between the first change and the reading
     QCheckBox* wave_;
     QLabel* state_;

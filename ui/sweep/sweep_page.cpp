@@ -83,7 +83,7 @@ Settings SweepPage::wanted() const {
     Settings settings = document_.settings();
     static_cast<WindowSettings&>(settings) = WindowSettings();
     settings.snap = snap_->isChecked();
-    settings.algorithm = sweep_algorithms[static_cast<std::size_t>(algorithm_->currentIndex())];
+    settings.algorithm = all_algorithms[static_cast<std::size_t>(algorithm_->currentIndex())];
     return settings;
 }
 

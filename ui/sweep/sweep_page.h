@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/sweep/window_sweep.h"
-#include "ui/document/analysis_job.h"
+#include "ui/document/background_jobs.h"
 #include "ui/plots/figure_source.h"
 #include "ui/sweep/sweep_plots.h"
 #include "ui/widgets/theme.h"
@@ -27,11 +27,6 @@ class LengthField;
 class QuantityTable;
 class XYPlotView;
 struct RecordingEntry;
-
-// In the order of Algorithm.
-inline constexpr std::array sweep_algorithms{
-    Algorithm::in_phase,     Algorithm::phase_shift,        Algorithm::moving_axes,
-    Algorithm::demodulation, Algorithm::conjugate_gradient, Algorithm::maximum_likelihood};
 
 // The current recording in windows of many lengths: scatter, bound, leakage and residual against
 // the length, and the window that the recording deserves. Computed in the background on demand; a
@@ -89,7 +84,7 @@ private:
     void retranslate();
 
     Document& document_;
-    AnalysisJob job_;
+    BackgroundJobs job_;
     QLabel* recording_;
     QLabel* algorithm_label_;
     QComboBox* algorithm_;

@@ -42,7 +42,7 @@ QLayout* SweepPage::buildHead() {
     recording_->setTextFormat(Qt::PlainText);
     recording_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     algorithm_->setObjectName(QStringLiteral("sweepAlgorithm"));
-    for ([[maybe_unused]] const Algorithm each : sweep_algorithms) {
+    for ([[maybe_unused]] const Algorithm each : all_algorithms) {
         algorithm_->addItem(QString());
     }
     algorithm_label_->setBuddy(algorithm_);
@@ -153,7 +153,7 @@ void SweepPage::connectWidgets() {
             QGuiApplication::clipboard()->setText(sweepTable(*sweep(), view()));
         }
     });
-    connect(&job_, &AnalysisJob::analysisProgress, this, [this](int, double fraction) {
+    connect(&job_, &BackgroundJobs::analysisProgress, this, [this](int, double fraction) {
         progress_->setValue(static_cast<int>(progress_steps * fraction));
     });
     connect(&document_, &Document::settingsChanged, this, &SweepPage::followSettings);
@@ -168,8 +168,8 @@ void SweepPage::connectWidgets() {
 void SweepPage::retranslate() {
     {
         const QSignalBlocker quiet(algorithm_);
-        for (std::size_t k = 0; k < sweep_algorithms.size(); ++k) {
-            algorithm_->setItemText(static_cast<int>(k), algorithmText(sweep_algorithms[k]));
+        for (std::size_t k = 0; k < all_algorithms.size(); ++k) {
+            algorithm_->setItemText(static_cast<int>(k), algorithmText(all_algorithms[k]));
         }
     }
     for (std::size_t v = 0; v < sweep_variable_count; ++v) {

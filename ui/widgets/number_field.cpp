@@ -55,7 +55,7 @@ void NumberField::setValue(std::optional<double> value) {
         return;
     }
     value_ = value;
-    show();
+    showValue();
 }
 
 void NumberField::setConflict(const QString& sentence) {
@@ -73,7 +73,7 @@ void NumberField::setRefusal(const QString& sentence) {
     }
 }
 
-void NumberField::show() {
+void NumberField::showValue() {
     if (!value_) {
         setText({});
         return;
@@ -124,10 +124,10 @@ void NumberField::commit() {
     setModified(false);
     if (reading.value != value_) {
         value_ = reading.value;
-        show();
+        showValue();
         emit valueEdited(value_);
     } else {
-        show();
+        showValue();
     }
 }
 
@@ -161,7 +161,7 @@ bool NumberField::event(QEvent* event) {
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && isModified()) {
-        show();
+        showValue();
         setModified(false);
         return;
     }
@@ -172,7 +172,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
             const double stepped = *reading.value + sign * step_;
             if (stepped >= lowest_ && stepped <= highest_) {
                 value_ = stepped;
-                show();
+                showValue();
                 emit valueEdited(value_);
             }
         }
@@ -185,7 +185,7 @@ void NumberField::changeEvent(QEvent* event) {
     QLineEdit::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         if (!isModified()) {
-            show();
+            showValue();
         } else if (!refusal_.isEmpty()) {
             setRefusal(read().refusal);
         }

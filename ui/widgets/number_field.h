@@ -65,7 +65,7 @@ private:
     QString refusalOf(std::optional<double> number) const;
     bool isForTheWindow(const QKeyEvent& key) const;
     void setRefusal(const QString& sentence);
-    void show();
+    void showValue();
     int unitWidth() const;
 
     QString unit_;

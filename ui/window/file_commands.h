@@ -78,7 +78,7 @@ private:
     FileQuestions& ask_;
     QWidget* window_;
     QPointer<CompareDialog> compare_;
-    AnalysisJob imports_;  // previews of the import dialog
+    BackgroundJobs imports_;  // previews of the import dialog
     QPointer<ImportDialog> import_;
     ReportWriter reports_;
 };

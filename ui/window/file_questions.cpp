@@ -34,6 +34,8 @@ QFileDialog& FileQuestions::dialog(const QString& title) {
     dialog->setWindowTitle(title);
     dialog->setAcceptMode(QFileDialog::AcceptOpen);
     dialog->setDefaultSuffix(QString());
+    dialog->setOption(QFileDialog::ShowDirsOnly, false);
+    dialog->setOption(QFileDialog::DontConfirmOverwrite, false);
     const QString folder = QSettings().value(folder_key).toString();
     dialog->setDirectory(folder.isEmpty() ? QDir::currentPath() : folder);
     if (auto* edit = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))) {
@@ -100,6 +102,26 @@ void FileQuestions::database(const std::function<void(const QString&)>& open) {
     asked.open();
 }
 
+void FileQuestions::list(const std::function<void(const QString&)>& open) {
+    QFileDialog& asked = dialog(tr("Measurement list"));
+    asked.setFileMode(QFileDialog::ExistingFile);
+    asked.setNameFilters({tr("Measurement list (*.csv *.txt)"), tr("All files (*)")});
+    connect(&asked, &QFileDialog::fileSelected, this, [open](const QString& file) {
+        keepFolder(file);
+        open(file);
+    });
+    asked.open();
+}
+
+void FileQuestions::folder(const QString& title, const std::function<void(const QString&)>& open) {
+    QFileDialog& asked = dialog(title);
+    asked.setFileMode(QFileDialog::Directory);
+    asked.setNameFilter(tr("All files (*)"));
+    asked.setOption(QFileDialog::ShowDirsOnly);
+    connect(&asked, &QFileDialog::fileSelected, this, open);
+    asked.open();
+}
+
 void FileQuestions::sessionTarget(const QString& name, const Save& save) {
     target(tr("Save session"), name + QStringLiteral(".vybeg"), {tr("Session (*.vybeg)")}, save);
 }
@@ -120,6 +142,15 @@ void FileQuestions::databaseTarget(const Save& save) {
            save);
 }
 
+void FileQuestions::databaseToFill(const Save& save) {
+    target(tr("Database of results"), QStringLiteral("results.db"),
+           {tr("Database of results (*.db *.sqlite)")}, save, Existing::stays);
+}
+
+void FileQuestions::tableTarget(const QString& name, const Save& save) {
+    target(tr("Results"), name, {tr("Table (*.csv)")}, save, Existing::stays);
+}
+
 void FileQuestions::picture(const QString& name, const Save& save) {
     pictureTarget(tr("Export plots"), name + QStringLiteral(".png"), save);
 }
@@ -133,9 +164,10 @@ void FileQuestions::reportTarget(const QString& name, const Save& save) {
 }
 
 void FileQuestions::target(const QString& title, const QString& name, const QStringList& filters,
-                           const Save& save) {
+                           const Save& save, Existing existing) {
     QFileDialog& asked = dialog(title);
     asked.setAcceptMode(QFileDialog::AcceptSave);
+    asked.setOption(QFileDialog::DontConfirmOverwrite, existing == Existing::stays);
     asked.setFileMode(QFileDialog::AnyFile);
     asked.setNameFilters(filters);
     asked.selectFile(name);

@@ -28,6 +28,8 @@ public:
     void missingRecording(const QString& name, const std::function<void(const QString&)>& open);
     void passport(const std::function<void(const QString&)>& open);
     void database(const std::function<void(const QString&)>& open);
+    void list(const std::function<void(const QString&)>& open);
+    void folder(const QString& title, const std::function<void(const QString&)>& open);
     // Where to write what.
     // `name` without its ending.
     void sessionTarget(const QString& name, const Save& save);
@@ -35,6 +37,10 @@ public:
     void trackTarget(const QString& name, const Save& save);
     void passportTarget(const Save& save);
     void databaseTarget(const Save& save);
+    // A database that results are added to: a new one or one that is there.
+    void databaseToFill(const Save& save);
+    // A table of results, whose writer asks before it replaces one. A path with its folder.
+    void tableTarget(const QString& name, const Save& save);
     // A PNG, SVG or PDF; `name` without its ending.
     void picture(const QString& name, const Save& save);
     void figureTarget(const Save& save);
@@ -43,9 +49,11 @@ public:
 
 private:
     QFileDialog& dialog(const QString& title);
+    // Whether the answer may be a file that is there without a further question.
+    enum class Existing : bool { replaced, stays };
     // `name` with its ending is proposed.
     void target(const QString& title, const QString& name, const QStringList& filters,
-                const Save& save);
+                const Save& save, Existing existing = Existing::replaced);
     // The ending of `name` first.
     void pictureTarget(const QString& title, const QString& name, const Save& save);
 

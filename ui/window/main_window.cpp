@@ -17,6 +17,7 @@
 #include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/window/about.h"
+#include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/page_stack.h"
@@ -38,6 +39,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace vybeg::ui {
 
 MainWindow::MainWindow(Document& document, QWidget* parent)
@@ -51,11 +54,12 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     buildDocks();
     session_ = new SessionKeeper(document_, *tracks_, this);
     files_ = new FileCommands(document_, *session_, *tracks_, *runs_, this);
+    batch_ = new BatchCommands(document_, this);
     status_ = new StatusLine(document_, this);
     statusBar()->addWidget(status_, 1);
     commands_ = new Commands(
         windowCommands({document_, *tracks_, *cursor_, *measure_, *runs_, *settings_, *status_,
-                        *files_, [this](const DisplayUnits& units) { setUnits(units); },
+                        *files_, *batch_, [this](const DisplayUnits& units) { setUnits(units); },
                         [this](Page page) { pages_->showPage(page); }, [this] { return figures(); },
                         [this] { showHelp(); },
                         [this] { showAbout(this, action(Command::copy_diagnostics)); },
@@ -181,7 +185,7 @@ void MainWindow::connectDocument() {
     });
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
     connect(&document_, &Document::reported, messages_, &MessageBar::add);
-    connect(&document_.sets(), &SetStore::changed, commands_, &Commands::refresh);
+    connect(&document_.sets(), &SetStore::changed, this, &MainWindow::showCurrentRecording);
     connect(&document_.sets(), &SetStore::listOpened, this, [this](const QString& path) {
         menus_->recentFiles()->add(path);
         pages_->showPage(Page::resonator);
@@ -246,6 +250,7 @@ void MainWindow::connectPanels() {
     connect(history_, &HistoryPage::openWanted, files_, &FileCommands::askForDatabase);
     connect(history_, &HistoryPage::newWanted, files_, &FileCommands::askForNewDatabase);
     connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });
+    connect(batch_, &BatchCommands::setOpened, this, [this] { pages_->showPage(Page::resonator); });
     connect(files_, &FileCommands::databaseChosen, this, [this](const QString& path, bool make) {
         pages_->showPage(Page::history);
         history_->openDatabase(path, make);
@@ -279,7 +284,9 @@ void MainWindow::connectPanels() {
 }
 
 void MainWindow::showCurrentRecording() {
-    const bool empty = document_.recordings().empty();
+    const auto has_result = [](const RecordingSet& set) { return !set.kept.json.isEmpty(); };
+    const bool empty =
+        document_.recordings().empty() && std::ranges::none_of(document_.sets().all(), has_result);
     if (empty) {
         welcome_->setRecent(menus_->recentFiles()->paths());
     }
@@ -332,6 +339,7 @@ void MainWindow::setUnits(const DisplayUnits& units) {
     resonator_->setUnits(units);
     sweep_->setUnits(units);
     history_->setUnits(units);
+    batch_->setUnits(units);
     action(Command::sigma_bands)->setChecked(units.sigma_bands);
     action(Command::log_a_A)->setChecked(units.log_a_A);
 }
@@ -342,7 +350,7 @@ FigureSource MainWindow::figures() const {
         case Page::samples: return signals_->figures();
         case Page::resonator: return resonator_->figures();
         case Page::residuals: return residuals_->figures();
-        case Page::sweep: return sweep_->figures();
+        case Page::windows: return sweep_->figures();
         case Page::history: return history_->figures();
     }
     return {};

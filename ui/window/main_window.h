@@ -18,6 +18,7 @@ class QToolBar;
 
 namespace vybeg::ui {
 
+class BatchCommands;
 class CursorPanel;
 class EventsPanel;
 class FileCommands;
@@ -99,6 +100,7 @@ private:
     WindowMenus* menus_ = nullptr;
     SessionKeeper* session_ = nullptr;
     FileCommands* files_ = nullptr;
+    BatchCommands* batch_ = nullptr;
     bool leaving_ = false;  // changes are saved or given up
     std::vector<std::pair<QDockWidget*, const char*>> docks_;
     QToolBar* tools_ = nullptr;

@@ -8,6 +8,7 @@
 #include "ui/session/session_keeper.h"
 #include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"
+#include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_view.h"
 #include "ui/window/main_window.h"
@@ -95,6 +96,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     saveState();
     session_->end();
+    batch_->leave();
     document_.cancel();
     QMainWindow::closeEvent(event);
 }

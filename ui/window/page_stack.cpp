@@ -17,6 +17,7 @@ namespace {
 // As Page.
 constexpr std::array page_words{"tracks",    "signals", "resonator",
                                 "residuals", "windows", "history"};
+static_assert(page_words.size() == static_cast<std::size_t>(Page::history) + 1);
 
 }  // namespace
 
@@ -44,7 +45,7 @@ PageStack::PageStack(QWidget* welcome, QWidget* parent)
     column->addWidget(tabs_);
     column->addWidget(stack_, 1);
     connect(tabs_, &QTabBar::currentChanged, this, &PageStack::showTab);
-    setWelcome(true);
+    showTab();
 }
 
 void PageStack::add(QWidget* page, const char* title) {
@@ -55,8 +56,10 @@ void PageStack::add(QWidget* page, const char* title) {
 }
 
 void PageStack::setWelcome(bool shown) {
-    welcome_ = shown;
-    showTab();
+    if (welcome_ != shown) {
+        welcome_ = shown;
+        showTab();
+    }
 }
 
 void PageStack::showPage(Page page) {

@@ -10,7 +10,7 @@ class QTabBar;
 namespace vybeg::ui {
 
 // The pages in the order of their tabs. All but the last are about the open recordings.
-enum class Page { tracks, samples, resonator, residuals, sweep, history };
+enum class Page { tracks, samples, resonator, residuals, windows, history };
 
 // The word of a page in a session, and the page of a word; nothing for another word.
 QString pageWord(Page page);

@@ -9,6 +9,7 @@
 #include "ui/report/document_report.h"
 #include "ui/resonator/limits_dialog.h"
 #include "ui/settings/settings_panel.h"
+#include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/gyro_dialog.h"
 #include "ui/window/status_line.h"
@@ -95,7 +96,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                                   "Save what was identified from the set as the gyro's passport"),
          .enabled =
              [to] {
-                 const RunSet* set = to.document.sets().current();
+                 const RecordingSet* set = to.document.sets().current();
                  const auto outcome = set ? to.document.sets().outcome(*set) : nullptr;
                  return outcome && !to.document.sets().outOfDate(*set, *outcome);
              },
@@ -179,14 +180,14 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_4)},
          .enabled = any,
          .act = [to] { to.show_page(Page::residuals); }},
-        {.id = Command::page_sweep,
+        {.id = Command::page_windows,
          .text = QT_TRANSLATE_NOOP("Command", "&Windows"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "The page with scatter, bound and leakage against the length of "
                                   "the window, and the window this recording deserves"),
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_5)},
          .enabled = any,
-         .act = [to] { to.show_page(Page::sweep); }},
+         .act = [to] { to.show_page(Page::windows); }},
         {.id = Command::page_history,
          .text = QT_TRANSLATE_NOOP("Command", "&History"),
          .tip = QT_TRANSLATE_NOOP("Command",
@@ -297,6 +298,13 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                  to.document.sets().add();
                  to.show_page(Page::resonator);
              }},
+        {.id = Command::batch,
+         .text = QT_TRANSLATE_NOOP("Command", "&Batch…"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "Compute many sets of a list or folder into a table, without "
+                                  "opening their recordings"),
+         .keys = {QKeyCombination(Qt::CTRL, Qt::Key_B)},
+         .act = [to] { to.batch.show(); }},
         {.id = Command::help,
          .text = QT_TRANSLATE_NOOP("Command", "&Help"),
          .tip = QT_TRANSLATE_NOOP("Command", "How to use the program, the method and its formulas"),

@@ -10,6 +10,7 @@
 
 namespace vybeg::ui {
 
+class BatchCommands;
 class CursorPanel;
 class Document;
 class FileCommands;
@@ -29,6 +30,7 @@ struct CommandTargets {
     SettingsPanel& settings;
     StatusLine& status;
     FileCommands& files;
+    BatchCommands& batch;
     // What the window itself does.
     std::function<void(const DisplayUnits&)> set_units;
     std::function<void(Page)> show_page;

@@ -35,6 +35,8 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks,
     add(gyro, {Command::gyro_data, Command::limits});
     gyro->addSeparator();
     add(gyro, {Command::identify, Command::new_set});
+    gyro->addSeparator();
+    add(gyro, {Command::batch});
     add(top(QT_TR_NOOP("&Help")), {Command::help, Command::copy_diagnostics, Command::about});
 }
 
@@ -94,7 +96,7 @@ void WindowMenus::addView(const std::vector<std::pair<QDockWidget*, const char*>
                           int theme) {
     QMenu* view = top(QT_TR_NOOP("&View"));
     add(view, {Command::page_tracks, Command::page_signals, Command::page_resonator,
-               Command::page_residuals, Command::page_sweep, Command::page_history});
+               Command::page_residuals, Command::page_windows, Command::page_history});
     view->addSeparator();
     add(view, {Command::zoom_in, Command::zoom_out, Command::zoom_fit, Command::zoom_back,
                Command::zoom_forward});

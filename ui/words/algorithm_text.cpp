@@ -14,7 +14,7 @@ struct AlgorithmTexts {
     const char* tip;
 };
 
-constexpr std::array<AlgorithmTexts, 6> algorithms{{
+constexpr std::array<AlgorithmTexts, all_algorithms.size()> algorithms{{
     {Algorithm::in_phase, QT_TRANSLATE_NOOP("Algorithm", "1 In phase"),
      QT_TRANSLATE_NOOP("Algorithm",
                        "(15)-(18): without the quadrature wave; a_B is not estimated. The starting "

@@ -103,24 +103,24 @@ VYBEG_INLINED inline void add_shifted(Series& sum, const Series& part, const Cen
     }
 }
 
-VYBEG_INLINED inline Series sum_of_stretches(SampleColumns of, const SampleCut& cut,
-                                             const TaylorBasis& basis) {
+VYBEG_INLINED inline Series sum_of_segments(SampleColumns of, const SampleCut& cut,
+                                            const TaylorBasis& basis) {
     Series sum;
-    const std::int64_t step = basis.stretch();
+    const std::int64_t step = basis.segment();
     const double* row = basis.row(0);
     std::int64_t j = 0;
-    std::size_t stretch = 0;
-    for (; j + 2 * step <= cut.length; j += 2 * step, stretch += 2) {
+    std::size_t segment = 0;
+    for (; j + 2 * step <= cut.length; j += 2 * step, segment += 2) {
         Series a;
         Series b;
         project(a, of.from(j), b, of.from(j + step), step, row);
-        add_shifted(sum, a, cut.shifts[stretch]);
-        add_shifted(sum, b, cut.shifts[stretch + 1]);
+        add_shifted(sum, a, cut.shifts[segment]);
+        add_shifted(sum, b, cut.shifts[segment + 1]);
     }
-    for (; j < cut.length; j += step, ++stretch) {
+    for (; j < cut.length; j += step, ++segment) {
         Series a;
         project(a, of.from(j), std::min(step, cut.length - j), row);
-        add_shifted(sum, a, cut.shifts[stretch]);
+        add_shifted(sum, a, cut.shifts[segment]);
     }
     return sum;
 }
@@ -188,7 +188,7 @@ void sum_cuts(SampleColumns samples, std::int64_t hop, std::size_t count, const 
         }
     } else {
         for (std::size_t lane = 0; lane < count; ++lane) {
-            keep(lane, sum_of_stretches(at(lane), cut, basis));
+            keep(lane, sum_of_segments(at(lane), cut, basis));
         }
     }
     for (std::size_t lane = 0; lane < lane_count; ++lane) {

@@ -21,9 +21,9 @@ SampleColumns columns_of(const WindowBlock& block, std::span<const double> delay
 SampleCut ProjectionSums::cut(std::int64_t first, std::int64_t length, double distance) const {
     SampleCut cut{first, length, {}};
     // A single segment needs no shift where its time equals that of the basis rows.
-    if (first + length > basis_.stretch() || distance != static_cast<double>(first)) {
-        cut.shifts.reserve(static_cast<std::size_t>(length / basis_.stretch() + 1));
-        for (std::int64_t j = 0; j < length; j += basis_.stretch()) {
+    if (first + length > basis_.segment() || distance != static_cast<double>(first)) {
+        cut.shifts.reserve(static_cast<std::size_t>(length / basis_.segment() + 1));
+        for (std::int64_t j = 0; j < length; j += basis_.segment()) {
             cut.shifts.push_back(centre_shift(basis_, distance + static_cast<double>(j)));
         }
     }
@@ -35,13 +35,13 @@ void ProjectionSums::prepare(std::int64_t hop) {
     hop_ = hop;
     overlapping_ = n > longest_apart && 2 * hop <= n;
     if (!overlapping_) {
-        whole_ = cut(0, n, 0.5 * static_cast<double>(basis_.stretch() - n));
+        whole_ = cut(0, n, 0.5 * static_cast<double>(basis_.segment() - n));
     } else {
         const std::int64_t head = n % hop;
         // The time of a hop of several segments counts from its own centre, that of a shorter one
         // from the centre of a segment.
-        const double middle = 0.5 * static_cast<double>(basis_.stretch() - 1);
-        origin_ = hop > basis_.stretch() ? 0.5 * static_cast<double>(hop - 1) : middle;
+        const double middle = 0.5 * static_cast<double>(basis_.segment() - 1);
+        origin_ = hop > basis_.segment() ? 0.5 * static_cast<double>(hop - 1) : middle;
         head_ = cut(0, head, middle - origin_);
         rest_ = cut(head, hop - head, static_cast<double>(head) + middle - origin_);
     }

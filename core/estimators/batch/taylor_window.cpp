@@ -50,13 +50,13 @@ TaylorFrame::TaylorFrame(std::int64_t n, double w0) : n_(n), w0_(w0), gram_(gram
 
 TaylorBasis::TaylorBasis(std::int64_t n, double w0)
     : TaylorFrame(n, w0),
-      stretch_(n <= longest_whole_window ? n : stretch_length),
-      rows_(static_cast<std::size_t>(stretch_) * 2 * taylor_orders) {
+      segment_(n <= longest_whole_window ? n : segment_length),
+      rows_(static_cast<std::size_t>(segment_) * 2 * taylor_orders) {
     const auto count = static_cast<double>(n);
     // Rows at equal distances before and after the centre differ in sign only: cos is even, sin
     // odd, and order k has v^k and a rotation by k quarter turns.
-    for (std::int64_t j = stretch_ / 2; j < stretch_; ++j) {
-        const double u = static_cast<double>(j) - 0.5 * static_cast<double>(stretch_ - 1);
+    for (std::int64_t j = segment_ / 2; j < segment_; ++j) {
+        const double u = static_cast<double>(j) - 0.5 * static_cast<double>(segment_ - 1);
         const double v = 2 * u / count;
         const double cosine = std::cos(w0 * u);
         const double sine = std::sin(w0 * u);
@@ -65,7 +65,7 @@ TaylorBasis::TaylorBasis(std::int64_t n, double w0)
         double factor = 1;
         double* row = rows_.data() + 2 * taylor_orders * static_cast<std::size_t>(j);
         double* mirrored =
-            rows_.data() + 2 * taylor_orders * static_cast<std::size_t>(stretch_ - 1 - j);
+            rows_.data() + 2 * taylor_orders * static_cast<std::size_t>(segment_ - 1 - j);
         for (std::size_t k = 0; k < taylor_orders; ++k) {
             row[k] = factor * turned[k % 4];
             row[taylor_orders + k] = factor * turned[(k + 3) % 4];

@@ -27,7 +27,7 @@ inline constexpr double taylor_reach = 0.06;
 // their basis would not stay in cache; the series of the segments are moved to the window's centre
 // and added (projection_sums.h).
 inline constexpr std::int64_t longest_whole_window = 1024;
-inline constexpr std::int64_t stretch_length = 256;
+inline constexpr std::int64_t segment_length = 256;
 
 // Closed-form quantities of a window length and a reference frequency.
 class TaylorFrame {
@@ -59,12 +59,12 @@ public:
 
     // Largest number of samples of a segment. The time of its series counts from the centre of that
     // many samples, also for shorter segments.
-    std::int64_t stretch() const { return stretch_; }
+    std::int64_t segment() const { return segment_; }
     // Row of sample j of a segment: the basis functions of cos, then those of sin, by order.
     const double* row(std::int64_t j) const { return rows_.data() + 2 * taylor_orders * j; }
 
 private:
-    std::int64_t stretch_;
+    std::int64_t segment_;
     std::vector<double> rows_;
 };
 

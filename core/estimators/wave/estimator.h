@@ -3,10 +3,12 @@
 #include "core/estimators/wave/flags.h"
 #include "core/estimators/wave/wave_state.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace vybeg {
@@ -20,8 +22,14 @@ enum class Algorithm {
     maximum_likelihood
 };
 
+inline constexpr std::array all_algorithms{
+    Algorithm::in_phase,     Algorithm::phase_shift,        Algorithm::moving_axes,
+    Algorithm::demodulation, Algorithm::conjugate_gradient, Algorithm::maximum_likelihood};
+
 // Command-line name, e.g. "maximum-likelihood", and back.
 std::string_view algorithm_name(Algorithm algorithm);
+// All names, separated by commas, the last by "or".
+std::string algorithm_names();
 std::optional<Algorithm> algorithm_from_name(std::string_view name);
 
 // Start of the conjugate gradient in each window: the in-phase closed form (`first`), or the result

@@ -24,8 +24,8 @@ VYBEG_INLINED inline PrecisionOf<Real> unit_precision(const PhasorParts<Real>& z
                                                       const WindowKernelOf<Real>& kernel) {
     // Fisher information of (phasors, w): the phasors' block is diagonal because time is centred.
     // The samples' derivative by w is -u (Re c sin wu + Im c cos wu). With sum u sin 2wu = -slope
-    // and sum u^2 cos 2wu = -bend/2, k is the element between w and each phasor component, over its
-    // gram.
+    // and sum u^2 cos 2wu = -bend/2, each k is the information shared by w and one phasor
+    // component, divided by that component's own.
     const Real slope = kernel.slope;
     const Real by_cos = 1 / kernel.gram_cos;
     const Real by_sin = 1 / kernel.gram_sin;

@@ -279,7 +279,7 @@ SampleColumn npy_column(const NpyArray& array, std::shared_ptr<const ByteSource>
     // Whether the samples of a channel are contiguous, one channel after the other.
     const bool apart =
         array.shape.size() < 2 || (channel_axis(array.shape) == 0) != array.fortran_order;
-    SampleRun run;
+    StridedRange run;
     run.stride = apart ? size : array.channels() * size;
     run.offset = array.data_offset + channel * (apart ? array.frames() * size : size);
     const std::int64_t room = bytes->size() - run.offset - size;

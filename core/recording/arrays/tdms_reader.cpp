@@ -1,6 +1,6 @@
 #include "core/recording/arrays/tdms_reader.h"
 
-#include "core/recording/arrays/tdms_runs.h"
+#include "core/recording/arrays/tdms_ranges.h"
 #include "core/recording/arrays/tdms_scale.h"
 #include "core/recording/arrays/tdms_segments.h"
 #include "core/recording/arrays/tdms_values.h"
@@ -24,7 +24,7 @@ constexpr std::string_view index_tag = "TDSh";
 // The table of sample positions takes at most the file's size plus this; a growing vector holds the
 // old entries and room for up to twice as many.
 constexpr std::int64_t held_bytes = std::int64_t{32} << 20;
-constexpr std::int64_t held_bytes_of_run = 3 * sizeof(SampleRun);
+constexpr std::int64_t held_bytes_of_run = 3 * sizeof(StridedRange);
 
 struct FoundChannel {
     std::size_t object = 0;
@@ -144,14 +144,14 @@ public:
 
     // Both columns, from a second pass, because only the first pass determines the channels.
     Result<Columns> columns(const ChosenChannel& c, const ChosenChannel& d) const {
-        TdmsRuns runs_c(c.object, c.scaler());
-        TdmsRuns runs_d(d.object, d.scaler());
+        TdmsRanges runs_c(c.object, c.scaler());
+        TdmsRanges runs_d(d.object, d.scaler());
         TdmsFile tdms(file_, job_);
         const auto most_runs =
             static_cast<std::size_t>((file_->size() + held_bytes) / held_bytes_of_run);
         const Status status = tdms.walk(
             [&](const TdmsSegment& segment, const std::vector<TdmsRawIndex>& chunk) -> Status {
-                for (TdmsRuns* runs : {&runs_c, &runs_d}) {
+                for (TdmsRanges* runs : {&runs_c, &runs_d}) {
                     if (const auto wrong = runs->take(segment, chunk)) {
                         return file_->error(ErrorCode::format_damaged, {"TDMS", words(*wrong)});
                     }

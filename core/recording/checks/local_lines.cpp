@@ -91,11 +91,11 @@ std::size_t LocalLines::least_samples(std::size_t lines) {
     return std::max<std::size_t>(48, 2 * least);
 }
 
-LocalLines::LocalLines(const TwoChannels& stretch, std::vector<double> w)
+LocalLines::LocalLines(const TwoChannels& segment, std::vector<double> w)
     : w_(std::move(w)),
-      length_(static_cast<double>(stretch.c.size())),
-      order_(order_of(stretch.c.size())) {
-    const auto rows = static_cast<Eigen::Index>(stretch.c.size());
+      length_(static_cast<double>(segment.c.size())),
+      order_(order_of(segment.c.size())) {
+    const auto rows = static_cast<Eigen::Index>(segment.c.size());
     while (order_ > 0 && 3 * (order_ + 1) * static_cast<Eigen::Index>(terms(w_.size())) > rows) {
         --order_;
     }
@@ -120,8 +120,8 @@ LocalLines::LocalLines(const TwoChannels& stretch, std::vector<double> w)
         }
     }
     Eigen::MatrixX2d samples(rows, 2);
-    samples.col(0) = Eigen::Map<const Eigen::VectorXd>(stretch.c.data(), rows);
-    samples.col(1) = Eigen::Map<const Eigen::VectorXd>(stretch.d.data(), rows);
+    samples.col(0) = Eigen::Map<const Eigen::VectorXd>(segment.c.data(), rows);
+    samples.col(1) = Eigen::Map<const Eigen::VectorXd>(segment.d.data(), rows);
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(basis.cols(), basis.cols());
     normal.selfadjointView<Eigen::Lower>().rankUpdate(basis.transpose());
     const Eigen::LDLT<Eigen::MatrixXd> solver(normal.selfadjointView<Eigen::Lower>());

@@ -21,8 +21,8 @@ struct TwoChannels {
 // from the start of the segment.
 class LocalLines {
 public:
-    // Precondition: stretch.c.size() >= least_samples(w.size()).
-    LocalLines(const TwoChannels& stretch, std::vector<double> w);
+    // Precondition: segment.c.size() >= least_samples(w.size()).
+    LocalLines(const TwoChannels& segment, std::vector<double> w);
 
     static std::size_t least_samples(std::size_t lines);
 

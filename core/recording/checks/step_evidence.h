@@ -28,7 +28,7 @@ constexpr double least_phase_step = 0.25;  // rad
 // with the least sum of squares. A number of lost samples is a candidate if, with the time shifted
 // by it, every line is continuous in amplitude, direction and phase, within four deviations. The
 // mode at w (rad per sample) must step by at least least_phase_step, with a constant amplitude
-// before and after, and lines without a step must leave half as much again of the whole reach
+// before and after, and lines without a step must leave 1.5 times as much of the whole reach
 // unexplained; this excludes nodes of beats, strikes and noise. PhaseStep::frame is an index here.
 std::optional<PhaseStep> judge_step(const TwoChannels& samples, const Suspicion& where, double w);
 

@@ -45,7 +45,6 @@ double gain_at(const std::vector<double>& taps, double frequency) {
     return gain;
 }
 
-// Frames of output, from index * length on.
 // out[i] becomes NaN where one of in[i] .. in[i + 2 reach] is missing.
 void spread_missing(std::span<const double> in, std::int64_t reach, std::span<double> out) {
     std::int64_t marked = 0;

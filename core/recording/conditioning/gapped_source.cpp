@@ -8,8 +8,8 @@
 namespace vybeg {
 namespace {
 
-// A stretch of the source's frames and where it lies when the gaps before it are in.
-struct Stretch {
+// A segment of the source's frames and where it lies when the gaps before it are in.
+struct Segment {
     std::int64_t source_first = 0;
     std::int64_t first = 0;
     std::int64_t count = 0;
@@ -23,12 +23,12 @@ public:
         std::int64_t inserted = 0;
         for (const PhaseStep& step : steps) {
             if (step.lost > 0) {
-                stretches_.push_back({from, from + inserted, step.frame - from});
+                segments_.push_back({from, from + inserted, step.frame - from});
                 from = step.frame;
                 inserted += step.lost;
             }
         }
-        stretches_.push_back({from, from + inserted, source_->frames() - from});
+        segments_.push_back({from, from + inserted, source_->frames() - from});
         frames_ = source_->frames() + inserted;
     }
 
@@ -39,16 +39,16 @@ public:
         std::ranges::fill(c, std::numeric_limits<double>::quiet_NaN());
         std::ranges::fill(d, std::numeric_limits<double>::quiet_NaN());
         const std::int64_t end = first + static_cast<std::int64_t>(c.size());
-        const auto ends_behind = [](std::int64_t frame, const Stretch& stretch) {
-            return frame < stretch.first + stretch.count;
+        const auto ends_behind = [](std::int64_t frame, const Segment& segment) {
+            return frame < segment.first + segment.count;
         };
-        auto stretch = std::upper_bound(stretches_.begin(), stretches_.end(), first, ends_behind);
-        for (; stretch != stretches_.end() && stretch->first < end; ++stretch) {
-            const std::int64_t from = std::max(first, stretch->first);
-            const std::int64_t to = std::min(end, stretch->first + stretch->count);
+        auto segment = std::upper_bound(segments_.begin(), segments_.end(), first, ends_behind);
+        for (; segment != segments_.end() && segment->first < end; ++segment) {
+            const std::int64_t from = std::max(first, segment->first);
+            const std::int64_t to = std::min(end, segment->first + segment->count);
             const auto at = static_cast<std::size_t>(from - first);
             const auto count = static_cast<std::size_t>(to - from);
-            const Status status = source_->read(stretch->source_first + from - stretch->first,
+            const Status status = source_->read(segment->source_first + from - segment->first,
                                                 c.subspan(at, count), d.subspan(at, count));
             if (!status) {
                 return status;
@@ -59,7 +59,7 @@ public:
 
 private:
     std::shared_ptr<const SampleSource> source_;
-    std::vector<Stretch> stretches_;
+    std::vector<Segment> segments_;
     std::int64_t frames_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recording/checks/phase_step_check.h"
+#include "core/recording/checks/lost_samples_check.h"
 #include "core/recording/samples/sample_source.h"
 
 #include <memory>

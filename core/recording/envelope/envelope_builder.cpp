@@ -1,6 +1,6 @@
 #include "core/recording/envelope/envelope_builder.h"
 
-#include "core/recording/envelope/look_around.h"
+#include "core/recording/envelope/sparse_scan.h"
 
 #include <algorithm>
 #include <utility>
@@ -33,16 +33,16 @@ public:
 
     Status look() {
         const std::int64_t frames = source_.frames();
-        auto seen =
-            look_around(std::min(most_looks, frames / frames_per_part), job_,
-                        [&](std::int64_t part, std::int64_t parts) -> Result<Look> {
-                            const Status read = read_frames(frames * part / parts, frames_per_look);
-                            if (!read) {
-                                return read.error();
-                            }
-                            return Look{static_cast<double>(part) / static_cast<double>(parts),
-                                        bucket_of(c_, d_)};
-                        });
+        auto seen = sparse_scan(
+            std::min(most_looks, frames / frames_per_part), job_,
+            [&](std::int64_t part, std::int64_t parts) -> Result<ScannedPlace> {
+                const Status read = read_frames(frames * part / parts, frames_per_look);
+                if (!read) {
+                    return read.error();
+                }
+                return ScannedPlace{static_cast<double>(part) / static_cast<double>(parts),
+                                    bucket_of(c_, d_)};
+            });
         if (!seen) {
             return seen.error();
         }

@@ -38,7 +38,7 @@ extern "C" herr_t collect_hard_link(hid_t, const char* name, const H5L_info_t* i
     return list.size() > most_objects ? 1 : 0;
 }
 
-class Hdf5File : public LibraryFile {
+class Hdf5File : public HelperFile {
 public:
     Hdf5File(OpenedHdf5 opened, Naming naming) : file_(std::move(opened.file)), naming_(naming) {
         catalogue_.format = naming == Naming::matlab ? "MAT 7.3" : "HDF5";
@@ -264,7 +264,7 @@ private:
 
 }  // namespace
 
-Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Naming naming) {
+Result<std::unique_ptr<HelperFile>> open_hdf5_file(const std::string& path, Naming naming) {
     OpenedHdf5 opened = open_hdf5(path);
     if (!opened.file) {
         return Error{
@@ -281,7 +281,7 @@ Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Nam
     if (const Status status = file->list(); !status) {
         return status.error();
     }
-    return std::unique_ptr<LibraryFile>(std::move(file));
+    return std::unique_ptr<HelperFile>(std::move(file));
 }
 
 }  // namespace vybeg

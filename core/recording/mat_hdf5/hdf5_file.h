@@ -13,12 +13,12 @@ namespace vybeg {
 // it hang or take memory up to the process's limit.
 //
 // Errors of all of it: format_damaged, format_unsupported, without a place.
-class LibraryFile {
+class HelperFile {
 public:
-    LibraryFile() = default;
-    LibraryFile(const LibraryFile&) = delete;
-    LibraryFile& operator=(const LibraryFile&) = delete;
-    virtual ~LibraryFile() = default;
+    HelperFile() = default;
+    HelperFile(const HelperFile&) = delete;
+    HelperFile& operator=(const HelperFile&) = delete;
+    virtual ~HelperFile() = default;
 
     virtual const Catalogue& catalogue() const = 0;
 
@@ -32,6 +32,6 @@ enum class Naming { hdf5, matlab };  // "/run/C" or "run.C"
 // tables of records. One that is still being written (SWMR), or was never closed, is read as far as
 // it is there. External links, soft links and samples in other files are not followed; no plug-in
 // is loaded.
-Result<std::unique_ptr<LibraryFile>> open_hdf5_file(const std::string& path, Naming naming);
+Result<std::unique_ptr<HelperFile>> open_hdf5_file(const std::string& path, Naming naming);
 
 }  // namespace vybeg

@@ -6,7 +6,7 @@
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/bytes/zip_directory.h"
 #include "core/recording/text/uff_reader.h"
-#include "core/recording/variables/library_reader.h"
+#include "core/recording/variables/helper_reader.h"
 
 namespace vybeg {
 namespace {
@@ -40,7 +40,7 @@ FileKind file_kind(std::string_view head, const FileBytes& file) {
         return FileKind::tdms;
     }
     if (library_format(head, file)) {
-        return FileKind::library;
+        return FileKind::mat_or_hdf5;
     }
     if (is_uff(head)) {
         return FileKind::uff;

@@ -10,7 +10,7 @@
 #include "core/recording/samples/open_options.h"
 #include "core/recording/text/text_recording.h"
 #include "core/recording/text/uff_reader.h"
-#include "core/recording/variables/library_reader.h"
+#include "core/recording/variables/helper_reader.h"
 #include "core/recording/variables/npz_reader.h"
 
 #include <memory>
@@ -36,7 +36,7 @@ Result<Recording> open_by_content(const std::shared_ptr<const FileBytes>& file,
         case FileKind::npy: return open_npy(file, options);
         case FileKind::npz: return open_npz(file, options, job);
         case FileKind::tdms: return open_tdms(file, options, job);
-        case FileKind::library:
+        case FileKind::mat_or_hdf5:
             return open_with_library(file, *library_format(*head, *file), options, job);
         case FileKind::uff: return open_uff(file, options, job);
         case FileKind::text: return open_text(file, options, job);

@@ -36,21 +36,21 @@ struct ByteRange {
 };
 
 // Precondition: the column has the frame.
-const SampleRun& run_at(const SampleColumn& column, std::int64_t frame) {
+const StridedRange& run_at(const SampleColumn& column, std::int64_t frame) {
     const auto behind =
         std::upper_bound(column.runs.begin(), column.runs.end(), frame,
-                         [](std::int64_t f, const SampleRun& run) { return f < run.first; });
+                         [](std::int64_t f, const StridedRange& run) { return f < run.first; });
     return *std::prev(behind);
 }
 
-std::int64_t place(const SampleRun& run, std::int64_t frame) {
+std::int64_t place(const StridedRange& run, std::int64_t frame) {
     const std::int64_t at = frame - run.first;
     return run.offset + at / run.per_chunk * run.chunk_stride + at % run.per_chunk * run.stride;
 }
 
 // Number of samples from the frame on within one range and, except the first, within a block.
 std::int64_t samples_in_block(const SampleColumn& column, std::int64_t frame) {
-    const SampleRun& run = run_at(column, frame);
+    const StridedRange& run = run_at(column, frame);
     const std::int64_t left = run.end() - frame;
     const std::int64_t in_chunk = run.per_chunk - (frame - run.first) % run.per_chunk;
     if (in_chunk > block_bytes / run.stride) {
@@ -62,14 +62,14 @@ std::int64_t samples_in_block(const SampleColumn& column, std::int64_t frame) {
 
 // The bytes of `count` samples of one range.
 ByteRange range_of(const SampleColumn& column, std::int64_t frame, std::int64_t count) {
-    const SampleRun& run = run_at(column, frame);
+    const StridedRange& run = run_at(column, frame);
     return {place(run, frame), place(run, frame + count - 1) + bytes_of(column.type)};
 }
 
 // Decodes samples of one range from bytes that begin at `begin` in the source.
 void decode_block(const SampleColumn& column, std::int64_t frame, const char* bytes,
                   std::int64_t begin, std::span<double> out) {
-    const SampleRun& run = run_at(column, frame);
+    const StridedRange& run = run_at(column, frame);
     const auto length = static_cast<std::int64_t>(out.size());
     for (std::int64_t done = 0; done < length;) {
         const std::int64_t at = frame + done;
@@ -85,8 +85,8 @@ void decode_block(const SampleColumn& column, std::int64_t frame, const char* by
 // Whether the samples of `left` and `right` from a frame on are interleaved without gaps.
 bool are_pairs(const SampleColumn& left, const SampleColumn& right, std::int64_t frame,
                std::int64_t count) {
-    const SampleRun& run = run_at(left, frame);
-    const SampleRun& next = run_at(right, frame);
+    const StridedRange& run = run_at(left, frame);
+    const StridedRange& next = run_at(right, frame);
     const std::int64_t width = bytes_of(left.type);
     const auto last = frame + count - 1;
     return left.type == right.type && left.scale == right.scale &&
@@ -168,8 +168,9 @@ private:
 
 }  // namespace
 
-SampleRun even_run(std::int64_t count, std::int64_t offset, std::int64_t stride, bool big_endian) {
-    SampleRun run;
+StridedRange even_run(std::int64_t count, std::int64_t offset, std::int64_t stride,
+                      bool big_endian) {
+    StridedRange run;
     run.count = count;
     run.per_chunk = std::max<std::int64_t>(count, 1);
     run.offset = offset;

@@ -11,7 +11,7 @@
 namespace vybeg {
 
 // Range of samples of one channel: chunks of equal numbers of samples; distances in bytes.
-struct SampleRun {
+struct StridedRange {
     std::int64_t first = 0;         // frame of its first sample
     std::int64_t count = 0;         // total samples; the last chunk may be shorter
     std::int64_t per_chunk = 0;     // samples in a chunk
@@ -24,13 +24,14 @@ struct SampleRun {
 };
 
 // Samples at equal distances, all in one chunk.
-SampleRun even_run(std::int64_t count, std::int64_t offset, std::int64_t stride, bool big_endian);
+StridedRange even_run(std::int64_t count, std::int64_t offset, std::int64_t stride,
+                      bool big_endian);
 
 // Positions of the samples of one channel in a binary file.
 struct SampleColumn {
     std::shared_ptr<const ByteSource> bytes;
     NumberType type = NumberType::f64;
-    std::vector<SampleRun> runs;  // consecutive, without gaps between their frames
+    std::vector<StridedRange> runs;  // consecutive, without gaps between their frames
     Scale scale{};
 
     std::int64_t frames() const { return runs.empty() ? 0 : runs.back().end(); }

@@ -223,6 +223,10 @@ private:
 
 }  // namespace
 
+std::vector<std::string> csv_fields(const std::string& row) {
+    return split_row(row, ',').fields;
+}
+
 Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed) {
     auto file = FileBytes::open(path);
     if (!file) {

@@ -22,6 +22,9 @@ struct CsvRows {
     std::vector<CsvRow> rows;
 };
 
+// The fields of one row with commas between them; quotes as in read_csv().
+std::vector<std::string> csv_fields(const std::string& row);
+
 // Reads a CSV file of spreadsheets: comma or semicolon, whichever separates a name `needed` from
 // the others; fields in double quotes (RFC 4180) may hold separators, line ends and doubled quotes.
 // UTF-8 with or without byte order mark, UTF-16 with it, otherwise Windows-1251. Spaces around a

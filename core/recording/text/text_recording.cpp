@@ -25,9 +25,9 @@ namespace {
 
 std::vector<TimeGap> gaps_of(const EvenTimes& even) {
     std::vector<TimeGap> gaps;
-    for (std::size_t s = 1; s < even.stretches.size(); ++s) {
-        const RowStretch& before = even.stretches[s - 1];
-        const TimeGap gap{before.first_frame + before.rows - 1, even.stretches[s].first_frame};
+    for (std::size_t s = 1; s < even.segments.size(); ++s) {
+        const RowSegment& before = even.segments[s - 1];
+        const TimeGap gap{before.first_frame + before.rows - 1, even.segments[s].first_frame};
         if (gap.after > gap.before + 1) {
             gaps.push_back(gap);
         }
@@ -36,9 +36,9 @@ std::vector<TimeGap> gaps_of(const EvenTimes& even) {
 }
 
 std::int64_t frame_of(const EvenTimes& even, std::int64_t row) {
-    const auto behind = std::ranges::upper_bound(even.stretches, row, {}, &RowStretch::first_row);
-    const RowStretch& stretch = *std::prev(behind);
-    return stretch.first_frame + row - stretch.first_row;
+    const auto behind = std::ranges::upper_bound(even.segments, row, {}, &RowSegment::first_row);
+    const RowSegment& segment = *std::prev(behind);
+    return segment.first_frame + row - segment.first_row;
 }
 
 // Samples whose time or place tells their frame, and what is known of them.

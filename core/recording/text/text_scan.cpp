@@ -55,12 +55,13 @@ struct BlockScan {
     double repeated = 0;             // this time
     std::array<std::int64_t, 2> over_range{};
     FinestDigits digits;
-    TimeLine times{0};
+    UniformTimeDetector times{0};
 };
 
 class BlockScanner {
 public:
-    BlockScanner(const TextTable& table, const TimeLine& empty) : table_(table), empty_(empty) {}
+    BlockScanner(const TextTable& table, const UniformTimeDetector& empty)
+        : table_(table), empty_(empty) {}
 
     BlockScan scan(std::int64_t index) const {
         BlockScan found;
@@ -120,13 +121,14 @@ private:
     }
 
     const TextTable& table_;
-    TimeLine empty_;  // to begin with
+    UniformTimeDetector empty_;  // to begin with
 };
 
 // Puts the findings of the blocks together, in their order.
 class ScanSum {
 public:
-    ScanSum(const TextTable& table, const TimeLine& empty) : table_(table), times_(empty) {}
+    ScanSum(const TextTable& table, const UniformTimeDetector& empty)
+        : table_(table), times_(empty) {}
 
     Status take(const BlockScan& block) {
         if (!block.read) {
@@ -203,12 +205,12 @@ private:
     double last_time_ = 0;
     std::optional<Error> repeated_;  // the first time that is the one before again
     FinestDigits digits_;
-    TimeLine times_;
+    UniformTimeDetector times_;
 };
 
 // A line to which no time has been added: with about the step and resolution of the first block
 // that has them, a step of 0 where none does.
-Result<TimeLine> empty_line(const TextTable& table) {
+Result<UniformTimeDetector> empty_line(const TextTable& table) {
     TextBlock block;
     for (std::int64_t index = 0; table.columns.time >= 0 && index < table.blocks.count(); ++index) {
         if (const Status status = table.blocks.read(index, block); !status) {
@@ -224,10 +226,10 @@ Result<TimeLine> empty_line(const TextTable& table) {
         samples.resolution = digits.resolution(table.format.time_unit_s);
         const double step_s = samples.time_s.size() > 1 ? typical_step(samples) : 0;
         if (step_s > 0) {
-            return TimeLine(step_s, samples.resolution);
+            return UniformTimeDetector(step_s, samples.resolution);
         }
     }
-    return TimeLine(0);
+    return UniformTimeDetector(0);
 }
 
 }  // namespace

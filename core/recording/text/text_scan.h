@@ -3,7 +3,7 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/text/text_table.h"
-#include "core/recording/times/time_line.h"
+#include "core/recording/times/uniform_times.h"
 
 #include <array>
 #include <cstdint>

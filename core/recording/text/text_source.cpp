@@ -31,30 +31,30 @@ Error changed(const TextTable& table) {
 class TextSource final : public SampleSource {
 public:
     TextSource(TextTable table, std::vector<std::int64_t> first_rows,
-               std::vector<RowStretch> stretches)
+               std::vector<RowSegment> segments)
         : table_(std::move(table)),
           first_rows_(std::move(first_rows)),
-          stretches_(std::move(stretches)) {
+          segments_(std::move(segments)) {
         table_.columns.time = -1;  // it has done its part
     }
 
     std::int64_t frames() const override {
-        return stretches_.back().first_frame + stretches_.back().rows;
+        return segments_.back().first_frame + segments_.back().rows;
     }
 
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
         const std::int64_t end = first + static_cast<std::int64_t>(c.size());
-        auto stretch = std::upper_bound(
-            stretches_.begin(), stretches_.end(), first,
-            [](std::int64_t frame, const RowStretch& s) { return frame < s.first_frame; });
-        stretch -= 1;  // the first one begins at frame 0
-        if (stretches_.size() > 1) {
+        auto segment = std::upper_bound(
+            segments_.begin(), segments_.end(), first,
+            [](std::int64_t frame, const RowSegment& s) { return frame < s.first_frame; });
+        segment -= 1;  // the first one begins at frame 0
+        if (segments_.size() > 1) {
             std::ranges::fill(c, missing);
             std::ranges::fill(d, missing);
         }
-        for (; stretch != stretches_.end() && stretch->first_frame < end; ++stretch) {
-            const std::int64_t from = std::max(stretch->first_frame, first);
-            const std::int64_t to = std::min(stretch->first_frame + stretch->rows, end);
+        for (; segment != segments_.end() && segment->first_frame < end; ++segment) {
+            const std::int64_t from = std::max(segment->first_frame, first);
+            const std::int64_t to = std::min(segment->first_frame + segment->rows, end);
             if (from >= to) {
                 continue;
             }
@@ -62,7 +62,7 @@ public:
                 return all.subspan(static_cast<std::size_t>(from - first),
                                    static_cast<std::size_t>(to - from));
             };
-            const std::int64_t row = stretch->first_row + from - stretch->first_frame;
+            const std::int64_t row = segment->first_row + from - segment->first_frame;
             if (const Status status = read_rows(row, part(c), part(d)); !status) {
                 return status;
             }
@@ -129,19 +129,19 @@ private:
 
     TextTable table_;
     std::vector<std::int64_t> first_rows_;
-    std::vector<RowStretch> stretches_;
+    std::vector<RowSegment> segments_;
     RecentBlocks kept_{1};
 };
 
 }  // namespace
 
 std::shared_ptr<const SampleSource> text_source(TextTable table, TextScan scan) {
-    std::vector<RowStretch> stretches{{0, 0, scan.rows()}};
+    std::vector<RowSegment> segments{{0, 0, scan.rows()}};
     if (scan.even) {
-        stretches = std::move(scan.even->stretches);
+        segments = std::move(scan.even->segments);
     }
     return std::make_shared<TextSource>(std::move(table), std::move(scan.first_rows),
-                                        std::move(stretches));
+                                        std::move(segments));
 }
 
 Result<TimedSamples> read_timed_rows(const TextTable& table, const TextScan& scan,

@@ -31,37 +31,37 @@ double median_step(std::span<const double> time) {
 }
 
 // Rows without a gap between them: [first, end).
-struct Stretch {
+struct Segment {
     std::size_t first;
     std::size_t end;
 };
 
-std::vector<Stretch> find_stretches(const TimedSamples& samples, double step) {
+std::vector<Segment> find_segments(const TimedSamples& samples, double step) {
     const std::span<const double> time = samples.time_s;
-    std::vector<Stretch> stretches;
+    std::vector<Segment> segments;
     std::size_t first = 0;
     for (std::size_t i = 1; i < time.size(); ++i) {
         const double coarser = std::max(std::abs(time[i]), std::abs(time[i - 1]));
         const double longest =
             std::max(gap_steps * step, longest_rounded_step(step, samples.resolution, coarser));
         if (time[i] - time[i - 1] > longest) {
-            stretches.push_back({first, i});
+            segments.push_back({first, i});
             first = i;
         }
     }
-    stretches.push_back({first, time.size()});
-    return stretches;
+    segments.push_back({first, time.size()});
+    return segments;
 }
 
-// Seconds per sample: one slope of least squares for all stretches, each with its own offset.
-double fit_step(std::span<const double> time, std::span<const Stretch> stretches) {
+// Seconds per sample: one slope of least squares for all segments, each with its own offset.
+double fit_step(std::span<const double> time, std::span<const Segment> segments) {
     double products = 0;
     double squares = 0;
-    for (const Stretch& stretch : stretches) {
-        const double centre = 0.5 * static_cast<double>(stretch.end - stretch.first - 1);
-        for (std::size_t i = stretch.first; i < stretch.end; ++i) {
-            const double k = static_cast<double>(i - stretch.first) - centre;
-            products += k * (time[i] - time[stretch.first]);
+    for (const Segment& segment : segments) {
+        const double centre = 0.5 * static_cast<double>(segment.end - segment.first - 1);
+        for (std::size_t i = segment.first; i < segment.end; ++i) {
+            const double k = static_cast<double>(i - segment.first) - centre;
+            products += k * (time[i] - time[segment.first]);
             squares += k * k;
         }
     }
@@ -71,12 +71,12 @@ double fit_step(std::span<const double> time, std::span<const Stretch> stretches
 // The grid's number for each row: one more than the row before; behind a gap, the whole number of
 // steps more.
 std::vector<std::int64_t> number_rows(std::span<const double> time,
-                                      std::span<const Stretch> stretches, double step) {
+                                      std::span<const Segment> segments, double step) {
     std::vector<std::int64_t> numbers(time.size(), 0);
-    for (const Stretch& stretch : stretches) {
-        for (std::size_t i = std::max<std::size_t>(stretch.first, 1); i < stretch.end; ++i) {
+    for (const Segment& segment : segments) {
+        for (std::size_t i = std::max<std::size_t>(segment.first, 1); i < segment.end; ++i) {
             const double steps =
-                i == stretch.first ? std::round((time[i] - time[i - 1]) / step) : 1.0;
+                i == segment.first ? std::round((time[i] - time[i - 1]) / step) : 1.0;
             numbers[i] =
                 numbers[i - 1] + std::max<std::int64_t>(static_cast<std::int64_t>(steps), 1);
         }
@@ -151,7 +151,7 @@ UniformSamples place(const TimedSamples& samples, std::span<const std::int64_t> 
     return grid;
 }
 
-UniformSamples interpolate(const TimedSamples& samples, std::span<const Stretch> stretches,
+UniformSamples interpolate(const TimedSamples& samples, std::span<const Segment> segments,
                            double step) {
     const std::span<const double> time = samples.time_s;
     const auto frames =
@@ -159,9 +159,9 @@ UniformSamples interpolate(const TimedSamples& samples, std::span<const Stretch>
     UniformSamples grid;
     grid.c.assign(frames, missing);
     grid.d.assign(frames, missing);
-    for (const Stretch& stretch : stretches) {
-        const std::size_t rows = stretch.end - stretch.first;
-        const auto nodes = time.subspan(stretch.first, rows);
+    for (const Segment& segment : segments) {
+        const std::size_t rows = segment.end - segment.first;
+        const auto nodes = time.subspan(segment.first, rows);
         const double from = std::ceil((nodes.front() - time[0]) / step - grid_slack);
         const double to = std::floor((nodes.back() - time[0]) / step + grid_slack);
         if (to < from) {
@@ -170,9 +170,9 @@ UniformSamples interpolate(const TimedSamples& samples, std::span<const Stretch>
         const auto first = static_cast<std::size_t>(from);
         const auto count = static_cast<std::size_t>(to) - first + 1;
         const double start = time[0] + step * from;
-        interpolate_cubic(nodes, std::span(samples.c).subspan(stretch.first, rows), start, step,
+        interpolate_cubic(nodes, std::span(samples.c).subspan(segment.first, rows), start, step,
                           std::span(grid.c).subspan(first, count));
-        interpolate_cubic(nodes, std::span(samples.d).subspan(stretch.first, rows), start, step,
+        interpolate_cubic(nodes, std::span(samples.d).subspan(segment.first, rows), start, step,
                           std::span(grid.d).subspan(first, count));
     }
     // Samples near the end of the range may have none between them.
@@ -216,7 +216,7 @@ bool is_plausible_grid(double frames, double rows) {
 
 double typical_step(const TimedSamples& samples) {
     const std::span<const double> time = samples.time_s;
-    return fit_step(time, find_stretches(samples, median_step(time)));
+    return fit_step(time, find_segments(samples, median_step(time)));
 }
 
 void report_gaps(std::span<const TimeGap> gaps, double rate_hz,
@@ -240,8 +240,8 @@ void report_gaps(std::span<const TimeGap> gaps, double rate_hz,
 
 Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::string& where) {
     const std::span<const double> time = samples.time_s;
-    const std::vector<Stretch> stretches = find_stretches(samples, median_step(time));
-    const double step = fit_step(time, stretches);
+    const std::vector<Segment> segments = find_segments(samples, median_step(time));
+    const double step = fit_step(time, segments);
     const double frames = (time.back() - time[0]) / step;
     const auto rows = static_cast<double>(time.size());
     if (!is_plausible_grid(frames, rows) ||
@@ -252,7 +252,7 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
             {"text", words(VYBEG_MESSAGE("Words", "its %1 times reach over %2 sample periods"),
                            {count_arg(std::ssize(time)), number_arg(frames)})}};
     }
-    const std::vector<std::int64_t> numbers = number_rows(time, stretches, step);
+    const std::vector<std::int64_t> numbers = number_rows(time, segments, step);
     const Line line = fit_line(time, numbers);
     const Unevenness uneven = compare(samples, numbers, line);
     std::vector<TimeGap> gaps;
@@ -266,19 +266,19 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
             }
         }
     } else {
-        grid = interpolate(samples, stretches, step);
+        grid = interpolate(samples, segments, step);
         grid.rate_hz = 1 / step;
         grid.diagnostics.push_back(
             {DiagnosticKind::time_uneven,
              {number_arg(uneven.largest_s, 3), number_arg(uneven.largest_s / step, 3)},
              static_cast<std::int64_t>((time[uneven.row] - time[0]) / step),
              1});
-        for (std::size_t s = 1; s < stretches.size(); ++s) {
+        for (std::size_t s = 1; s < segments.size(); ++s) {
             const auto frame_of = [&](std::size_t row) { return (time[row] - time[0]) / step; };
             const TimeGap gap{
                 static_cast<std::int64_t>(
-                    std::floor(frame_of(stretches[s - 1].end - 1) + grid_slack)),
-                static_cast<std::int64_t>(std::ceil(frame_of(stretches[s].first) - grid_slack))};
+                    std::floor(frame_of(segments[s - 1].end - 1) + grid_slack)),
+                static_cast<std::int64_t>(std::ceil(frame_of(segments[s].first) - grid_slack))};
             if (gap.after > gap.before + 1) {
                 gaps.push_back(gap);
             }

@@ -15,9 +15,9 @@ namespace {
 constexpr std::int64_t most_channels = 4096;
 constexpr std::size_t most_names_listed = 20;
 
-class Choosing {
+class VariableChooser {
 public:
-    Choosing(const FileBytes& file, const Catalogue& catalogue, const OpenOptions& options)
+    VariableChooser(const FileBytes& file, const Catalogue& catalogue, const OpenOptions& options)
         : file_(file), catalogue_(catalogue), options_(options) {}
 
     Status choose() {
@@ -273,7 +273,7 @@ private:
 
 Result<VariableChoice> choose_variables(const FileBytes& file, const Catalogue& catalogue,
                                         const OpenOptions& options) {
-    Choosing choosing(file, catalogue, options);
+    VariableChooser choosing(file, catalogue, options);
     if (const Status status = choosing.choose(); !status) {
         return status.error();
     }

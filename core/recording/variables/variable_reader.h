@@ -32,7 +32,7 @@ public:
 };
 
 // The same through vybeg-reader. A helper that died or was given up is replaced at the next read: a
-// damaged stretch does not cost the rest of the recording. Errors: those of ReaderProcess.
+// damaged segment does not cost the rest of the recording. Errors: those of ReaderProcess.
 class LibraryVariables final : public VariableReader {
 public:
     LibraryVariables(std::shared_ptr<const FileBytes> file, LibraryFormat format,

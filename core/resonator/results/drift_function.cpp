@@ -225,6 +225,10 @@ DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit
     if (fit.drift_terms.given && normal.freedom > 0) {
         take_fourth(fit.drift_terms, found);
         add_eighth(normal, found);
+    } else {
+        // Split and axes, by which the quadrature turns the wave, are unknown too: a point would be
+        // off by many of its deviations.
+        found.points.clear();
     }
     return found;
 }

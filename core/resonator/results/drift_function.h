@@ -31,7 +31,7 @@ struct DriftPoint {
 };
 
 struct DriftFunction {
-    std::vector<DriftPoint> points;
+    std::vector<DriftPoint> points;  // none for order 0
     // Highest harmonic determined by the set: 0 (none, unknown curve), 4, 8.
     int order = 0;
     // m, c4, s4, c8, s8 up to `order`, rad/s; empty for order 0.

@@ -11,7 +11,8 @@
 namespace vybeg {
 
 // The derived quantities at the maximum of the posterior with the three parts of each one's
-// variance.
+// variance (posterior.h): from the data, from the known tolerances of the channels, and from priors
+// without information, of parameters that the recordings do not determine.
 struct ReportedVariances {
     Eigen::VectorXd value;
     Eigen::MatrixXd gradient;  // a row for each quantity, columns as posterior.active
@@ -19,8 +20,8 @@ struct ReportedVariances {
     Eigen::VectorXd known;
     Eigen::VectorXd nothing;
 
-    double sd(Eigen::Index quantity) const;  // of data and undetermined parameters
-    double u(Eigen::Index quantity) const;   // with the channels
+    double sd(Eigen::Index quantity) const;  // of `data` and `nothing`
+    double u(Eigen::Index quantity) const;   // of all three
     double total(Eigen::Index quantity) const {
         return data[quantity] + known[quantity] + nothing[quantity];
     }
@@ -29,7 +30,8 @@ struct ReportedVariances {
 // d(s^2)/d(active parameter), s of derived_quantities.h.
 Eigen::VectorXcd square_gradient(const Posterior& posterior);
 
-// By central differences; `beside` widens `nothing` to the values of equally likely parameters.
+// By central differences. `beside`: parameters as likely as the maximum; `nothing` covers the
+// values of the quantities at them.
 ReportedVariances reported_variances(const Posterior& posterior, const QuantityContext& context,
                                      const std::vector<ProfilePoint>& beside);
 

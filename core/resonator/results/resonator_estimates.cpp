@@ -55,7 +55,8 @@ private:
         return at_.nothing[quantity] > share * at_.total(quantity);
     }
 
-    // Whether a rotation is many times larger than an anisotropy within passivity could imitate.
+    // Whether the value exceeds its uncertainty many times: no anisotropy that keeps the resonator
+    // passive imitates such a rotation.
     bool known_against_itself(Index quantity) const {
         return std::abs(at_.value[quantity]) > clear_value * at_.u(quantity);
     }

@@ -6,7 +6,7 @@
 #include "core/resonator/fit/refit_in_phase.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/results/describe_fit.h"
-#include "core/resonator/results/structured_test.h"
+#include "core/resonator/results/structured_verdict.h"
 #include "core/resonator/runs/merge_windows.h"
 #include "core/resonator/runs/needed_windows.h"
 

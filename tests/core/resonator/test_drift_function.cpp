@@ -174,7 +174,9 @@ private slots:
         const DriftFunction found = drift_of(set_of(gyro(), {starts.begin(), starts.end()}, 5));
         QCOMPARE(found.order, 0);
         QCOMPARE(found.coefficients.size(), Eigen::Index{0});
-        QCOMPARE(found.points.size(), static_cast<std::size_t>(starts.size()));
+        // The turn by the quadrature, which no single recording tells from the drift, would stand
+        // in a point with the deviation of the noise.
+        QVERIFY(found.points.empty());
     }
 
     void one_angle_four_times_shows_no_more_than_it_can() {

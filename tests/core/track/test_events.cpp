@@ -34,7 +34,7 @@ class TestEvents : public QObject {
 private slots:
     void everyAxisIsCrossedOnceInEitherDirection();
     void aWaveThatRestsOnAnAxisCrossesNothing();
-    void stretchesOfFlagsAreGathered();
+    void segmentsOfFlagsAreGathered();
     void wavesThatMoveCrossNothing();
 };
 
@@ -55,7 +55,7 @@ void TestEvents::everyAxisIsCrossedOnceInEitherDirection() {
                     const double expected =
                         (event.multiple_of_half_pi * half_pi - from) / (to - from);
                     // A line through m rows of noise sd at slope s knows its zero to sd/(s sqrt m);
-                    // the stretch of twelve sd holds m = 12 sd/s/dt rows.
+                    // the segment of twelve sd holds m = 12 sd/s/dt rows.
                     const double slope = std::abs(to - from);
                     const double rows = std::max(12 * sd / slope * 20000, 2.0);
                     VYBEG_CLOSE(event.time_s, expected, 5 * sd / slope / std::sqrt(rows) + 1e-6);
@@ -71,7 +71,7 @@ void TestEvents::aWaveThatRestsOnAnAxisCrossesNothing() {
     }
 }
 
-void TestEvents::stretchesOfFlagsAreGathered() {
+void TestEvents::segmentsOfFlagsAreGathered() {
     Track track = turning(101, 0.2, 0.4, 0, 1);
     for (const std::size_t k : {0UL, 1UL, 2UL, 50UL, 99UL, 100UL}) {
         set(track.flags()[k], k == 50 ? Flag::not_converged : Flag::gap);

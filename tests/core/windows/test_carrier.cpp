@@ -1,4 +1,4 @@
-#include "core/windows/carrier.h"
+#include "core/windows/carrier_search.h"
 #include "core/windows/carrier_zoom.h"
 #include "tests/closeness.h"
 
@@ -43,7 +43,7 @@ private slots:
     void noiseAloneHasNone();
     void fewSamplesAreEnough();
     void impossibleBandsAreNamed();
-    void aLongStretchIsSearchedCoarseToFine();
+    void aLongSegmentIsSearchedCoarseToFine();
     void whereTheZoomIsNotCertainItSaysNothing();
 };
 
@@ -128,7 +128,7 @@ void TestCarrier::impossibleBandsAreNamed() {
 
 // Half a minute: the zoom alone answers, whatever the offset, with samples missing, drifting, and
 // beside weaker lines far and near.
-void TestCarrier::aLongStretchIsSearchedCoarseToFine() {
+void TestCarrier::aLongSegmentIsSearchedCoarseToFine() {
     constexpr double rate = 33333;
     for (const std::size_t count : {200000UL, 933324UL}) {
         const double bin = rate / static_cast<double>(count);
@@ -161,7 +161,7 @@ void TestCarrier::whereTheZoomIsNotCertainItSaysNothing() {
     QVERIFY(!zoomed(tones(count, 5300, rate, 0, 0, 1)));
     QVERIFY(!zoomed({std::vector<double>(count, 0.25), std::vector<double>(count, 0)}));
     QVERIFY(!zoomed(tones(count, 20, rate, 1, 1, 0.01)));
-    // A line that is there between the short stretches of the coarse look alone, and longer than
+    // A line that is there between the short segments of the coarse look alone, and longer than
     // they are: the carrier that they see is not the largest peak.
     Pair pair = tones(count, 5300, rate, 0.1, 0.1, 0.001);
     const Pair burst = tones(count, 9000, rate, 3, 3, 0);

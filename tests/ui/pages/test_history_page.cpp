@@ -209,7 +209,7 @@ private slots:
         QTest::mouseDClick(&values, Qt::LeftButton, {}, values.positionOf(0, 5).toPoint());
         QTRY_COMPARE(document().sets().all().size(), std::size_t(1));
         QTRY_COMPARE(document().recordings().size(), std::size_t(1));
-        const RunSet& set = *document().sets().current();
+        const RecordingSet& set = *document().sets().current();
         QCOMPARE(set.name, QString("set 5"));
         QCOMPARE(set.model, FitOptions::Model::structured);
         QCOMPARE(document().sets().measured(set).settings.signal.from_s, std::optional(0.25));

@@ -64,7 +64,7 @@ private slots:
         QCOMPARE(sets().all().size(), std::size_t(2));
         // The same file under other options is another recording; here the options are the same.
         waitUntilOpen(2);
-        const RunSet& whole = sets().all()[0];
+        const RecordingSet& whole = sets().all()[0];
         QCOMPARE(whole.name, QString("whole"));
         QCOMPARE(whole.recordings.size(), std::size_t(2));
         QCOMPARE(whole.model, FitOptions::Model::structured);
@@ -76,7 +76,7 @@ private slots:
             QVERIFY2(tip.contains(told), qPrintable(tip));
         }
         QVERIFY(!sets().measured(whole).settings.signal.from_s);
-        const RunSet& late = sets().all()[1];
+        const RecordingSet& late = sets().all()[1];
         QCOMPARE(sets().measured(late).settings.signal.from_s, std::optional(1.0));
         // The panel's settings are none of theirs.
         Settings settings = document().settings();

@@ -69,7 +69,7 @@ class TestResonatorTab : public QObject {
     }
 
     std::shared_ptr<const ResonatorOutcome> outcome() {
-        const RunSet* set = setStore().current();
+        const RecordingSet* set = setStore().current();
         return set ? setStore().outcome(*set) : nullptr;
     }
 

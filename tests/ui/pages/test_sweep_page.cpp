@@ -92,7 +92,7 @@ private slots:
 
     // Open, go to the page by its key, run, look at the points, use the window, take it back.
     void a_journey_to_the_window_that_the_recording_deserves() {
-        QVERIFY(!window_->action(Command::page_sweep)->isEnabled());
+        QVERIFY(!window_->action(Command::page_windows)->isEnabled());
         open(home_.recording("demo.wav"));
         goToSweep();
         QCOMPARE(the<QTabBar>("pages").tabText(4), QString("Windows"));

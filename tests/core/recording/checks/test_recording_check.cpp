@@ -1,8 +1,8 @@
 // What the recording check says of samples whose faults are known, and that it says nothing of
 // those without.
 #include "core/recording/checks/recording_check.h"
+#include "core/recording/conditioning/checked_source.h"
 #include "core/recording/conditioning/gapped_source.h"
-#include "core/recording/conditioning/watched_source.h"
 #include "core/recording/samples/memory_source.h"
 #include "tests/closeness.h"
 
@@ -271,7 +271,7 @@ private slots:
             signal.c[frame] = std::nan("");
         }
         const auto check = std::make_shared<FaultCheck>(5300, rate);
-        const WatchedSource source(std::make_shared<MemorySource>(signal.c, signal.d), check);
+        const CheckedSource source(std::make_shared<MemorySource>(signal.c, signal.d), check);
         std::vector<double> c(40000);
         std::vector<double> d(40000);
         // Overlapping portions: each frame counts once.

@@ -1,5 +1,5 @@
 #include "core/recording/checks/clipping_check.h"
-#include "core/recording/checks/phase_step_check.h"
+#include "core/recording/checks/lost_samples_check.h"
 
 #include <QtTest>
 
@@ -59,7 +59,7 @@ class TestSampleFaults : public QObject {
 private slots:
     void twentyLostSamplesAreFoundInTheirPlaces();
     void aHundredCleanRecordingsHaveNone();
-    void missingStretchesAreNoSteps();
+    void missingSegmentsAreNoSteps();
     void clippedSamplesAreCounted_data();
     void clippedSamplesAreCounted();
     void unclippedSignalsHaveNoRail();
@@ -120,7 +120,7 @@ void TestSampleFaults::aHundredCleanRecordingsHaveNone() {
     }
 }
 
-void TestSampleFaults::missingStretchesAreNoSteps() {
+void TestSampleFaults::missingSegmentsAreNoSteps() {
     Signal signal = decay(3, 5300, 5);
     for (std::size_t j = 50000; j < 50007; ++j) {
         signal.c[j] = std::nan("");
@@ -196,7 +196,7 @@ void TestSampleFaults::unclippedSignalsHaveNoRail() {
 }
 
 void TestSampleFaults::placesStayFewHoweverMuchIsClipped() {
-    // A rail every 7 frames, with a clean stretch in the middle that is far longer than what is
+    // A rail every 7 frames, with a clean segment in the middle that is far longer than what is
     // drawn together.
     ClippingCheck check;
     std::vector<double> part(70000);

@@ -59,9 +59,9 @@ std::shared_ptr<const Envelope> envelope_of(const Samples& samples) {
 }
 
 // Remembers where it was read.
-class WatchedSource final : public SampleSource {
+class CheckedSource final : public SampleSource {
 public:
-    explicit WatchedSource(std::int64_t frames) : frames_(frames) {}
+    explicit CheckedSource(std::int64_t frames) : frames_(frames) {}
     std::int64_t frames() const override { return frames_; }
     Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
         in_order = in_order && first == next;
@@ -175,7 +175,7 @@ private slots:
     }
 
     void the_source_is_read_once_front_to_back_in_pieces() {
-        const WatchedSource source(1'000'003);
+        const CheckedSource source(1'000'003);
         QVERIFY(bool(build_envelope(source, JobControl())));
         QVERIFY(source.in_order);
         QCOMPARE(source.next, source.frames());
@@ -185,7 +185,7 @@ private slots:
     void progress_rises_to_one() {
         std::vector<double> reported;
         const JobControl job({}, [&](double fraction) { reported.push_back(fraction); });
-        QVERIFY(bool(build_envelope(WatchedSource(1'000'003), job)));
+        QVERIFY(bool(build_envelope(CheckedSource(1'000'003), job)));
         QVERIFY(reported.size() > 5);
         QVERIFY(std::ranges::is_sorted(reported));
         QVERIFY(reported.front() > 0);
@@ -199,7 +199,7 @@ private slots:
                 stop.request_stop();
             }
         });
-        const WatchedSource source(1'000'003);
+        const CheckedSource source(1'000'003);
         const auto result = build_envelope(source, job);
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::interrupted);
@@ -269,7 +269,7 @@ private slots:
     }
 
     void a_source_that_cannot_seek_is_not_looked_at_in_advance() {
-        WatchedSource source(10'000'000);
+        CheckedSource source(10'000'000);
         source.seeking = false;
         Pictures pictures(0.02);
         QVERIFY(bool(build_envelope(source, pictures.job, pictures.sink)));

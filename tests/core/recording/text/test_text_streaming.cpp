@@ -1,6 +1,6 @@
 // Text files of many blocks: read piece by piece they are what they are as a whole.
 #include "core/base/number_text.h"
-#include "core/recording/times/time_line.h"
+#include "core/recording/times/uniform_times.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 
@@ -70,12 +70,12 @@ TimedSamples timed(const std::vector<double>& times) {
     return {times, times, times, {}};
 }
 
-// The judgement of a TimeLine that was put together from pieces of random length.
+// The judgement of a UniformTimeDetector that was put together from pieces of random length.
 std::optional<EvenTimes> judged(const std::vector<double>& times, std::mt19937_64& random) {
     const double step = typical_step(timed(times));
-    TimeLine whole(step);
+    UniformTimeDetector whole(step);
     for (std::size_t i = 0; i < times.size();) {
-        TimeLine piece(step);
+        UniformTimeDetector piece(step);
         for (std::size_t left = 1 + random() % 500; left > 0 && i < times.size(); --left) {
             piece.add(times[i++]);
         }
@@ -225,9 +225,9 @@ private slots:
             }
             VYBEG_CLOSE_RATIO(found->rate_hz, grid->rate_hz, 1e-12);
             QCOMPARE(found->frames(), static_cast<std::int64_t>(grid->c.size()));
-            for (const RowStretch& stretch : found->stretches) {
-                const auto row = static_cast<std::size_t>(stretch.first_row);
-                const auto frame_of_row = static_cast<std::size_t>(stretch.first_frame);
+            for (const RowSegment& segment : found->segments) {
+                const auto row = static_cast<std::size_t>(segment.first_row);
+                const auto frame_of_row = static_cast<std::size_t>(segment.first_frame);
                 QCOMPARE(grid->c[frame_of_row], times[row]);
                 QVERIFY(frame_of_row == 0 || std::isnan(grid->c[frame_of_row - 1]));
             }

@@ -1,0 +1,74 @@
+#include "core/analysis/idle_options.h"
+
+#include "core/recording/open/file_kind.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+namespace {
+
+// Only some files hold variables with names.
+bool has_variables(const Recording& recording) {
+    if (!recording.file) {
+        return true;
+    }
+    const auto head = file_head(*recording.file);
+    if (!head) {
+        return true;
+    }
+    const FileKind kind = file_kind(*head, *recording.file);
+    return kind == FileKind::npz || kind == FileKind::mat_or_hdf5;
+}
+
+class Findings {
+public:
+    void add(bool idle, const char* option, const char* why) {
+        if (idle) {
+            found_.push_back({DiagnosticKind::option_without_effect, {option, why}});
+        }
+    }
+    void add_idle_search(const SignalSettings& settings) {
+        add(settings.band && settings.f0_hz, "--band", "--f0 skips the search for the carrier");
+    }
+    std::vector<Diagnostic> take() { return std::move(found_); }
+
+private:
+    std::vector<Diagnostic> found_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> without_effect(const Settings& settings) {
+    constexpr const char* only_descent = "only conjugate-gradient has start values";
+    const bool descent = settings.algorithm == Algorithm::conjugate_gradient;
+    Findings found;
+    found.add(settings.initial && !descent, "--initial", only_descent);
+    found.add(settings.start != StartRule::first && !descent, "--start", only_descent);
+    found.add_idle_search(settings);
+    return found.take();
+}
+
+std::vector<Diagnostic> without_effect(const IdentifySettings& settings) {
+    Findings found;
+    const std::vector<SignalSettings>& each = settings.of_recordings;
+    const auto idle = std::ranges::find_if(each, [](const auto& s) { return s.band && s.f0_hz; });
+    found.add_idle_search(idle == each.end() ? settings.signal : *idle);
+    return found.take();
+}
+
+std::vector<Diagnostic> without_effect(const OpenOptions& options, const Recording& recording) {
+    Findings found;
+    found.add(options.rate_hz && recording.rate_from != RateOrigin::option, "--rate",
+              "the file has its own sample rate");
+    found.add(
+        options.text && options.text->time_unit_s && recording.rate_from != RateOrigin::time_column,
+        "--time-unit", "there is no time column");
+    found.add(
+        !options.variables.empty() && (options.raw || options.text || !has_variables(recording)),
+        "--variables", "the file has none by name");
+    return found.take();
+}
+
+}  // namespace vybeg

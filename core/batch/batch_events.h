@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/analysis/measurement_list.h"
+#include "core/base/diagnostic.h"
+#include "core/base/error.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vybeg {
+
+// Warnings and the file that they concern; empty: none alone.
+using NamedWarnings = std::pair<std::string, std::vector<Diagnostic>>;
+
+// A row that is safe on the disk.
+struct FinishedRow {
+    std::size_t set = 0;  // its place in the list
+    std::string text;     // as batch_csv.h writes it
+    bool kept = false;    // of an earlier run
+    // Of a row of this run.
+    std::vector<NamedWarnings> warnings;
+    std::optional<Error> error;  // why the set has no result
+};
+
+// What a batch tells while it works: in its threads, never two at once. An empty function is left
+// out.
+struct BatchEvents {
+    std::function<void(const std::vector<Diagnostic>&)> warned;  // about the list
+    // Everything has been checked; the rows come next, those of an earlier run first.
+    std::function<void(const MeasurementList&)> begun;
+    std::function<void(const FinishedRow&)> finished;
+};
+
+}  // namespace vybeg

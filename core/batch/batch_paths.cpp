@@ -1,0 +1,132 @@
+#include "core/batch/batch_paths.h"
+
+#include "core/base/system_reason.h"
+#include "core/batch/list_sets.h"
+#include "core/output/output_paths.h"
+#include "core/output/same_file.h"
+
+#include <climits>
+#include <filesystem>
+#include <set>
+#include <sys/stat.h>
+#include <system_error>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The journal of SQLite beside a database.
+std::string rollback_of(const std::string& database) {
+    return database + "-journal";
+}
+
+Error refused_path(const char* option, const std::string& path, const MessageArg& reason) {
+    return {ErrorCode::setting_invalid, "", {option, path, reason}};
+}
+
+}  // namespace
+
+bool is_folder(const std::string& path) {
+    std::error_code unknown;
+    return fs::is_directory(path, unknown);
+}
+
+std::string journal_of(const std::string& output) {
+    return output + ".unfinished";
+}
+
+Result<MeasurementList> wanted_list(const BatchRequest& request) {
+    const ListDefaults defaults{request.open, request.settings};
+    if (!is_folder(request.list)) {
+        return read_measurement_list(request.list, defaults);
+    }
+    return list_of_folder(request.list, defaults, [&request](const fs::path& path) {
+        return same_file(path, request.output) || same_file(path, journal_of(request.output)) ||
+               (!request.database.empty() && (same_file(path, request.database) ||
+                                              same_file(path, rollback_of(request.database))));
+    });
+}
+
+Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const MeasurementList& list) {
+    std::vector<SetTask> tasks;
+    for (const MeasurementSet& set : list.sets) {
+        SetTask task{&set, passport_in(request.passports, set), "", ""};
+        if (!request.json.empty()) {
+            const fs::path file = json_in(request.json, set.name);
+            if (file.filename().string().size() > NAME_MAX) {
+                return refused_path(
+                    "--json", set.name,
+                    words(VYBEG_MESSAGE("Words", "this name is too long for a file")));
+            }
+            task.json = file.string();
+        }
+        tasks.push_back(std::move(task));
+    }
+    return tasks;
+}
+
+Status check_paths(const BatchRequest& request, const std::vector<SetTask>& tasks) {
+    std::vector<InputPath> inputs{
+        {request.list, words(VYBEG_MESSAGE("Words", "it is the list of the recordings"))}};
+    for (const SetTask& task : tasks) {
+        inputs.push_back(
+            {task.passport, words(VYBEG_MESSAGE("Words", "it is one of the passports"))});
+        for (const ListedRecording& recording : task.set->recordings) {
+            inputs.push_back({recording.path.string(),
+                              words(VYBEG_MESSAGE("Words", "it is one of the recordings"))});
+        }
+    }
+    if (request.database == "-") {
+        return refused_path("--database", request.database,
+                            words(VYBEG_MESSAGE("Words", "it must be a file")));
+    }
+    const MessageArg by_table = words(VYBEG_MESSAGE("Words", "the table goes there already"));
+    if (Status possible = check_outputs(
+            {{"-o", request.output, by_table}, {"--database", request.database, ""}}, inputs);
+        !possible) {
+        return possible;
+    }
+    if (!request.database.empty()) {
+        if (same_file(request.database, journal_of(request.output)) ||
+            same_file(rollback_of(request.database), request.output)) {
+            return refused_path("--database", request.database, by_table);
+        }
+        inputs.push_back({request.database, ""});
+    }
+    // Many results and many inputs: by device and inode instead of pair by pair.
+    std::set<std::pair<dev_t, ino_t>> taken;
+    inputs.push_back({request.output, ""});
+    for (const InputPath& input : inputs) {
+        struct stat status {};
+        if (stat(input.path.c_str(), &status) == 0) {
+            taken.emplace(status.st_dev, status.st_ino);
+        }
+    }
+    for (const SetTask& task : tasks) {
+        struct stat status {};
+        const bool is_taken = !task.json.empty() && stat(task.json.c_str(), &status) == 0 &&
+                              taken.contains({status.st_dev, status.st_ino});
+        // The table and the folder of the results may both be still to come.
+        const bool is_output =
+            !task.json.empty() &&
+            (same_file(task.json, request.output) ||
+             (!request.database.empty() && same_file(task.json, request.database)));
+        if (is_taken || is_output) {
+            return refused_path(
+                "--json", task.json,
+                words(VYBEG_MESSAGE("Words", "it is an input, the table or the database")));
+        }
+    }
+    return {};
+}
+
+Status make_folder(const std::string& path) {
+    std::error_code failed;
+    fs::create_directories(path, failed);
+    return failed ? Status(Error{ErrorCode::output_failed, path, {system_reason(failed.value())}})
+                  : Status();
+}
+
+}  // namespace vybeg

@@ -1,0 +1,107 @@
+#include "core/batch/list_sets.h"
+
+#include "core/analysis/setting_table.h"
+#include "core/base/read_value.h"
+#include "core/output/batch_csv.h"
+#include "core/recording/bytes/sha256.h"
+
+#include <algorithm>
+#include <sys/stat.h>
+#include <system_error>
+
+namespace vybeg {
+namespace {
+
+constexpr std::size_t most_names = 8;  // in a message
+
+// Size and time of the last change of a file; "-": there is none.
+std::string stamp(const std::filesystem::path& path) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) != 0) {
+        return "-";
+    }
+    return integer_text(status.st_size) + "," + integer_text(status.st_mtim.tv_sec) + "," +
+           integer_text(status.st_mtim.tv_nsec);
+}
+
+}  // namespace
+
+Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
+                                 const std::string& name) {
+    const auto found = std::ranges::find(list.sets, name, &MeasurementSet::name);
+    if (found != list.sets.end()) {
+        return *found;
+    }
+    std::string names;
+    for (std::size_t k = 0; k < std::min(list.sets.size(), most_names); ++k) {
+        names += (k == 0 ? "" : ", ") + list.sets[k].name;
+    }
+    names += list.sets.size() > most_names ? ", ..." : "";
+    return name.empty() ? Error{ErrorCode::set_not_chosen, "", {option, names}}
+                        : refused_value(option, name, "the sets of the list are " + names);
+}
+
+std::filesystem::path json_in(const std::filesystem::path& folder, const std::string& name) {
+    std::string file;
+    for (const char character : name) {
+        const auto byte = static_cast<unsigned char>(character);
+        const bool hides = character == '.' && file.empty();
+        if (hides || character == '/' || character == '%' || byte < ' ' || byte == 0x7F) {
+            file += '%';
+            file += "0123456789ABCDEF"[byte >> 4];
+            file += "0123456789ABCDEF"[byte & 15];
+        } else {
+            file += character;
+        }
+    }
+    return folder / (file + ".json");
+}
+
+std::string passport_in(const std::string& folder, const MeasurementSet& set) {
+    if (folder.empty()) {
+        return {};
+    }
+    const std::string gyro = gyro_of(set);
+    const std::filesystem::path path = json_in(folder, gyro.empty() ? set.name : gyro);
+    std::error_code unknown;
+    return std::filesystem::exists(path, unknown) ? path.string() : "";
+}
+
+Result<std::string> row_key(const std::string& program, const MeasurementSet& set,
+                            const std::string& passport, const std::vector<std::string>& beside,
+                            double f_limit_ppm) {
+    std::string text;
+    // The length before each part: no two lists of parts give the same text.
+    const auto add = [&text](const std::string& part) {
+        text += std::to_string(part.size()) + ":" + part;
+    };
+    for (const std::string& part :
+         {program, set.name, passport, stamp(passport), round_trip_text(f_limit_ppm)}) {
+        add(part);
+    }
+    for (const std::string& part : beside) {
+        add(part);
+    }
+    for (const auto& [name, value] : settings_list(set.settings)) {
+        add(name);
+        add(value);
+    }
+    for (const ListedRecording& recording : set.recordings) {
+        const Conditions& told = recording.conditions;
+        const OpenOptions& open = recording.open;
+        for (const std::string& part :
+             {recording.file, recording.path.string(), stamp(recording.path), told.gyro, told.date,
+              told.bias_v ? round_trip_text(*told.bias_v) : std::string(),
+              std::string(told.exchanged ? "yes" : "no"), options_text(open),
+              open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
+              integer_text(open.channel_c), integer_text(open.channel_d)}) {
+            add(part);
+        }
+        for (const std::string& other : recording.others) {
+            add(other);
+        }
+    }
+    return text_sha256(text);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/analysis/measurement_list.h"
+#include "core/base/result.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// Sets of a measurement list, and the files that belong to them.
+
+// The set that an option names. Errors, with the names that there are: setting_invalid;
+// set_not_chosen without a name.
+Result<MeasurementSet> set_named(const MeasurementList& list, const std::string& option,
+                                 const std::string& name);
+
+// FOLDER/NAME.json. Characters of the name that cannot be in a file name are shown as %2F.
+std::filesystem::path json_in(const std::filesystem::path& folder, const std::string& name);
+
+// The passport of the set's gyro in a folder, or of the set where it names no gyro; empty: there is
+// none.
+std::string passport_in(const std::string& folder, const MeasurementSet& set);
+
+// All that the row of a set depends on, as a hash: program, set, settings, the files by size and
+// time of change, and `beside`, what else its result went into. Errors: file_read_failed.
+Result<std::string> row_key(const std::string& program, const MeasurementSet& set,
+                            const std::string& passport, const std::vector<std::string>& beside,
+                            double f_limit_ppm);
+
+}  // namespace vybeg

@@ -1,0 +1,159 @@
+#include "core/batch/set_work.h"
+
+#include "core/base/caught_error.h"
+#include "core/output/batch_csv.h"
+#include "core/output/output_file.h"
+#include "core/recording/bytes/sha256.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Faults that are no property of a set: they end the batch, and the set is computed again later.
+bool ends_batch(ErrorCode code) {
+    const int status = exit_status(code);
+    return code == ErrorCode::out_of_memory || code == ErrorCode::out_of_threads ||
+           status == exit_status(ErrorCode::output_failed) ||
+           status == exit_status(ErrorCode::interrupted);
+}
+
+}  // namespace
+
+SetWork::SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_token stop)
+    : batch_(batch),
+      events_(events),
+      interrupted_(std::move(stop), [this] { halt_.request_stop(); }) {
+    for (const SetTask& task : batch_.tasks) {
+        if (!batch_.journal.has(task.key)) {
+            todo_.push_back(&task);
+        }
+    }
+    done_ = batch_.tasks.size() - todo_.size();
+    prepare_sha256();
+}
+
+Status SetWork::run() {
+    const std::size_t jobs = std::min(static_cast<std::size_t>(batch_.request.jobs), todo_.size());
+    {
+        std::vector<std::jthread> workers;
+        try {
+            while (workers.size() + 1 < jobs) {
+                workers.emplace_back([this] { work(); });
+            }
+        } catch (const std::system_error&) {
+            give_up({ErrorCode::out_of_threads, {}, {}});
+        }
+        work();
+    }
+    return fault_ ? Status(*fault_) : Status();
+}
+
+void SetWork::work() {
+    try {
+        for (std::size_t k = next_++; k < todo_.size(); k = next_++) {
+            if (halt_.stop_requested()) {
+                give_up({ErrorCode::interrupted, {}, {}});
+                return;
+            }
+            finish(*todo_[k]);
+        }
+    } catch (...) {
+        give_up(error_of(std::current_exception()));
+    }
+}
+
+void SetWork::finish(const SetTask& task) {
+    const MeasurementSet set = with_threads(*task.set);
+    const JobControl job = JobControl(halt_.get_token());
+    Result<OpenSet> open = open_set(set, task.passport, halt_.get_token());
+    if (!open) {
+        add_failure(task, open.error(), {});
+        return;
+    }
+    const Result<IdentifiedSet> result = identify_set(*open, set, batch_.request.compare, job);
+    if (!result) {
+        add_failure(task, result.error(), warnings_of(*open));
+        return;
+    }
+    const PassportComparison* const compared = open->comparison ? &*open->comparison : nullptr;
+    // Before the row: a row in the journal means that its file and its result in the database are
+    // there.
+    if (!task.json.empty() || batch_.database != nullptr) {
+        const std::string json =
+            identify_json(batch_.request.program, open->told, result->found, compared);
+        Status written = task.json.empty() ? Status() : write_file(task.json, json, job);
+        written = written ? store(task, *open, result->found, json) : written;
+        if (!written) {
+            give_up(written.error());
+            return;
+        }
+    }
+    add_row(task, batch_row(set, result->found, compared), result->warnings, {});
+}
+
+Status SetWork::store(const SetTask& task, const OpenSet& open, const Identification& found,
+                      const std::string& json) {
+    if (batch_.database == nullptr) {
+        return {};
+    }
+    const Result<StoredResult> stored = stored_result(batch_.request.program, *task.set,
+                                                      batch_.other_columns, open.told, found, json);
+    if (!stored) {
+        return stored.error();
+    }
+    const std::lock_guard lock(database_mutex_);
+    const Result<std::int64_t> added = batch_.database->add(*stored);
+    return added ? Status() : added.error();
+}
+
+void SetWork::add_failure(const SetTask& task, const Error& error,
+                          const std::vector<NamedWarnings>& warnings) {
+    if (ends_batch(error.code)) {
+        give_up(error);
+    } else {
+        add_row(task, batch_row(*task.set, error), warnings, error);
+    }
+}
+
+void SetWork::add_row(const SetTask& task, const std::string& row,
+                      const std::vector<NamedWarnings>& warnings,
+                      const std::optional<Error>& error) {
+    const std::unique_lock lock(mutex_);
+    const Status kept = batch_.journal.append(task.key, row);
+    if (!kept) {
+        fault_ = fault_ ? fault_ : kept.error();
+        halt_.request_stop();
+        return;
+    }
+    ++done_;
+    if (events_.finished) {
+        const auto place = static_cast<std::size_t>(&task - batch_.tasks.data());
+        events_.finished({place, row, false, warnings, error});
+    }
+}
+
+// The first fault counts: the others follow from its stop.
+void SetWork::give_up(const Error& error) {
+    {
+        const std::lock_guard lock(mutex_);
+        fault_ = fault_ ? fault_ : error;
+    }
+    halt_.request_stop();
+}
+
+// The threads of the machine are shared by the sets that are computed at once.
+MeasurementSet SetWork::with_threads(const MeasurementSet& set) const {
+    MeasurementSet own = set;
+    if (batch_.request.jobs > 1 && own.settings.threads == 0) {
+        own.settings.threads = std::max(1, threads_of(0) / batch_.request.jobs);
+    }
+    return own;
+}
+
+}  // namespace vybeg

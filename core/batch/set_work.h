@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/batch/batch_events.h"
+#include "core/batch/batch_request.h"
+#include "core/batch/set_identification.h"
+#include "core/batch/set_task.h"
+#include "core/database/results_database.h"
+#include "core/output/row_journal.h"
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace vybeg {
+
+// What the rows of a batch are made of, and where they go. All must outlive the work.
+struct BatchWork {
+    const BatchRequest& request;
+    const std::vector<SetTask>& tasks;
+    const std::vector<std::string>& other_columns;  // of the list
+    RowJournal& journal;
+    ResultsDatabase* database = nullptr;  // null: there is none
+};
+
+// Computes the rows that a journal lacks, several sets at once. A set without a result has a row,
+// too; a fault of the machine (memory, threads, disk) or an interruption ends the work.
+class SetWork {
+public:
+    // `events` must outlive the work, too.
+    SetWork(const BatchWork& batch, const BatchEvents& events, std::stop_token stop);
+
+    // Errors: out_of_memory, out_of_threads, interrupted, those of writing a file.
+    Status run();
+
+    // Rows in the journal.
+    std::size_t done() const { return done_; }
+
+private:
+    void work();
+    void finish(const SetTask& task);
+    Status store(const SetTask& task, const OpenSet& open, const Identification& found,
+                 const std::string& json);
+    void add_failure(const SetTask& task, const Error& error,
+                     const std::vector<NamedWarnings>& warnings);
+    void add_row(const SetTask& task, const std::string& row,
+                 const std::vector<NamedWarnings>& warnings, const std::optional<Error>& error);
+    void give_up(const Error& error);
+    MeasurementSet with_threads(const MeasurementSet& set) const;
+
+    const BatchWork batch_;
+    const BatchEvents& events_;
+    std::vector<const SetTask*> todo_;
+    std::mutex database_mutex_;  // a wait for other writers holds up no rows
+    std::stop_source halt_;
+    std::stop_callback<std::function<void()>> interrupted_;
+    std::atomic<std::size_t> next_{0};
+    std::mutex mutex_;  // of all below, the journal and the events
+    std::optional<Error> fault_;
+    std::size_t done_ = 0;
+};
+
+}  // namespace vybeg

@@ -1,0 +1,284 @@
+#include "core/recording/checks/lost_samples_check.h"
+
+#include "core/numerics/phase.h"
+#include "core/recording/checks/sample_prediction.h"
+#include "core/recording/checks/step_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Least number of blocks between two suspicions that are judged separately.
+constexpr std::size_t least_between = 4;
+// Half a second at 33333 Hz, and at most eight megabytes of a slow carrier.
+constexpr std::size_t most_segment_blocks = 512;
+constexpr std::size_t most_segment_frames = std::size_t{1} << 19;
+// Threshold of the mean prediction error of a block, relative to the median.
+constexpr double unforeseen = 5;
+// Largest number of judged suspicions of a segment, in the order of size; with more, the phase
+// cannot be followed.
+constexpr std::size_t most_judged = 16;
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// Smallest phase step of one to three lost samples.
+double smallest_step(double w) {
+    return std::min({std::abs(wrap(w)), std::abs(wrap(2 * w)), std::abs(wrap(3 * w))});
+}
+
+// Two periods at least. Of lengths up to half as long again, the one nearest to whole half-periods:
+// there the image at -w, which hides small steps, affects the sum of a block least.
+std::size_t block_of(double w) {
+    const double two_periods = 4 * std::numbers::pi / w;
+    const auto least = static_cast<std::size_t>(std::clamp(std::ceil(two_periods), 32.0, 4096.0));
+    std::size_t best = least;
+    for (std::size_t length = least; length <= least + least / 2; ++length) {
+        const auto image = [w](std::size_t n) {
+            return std::abs(std::sin(w * static_cast<double>(n)));
+        };
+        if (image(length) < image(best)) {
+            best = length;
+        }
+    }
+    return best;
+}
+
+// Twelve periods resolve neighbouring modes; eight blocks leave room for a step.
+std::size_t reach_of(double w, std::size_t block) {
+    const double frames = std::clamp(24 * std::numbers::pi / w, 512.0, 16384.0);
+    return std::max<std::size_t>(8, (static_cast<std::size_t>(frames) + block - 1) / block);
+}
+
+}  // namespace
+
+PhaseStepCheck::PhaseStepCheck(double f0_hz, double rate_hz)
+    : w_(2 * std::numbers::pi * f0_hz / rate_hz),
+      block_frames_(block_of(w_)),
+      reach_blocks_(reach_of(w_, block_frames_)) {
+    const std::size_t blocks = std::clamp<std::size_t>(most_segment_frames / block_frames_,
+                                                       4 * reach_blocks_, most_segment_blocks);
+    segment_frames_ = (blocks + 2 * reach_blocks_ + 6) * block_frames_;
+    for (std::size_t j = 0; j < block_frames_; ++j) {
+        basis_.push_back(std::polar(1.0, -w_ * static_cast<double>(j)));
+    }
+}
+
+void PhaseStepCheck::add(std::int64_t first_frame, std::span<const double> c,
+                         std::span<const double> d) {
+    if (first_frame != first_frame_ + static_cast<std::int64_t>(c_.size())) {
+        evaluate(true);
+        forget_all();
+        first_frame_ = first_frame;
+    }
+    for (std::size_t at = 0; at < c.size();) {
+        const std::size_t count = std::min(segment_frames_ - c_.size(), c.size() - at);
+        const auto copy = [at, count](std::span<const double> from, std::vector<double>& to) {
+            const auto begin = from.begin() + static_cast<std::ptrdiff_t>(at);
+            to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
+        };
+        copy(c, c_);
+        copy(d, d_);
+        at += count;
+        while ((blocks_.size() + 1) * block_frames_ <= c_.size()) {
+            close_block();
+        }
+        if (c_.size() == segment_frames_) {
+            evaluate(false);
+            const auto keep = [](auto& values, std::size_t last) {
+                values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(last));
+            };
+            const std::size_t kept = 2 * reach_blocks_ + 6;
+            const std::size_t gone = blocks_.size() - kept;
+            first_frame_ += static_cast<std::int64_t>(gone * block_frames_);
+            first_block_ -= gone;
+            keep(c_, kept * block_frames_);
+            keep(d_, kept * block_frames_);
+            keep(blocks_, kept);
+        }
+    }
+}
+
+void PhaseStepCheck::close_block() {
+    Block block;
+    const std::size_t begin = blocks_.size() * block_frames_;
+    double c_cos = 0;
+    double c_sin = 0;
+    double d_cos = 0;
+    double d_sin = 0;
+    for (std::size_t j = 0; j < block_frames_; ++j) {
+        c_cos += c_[begin + j] * basis_[j].real();
+        c_sin += c_[begin + j] * basis_[j].imag();
+        d_cos += d_[begin + j] * basis_[j].real();
+        d_sin += d_[begin + j] * basis_[j].imag();
+    }
+    // Whole turns are subtracted first, so that the phase keeps its digits over hours.
+    const double turns = w_ / (2 * std::numbers::pi) *
+                         static_cast<double>(first_frame_ + static_cast<std::int64_t>(begin));
+    const Complex start = std::polar(1.0, -2 * std::numbers::pi * std::remainder(turns, 1.0));
+    block.c = start * Complex(c_cos, c_sin);
+    block.d = start * Complex(d_cos, d_sin);
+    // A missing sample makes the whole sum NaN.
+    block.missing = !std::isfinite(c_cos) || !std::isfinite(d_cos);
+    blocks_.push_back(block);
+}
+
+// Blocks across which the phase changes, from the block before to the block after, by more than a
+// threshold; sets `threshold`.
+std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::moving_phases(double& threshold) const {
+    std::vector<double> moves;
+    std::vector<std::size_t> places;
+    for (std::size_t k = 1; k + 1 < blocks_.size(); ++k) {
+        const Block& before = blocks_[k - 1];
+        const Block& after = blocks_[k + 1];
+        if (before.missing || blocks_[k].missing || after.missing) {
+            continue;
+        }
+        const Complex move = after.c * std::conj(before.c) + after.d * std::conj(before.d);
+        if (std::norm(move) > 0) {
+            moves.push_back(std::arg(move));
+            places.push_back(k);
+        }
+    }
+    std::vector<Suspect> suspects;
+    if (moves.size() < 8) {
+        return suspects;
+    }
+    const double usual = median(moves);
+    std::vector<double> deviations;
+    for (double& move : moves) {
+        move = std::abs(wrap(move - usual));
+        deviations.push_back(move);
+    }
+    constexpr double sd_of_median_deviation = 1.4826;
+    threshold = std::max(least_phase_step, 8 * sd_of_median_deviation * median(deviations));
+    for (std::size_t k = 0; k < moves.size(); ++k) {
+        if (moves[k] <= threshold) {
+            continue;
+        }
+        suspects.push_back({places[k], places[k], moves[k] / threshold});
+    }
+    return suspects;
+}
+
+// Blocks whose samples do not follow from those before (large prediction error).
+std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::unforeseen_blocks() const {
+    const std::vector<double> errors = prediction_errors(c_, d_, block_frames_);
+    std::vector<double> known;
+    std::ranges::copy_if(errors, std::back_inserter(known),
+                         [](double error) { return std::isfinite(error); });
+    std::vector<Suspect> suspects;
+    if (known.size() < 8) {
+        return suspects;
+    }
+    const double usual = median(std::move(known));
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        if (!(errors[k] > unforeseen * usual)) {
+            continue;
+        }
+        suspects.push_back({k, k, errors[k] / (unforeseen * usual)});
+    }
+    return suspects;
+}
+
+// Merges suspicions too close to each other for separate judgement.
+void PhaseStepCheck::draw_together(std::vector<Suspect>& suspects) {
+    std::ranges::sort(suspects, {}, &Suspect::first);
+    std::vector<Suspect> fewer;
+    for (const Suspect& suspect : suspects) {
+        if (!fewer.empty() && suspect.first <= fewer.back().last + least_between) {
+            fewer.back().last = std::max(fewer.back().last, suspect.last);
+            fewer.back().size = std::max(fewer.back().size, suspect.size);
+        } else {
+            fewer.push_back(suspect);
+        }
+    }
+    suspects = std::move(fewer);
+}
+
+void PhaseStepCheck::evaluate(bool is_end) {
+    double threshold = least_phase_step;
+    std::vector<Suspect> suspects = moving_phases(threshold);
+    if (threshold > least_phase_step && threshold > 0.7 * smallest_step(w_)) {
+        std::ranges::copy(unforeseen_blocks(), std::back_inserter(suspects));
+    }
+    draw_together(suspects);
+    const std::size_t end =
+        is_end ? blocks_.size() : blocks_.size() - std::min(blocks_.size(), reach_blocks_ + 3);
+    std::vector<double> sizes;
+    for (const Suspect& suspect : suspects) {
+        sizes.push_back(suspect.size);
+    }
+    std::ranges::sort(sizes, std::greater{});
+    const double least = sizes.size() > most_judged ? sizes[most_judged - 1] : 0;
+    for (std::size_t k = 0; k < suspects.size(); ++k) {
+        if (suspects[k].first >= first_block_ && suspects[k].first < end &&
+            suspects[k].size >= least) {
+            judge(suspects, k);
+        }
+    }
+    first_block_ = end;
+}
+
+// Judges the range around a suspicion, limited by its reach, other suspicions and missing samples.
+void PhaseStepCheck::judge(const std::vector<Suspect>& suspects, std::size_t suspect) {
+    // A step affects adjacent blocks, too.
+    const std::size_t first =
+        suspects[suspect].first - std::min<std::size_t>(1, suspects[suspect].first);
+    const std::size_t end = std::min(suspects[suspect].last + 2, blocks_.size());
+    const std::size_t after_last = suspect == 0 ? 0 : suspects[suspect - 1].last + 2;
+    const std::size_t before_next =
+        suspect + 1 == suspects.size() ? blocks_.size() : suspects[suspect + 1].first - 1;
+    if (std::ranges::any_of(blocks_.begin() + static_cast<std::ptrdiff_t>(first),
+                            blocks_.begin() + static_cast<std::ptrdiff_t>(end), &Block::missing)) {
+        return;
+    }
+    std::size_t from = first;
+    while (from > 0 && first - from < reach_blocks_ && !blocks_[from - 1].missing) {
+        --from;
+    }
+    std::size_t to = end;
+    while (to < blocks_.size() && to - end < reach_blocks_ && !blocks_[to].missing) {
+        ++to;
+    }
+    const Suspicion where{from * block_frames_,
+                          std::min(first, std::max(from, after_last)) * block_frames_,
+                          first * block_frames_,
+                          end * block_frames_,
+                          std::max(end, std::min(to, before_next)) * block_frames_,
+                          to * block_frames_};
+    std::optional<PhaseStep> step = judge_step({c_, d_}, where, w_);
+    if (!step) {
+        return;
+    }
+    step->frame += first_frame_;
+    const bool seen_before = !found_.empty() && step->frame - found_.back().frame <=
+                                                    static_cast<std::int64_t>(2 * block_frames_);
+    if (!seen_before) {
+        found_.push_back(*std::move(step));
+    }
+}
+
+void PhaseStepCheck::forget_all() {
+    c_.clear();
+    d_.clear();
+    blocks_.clear();
+    first_block_ = 0;
+}
+
+std::vector<PhaseStep> PhaseStepCheck::finish() {
+    evaluate(true);
+    forget_all();
+    return std::move(found_);
+}
+
+}  // namespace vybeg

@@ -1,0 +1,357 @@
+#include "core/recording/times/uniform_times.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+// Up to where a step counts for one, and from where for more; between them only all times together
+// tell.
+constexpr double longest_single_step = 1.4;
+constexpr double shortest_gap = 1.6;
+constexpr double doubt = 0.2;  // the same for steps that rounding makes longer than that
+constexpr std::size_t most_segments = std::size_t{1} << 16;
+
+constexpr double rows_left_out = 16;  // at most, behind a point of a hull
+
+constexpr std::size_t most_bounds = 1000;   // on each side, for the interval of the slope
+constexpr double arithmetic_error = 1e-15;  // of a time, relative to the largest
+
+constexpr int no_decade = std::numeric_limits<int>::min();  // of the time 0
+
+// A time well inside of a decade, whatever way its edges are rounded.
+double time_within(int decade) {
+    return decade == no_decade ? 0 : 2 * std::pow(10.0, decade);
+}
+
+// Sum of the squares of n whole numbers round their mean.
+double spread(double n) {
+    return n * (n * n - 1) / 12;
+}
+
+}  // namespace
+
+// late_s against frame, both against the first time and multiples of step_s_:
+// mean_late_s + slope (frame - mean_frame).
+struct UniformTimeDetector::Line {
+    double mean_frame = 0;
+    double mean_late_s = 0;
+    double slope = 0;
+    double slope_sd = 0;
+    double squares = 0;           // sum of (frame - mean_frame)^2
+    std::vector<double> offsets;  // late_s of the first row of each segment
+};
+
+void UniformTimeDetector::Chain::add(const Point& point) {
+    const auto bends_inwards = [&] {
+        const Point& a = points[points.size() - 2];
+        const Point& b = points.back();
+        return side * ((b.late_s - a.late_s) * (point.row - a.row) -
+                       (point.late_s - a.late_s) * (b.row - a.row)) >=
+               0;
+    };
+    while (points.size() > 1 && bends_inwards()) {
+        points.pop_back();
+    }
+    points.push_back(point);
+}
+
+void UniformTimeDetector::Chain::add_row(const Point& row) {
+    const bool covered = !points.empty() && row.row - points.back().row <= rows_left_out &&
+                         side * (row.late_s - points.back().late_s) >= 0;
+    if (!covered) {
+        add(row);
+    }
+}
+
+UniformTimeDetector::Hull& UniformTimeDetector::Segment::hull(int decade) {
+    if (hulls.empty() || hulls.back().decade != decade) {
+        hulls.push_back({.decade = decade});
+    }
+    return hulls.back();
+}
+
+// Appends a segment without a gap before it.
+void UniformTimeDetector::Segment::join(const Segment& next, double step_s) {
+    const auto before = static_cast<double>(rows);
+    const auto more = static_cast<double>(next.rows);
+    const double shift = next.first_s - first_s - step_s * before;
+    late_row_sum +=
+        next.late_row_sum + before * next.late_sum + shift * more * (before + (more - 1) / 2);
+    late_sum += next.late_sum + more * shift;
+    rows += next.rows;
+    last_s = next.last_s;
+    for (const Hull& part : next.hulls) {
+        Hull& whole = hull(part.decade);
+        for (const Point& point : part.early.points) {
+            whole.early.add({before + point.row, point.late_s + shift});
+        }
+        for (const Point& point : part.late.points) {
+            whole.late.add({before + point.row, point.late_s + shift});
+        }
+    }
+}
+
+int UniformTimeDetector::decade_of(double time_s) {
+    const double magnitude = std::abs(time_s);
+    if (magnitude == 0) {
+        return no_decade;
+    }
+    if (magnitude < decade_.from || magnitude >= decade_.to) {
+        enter_decade(time_s);
+    }
+    return decade_.exponent;
+}
+
+void UniformTimeDetector::enter_decade(double time_s) {
+    decade_.exponent = static_cast<int>(std::floor(std::log10(std::abs(time_s))));
+    decade_.from = std::pow(10.0, decade_.exponent);
+    decade_.to = std::pow(10.0, decade_.exponent + 1);
+    // Of the coarser decade, where the times pass from one to the other.
+    decade_.rounding =
+        std::max(decade_.rounding, longest_rounded_step(step_s_, expected_, time_s) / step_s_);
+}
+
+// Whether the time follows the last one without a gap. Its decade has been entered.
+bool UniformTimeDetector::continues(double time_s) {
+    if (segments_.empty()) {
+        return false;
+    }
+    const double steps = (time_s - segments_.back().last_s) / step_s_;
+    const double longest = std::max(longest_single_step, decade_.rounding);
+    const double shortest = std::max(shortest_gap, decade_.rounding + doubt);
+    doubtful_ = doubtful_ || !(steps <= longest || steps >= shortest);
+    return steps < shortest;
+}
+
+void UniformTimeDetector::add(double time_s) {
+    const int decade = decade_of(time_s);
+    if (!continues(time_s)) {
+        segments_.emplace_back().first_s = time_s;
+        doubtful_ = doubtful_ || segments_.size() > most_segments;
+    }
+    if (doubtful_) {
+        return;
+    }
+    Segment& segment = segments_.back();
+    const auto row = static_cast<double>(segment.rows);
+    const double late = time_s - segment.first_s - step_s_ * row;
+    segment.rows += 1;
+    segment.last_s = time_s;
+    segment.late_sum += late;
+    segment.late_row_sum += row * late;
+    Hull& hull = segment.hull(decade);
+    hull.early.add_row({row, late});
+    hull.late.add_row({row, late});
+}
+
+void UniformTimeDetector::append(const UniformTimeDetector& next) {
+    auto from = next.segments_.begin();
+    if (from != next.segments_.end()) {
+        decade_of(from->first_s);
+    }
+    const bool joins = from != next.segments_.end() && continues(from->first_s);
+    doubtful_ =
+        doubtful_ || next.doubtful_ || segments_.size() + next.segments_.size() > most_segments;
+    if (doubtful_) {
+        return;
+    }
+    if (joins) {
+        segments_.back().join(*from, step_s_);
+        ++from;
+    }
+    segments_.insert(segments_.end(), from, next.segments_.end());
+}
+
+// One slope of least squares for all segments, each with its own offset.
+std::optional<double> UniformTimeDetector::fitted_step() const {
+    double products = 0;
+    double squares = 0;
+    for (const Segment& segment : segments_) {
+        const auto rows = static_cast<double>(segment.rows);
+        products += segment.late_row_sum - 0.5 * (rows - 1) * segment.late_sum;
+        squares += spread(rows);
+    }
+    return squares > 0 ? std::optional(step_s_ + products / squares) : std::nullopt;
+}
+
+std::vector<RowSegment> UniformTimeDetector::number_rows(double step_s) const {
+    std::vector<RowSegment> numbered;
+    for (const Segment& segment : segments_) {
+        RowSegment next{0, 0, segment.rows};
+        if (!numbered.empty()) {
+            const RowSegment& before = numbered.back();
+            const double last_s = segments_[numbered.size() - 1].last_s;
+            const double steps = std::round((segment.first_s - last_s) / step_s);
+            next.first_row = before.first_row + before.rows;
+            next.first_frame = before.first_frame + before.rows - 1 +
+                               std::max<std::int64_t>(static_cast<std::int64_t>(steps), 1);
+        }
+        numbered.push_back(next);
+    }
+    return numbered;
+}
+
+UniformTimeDetector::Line UniformTimeDetector::fit_line(
+    const std::vector<RowSegment>& segments) const {
+    Line line;
+    double rows = 0;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+        const auto n = static_cast<double>(segments[s].rows);
+        const auto frame = static_cast<double>(segments[s].first_frame);
+        line.offsets.push_back(segments_[s].first_s - segments_[0].first_s - step_s_ * frame);
+        line.mean_frame += n * (frame + 0.5 * (n - 1));
+        line.mean_late_s += n * line.offsets[s] + segments_[s].late_sum;
+        rows += n;
+    }
+    line.mean_frame /= rows;
+    line.mean_late_s /= rows;
+    double products = 0;
+    double squares = 0;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+        const Segment& segment = segments_[s];
+        const auto n = static_cast<double>(segment.rows);
+        const double centre =
+            static_cast<double>(segments[s].first_frame) + 0.5 * (n - 1) - line.mean_frame;
+        products += centre * (n * (line.offsets[s] - line.mean_late_s) + segment.late_sum) +
+                    segment.late_row_sum - 0.5 * (n - 1) * segment.late_sum;
+        squares += n * centre * centre + spread(n);
+    }
+    line.slope = products / squares;
+    line.squares = squares;
+    return line;
+}
+
+// The bounds that rounding by half of the last digit sets to a straight line.
+UniformTimeDetector::Bounds UniformTimeDetector::bounds(const std::vector<RowSegment>& segments,
+                                                        const TimeResolution& resolution,
+                                                        const Line& line) const {
+    Bounds result;
+    const double reach_s =
+        std::max(std::abs(segments_.front().first_s), std::abs(segments_.back().last_s));
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+        const auto first = static_cast<double>(segments[s].first_frame);
+        for (const Hull& hull : segments_[s].hulls) {
+            const double time_s = time_within(hull.decade);
+            const double half_s = 0.5 * resolution.at(time_s) + arithmetic_error * reach_s;
+            for (const Point& point : hull.early.points) {
+                result.most.push_back({first + point.row, line.offsets[s] + point.late_s + half_s});
+            }
+            for (const Point& point : hull.late.points) {
+                result.least.push_back(
+                    {first + point.row, line.offsets[s] + point.late_s - half_s});
+            }
+        }
+        // The last row, which the hulls may leave out, has the longest lever.
+        const Segment& segment = segments_[s];
+        const auto last = static_cast<double>(segment.rows - 1);
+        const double late_s = line.offsets[s] + segment.last_s - segment.first_s - step_s_ * last;
+        const double half_s = 0.5 * resolution.at(segment.last_s) + arithmetic_error * reach_s;
+        result.most.push_back({first + last, late_s + half_s});
+        result.least.push_back({first + last, late_s - half_s});
+    }
+    return result;
+}
+
+// Rounded times leave an interval of slopes open: those of the lines that pass each time within
+// half of its last digit. Takes the slope from there, with the standard deviation of one that may
+// lie anywhere in it. Returns false and leaves the line where no line passes all of them.
+bool UniformTimeDetector::pass_all(const Bounds& bounds, Line& line) const {
+    double lowest = -std::numeric_limits<double>::infinity();
+    double highest = std::numeric_limits<double>::infinity();
+    // Some of many bounds leave a wider interval open than all of them.
+    const auto stride = [](const std::vector<Bound>& all) {
+        return std::max<std::size_t>(all.size() / most_bounds, 1);
+    };
+    for (std::size_t i = 0; i < bounds.most.size(); i += stride(bounds.most)) {
+        for (std::size_t j = 0; j < bounds.least.size(); j += stride(bounds.least)) {
+            const Bound& most = bounds.most[i];
+            const Bound& least = bounds.least[j];
+            const double frames = most.frame - least.frame;
+            const double slope = (most.late_s - least.late_s) / frames;
+            lowest = frames < 0 ? std::max(lowest, slope) : lowest;
+            highest = frames > 0 ? std::min(highest, slope) : highest;
+        }
+    }
+    if (!(lowest <= highest) || !std::isfinite(lowest) || !std::isfinite(highest)) {
+        return false;
+    }
+    const double middle = 0.5 * (lowest + highest);
+    const double middle_sd = (highest - lowest) / std::sqrt(12.0);
+    const double off_middle = line.slope - middle;
+    // Few steps of rounding pull the slope of least squares; many leave it right to the last digit.
+    const bool pulled = std::abs(off_middle) > middle_sd;
+    const double slope = pulled ? middle : line.slope;
+    double earliest = -std::numeric_limits<double>::infinity();  // late_s at the frame 0
+    double latest = std::numeric_limits<double>::infinity();
+    for (const Bound& bound : bounds.least) {
+        earliest = std::max(earliest, bound.late_s - slope * bound.frame);
+    }
+    for (const Bound& bound : bounds.most) {
+        latest = std::min(latest, bound.late_s - slope * bound.frame);
+    }
+    // The rows that the hulls leave out lie as much further outside as the line rises over them.
+    if (earliest > latest + 2 * rows_left_out * std::abs(slope)) {
+        return false;
+    }
+    line.slope = slope;
+    line.mean_late_s = 0.5 * (earliest + latest) + slope * line.mean_frame;
+    line.slope_sd = pulled ? middle_sd : std::hypot(middle_sd, off_middle);
+    return true;
+}
+
+// Whether no time lies further from the line than to_uniform_grid() allows. The largest deviation
+// then stands for that of each time in the slope's standard deviation.
+bool UniformTimeDetector::pass_nearly(const std::vector<RowSegment>& segments,
+                                      const TimeResolution& resolution, Line& line) const {
+    double largest_s = 0;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+        for (const Hull& hull : segments_[s].hulls) {
+            const double time_s = time_within(hull.decade);
+            const double allowed = allowed_deviation(step_s_ + line.slope, resolution, time_s) -
+                                   rows_left_out * std::abs(line.slope);
+            const auto fits = [&](const Point& point) {
+                const double frame = static_cast<double>(segments[s].first_frame) + point.row;
+                const double expected = line.mean_late_s + line.slope * (frame - line.mean_frame);
+                const double deviation_s = std::abs(line.offsets[s] + point.late_s - expected);
+                largest_s = std::max(largest_s, deviation_s);
+                return deviation_s <= allowed;
+            };
+            if (!std::ranges::all_of(hull.early.points, fits) ||
+                !std::ranges::all_of(hull.late.points, fits)) {
+                return false;
+            }
+        }
+    }
+    line.slope_sd = largest_s / std::sqrt(line.squares);
+    return true;
+}
+
+std::optional<EvenTimes> UniformTimeDetector::judge(const TimeResolution& resolution) const {
+    const auto step_s = doubtful_ ? std::nullopt : fitted_step();
+    if (!step_s) {
+        return std::nullopt;
+    }
+    double rows = 0;
+    for (const Segment& segment : segments_) {
+        rows += static_cast<double>(segment.rows);
+    }
+    const double reach_s = segments_.back().last_s - segments_.front().first_s;
+    if (!is_plausible_grid(reach_s / *step_s, rows)) {
+        return std::nullopt;
+    }
+    EvenTimes even{.segments = number_rows(*step_s)};
+    Line line = fit_line(even.segments);
+    if (!pass_all(bounds(even.segments, resolution, line), line) &&
+        !pass_nearly(even.segments, resolution, line)) {
+        return std::nullopt;
+    }
+    even.rate_hz = 1 / (step_s_ + line.slope);
+    even.rate_relative_sd = line.slope_sd * even.rate_hz;
+    return even;
+}
+
+}  // namespace vybeg

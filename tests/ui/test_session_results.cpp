@@ -1,0 +1,214 @@
+// Sessions keep what was identified, also where the recordings are away.
+#include "tests/ui/gui_test.h"
+#include "tests/ui/resonator_runs.h"
+#include "ui/document/kept_result.h"
+#include "ui/resonator/resonator_page.h"
+#include "ui/session/session_json.h"
+#include "ui/session/session_keeper.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/main_window.h"
+
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QTest>
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestSessionResults : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    QStringList files_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+    SessionKeeper& session() { return window_->session(); }
+
+    void waitIdle() {
+        QVERIFY(
+            QTest::qWaitFor([&] { return !document().busy() && !session().isOpening(); }, 60000));
+    }
+
+    // Four runs as a set, identified; settings changed afterwards where `stale`.
+    void arrange(const QString& session_path, bool stale) {
+        window_ = shownWindow();
+        window_->action(Command::page_resonator)->trigger();
+        document().open(files_);
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                return !document().busy() &&
+                       std::ranges::all_of(document().recordings(), [](const auto& entry) {
+                           return entry.recording && !entry.sha256.isEmpty();
+                       });
+            },
+            60000));
+        std::vector<int> ids;
+        for (const RecordingEntry& entry : document().recordings()) {
+            ids.push_back(entry.id);
+        }
+        document().sets().add(ids);
+        window_->action(Command::identify)->trigger();
+        waitIdle();
+        QVERIFY(outcome());
+        if (stale) {
+            Settings settings = document().settings();
+            settings.from_s = 0.5;
+            document().setSettings(settings);
+            waitIdle();
+        }
+        QVERIFY(session().save(session_path));
+    }
+
+    void reopen(const QString& path) {
+        session().end();
+        window_ = shownWindow();
+        window_->files().open({path});
+        waitIdle();
+    }
+
+    std::shared_ptr<const ResonatorOutcome> outcome() {
+        const RecordingSet* set = document().sets().current();
+        return set ? document().sets().outcome(*set) : nullptr;
+    }
+
+    // All numbers of a table at full precision, as it is copied.
+    QString numbers(const char* table) {
+        auto& view = childOf<QuantityTable>(*window_, QLatin1String(table));
+        view.setFocus();
+        view.selectAll();
+        QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
+        return QGuiApplication::clipboard()->text();
+    }
+
+    QString state() { return childOf<QLabel>(*window_, QStringLiteral("state")).text(); }
+
+    static QJsonObject jsonOf(const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object()
+                                              : QJsonObject();
+    }
+
+    void hideRecordings() {
+        for (const QString& file : files_) {
+            QVERIFY(QFile::rename(file, file + ".away"));
+        }
+    }
+
+private slots:
+    void initTestCase() { files_ = resonatorRuns(home_, QStringLiteral("run")); }
+    void cleanup() {
+        session().end();
+        for (const QString& file : files_) {
+            QFile::rename(file + ".away", file);
+        }
+    }
+
+    void a_reopened_session_identifies_its_sets_again() {
+        const QString path = home_.path("again.vybeg");
+        arrange(path, false);
+        const QString resonator = numbers("resonator");
+        const QString runs = numbers("runs");
+        const QString waves = numbers("waves");
+        QVERIFY(resonator.contains("0.01"));
+        reopen(path);
+        QVERIFY(outcome());
+        QCOMPARE(numbers("resonator"), resonator);
+        QCOMPARE(numbers("runs"), runs);
+        QCOMPARE(numbers("waves"), waves);
+        QVERIFY(!session().isModified());
+    }
+
+    void without_its_recordings_a_session_shows_its_results() {
+        const QString path = home_.path("away.vybeg");
+        arrange(path, false);
+        const QString resonator = numbers("resonator");
+        const QString modes = numbers("modes");
+        const QString runs = numbers("runs");
+        const auto warnings = [this] {
+            return childOf<QLabel>(*window_, QStringLiteral("warnings")).text();
+        };
+        const QString warned = warnings();
+        hideRecordings();
+        reopen(path);
+        QVERIFY(!outcome());
+        QCOMPARE(numbers("resonator"), resonator);
+        QCOMPARE(numbers("modes"), modes);
+        QCOMPARE(numbers("runs"), runs);
+        QCOMPARE(warnings(), warned);
+        QVERIFY2(state().contains("Result of the session"), qPrintable(state()));
+        for (const QString& file : files_) {
+            QVERIFY2(state().contains(QFileInfo(file).fileName()), qPrintable(state()));
+        }
+        QVERIFY(!childOf<QuantityTable>(*window_, QStringLiteral("waves")).isVisible());
+        // Saved again, nothing of it is lost.
+        const QJsonArray sets = jsonOf(path)["sets"].toArray();
+        QVERIFY(session().save(path));
+        QCOMPARE(jsonOf(path)["sets"].toArray()[0].toObject()["result"],
+                 sets[0].toObject()["result"]);
+    }
+
+    void a_result_of_other_settings_stays_out_of_date() {
+        const QString path = home_.path("stale.vybeg");
+        arrange(path, true);
+        const QString resonator = numbers("resonator");
+        QVERIFY(state().contains("Out of date"));
+        reopen(path);
+        QVERIFY(!outcome());
+        QCOMPARE(numbers("resonator"), resonator);
+        QVERIFY(state().contains("Out of date"));
+        window_->action(Command::identify)->trigger();
+        waitIdle();
+        QVERIFY(outcome());
+        QVERIFY(!state().contains("Out of date"));
+        QVERIFY(numbers("resonator") != resonator);
+    }
+
+    void a_result_that_is_not_understood_is_named_and_kept() {
+        const QString path = home_.path("newer.vybeg");
+        arrange(path, true);
+        QJsonObject json = jsonOf(path);
+        QJsonArray sets = json["sets"].toArray();
+        QJsonObject set = sets[0].toObject();
+        QJsonObject result = set["result"].toObject();
+        QJsonObject passport = result["passport"].toObject();
+        passport["schema"] = 99;
+        result["passport"] = passport;
+        set["result"] = result;
+        sets[0] = set;
+        json["sets"] = sets;
+        home_.file("newer.vybeg", QJsonDocument(json).toJson());
+        reopen(path);
+        QVERIFY2(state().contains("99"), qPrintable(state()));
+        QVERIFY(!childOf<QuantityTable>(*window_, QStringLiteral("resonator")).isVisible());
+        QVERIFY(session().save(path));
+        QCOMPARE(jsonOf(path)["sets"].toArray()[0].toObject()["result"].toObject(), result);
+    }
+
+    void warnings_come_back_with_their_words() {
+        ResonatorOutcome outcome;
+        outcome.inputs = {{"a.wav", "aa", "", 28, 33333, 5300},
+                          {"b.wav", "bb", "", 28, 33333, 5300}};
+        outcome.identification.fit.runs.resize(2);
+        outcome.identification.runs.resize(2);
+        outcome.identification.runs[1].diagnostics = {
+            {DiagnosticKind::samples_lost, {count_arg(3), number_arg(1.25)}}};
+        outcome.identification.fit.warnings = {
+            {DiagnosticKind::residual_above_noise, {number_arg(2.5, 3)}}};
+        const auto read = readKeptResult(keptResult(outcome));
+        QVERIFY(read);
+        QCOMPARE(read->outcome.inputs, outcome.inputs);
+        const Identification& found = read->outcome.identification;
+        QVERIFY(found.runs[0].diagnostics.empty());
+        QCOMPARE(found.runs[1].diagnostics, outcome.identification.runs[1].diagnostics);
+        QCOMPARE(found.fit.warnings, outcome.identification.fit.warnings);
+    }
+};
+
+QTEST_MAIN(TestSessionResults)
+#include "test_session_results.moc"

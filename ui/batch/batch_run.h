@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/batch/batch_events.h"
+#include "core/batch/batch_request.h"
+#include "ui/document/background_jobs.h"
+
+#include <QObject>
+
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+namespace vybeg::ui {
+
+// A batch in the background: the one of the command line, which tells this thread its rows. What
+// was finished stays on the disk when the object goes.
+class BatchRun : public QObject {
+    Q_OBJECT
+
+public:
+    explicit BatchRun(QObject* parent = nullptr);
+    ~BatchRun() override;
+
+    // Precondition: not running.
+    void start(const BatchRequest& request);
+    // Ends with `interrupted` soon.
+    void stop();
+    bool running() const { return running_; }
+
+signals:
+    void warned(const vybeg::Diagnostic& diagnostic);
+    void begun(const std::shared_ptr<const vybeg::MeasurementList>& list);
+    void rowFinished(const vybeg::FinishedRow& row);
+    void ended(const vybeg::Status& status);
+
+private:
+    BatchEvents events();
+    void post(std::function<void()> act);
+
+    bool running_ = false;
+    std::stop_source stop_;
+    BackgroundJobs job_;  // the last member: it waits for its threads, which use the others
+};
+
+}  // namespace vybeg::ui

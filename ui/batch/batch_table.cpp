@@ -1,0 +1,278 @@
+#include "ui/batch/batch_table.h"
+
+#include "core/base/number_text.h"
+#include "core/output/batch_csv.h"
+#include "core/recording/text/csv_rows.h"
+#include "ui/resonator/difference_text.h"
+#include "ui/resonator/parameter_text.h"
+#include "ui/words/error_text.h"
+#include "ui/words/unit_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int digits_of_numbers = 4;
+
+// Numbers stand under each other, below the end of their titles.
+int alignmentOf(const BatchColumn& column) {
+    const bool numeric =
+        column.kind == BatchColumnKind::quantity || column.kind == BatchColumnKind::number;
+    return static_cast<int>((numeric ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+}
+
+}  // namespace
+
+void BatchTable::begin(std::shared_ptr<const MeasurementList> list) {
+    beginResetModel();
+    list_ = std::move(list);
+    columns_ = batchColumns(list_->other_columns);
+    if (finished_ > 0) {
+        earlier_ = std::move(rows_);
+    }
+    rows_.clear();
+    finished_ = 0;
+    failed_ = 0;
+    for (const MeasurementSet& set : list_->sets) {
+        // What the list says; status and message come with the result.
+        Row& row = rows_.emplace_back();
+        row.fields = csv_fields(batch_row(set, Error{ErrorCode::interrupted, {}, {}}));
+        for (const BatchColumn& column : columns_) {
+            if (column.kind == BatchColumnKind::state || column.kind == BatchColumnKind::reason) {
+                row.fields[column.field].clear();
+            }
+        }
+    }
+    endResetModel();
+}
+
+void BatchTable::add(const FinishedRow& finished) {
+    Row& row = rows_[finished.set];
+    row.text = finished.text;
+    row.fields = csv_fields(finished.text);
+    row.warnings = finished.warnings;
+    row.error = finished.error;
+    const auto state = std::ranges::find(columns_, BatchColumnKind::state, &BatchColumn::kind);
+    row.state = row.fields[state->field] == "ok" ? State::done : State::failed;
+    const auto known =
+        finished.kept ? std::ranges::find(earlier_, row.text, &Row::text) : earlier_.end();
+    if (known != earlier_.end()) {
+        row.warnings = known->warnings;
+        row.error = known->error;
+    }
+    ++finished_;
+    failed_ += row.state == State::failed ? 1 : 0;
+    const int place = static_cast<int>(finished.set);
+    emit dataChanged(index(place, 0), index(place, columnCount() - 1));
+}
+
+void BatchTable::setUnits(const DisplayUnits& units) {
+    if (units != units_) {
+        units_ = units;
+        retranslate();
+    }
+}
+
+void BatchTable::setTheme(const Theme& theme) {
+    theme_ = theme;
+    retranslate();
+}
+
+void BatchTable::retranslate() {
+    if (!rows_.empty()) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    }
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+}
+
+bool BatchTable::isEmpty(int column) const {
+    const std::size_t at = columns_[static_cast<std::size_t>(column)].field;
+    return std::ranges::all_of(
+        rows_, [at](const Row& row) { return at >= row.fields.size() || row.fields[at].empty(); });
+}
+
+int BatchTable::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int BatchTable::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(columns_.size());
+}
+
+QString BatchTable::field(const Row& row, std::size_t field) const {
+    return field < row.fields.size() ? QString::fromStdString(row.fields[field]) : QString();
+}
+
+double BatchTable::number(const Row& row, std::size_t field) const {
+    const auto value =
+        field < row.fields.size() ? parse_number(row.fields[field]) : std::optional<double>();
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+// Of a row of an earlier run there is only the English sentence of its file.
+QString BatchTable::reasonText(const Row& row) const {
+    const auto reason = std::ranges::find(columns_, BatchColumnKind::reason, &BatchColumn::kind);
+    return row.error ? errorText(*row.error) : field(row, reason->field);
+}
+
+QString BatchTable::cellText(const Row& row, const BatchColumn& column) const {
+    const QString text = field(row, column.field);
+    switch (column.kind) {
+        case BatchColumnKind::text: return text;
+        case BatchColumnKind::reason: return reasonText(row);
+        case BatchColumnKind::state:
+            return row.state == State::waiting ? tr("waiting")
+                   : row.state == State::done  ? tr("done")
+                                               : tr("no result");
+        case BatchColumnKind::verdict:
+            return text == QLatin1String("changed")     ? verdictText(Verdict::changed)
+                   : text == QLatin1String("unchanged") ? verdictText(Verdict::unchanged)
+                   : text.isEmpty()                     ? QString()
+                                                        : verdictText(Verdict::not_comparable);
+        case BatchColumnKind::changed: {
+            QStringList symbols;
+            for (const QString& name : text.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
+                const QString symbol = differenceSymbol(name.toStdString());
+                if (!symbols.contains(symbol)) {
+                    symbols << symbol;
+                }
+            }
+            return symbols.join(QStringLiteral(", "));
+        }
+        case BatchColumnKind::model:
+            return text == QLatin1String("structured") ? tr("structured")
+                   : text.isEmpty()                    ? QString()
+                                                       : tr("free");
+        case BatchColumnKind::noise:
+            return text == QLatin1String("white") ? tr("white")
+                   : text.isEmpty()               ? QString()
+                                                  : tr("coloured");
+        case BatchColumnKind::number: {
+            const double value = number(row, column.field);
+            return std::isnan(value) ? QString() : shortNumberText(value, digits_of_numbers);
+        }
+        case BatchColumnKind::quantity: {
+            const double factor = batchColumnFactor(column, units_);
+            const double value = factor * number(row, column.field);
+            return std::isnan(value)
+                       ? QString()
+                       : valueText(value, std::abs(factor) * number(row, column.sd_field));
+        }
+    }
+    return {};
+}
+
+QVariant BatchTable::sortKey(const Row& row, const BatchColumn& column) const {
+    switch (column.kind) {
+        case BatchColumnKind::quantity:
+        case BatchColumnKind::number:
+            return batchColumnFactor(column, units_) * number(row, column.field);
+        case BatchColumnKind::state:
+            return row.state == State::failed ? 0.
+                   : row.state == State::done ? 1.
+                                              : std::numeric_limits<double>::quiet_NaN();
+        default: return cellText(row, column);
+    }
+}
+
+// Words say the same as the colours.
+QColor BatchTable::color(const Row& row, const BatchColumn& column) const {
+    if (row.state == State::waiting) {
+        return theme_.mutedText;
+    }
+    if (row.state == State::failed) {
+        return theme_.broken;
+    }
+    if (column.kind == BatchColumnKind::verdict) {
+        const std::string& verdict = row.fields[column.field];
+        return verdict == "changed"     ? theme_.broken
+               : verdict == "unchanged" ? theme_.kept
+                                        : theme_.mutedText;
+    }
+    return column.kind == BatchColumnKind::changed ? theme_.broken : QColor();
+}
+
+QString BatchTable::detailText(int row) const {
+    const Row& of = rows_[static_cast<std::size_t>(row)];
+    QStringList lines;
+    if (of.state == State::failed) {
+        lines << reasonText(of);
+    }
+    for (const auto& [about, diagnostics] : of.warnings) {
+        for (const Diagnostic& diagnostic : diagnostics) {
+            const QString text = diagnosticText(diagnostic);
+            lines << (about.empty() ? text
+                                    : QString::fromStdString(about) + QStringLiteral(": ") + text);
+        }
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QVariant BatchTable::data(const QModelIndex& index, int role) const {
+    const Row& row = rows_[static_cast<std::size_t>(index.row())];
+    const BatchColumn& column = columns_[static_cast<std::size_t>(index.column())];
+    switch (role) {
+        case Qt::DisplayRole: return cellText(row, column);
+        case sort_role: return sortKey(row, column);
+        case Qt::ToolTipRole: {
+            const QString details = detailText(index.row());
+            return details.isEmpty() ? cellText(row, column) : details;
+        }
+        case Qt::ForegroundRole: {
+            const QColor own = color(row, column);
+            return own.isValid() ? QVariant(own) : QVariant();
+        }
+        case Qt::TextAlignmentRole: return alignmentOf(column);
+        default: return {};
+    }
+}
+
+QVariant BatchTable::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    const BatchColumn& column = columns_[static_cast<std::size_t>(section)];
+    switch (role) {
+        case Qt::DisplayRole: return batchColumnTitle(column, units_);
+        case Qt::ToolTipRole: return batchColumnTip(column);
+        case Qt::TextAlignmentRole: return alignmentOf(column);
+        default: return {};
+    }
+}
+
+QString BatchTable::tableText(const std::vector<int>& rows, const std::vector<int>& columns) const {
+    QStringList lines;
+    QStringList head;
+    for (const int k : columns) {
+        const BatchColumn& column = columns_[static_cast<std::size_t>(k)];
+        QString title = batchColumnTitle(column, units_);
+        head << title.replace(QLatin1Char('\n'), QStringLiteral(", "));
+        if (column.kind == BatchColumnKind::quantity) {
+            head << tr("sd");
+        }
+    }
+    lines << head.join(QLatin1Char('\t'));
+    for (const int place : rows) {
+        const Row& row = rows_[static_cast<std::size_t>(place)];
+        QStringList cells;
+        for (const int k : columns) {
+            const BatchColumn& column = columns_[static_cast<std::size_t>(k)];
+            const double factor = batchColumnFactor(column, units_);
+            if (column.kind == BatchColumnKind::quantity) {
+                cells << exactText(factor * number(row, column.field))
+                      << exactText(std::abs(factor) * number(row, column.sd_field));
+            } else if (column.kind == BatchColumnKind::number) {
+                cells << exactText(number(row, column.field));
+            } else {
+                cells << cellText(row, column);
+            }
+        }
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/batch/batch_events.h"
+#include "ui/batch/batch_columns.h"
+#include "ui/widgets/theme.h"
+
+#include <QAbstractTableModel>
+#include <QModelIndexList>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vybeg::ui {
+
+// The table of a batch: every set of its list from the beginning, with its result as soon as that
+// is there.
+class BatchTable : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    // A number (NaN: none) or a text, by which rows are sorted.
+    static constexpr int sort_role = Qt::UserRole;
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void begin(std::shared_ptr<const MeasurementList> list);
+    void add(const FinishedRow& row);
+    void setUnits(const DisplayUnits& units);
+    void setTheme(const Theme& theme);
+    void retranslate();
+
+    const MeasurementList* list() const { return list_.get(); }
+    const std::vector<BatchColumn>& columns() const { return columns_; }
+    // Rows that are there, and those of them without a result.
+    int finished() const { return finished_; }
+    int failed() const { return failed_; }
+    // Whether no row has anything in this column.
+    bool isEmpty(int column) const;
+    // All there is to say of a set: the reason, the warnings.
+    QString detailText(int row) const;
+    // Rows in that order with their headers, for a spreadsheet: all digits, a deviation is a column
+    // of its own.
+    QString tableText(const std::vector<int>& rows, const std::vector<int>& columns) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    enum class State : std::uint8_t { waiting, done, failed };
+    struct Row {
+        State state = State::waiting;
+        std::string text;                 // of RESULTS.csv
+        std::vector<std::string> fields;  // of the text
+        std::vector<NamedWarnings> warnings;
+        std::optional<Error> error;
+    };
+
+    double number(const Row& row, std::size_t field) const;
+    QString field(const Row& row, std::size_t field) const;
+    QString reasonText(const Row& row) const;
+    QString cellText(const Row& row, const BatchColumn& column) const;
+    QVariant sortKey(const Row& row, const BatchColumn& column) const;
+    QColor color(const Row& row, const BatchColumn& column) const;
+
+    std::shared_ptr<const MeasurementList> list_;
+    std::vector<BatchColumn> columns_ = batchColumns({});
+    std::vector<Row> rows_;
+    // Of the batch before: a row that is taken over has its warnings and its reason as there.
+    std::vector<Row> earlier_;
+    int finished_ = 0;
+    int failed_ = 0;
+    DisplayUnits units_;
+    Theme theme_;
+};
+
+}  // namespace vybeg::ui

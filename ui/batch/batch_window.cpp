@@ -1,0 +1,399 @@
+#include "ui/batch/batch_window.h"
+
+#include "ui/batch/batch_order.h"
+#include "ui/batch/batch_text.h"
+#include "ui/words/error_text.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <set>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int tick_ms = 1000;
+constexpr int lines_of_details = 4;
+constexpr int widest_column = 260;
+constexpr int cell_margin = 16;
+
+}  // namespace
+
+BatchWindow::BatchWindow(QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      order_(new BatchOrder(this)),
+      form_(new BatchForm(this)),
+      start_(new QPushButton(this)),
+      stop_(new QPushButton(this)),
+      bar_(new QProgressBar(this)),
+      told_(new QLabel(this)),
+      message_(new QLabel(this)),
+      table_(new QTableView(this)),
+      details_(new QPlainTextEdit(this)),
+      open_(new QAction(table_)),
+      copy_(new QAction(table_)) {
+    setObjectName(QStringLiteral("batch_window"));
+    resize(1180, 680);
+    start_->setObjectName(QStringLiteral("batchStart"));
+    stop_->setObjectName(QStringLiteral("batchStop"));
+    told_->setObjectName(QStringLiteral("batchTold"));
+    message_->setObjectName(QStringLiteral("batchMessage"));
+    message_->setWordWrap(true);
+    message_->setTextFormat(Qt::PlainText);
+    message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    message_->hide();
+    bar_->setTextVisible(false);
+    bar_->setFixedWidth(220);
+    buildTable();
+    details_->setObjectName(QStringLiteral("batchDetails"));
+    details_->setReadOnly(true);
+    details_->setTabChangesFocus(true);
+    details_->setFixedHeight(lines_of_details * details_->fontMetrics().lineSpacing() +
+                             2 * details_->frameWidth() + 8);
+    auto* row = new QHBoxLayout;
+    row->addWidget(start_);
+    row->addWidget(stop_);
+    row->addWidget(bar_);
+    row->addWidget(told_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(form_);
+    column->addLayout(row);
+    column->addWidget(message_);
+    column->addWidget(table_, 1);
+    column->addWidget(details_);
+    tick_.setInterval(tick_ms);
+    connect(&tick_, &QTimer::timeout, this, &BatchWindow::showProgress);
+    connect(form_, &BatchForm::changed, this, &BatchWindow::refresh);
+    connect(start_, &QPushButton::clicked, this, &BatchWindow::askAndStart);
+    connect(stop_, &QPushButton::clicked, this, &BatchWindow::stop);
+    connect(&run_, &BatchRun::begun, this, &BatchWindow::whenBegun);
+    connect(&run_, &BatchRun::ended, this, &BatchWindow::whenEnded);
+    connect(&run_, &BatchRun::warned, this, [this](const Diagnostic& diagnostic) {
+        say([diagnostic] { return diagnosticText(diagnostic); }, false);
+    });
+    connect(&run_, &BatchRun::rowFinished, this, [this](const FinishedRow& finished) {
+        model_.add(finished);
+        progress_.add(finished.kept);
+        widenFor(static_cast<int>(finished.set));
+        showProgress();
+        showDetails();
+    });
+    applyTheme();
+    retranslate();
+}
+
+void BatchWindow::buildTable() {
+    order_->setSourceModel(&model_);
+    table_->setObjectName(QStringLiteral("batchTable"));
+    table_->setModel(order_);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setTabKeyNavigation(false);
+    table_->setAlternatingRowColors(true);
+    table_->setShowGrid(false);
+    table_->setWordWrap(false);
+    table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
+    QHeaderView* header = table_->horizontalHeader();
+    header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    header->setSectionsMovable(true);
+    header->setSortIndicatorClearable(true);
+    header->setSortIndicator(-1, Qt::AscendingOrder);
+    table_->setSortingEnabled(true);
+    open_->setShortcuts({QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)});
+    copy_->setShortcut(QKeySequence::Copy);
+    for (QAction* action : {open_, copy_}) {
+        action->setShortcutContext(Qt::WidgetShortcut);
+        table_->addAction(action);
+    }
+    connect(open_, &QAction::triggered, this, &BatchWindow::openCurrent);
+    connect(copy_, &QAction::triggered, this, &BatchWindow::copyRows);
+    connect(table_, &QTableView::doubleClicked, this, &BatchWindow::openCurrent);
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &BatchWindow::showDetails);
+    showColumns();
+}
+
+void BatchWindow::setUnits(const DisplayUnits& units) {
+    model_.setUnits(units);
+    showColumns();
+}
+
+void BatchWindow::leave() {
+    leaving_ = true;
+    stop();
+    close();
+}
+
+void BatchWindow::askAndStart() {
+    // A batch that stopped left rows, but no table: this is the table of a whole one.
+    const QString results = form_->path(BatchPath::results);
+    if (!QFileInfo::exists(results)) {
+        start();
+        return;
+    }
+    auto* question = new QMessageBox(
+        QMessageBox::Question, tr("Replace the results?"),
+        tr("%1 is there already. The new table takes its place when it is whole.").arg(results),
+        QMessageBox::NoButton, this);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    const auto* replace = question->addButton(tr("Replace"), QMessageBox::AcceptRole);
+    question->addButton(tr("Cancel"), QMessageBox::RejectRole);
+    connect(question, &QMessageBox::buttonClicked, this,
+            [this, replace](const QAbstractButton* pressed) {
+                if (pressed == replace) {
+                    start();
+                }
+            });
+    question->open();
+}
+
+void BatchWindow::start() {
+    if (run_.running()) {
+        return;
+    }
+    BatchRequest request = form_->request();
+    // One table, whichever program writes it, and either goes on where the other stopped.
+    request.program = "vybeg-cli " + QCoreApplication::applicationVersion().toStdString();
+    request.resume = true;
+    if (form_->takesPanel() && panel_) {
+        request.settings = panel_();
+    }
+    output_ = QString::fromStdString(request.output);
+    stopping_ = false;
+    said_ = nullptr;
+    message_->hide();
+    run_.start(request);
+    refresh();
+}
+
+void BatchWindow::stop() {
+    if (run_.running()) {
+        stopping_ = true;
+        run_.stop();
+        refresh();
+    }
+}
+
+void BatchWindow::whenBegun(const std::shared_ptr<const MeasurementList>& list) {
+    model_.begin(list);
+    progress_.begin(list->sets.size());
+    tick_.start();
+    showColumns();
+    showProgress();
+    showDetails();
+}
+
+void BatchWindow::whenEnded(const Status& status) {
+    tick_.stop();
+    if (status) {
+        say([path = output_] { return tr("Written: %1").arg(path); }, false);
+    } else if (status.error().code == ErrorCode::interrupted_midway) {
+        say([] { return tr("Stopped. What is computed is kept: Start goes on from here."); },
+            false);
+    } else if (status.error().code == ErrorCode::interrupted) {
+        say([] { return tr("Stopped."); }, false);
+    } else {
+        say([error = status.error()] { return batchErrorText(error); }, true);
+    }
+    refresh();
+    if (leaving_) {
+        close();
+    }
+}
+
+void BatchWindow::say(std::function<QString()> text, bool fault) {
+    said_ = std::move(text);
+    fault_ = fault;
+    message_->setText(said_());
+    message_->show();
+    applyTheme();
+}
+
+void BatchWindow::showProgress() {
+    const auto sets = static_cast<int>(progress_.sets());
+    bar_->setRange(0, std::max(sets, 1));
+    bar_->setValue(model_.finished());
+    QStringList parts;
+    if (sets > 0) {
+        parts << tr("%1 of %n set(s)", nullptr, sets).arg(model_.finished());
+    }
+    if (model_.failed() > 0) {
+        parts << tr("%n without a result", nullptr, model_.failed());
+    }
+    const auto left = progress_.secondsLeft();
+    if (run_.running() && stopping_) {
+        parts << tr("stopping…");
+    } else if (run_.running() && left) {
+        parts << tr("%1 left").arg(durationText(*left));
+    }
+    told_->setText(parts.join(QStringLiteral("; ")));
+}
+
+void BatchWindow::showColumns() {
+    for (int k = 0; k < model_.columnCount(); ++k) {
+        int width = 0;
+        const QString title = model_.headerData(k, Qt::Horizontal, Qt::DisplayRole).toString();
+        for (const QString& line : title.split(QLatin1Char('\n'))) {
+            // Beside the sign of the order.
+            width = std::max(width, fontMetrics().horizontalAdvance(line) + 2 * cell_margin);
+        }
+        table_->setColumnWidth(k, width);
+        // Conditions that no set has, and passports where there are none, take no room.
+        static const std::set<std::string> optional{"gyro", "date", "verdict", "changed"};
+        const std::string& name = model_.columns()[static_cast<std::size_t>(k)].name;
+        table_->setColumnHidden(k, optional.contains(name) && model_.isEmpty(k));
+    }
+    for (int row = 0; row < model_.rowCount(); ++row) {
+        widenFor(row);
+    }
+}
+
+void BatchWindow::widenFor(int row) {
+    for (int k = 0; k < model_.columnCount(); ++k) {
+        const QString text = model_.index(row, k).data().toString();
+        if (text.isEmpty()) {
+            continue;
+        }
+        table_->setColumnHidden(k, false);
+        const int needed = fontMetrics().horizontalAdvance(text) + cell_margin;
+        if (table_->columnWidth(k) < std::min(needed, widest_column)) {
+            table_->setColumnWidth(k, std::min(needed, widest_column));
+        }
+    }
+}
+
+void BatchWindow::showDetails() {
+    const QModelIndex current = order_->mapToSource(table_->currentIndex());
+    const QString text = current.isValid() ? model_.detailText(current.row()) : QString();
+    if (details_->toPlainText() != text) {
+        details_->setPlainText(text);
+    }
+    open_->setEnabled(current.isValid());
+    copy_->setEnabled(current.isValid());
+}
+
+void BatchWindow::refresh() {
+    const bool running = run_.running();
+    form_->setEnabled(!running);
+    start_->setEnabled(!running && form_->isComplete());
+    stop_->setEnabled(running && !stopping_);
+    bar_->setVisible(running);
+    showProgress();
+}
+
+void BatchWindow::openCurrent() {
+    const QModelIndex current = order_->mapToSource(table_->currentIndex());
+    if (!current.isValid() || model_.list() == nullptr) {
+        return;
+    }
+    const auto place = static_cast<std::size_t>(current.row());
+    emit setWanted({model_.list()->other_columns, {model_.list()->sets[place]}, {}});
+}
+
+void BatchWindow::copyRows() const {
+    std::vector<int> rows;
+    for (int row = 0; row < order_->rowCount(); ++row) {
+        if (table_->selectionModel()->isRowSelected(row)) {
+            rows.push_back(order_->mapToSource(order_->index(row, 0)).row());
+        }
+    }
+    std::vector<int> columns;
+    const QHeaderView* header = table_->horizontalHeader();
+    for (int place = 0; place < header->count(); ++place) {
+        if (const int column = header->logicalIndex(place); !header->isSectionHidden(column)) {
+            columns.push_back(column);
+        }
+    }
+    QGuiApplication::clipboard()->setText(model_.tableText(rows, columns));
+}
+
+void BatchWindow::closeEvent(QCloseEvent* event) {
+    if (!run_.running()) {
+        QWidget::closeEvent(event);
+        return;
+    }
+    if (leaving_) {
+        event->accept();  // the run stops where this object goes
+        return;
+    }
+    event->ignore();
+    auto* question =
+        new QMessageBox(QMessageBox::Question, tr("Stop the batch?"),
+                        tr("The batch is running. What is computed is kept beside the table, and "
+                           "Start with the same files goes on from there."),
+                        QMessageBox::NoButton, this);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    const auto* leave_now = question->addButton(tr("Stop and close"), QMessageBox::AcceptRole);
+    question->addButton(tr("Go on"), QMessageBox::RejectRole);
+    connect(question, &QMessageBox::buttonClicked, this,
+            [this, leave_now](const QAbstractButton* pressed) {
+                if (pressed == leave_now) {
+                    leave();
+                }
+            });
+    question->open();
+}
+
+void BatchWindow::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        applyTheme();
+    }
+}
+
+void BatchWindow::applyTheme() {
+    const Theme theme = isDark(palette()) ? darkTheme() : lightTheme();
+    model_.setTheme(theme);
+    QPalette colors = palette();
+    if (fault_) {
+        colors.setColor(QPalette::WindowText, theme.broken);
+    }
+    message_->setPalette(colors);
+}
+
+void BatchWindow::retranslate() {
+    setWindowTitle(tr("Batch of sets"));
+    start_->setText(tr("Start"));
+    start_->setToolTip(
+        tr("Compute every set of the list; rows of a stopped batch with the same files and options "
+           "are kept"));
+    stop_->setText(tr("Stop"));
+    stop_->setToolTip(tr("Stop; what is computed is kept"));
+    bar_->setAccessibleName(tr("Progress of the batch"));
+    table_->setAccessibleName(tr("Results of the batch"));
+    table_->setToolTip(tr("A double click or Return opens the set in the main window"));
+    details_->setAccessibleName(tr("About the chosen set"));
+    details_->setToolTip(tr("Why the chosen set has no result, and its warnings"));
+    details_->setPlaceholderText(
+        tr("Choose a set: here stands why it has no result, and its warnings."));
+    open_->setText(tr("Open the set in the main window"));
+    copy_->setText(tr("Copy rows"));
+    if (said_) {
+        message_->setText(said_());
+    }
+    model_.retranslate();
+    showColumns();
+    showDetails();
+    showProgress();
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "core/analysis/identify_settings.h"
+#include "ui/batch/batch_form.h"
+#include "ui/batch/batch_progress.h"
+#include "ui/batch/batch_run.h"
+#include "ui/batch/batch_table.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+class QAction;
+class QLabel;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+class QTableView;
+
+namespace vybeg::ui {
+
+class BatchOrder;
+
+// A window of its own for many sets: the files of a batch, its progress, and the table of its
+// results, which fills while they are computed. None of their recordings is opened here.
+class BatchWindow : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit BatchWindow(QWidget* parent = nullptr);
+
+    BatchForm& form() { return *form_; }
+    // Settings for what the list leaves open, asked for when the engineer wants those of the panel.
+    void setPanelSource(std::function<IdentifySettings()> source) { panel_ = std::move(source); }
+    void setUnits(const DisplayUnits& units);
+    bool running() const { return run_.running(); }
+    // Of the program: stops what is running, and closes without a question.
+    void leave();
+
+signals:
+    // A list of this set alone, with the options and conditions of its rows.
+    void setWanted(const vybeg::MeasurementList& list);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void buildTable();
+    void start();
+    void askAndStart();
+    void stop();
+    void whenBegun(const std::shared_ptr<const MeasurementList>& list);
+    void whenEnded(const Status& status);
+    void showProgress();
+    void showDetails();
+    // Their widths, and which are there.
+    void showColumns();
+    void widenFor(int row);
+    void say(std::function<QString()> text, bool fault);
+    void refresh();
+    void openCurrent();
+    void copyRows() const;
+    void applyTheme();
+    void retranslate();
+
+    std::function<IdentifySettings()> panel_;
+    bool leaving_ = false;
+    bool stopping_ = false;
+    QString output_;  // of the batch that runs or ran
+    BatchProgress progress_;
+    QTimer tick_;
+    std::function<QString()> said_;
+    bool fault_ = false;
+
+    BatchTable model_;
+    BatchOrder* order_;
+    BatchForm* form_;
+    QPushButton* start_;
+    QPushButton* stop_;
+    QProgressBar* bar_;
+    QLabel* told_;     // how far it is
+    QLabel* message_;  // how it ended
+    QTableView* table_;
+    QPlainTextEdit* details_;
+    QAction* open_;
+    QAction* copy_;
+    BatchRun run_;
+};
+
+}  // namespace vybeg::ui

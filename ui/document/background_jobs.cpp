@@ -1,0 +1,342 @@
+#include "ui/document/background_jobs.h"
+
+#include "core/analysis/recording_carrier.h"
+#include "core/output/identify_json.h"
+#include "core/output/output_file.h"
+#include "core/output/passport_json.h"
+#include "core/recording/open/open_recording.h"
+#include "core/recording/open/preview.h"
+#include "core/recording/samples/file_changes.h"
+#include "ui/document/freed_in_background.h"
+#include "ui/document/kept_result.h"
+#include "ui/document/track_export.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace vybeg::ui {
+
+namespace {
+
+// Between two progress signals, ms: more often than this nobody sees.
+constexpr qint64 progress_interval_ms = 40;
+
+std::filesystem::path toPath(const QString& path) {
+    return std::filesystem::path(path.toStdU16String());
+}
+
+// An analysis as the window takes it.
+AnalysisOutcome outcomeOf(Analysis found) {
+    AnalysisOutcome outcome;
+    const WindowPlan& plan = found.plan;
+    outcome.summary = summarise(found.track, std::min(1.0, static_cast<double>(plan.hop) /
+                                                               static_cast<double>(plan.length)));
+    // Between windows that lie far apart anything may have happened.
+    if (static_cast<std::int64_t>(found.track.rows()) == plan.count) {
+        outcome.events = find_events(found.track);
+    }
+    outcome.analysis = freedInBackground(std::make_shared<const Analysis>(std::move(found)));
+    for (const auto& curve : curvesOf(outcome.analysis)) {
+        outcome.curves.push_back(freedInBackground(curve));
+    }
+    return outcome;
+}
+
+// Seconds from now on.
+std::function<double()> stopwatch() {
+    QElapsedTimer started;
+    started.start();
+    return [started] { return 1e-9 * static_cast<double>(started.nsecsElapsed()); };
+}
+
+}  // namespace
+
+BackgroundJobs::BackgroundJobs(QObject* parent) : QObject(parent) {
+    // More than processors: most of them wait for a disk, and none may keep a file from opening.
+    openings_.setMaxThreadCount(4);
+    analyses_.setMaxThreadCount(1);
+    live_.setMaxThreadCount(1);
+    others_.setMaxThreadCount(4);
+}
+
+BackgroundJobs::~BackgroundJobs() {
+    for (auto& [id, task] : tasks_) {
+        task.stop.request_stop();
+    }
+    for (QThreadPool* pool : {&openings_, &analyses_, &live_, &others_}) {
+        pool->clear();
+    }
+    for (QThreadPool* pool : {&openings_, &analyses_, &live_, &others_}) {
+        pool->waitForDone();
+    }
+}
+
+bool BackgroundJobs::isStale(const Ticket& ticket) const {
+    const auto found = tasks_.find(ticket.id);
+    return found == tasks_.end() || found->second.generation != ticket.generation;
+}
+
+void BackgroundJobs::post(const Ticket& ticket, std::function<void()> act) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, ticket, act = std::move(act)] {
+            if (!isStale(ticket)) {
+                act();
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+void BackgroundJobs::open(int key, const QString& path, const OpenOptions& options,
+                          std::function<void(const QuickOverview&)> looked,
+                          std::function<void(Result<Recording>)> done) {
+    start<Recording>(
+        openings_, {Kind::open, key},
+        [this, path = toPath(path), options, looked = std::move(looked)](const Ticket& ticket) {
+            const JobControl job(ticket.stop, {}, stopwatch());
+            if (const auto look = quick_overview(path, options, job)) {
+                post(ticket, [looked, look = *look] { looked(look); });
+            }
+            Result<Recording> opened = open_recording(path, options, job);
+            if (opened) {
+                opened->source = freedInBackground(opened->source);
+            }
+            return opened;
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::preview(int key, const QString& path, const OpenOptions& options,
+                             std::function<void(Result<RecordingPreview>)> done) {
+    start<RecordingPreview>(
+        openings_, {Kind::preview, key},
+        [path = toPath(path), options](const Ticket& ticket) {
+            return preview_recording(path, options, JobControl(ticket.stop));
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::buildEnvelope(
+    int key, const Recording& recording, EnvelopeSink grown,
+    std::function<void(Result<std::shared_ptr<const Envelope>>)> done) {
+    using Picture = std::shared_ptr<const Envelope>;
+    start<Picture>(
+        others_, {Kind::envelope, key},
+        [this, source = recording.source, grown = std::move(grown)](const Ticket& ticket) {
+            const EnvelopeSink show = [&](const Picture& picture) {
+                post(ticket, [grown, picture = freedInBackground(picture)] { grown(picture); });
+            };
+            Result<Picture> whole =
+                build_envelope(*source, JobControl(ticket.stop, {}, stopwatch()), show);
+            return whole ? Result<Picture>(freedInBackground(*whole)) : whole;
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::hash(int key, const Recording& recording,
+                          std::function<void(Result<std::string>)> done) {
+    start<std::string>(
+        others_, {Kind::hash, key},
+        [recording](const Ticket& ticket) {
+            return recording_sha256(recording, JobControl(ticket.stop));
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::findCarrier(int key, const Recording& recording, const Settings& settings,
+                                 std::function<void(Result<double>)> done) {
+    start<double>(
+        others_, {Kind::carrier, key},
+        [recording, settings](const Ticket& ticket) {
+            return find_recording_carrier(recording, settings, JobControl(ticket.stop));
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::inspect(int key, const Recording& recording, const Settings& settings,
+                             std::function<void(Result<SampleFaults>)> done) {
+    start<SampleFaults>(
+        others_, {Kind::check, key},
+        [recording, settings](const Ticket& ticket) {
+            return vybeg::inspect(recording, settings, JobControl(ticket.stop));
+        },
+        std::move(done));
+}
+
+JobControl BackgroundJobs::reporting(int key, std::stop_token stop) {
+    auto last = std::make_shared<QElapsedTimer>();
+    last->start();
+    return JobControl(
+        stop,
+        [this, key, last](double fraction) {
+            if (last->elapsed() >= progress_interval_ms) {
+                last->restart();
+                QMetaObject::invokeMethod(
+                    this, [this, key, fraction] { emit analysisProgress(key, fraction); },
+                    Qt::QueuedConnection);
+            }
+        },
+        stopwatch());
+}
+
+void BackgroundJobs::analyse(int key, const Recording& recording, const Settings& settings,
+                             std::function<void(Result<AnalysisOutcome>)> done) {
+    start<AnalysisOutcome>(
+        analyses_, {Kind::analysis, key},
+        [this, key, recording, settings](const Ticket& ticket) -> Result<AnalysisOutcome> {
+            QMetaObject::invokeMethod(
+                this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
+            Result<Analysis> found =
+                vybeg::analyse(recording, settings, reporting(key, ticket.stop));
+            if (const Status still = unchanged(recording); !still) {
+                return still.error();
+            }
+            return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::analyseLive(int key, const Recording& recording, const Settings& settings,
+                                 const TimeRange& visible,
+                                 std::function<void(AnalysisOutcome)> early,
+                                 std::function<void(Result<AnalysisOutcome>)> done) {
+    start<AnalysisOutcome>(
+        live_, {Kind::live, key},
+        [this, key, recording, settings, visible,
+         early = std::move(early)](const Ticket& ticket) -> Result<AnalysisOutcome> {
+            const EarlySink show = [&](Analysis some) {
+                post(ticket, [early, outcome = outcomeOf(std::move(some))] { early(outcome); });
+            };
+            Result<Analysis> found = analyse_visible_first(recording, settings, visible, show,
+                                                           reporting(key, ticket.stop));
+            if (const Status still = unchanged(recording); !still) {
+                return still.error();
+            }
+            return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::identify(int key, const std::vector<Recording>& recordings,
+                              std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
+                              std::function<void(Result<ResonatorOutcome>)> done) {
+    start<ResonatorOutcome>(
+        analyses_, {Kind::identification, key},
+        [this, key, recordings, inputs = std::move(inputs),
+         settings](const Ticket& ticket) -> Result<ResonatorOutcome> {
+            QMetaObject::invokeMethod(
+                this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
+            const JobControl job = reporting(key, ticket.stop);
+            ResonatorOutcome outcome;
+            outcome.inputs = inputs;
+            std::vector<std::string> hashes;
+            for (std::size_t k = 0; k < recordings.size(); ++k) {
+                IdentifiedInput& input = outcome.inputs[k];
+                if (input.sha256.empty()) {
+                    Result<std::string> hash = recording_sha256(recordings[k], job.silent());
+                    if (!hash) {
+                        return hash.error();
+                    }
+                    input.sha256 = std::move(*hash);
+                }
+                hashes.push_back(input.sha256);
+            }
+            if (const Status distinct = check_distinct(recordings, hashes); !distinct) {
+                return distinct.error();
+            }
+            const double begun = job.now();
+            Result<Identification> found = vybeg::identify(recordings, settings, job);
+            for (const Recording& recording : recordings) {
+                if (const Status still = unchanged(recording); !still) {
+                    return still.error();
+                }
+            }
+            if (!found) {
+                return found.error();
+            }
+            outcome.seconds = job.now() - begun;
+            outcome.identification = std::move(*found);
+            for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
+                outcome.inputs[k].f0_hz = outcome.identification.runs[k].f0_hz;
+            }
+            outcome.kept = keptResult(outcome);
+            return outcome;
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::readPassport(int key, const QString& path,
+                                  std::function<void(Result<Passport>)> done) {
+    start<Passport>(
+        others_, {Kind::passport, key},
+        [path = toPath(path)](const Ticket&) { return read_passport_file(path); }, std::move(done));
+}
+
+void BackgroundJobs::writePassport(int key, std::shared_ptr<const ResonatorOutcome> outcome,
+                                   const QString& program, const QString& path,
+                                   std::function<void(Status)> done) {
+    write(
+        key,
+        [outcome = std::move(outcome), name = program.toStdString(),
+         path = toPath(path)](const JobControl& job) -> Status {
+            const Passport passport = passport_of(name, outcome->inputs, outcome->identification);
+            return write_file(path, passport_json(passport), job);
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::writeTrack(int key, const Recording& recording,
+                                std::shared_ptr<const Analysis> analysis, const QString& program,
+                                const QString& path, std::function<void(Status)> done) {
+    write(
+        key,
+        [recording, analysis = std::move(analysis), name = program.toStdString(),
+         path = toPath(path)](const JobControl& job) -> Status {
+            return exportTrackTo(path, recording, *analysis, name, job);
+        },
+        std::move(done));
+}
+
+void BackgroundJobs::write(int key, std::function<Status(const JobControl&)> work,
+                           std::function<void(Status)> done) {
+    struct Nothing {};
+    start<Nothing>(
+        others_, {Kind::write, key},
+        [work = std::move(work)](const Ticket& ticket) -> Result<Nothing> {
+            const Status status = work(JobControl(ticket.stop));
+            return status ? Result<Nothing>(Nothing{}) : Result<Nothing>(status.error());
+        },
+        [done = std::move(done)](const Result<Nothing>& result) {
+            done(result ? Status() : Status(result.error()));
+        });
+}
+
+void BackgroundJobs::forget(int key) {
+    std::erase_if(tasks_, [key](auto& entry) {
+        if (entry.first.second != key) {
+            return false;
+        }
+        entry.second.stop.request_stop();
+        return true;
+    });
+}
+
+void BackgroundJobs::forgetLive(int key) {
+    if (const auto found = tasks_.find({Kind::live, key}); found != tasks_.end()) {
+        found->second.stop.request_stop();
+        tasks_.erase(found);
+    }
+}
+
+void BackgroundJobs::cancelAnalyses() {
+    for (auto& [id, task] : tasks_) {
+        if (id.first == Kind::analysis || id.first == Kind::live ||
+            id.first == Kind::identification) {
+            task.stop.request_stop();
+        }
+    }
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,224 @@
+#pragma once
+
+#include "core/analysis/analyse.h"
+#include "core/analysis/analysis.h"
+#include "core/analysis/inspect.h"
+#include "core/analysis/settings.h"
+#include "core/analysis/visible_first.h"
+#include "core/recording/envelope/envelope_builder.h"
+#include "core/recording/open/quick_overview.h"
+#include "core/recording/open/recording_preview.h"
+#include "core/recording/samples/open_options.h"
+#include "core/recording/samples/recording.h"
+#include "core/residuals/signal_excerpt.h"
+#include "core/track/events.h"
+#include "core/track/track_summary.h"
+#include "ui/values/curve_data.h"
+#include "ui/values/recording_set.h"
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+namespace vybeg {
+struct ResidualRange;
+struct Residuals;
+struct WindowSweep;
+}  // namespace vybeg
+
+namespace vybeg::ui {
+
+// What an analysis gives the window: the track, its curves, what one line says about it, and its
+// events. Made in the background, so that nothing is left to compute where the window draws.
+struct AnalysisOutcome {
+    std::shared_ptr<const Analysis> analysis;
+    Curves curves;
+    TrackSummary summary;
+    std::vector<Event> events;
+};
+
+// Samples with their fitted wave, and what the next excerpt of the same is taken from.
+struct ExcerptOutcome {
+    SignalSource source;
+    std::shared_ptr<const SignalExcerpt> excerpt;
+};
+
+// The only file with threads. Every job works in the background on values and returns its result by
+// value to the thread of this object; `done` is called there. Jobs are told apart by kind and key:
+// a new job of the same kind and key stops the one before it, and whatever that still delivers is
+// dropped by its generation number. Analyses run one after the other, each on all processors;
+// everything else runs beside them, live analyses too: nobody waits for a long run with a spin box
+// in hand. What is large in a result (samples, track, curves, envelope) is
+// also freed in the background, whoever lets go of it last.
+class BackgroundJobs : public QObject {
+    Q_OBJECT
+
+public:
+    explicit BackgroundJobs(QObject* parent = nullptr);
+    // Stops every job and waits until the last has heard it.
+    ~BackgroundJobs() override;
+
+    // `looked` gets what can be seen of a file whose opening takes long, before it is open.
+    void open(int key, const QString& path, const OpenOptions& options,
+              std::function<void(const QuickOverview&)> looked,
+              std::function<void(Result<Recording>)> done);
+    void preview(int key, const QString& path, const OpenOptions& options,
+                 std::function<void(Result<RecordingPreview>)> done);
+    // `grown` gets pictures of the envelope while it grows, some ten a second.
+    void buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
+                       std::function<void(Result<std::shared_ptr<const Envelope>>)> done);
+    void hash(int key, const Recording& recording, std::function<void(Result<std::string>)> done);
+    void findCarrier(int key, const Recording& recording, const Settings& settings,
+                     std::function<void(Result<double>)> done);
+    // The recording check over the whole recording.
+    void inspect(int key, const Recording& recording, const Settings& settings,
+                 std::function<void(Result<SampleFaults>)> done);
+    void analyse(int key, const Recording& recording, const Settings& settings,
+                 std::function<void(Result<AnalysisOutcome>)> done);
+    // The same for a setting that is still being changed: `early` first gets what is there of a
+    // long one, some windows of all and then all of the visible (visible_first.h).
+    void analyseLive(int key, const Recording& recording, const Settings& settings,
+                     const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
+                     std::function<void(Result<AnalysisOutcome>)> done);
+
+    // The residual of an analysis that has all its windows.
+    void findResiduals(int key, const Recording& recording,
+                       std::shared_ptr<const Analysis> analysis, const ResidualRange& range,
+                       std::function<void(Result<Residuals>)> done);
+
+    // The recording in windows of many lengths; tells its progress.
+    void sweepWindows(int key, const Recording& recording, const Settings& settings,
+                      const std::vector<std::int64_t>& lengths,
+                      std::function<void(Result<WindowSweep>)> done);
+    // Samples of consecutive frames with the wave of an analysis that has all its windows, or
+    // without one. `known`: of an excerpt of the same recording and analysis, if there is one.
+    void readExcerpt(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
+                     std::optional<SignalSource> known, std::int64_t first, std::int64_t count,
+                     std::function<void(Result<ExcerptOutcome>)> done);
+
+    // One resonator behind all recordings. `inputs` as these; hashes that are missing are made.
+    void identify(int key, const std::vector<Recording>& recordings,
+                  std::vector<IdentifiedInput> inputs, const IdentifySettings& settings,
+                  std::function<void(Result<ResonatorOutcome>)> done);
+    void readPassport(int key, const QString& path, std::function<void(Result<Passport>)> done);
+    void writePassport(int key, std::shared_ptr<const ResonatorOutcome> outcome,
+                       const QString& program, const QString& path,
+                       std::function<void(Status)> done);
+
+    // Writes the track CSV; hashes the recording first.
+    void writeTrack(int key, const Recording& recording, std::shared_ptr<const Analysis> analysis,
+                    const QString& program, const QString& path, std::function<void(Status)> done);
+
+    // Anything else that makes a file.
+    void write(int key, std::function<Status(const JobControl&)> work,
+               std::function<void(Status)> done);
+    // Any other work of a page on values of its own; it hears an interruption.
+    template <class Value>
+    void run(int key, std::function<Result<Value>(const JobControl&)> work,
+             std::function<void(Result<Value>)> done);
+
+    // Stops all jobs about a key without a result.
+    void forget(int key);
+    void forgetLive(int key);
+    // Stops all analyses, live ones and identifications too; each delivers ErrorCode::interrupted.
+    void cancelAnalyses();
+
+signals:
+    // 0..1 of the analysis with that key.
+    void analysisProgress(int key, double fraction);
+    // The analysis with that key has begun to compute.
+    void analysisStarted(int key);
+
+private:
+    enum class Kind {
+        open,
+        preview,
+        envelope,
+        hash,
+        carrier,
+        check,
+        analysis,
+        live,
+        identification,
+        residuals,
+        sweep,
+        excerpt,
+        page,
+        passport,
+        write
+    };
+    struct Task {
+        quint64 generation = 0;
+        std::stop_source stop;
+    };
+    using TaskId = std::pair<Kind, int>;
+    // What a job knows of itself while it works.
+    struct Ticket {
+        TaskId id;
+        quint64 generation = 0;
+        std::stop_token stop;
+    };
+
+    template <class Value>
+    void start(QThreadPool& pool, TaskId id, std::function<Result<Value>(const Ticket&)> work,
+               std::function<void(Result<Value>)> done);
+    bool isStale(const Ticket& ticket) const;
+    // Lets `act` run in the window's thread, unless the job is stale by then.
+    void post(const Ticket& ticket, std::function<void()> act);
+    JobControl reporting(int key, std::stop_token stop);
+
+    quint64 generation_ = 0;
+    std::map<TaskId, Task> tasks_;
+    QThreadPool openings_;
+    QThreadPool analyses_;
+    QThreadPool live_;
+    QThreadPool others_;
+};
+
+template <class Value>
+void BackgroundJobs::run(int key, std::function<Result<Value>(const JobControl&)> work,
+                         std::function<void(Result<Value>)> done) {
+    start<Value>(
+        others_, {Kind::page, key},
+        [work = std::move(work)](const Ticket& ticket) { return work(JobControl(ticket.stop)); },
+        std::move(done));
+}
+
+template <class Value>
+void BackgroundJobs::start(QThreadPool& pool, TaskId id,
+                           std::function<Result<Value>(const Ticket&)> work,
+                           std::function<void(Result<Value>)> done) {
+    Task& task = tasks_[id];
+    task.stop.request_stop();
+    task = Task{++generation_, std::stop_source{}};
+    pool.start([this, ticket = Ticket{id, task.generation, task.stop.get_token()},
+                work = std::move(work), done = std::move(done)] {
+        Result<Value> result = Error{ErrorCode::interrupted, {}, {}};
+        try {
+            if (!ticket.stop.stop_requested()) {
+                result = work(ticket);
+            }
+        } catch (const std::bad_alloc&) {
+            result = Error{ErrorCode::out_of_memory, {}, {}};
+        }
+        auto deliver = [this, ticket, result = std::move(result), done]() mutable {
+            if (isStale(ticket)) {
+                return;  // a newer job of its kind and key has taken its place
+            }
+            tasks_.erase(ticket.id);
+            done(std::move(result));
+        };
+        // The destructor waits for this thread, so that `this` is still there.
+        QMetaObject::invokeMethod(this, std::move(deliver), Qt::QueuedConnection);
+    });
+}
+
+}  // namespace vybeg::ui

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "ui/values/curve_data.h"
+#include "ui/words/display_units.h"
+
+#include <qcustomplot.h>
+
+#include <memory>
+
+namespace vybeg::ui {
+
+// The curve of one run in one plot: min/max per pixel column, drawn as independent segments
+// (QCustomPlot's own graphs take seconds for dense data unless the pen is one pixel wide). The dash
+// pattern runs along the time axis, so that noise does not blur it. Missing windows leave a gap and
+// a mark at the foot of the plot, however narrow the gap is; values outside the axis leave a mark
+// at the edge that they cross.
+class DecimatedGraph : public QCPAbstractPlottable {
+    Q_OBJECT
+
+public:
+    DecimatedGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, std::shared_ptr<const CurveData> data);
+
+    void setScale(const DisplayScale& scale) { scale_ = scale; }
+    void setBand(bool shown) { band_ = shown; }
+    // Offset of the pointers to values beyond the frame, 0 to 1 of their distance, so that those of
+    // several curves are side by side.
+    void setPointers(double begin) { pointers_begin_ = begin; }
+    // Look of the curve, its band and the marks of missing windows.
+    void setLook(const QColor& color, Qt::PenStyle dash, const QColor& missing);
+
+    const CurveData& data() const { return *data_; }
+    const std::shared_ptr<const CurveData>& sharedData() const { return data_; }
+    const DisplayScale& scale() const { return scale_; }
+    const QColor& color() const { return color_; }
+
+    // The columns of a time range over a width in pixels; cached for the last arguments.
+    const std::vector<CurveColumn>& columns(const AxisRange& time, int width) const;
+
+    double selectTest(const QPointF& pos, bool onlySelectable,
+                      QVariant* details = nullptr) const override;
+    QCPRange getKeyRange(bool& foundRange, QCP::SignDomain inSignDomain) const override;
+    QCPRange getValueRange(bool& foundRange, QCP::SignDomain inSignDomain,
+                           const QCPRange& inKeyRange) const override;
+
+protected:
+    void draw(QCPPainter* painter) override;
+    void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override;
+
+private:
+    double pixelY(double displayed) const;
+    void drawBand(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
+    void drawLine(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
+    void drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
+    // Adds a segment, cut into the run's dashes.
+    void addDashed(QVector<QLineF>& lines, const QLineF& segment, double origin) const;
+
+    std::shared_ptr<const CurveData> data_;
+    DisplayScale scale_;
+    bool band_ = true;
+    double pointers_begin_ = 0;
+    QColor color_;
+    QColor missing_;
+    QVector<double> pattern_;  // lengths of dash and gap in turns, pixels; empty: solid
+    mutable AxisRange cached_time_;
+    mutable int cached_width_ = 0;
+    mutable std::vector<CurveColumn> cached_;
+};
+
+// Lengths of dash and gap in turns, in pixels along the time axis; empty for a solid line.
+QVector<double> dashPattern(Qt::PenStyle dash);
+
+}  // namespace vybeg::ui

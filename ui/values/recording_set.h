@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/analysis/identify.h"
+#include "core/analysis/measurement_list.h"
+#include "core/resonator/results/passport.h"
+
+#include <QJsonObject>
+#include <QString>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vybeg::ui {
+
+// Result of an identification and its inputs.
+struct ResonatorOutcome {
+    Identification identification;        // with the requested settings
+    std::vector<IdentifiedInput> inputs;  // as identification.runs
+    std::vector<int> recordings;          // ids in the document, in that order
+    double seconds = 0;                   // duration
+    QJsonObject kept;                     // as a session keeps it, kept_result.h
+};
+
+// Result of an identification that a session brings, shown until the set is identified here.
+struct KeptResult {
+    QJsonObject json;         // kept_result.h; empty: none
+    bool up_to_date = false;  // with the recordings and settings of the session
+};
+
+// One recording as its row of a measurement list gives it.
+struct ListedMember {
+    ListedRecording row;
+    SignalSettings signal;
+};
+
+// What a measurement list says of a set. Recordings that come to the set later have the signal
+// settings of `settings`.
+struct ListedSet {
+    IdentifySettings settings;
+    std::vector<std::string> other_columns;  // of the list
+    std::map<int, ListedMember> members;     // by id in the document
+};
+
+// Recordings of one resonator, started at different angles, that are identified together. A single
+// recording is a set of one.
+struct RecordingSet {
+    int id = 0;
+    int number = 0;               // for the default name
+    QString name;                 // empty: default name
+    std::vector<int> recordings;  // ids in the document, in the order in which they were added
+    FitOptions::Model model = FitOptions::Model::automatic;
+    std::shared_ptr<const ListedSet> listed;  // null: the settings of the panel hold
+    // The newest last. All have the present recordings of the set; otherwise only the last one
+    // remains, out of date.
+    std::vector<std::shared_ptr<const ResonatorOutcome>> outcomes;
+    KeptResult kept;
+};
+
+// Passport for the comparison of sets.
+struct OpenPassport {
+    QString name;  // of its file
+    Passport passport;
+};
+
+}  // namespace vybeg::ui
