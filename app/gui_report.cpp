@@ -27,7 +27,7 @@ Status check_ending(const std::string& path) {
                                     {"--report", path, "a report is a PDF document: name it .pdf"}};
 }
 
-Result<std::vector<MeasurementSet>> wanted_sets(const ReportRequest& request) {
+Result<MeasurementList> wanted_sets(const ReportRequest& request) {
     IdentifySettings settings;
     settings.signal = request.settings;
     settings.tolerance = request.tolerance;
@@ -37,7 +37,7 @@ Result<std::vector<MeasurementSet>> wanted_sets(const ReportRequest& request) {
         for (const std::string& name : request.inputs) {
             set.recordings.push_back({name, name, request.open, {}, {}});
         }
-        return std::vector{std::move(set)};
+        return MeasurementList{{}, {std::move(set)}, {}};
     }
     Result<MeasurementList> list = read_measurement_list(request.list, {request.open, settings});
     if (!list) {
@@ -47,13 +47,14 @@ Result<std::vector<MeasurementSet>> wanted_sets(const ReportRequest& request) {
         warn(diagnostic);
     }
     if (request.set.empty()) {
-        return std::move(list->sets);
+        return list;
     }
     Result<MeasurementSet> named = set_named(*list, "--set", request.set);
     if (!named) {
         return named.error();
     }
-    return std::vector{std::move(*named)};
+    list->sets = {std::move(*named)};
+    return list;
 }
 
 std::vector<std::string> files_of(const ReportRequest& request,
@@ -80,10 +81,10 @@ QString program_text() {
     return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
 }
 
-Result<QByteArray> pdf_of(const ReportRequest& request, const MeasurementSet& set,
-                          const JobControl& job) {
+Result<QByteArray> pdf_of_one(const ReportRequest& request, const MeasurementList& list,
+                              const JobControl& job) {
     const Result<ui::ReportContent> content =
-        report_of_set(set, request.settings, request.title, job);
+        report_of_set(list.sets.front(), list.other_columns, request.settings, request.title, job);
     if (!content) {
         return content.error();
     }
@@ -92,22 +93,22 @@ Result<QByteArray> pdf_of(const ReportRequest& request, const MeasurementSet& se
 }
 
 // Set by set: only texts and figures stay in memory.
-Result<QByteArray> pdf_of(const ReportRequest& request, const std::vector<MeasurementSet>& sets,
-                          const JobControl& job) {
+Result<QByteArray> pdf_of_all(const ReportRequest& request, const MeasurementList& list,
+                              const JobControl& job) {
     std::vector<ui::ReportChapter> chapters;
     std::vector<ui::ReportPicture> pictures;
     ui::DisplayUnits units;
     units.angle = ui::AngleUnit::degrees;
-    for (const MeasurementSet& set : sets) {
+    for (const MeasurementSet& set : list.sets) {
         Result<ui::ReportContent> content =
-            report_of_set(set, request.settings, request.title, job);
+            report_of_set(set, list.other_columns, request.settings, request.title, job);
         if (!content) {
             if (ends_report(content.error().code)) {
                 return content.error();
             }
             (void)fail(content.error());
             ui::ReportContent without;
-            without.title = title_of(set, request.title);
+            without.title = ui::titleOf(set, request.title);
             without.units = units;
             without.not_identified = content.error();
             content = std::move(without);
@@ -129,18 +130,18 @@ int write_report(const ReportRequest& request, std::stop_token stop) {
     if (const Status is_pdf = check_ending(request.report); !is_pdf) {
         return fail(is_pdf.error());
     }
-    const Result<std::vector<MeasurementSet>> sets = wanted_sets(request);
-    if (!sets) {
-        return fail(sets.error());
+    const Result<MeasurementList> list = wanted_sets(request);
+    if (!list) {
+        return fail(list.error());
     }
-    if (const Status possible =
-            check_request("--report", request.report, files_of(request, *sets), request.settings);
+    if (const Status possible = check_request("--report", request.report,
+                                              files_of(request, list->sets), request.settings);
         !possible) {
         return fail(possible.error());
     }
     const JobControl job(stop);
     const Result<QByteArray> pdf =
-        sets->size() == 1 ? pdf_of(request, sets->front(), job) : pdf_of(request, *sets, job);
+        list->sets.size() == 1 ? pdf_of_one(request, *list, job) : pdf_of_all(request, *list, job);
     if (!pdf) {
         return fail(pdf.error());
     }

@@ -5,8 +5,7 @@
 #include "core/analysis/inspect.h"
 #include "core/recording/samples/file_changes.h"
 #include "core/track/events.h"
-
-#include <QStringList>
+#include "ui/resonator/conditions_text.h"
 
 #include <memory>
 #include <string>
@@ -84,29 +83,12 @@ Status add_resonator(const IdentifySettings& settings, const JobControl& job, An
     return {};
 }
 
-// A condition of the recordings, each value once; otherwise `usual`.
-QString told(const MeasurementSet& set, std::string Conditions::*condition, const QString& usual) {
-    QStringList values;
-    for (const ListedRecording& listed : set.recordings) {
-        const QString value = QString::fromStdString(listed.conditions.*condition);
-        if (!value.isEmpty() && !values.contains(value)) {
-            values << value;
-        }
-    }
-    return values.isEmpty() ? usual : values.join(QStringLiteral("; "));
-}
-
 }  // namespace
 
-ui::ReportTitle title_of(const MeasurementSet& set, const ui::ReportTitle& title) {
-    return {told(set, &Conditions::gyro, title.gyro),
-            told(set, &Conditions::operator_name, title.engineer),
-            told(set, &Conditions::date, title.date),
-            told(set, &Conditions::comment, title.comment)};
-}
-
-Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Settings& track,
-                                        const ui::ReportTitle& title, const JobControl& job) {
+Result<ui::ReportContent> report_of_set(const MeasurementSet& set,
+                                        const std::vector<std::string>& other_columns,
+                                        const Settings& track, const ui::ReportTitle& title,
+                                        const JobControl& job) {
     if (const Status alike = check_conditions(set); !alike) {
         return alike.error();
     }
@@ -118,12 +100,14 @@ Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Setting
         if (const Status added = add_recording(set.recordings[k], settings, job, all); !added) {
             return added.error();
         }
+        all.content.recordings.back().conditions =
+            ui::conditionsText(set.recordings[k], other_columns);
     }
     if (const Status identified = add_resonator(set.settings, job, all); !identified) {
         return identified.error();
     }
     all.content.units.angle = ui::AngleUnit::degrees;
-    all.content.title = title_of(set, title);
+    all.content.title = ui::titleOf(set, title);
     if (all.content.title.date.isEmpty()) {
         all.content.title.date = ui::measuredOn(all.content.recordings);
     }

@@ -11,6 +11,7 @@
 #include "ui/document/document.h"
 #include "ui/history/history_page.h"
 #include "ui/plots/track_view.h"
+#include "ui/residuals/residuals_page.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
@@ -62,7 +63,9 @@ QImage settled(QWidget& window, const Document& document) {
     while (clock.elapsed() < most_ms) {
         pass(settle_ms);
         const QImage now = window.grab().toImage();
-        if (!document.busy() && now == last) {
+        const auto* residuals = window.findChild<ResidualsPage*>();
+        const bool computes = document.busy() || (residuals && residuals->computing());
+        if (!computes && now == last) {
             break;
         }
         last = now;

@@ -1776,6 +1776,18 @@
         <source>Recordings in the fit</source>
         <translation>Записи в подгонке</translation>
     </message>
+    <message>
+        <source>Conditions: %1</source>
+        <translation>Условия: %1</translation>
+    </message>
+    <message>
+        <source>Without these recordings of the list: %1.</source>
+        <translation>Без этих записей списка: %1.</translation>
+    </message>
+    <message>
+        <source>Settings of the identification</source>
+        <translation>Настройки идентификации</translation>
+    </message>
 </context>
 <context>
     <name>Residuals</name>
@@ -4229,6 +4241,22 @@
         <source>The session has changes that are not saved.</source>
         <translation>В сеансе есть несохранённые изменения.</translation>
     </message>
+    <message>
+        <source>Save session</source>
+        <translation>Сохранить сеанс</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was opened here. Saving replaces its changes.</source>
+        <translation>Другая программа изменила файл %1 после того, как он был открыт здесь. Сохранение заменит её изменения.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Заменить</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Сохранить как…</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::FileQuestions</name>
@@ -4587,6 +4615,10 @@
     <message>
         <source>How often each value occurs among the results shown</source>
         <translation>Как часто каждое значение встречается среди показанных результатов</translation>
+    </message>
+    <message>
+        <source>The result of %1 replaces the one in %2 of the same recordings and settings.</source>
+        <translation>Результат %1 заменяет в %2 прежний результат тех же записей с теми же настройками.</translation>
     </message>
 </context>
 <context>
@@ -5525,6 +5557,10 @@
         <source>Result of the session, identified by %1 from %2. %3; χ² per degree of freedom %4. The motion of the waves, the plots and the report need the recordings.</source>
         <translation>Результат из сеанса, вычислен программой %1 по записям %2. %3; χ² на степень свободы %4. Для движения волн, графиков и отчёта нужны сами записи.</translation>
     </message>
+    <message>
+        <source>⚠ Without these recordings of the measurement list: %1.</source>
+        <translation>⚠ Без этих записей списка измерений: %1.</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::RoundView</name>
@@ -5708,6 +5744,10 @@
         <source>Recover</source>
         <translation>Восстановить</translation>
     </message>
+    <message>
+        <source>The session %1 is damaged: “%2” holds something else than a session has there. Restore the file from a copy.</source>
+        <translation>Сеанс %1 повреждён: в «%2» записано не то, что бывает в сеансе. Восстановите файл из копии.</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::SetPanel</name>
@@ -5829,6 +5869,10 @@
     <message>
         <source>sets of the list</source>
         <translation>наборы списка</translation>
+    </message>
+    <message>
+        <source>The set %1 of the list names these recordings more than once: %2. Each counts once.</source>
+        <translation>Набор %1 списка называет эти записи более одного раза: %2. Каждая учитывается один раз.</translation>
     </message>
 </context>
 <context>

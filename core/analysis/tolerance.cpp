@@ -113,7 +113,9 @@ Result<Tolerance> read_tolerance(std::string_view text) {
 std::string tolerance_text(const Tolerance& tolerance) {
     std::string text;
     const auto add = [&text](const char* name, double value) {
-        text += (text.empty() ? "" : ",") + std::string(name) + "=" + round_trip_text(value);
+        text += text.empty() ? "" : ",";
+        text += name;
+        text += '=' + round_trip_text(value);
     };
     if (tolerance.kappa) {
         add("kappa", *tolerance.kappa);

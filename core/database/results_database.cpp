@@ -217,6 +217,14 @@ Result<std::int64_t> ResultsDatabase::add(const StoredResult& result) {
     });
 }
 
+Result<bool> ResultsDatabase::holds(const std::string& key) {
+    return guarded([&] {
+        SqliteStatement statement(*connection_, "SELECT 1 FROM result WHERE key = ?");
+        statement.bind(key);
+        return statement.step();
+    });
+}
+
 Result<std::vector<StoredGyro>> ResultsDatabase::gyros() {
     return guarded([this] {
         SqliteStatement statement(*connection_,

@@ -42,6 +42,9 @@ public:
     // were computed again, perhaps by a later version or with corrected conditions.
     Result<std::int64_t> add(const StoredResult& result);
 
+    // Whether there is a result of this key.
+    Result<bool> holds(const std::string& key);
+
     // By name.
     Result<std::vector<StoredGyro>> gyros();
     // The results that have this parameter, by date; those without a date last, in the order in

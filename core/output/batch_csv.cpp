@@ -47,7 +47,8 @@ std::string field(const std::string& text) {
 std::string in_row(const std::vector<std::string>& texts) {
     std::string row;
     for (const std::string& text : texts) {
-        row += (&text == &texts.front() ? "" : ",") + field(text);
+        row += &text == &texts.front() ? "" : ",";
+        row += field(text);
     }
     return row;
 }

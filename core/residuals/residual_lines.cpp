@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace vybeg {
 namespace {
@@ -61,7 +62,8 @@ private:
 
 struct Peak {
     std::ptrdiff_t bin = 0;
-    double ratio = 0;  // to the noise
+    double ratio = 0;     // to the noise
+    std::size_t channel;  // in which it rises
 };
 
 // Bins that may hold a line: all but the ends, inside a band-pass. Beyond it line and noise are as
@@ -84,8 +86,9 @@ Bins bins_of(const ResidualSpectrum& spectrum, const SignalSettings& settings) {
 }
 
 // Local maxima above `least` times their noise.
-void add_peaks(const std::vector<double>& density, int segments, double least, const Bins& bins,
-               std::vector<Peak>& peaks) {
+void add_peaks(const Densities& densities, std::size_t channel, int segments, double least,
+               const Bins& bins, std::vector<Peak>& peaks) {
+    const std::vector<double>& density = densities[channel];
     const NoiseFloor noise(density, segments);
     for (std::ptrdiff_t k = bins.first; k < bins.end; ++k) {
         const auto at = [&](std::ptrdiff_t bin) { return density[static_cast<std::size_t>(bin)]; };
@@ -93,18 +96,36 @@ void add_peaks(const std::vector<double>& density, int segments, double least, c
             continue;
         }
         if (const double floor = noise.at(k); floor > 0 && at(k) > least * floor) {
-            peaks.push_back({k, at(k) / floor});
+            peaks.push_back({k, at(k) / floor, channel});
         }
     }
 }
 
-// The highest of each group of peaks that one line makes in both channels.
-std::vector<Peak> distinct(std::vector<Peak> peaks) {
+// Largest density of a line of unit density beyond its main lobe: a side lobe of the Hann window is
+// 1 / (pi x (x^2 - 1)) at x bins from the line, which lies up to half a bin from its own and loses
+// 1.42 dB there.
+double side_lobe(std::ptrdiff_t bins_away) {
+    const double x = static_cast<double>(bins_away) - 0.5;
+    const double amplitude = 1 / (std::numbers::pi * x * (x * x - 1));
+    return 1.39 * amplitude * amplitude;
+}
+
+// The highest of each group of peaks that one line makes in both channels, with its side lobes.
+std::vector<Peak> distinct(std::vector<Peak> peaks, const Densities& densities) {
     std::ranges::sort(peaks, std::ranges::greater{}, &Peak::ratio);
+    // The noise doubles a side lobe at times.
+    constexpr double margin = 2;
+    const auto belongs = [&](const Peak& peak, const Peak& to) {
+        const std::ptrdiff_t away = std::abs(to.bin - peak.bin);
+        const std::vector<double>& density = densities[peak.channel];
+        return away <= main_lobe ||
+               density[static_cast<std::size_t>(peak.bin)] <
+                   margin * side_lobe(away) * density[static_cast<std::size_t>(to.bin)];
+    };
     std::vector<Peak> kept;
     for (const Peak& peak : peaks) {
-        const bool known = std::ranges::any_of(
-            kept, [&](const Peak& other) { return std::abs(other.bin - peak.bin) <= main_lobe; });
+        const bool known =
+            std::ranges::any_of(kept, [&](const Peak& other) { return belongs(peak, other); });
         if (!known && kept.size() < most_peaks) {
             kept.push_back(peak);
         }
@@ -181,10 +202,10 @@ std::vector<ResidualLine> residual_lines(const ResidualSpectrum& spectrum,
     const double least = ratio_exceeded(independent, false_line_probability / bins);
     const Bins looked_at = bins_of(spectrum, analysis.settings);
     std::vector<Peak> peaks;
-    for (const std::vector<double>& density : spectrum.mean) {
-        add_peaks(density, spectrum.segments, least, looked_at, peaks);
+    for (std::size_t channel = 0; channel < spectrum.mean.size(); ++channel) {
+        add_peaks(spectrum.mean, channel, spectrum.segments, least, looked_at, peaks);
     }
-    for (const Peak& peak : distinct(std::move(peaks))) {
+    for (const Peak& peak : distinct(std::move(peaks), spectrum.mean)) {
         ResidualLine line;
         line.f_hz = frequency_of(spectrum, peak.bin);
         const auto channel = [&](std::size_t k, double& amplitude, double& sd) {

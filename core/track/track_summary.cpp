@@ -36,8 +36,7 @@ void TrackSummariser::take(const Track& rows) {
         counts_.leaking += has(flags[k], Flag::leakage) ? 1 : 0;
         counts_.moving += has(flags[k], Flag::moving) ? 1 : 0;
         if (std::isfinite(noise[k])) {
-            noises_ += 1;
-            noise_squares_ += noise[k] * noise[k];
+            ((flags[k] & invalid) == 0 ? noise_ : noise_of_invalid_).take(noise[k]);
         }
         if (!std::isfinite(f[k])) {
             continue;
@@ -72,7 +71,7 @@ void TrackSummariser::take_frequency(double f, double sd, double leakage) {
 TrackSummary TrackSummariser::summary() const {
     TrackSummary summary = counts_;
     summary.mean_f_hz = summary.sd_mean_f_hz = summary.scatter_f_hz = nan;
-    summary.noise = noises_ > 0 ? std::sqrt(noise_squares_ / noises_) : nan;
+    summary.noise = noise_.count > 0 ? noise_.root() : noise_of_invalid_.root();
     if (count_ == 0) {
         return summary;
     }

@@ -2,6 +2,7 @@
 
 #include "core/track/track.h"
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct TrackSummary {
     double sd_mean_f_hz = 0;  // all contributions; NaN for fewer than two windows
     double leakage_f_hz = 0;  // part due to leakage of a closed form: |its weighted mean|
     double scatter_f_hz = 0;  // part due to the scatter of the windows
-    double noise = 0;         // per sample and channel, root of the mean square; NaN: none
+    // Per sample and channel, root of the mean square over the windows without faults, or over all
+    // where there are none; NaN: no window has one.
+    double noise = 0;
 
     // Whether leakage, not noise, dominates the error of the mean. A window of whole half-periods
     // avoids it.
@@ -59,6 +62,16 @@ private:
         double sum = 0;  // of f
     };
 
+    struct MeanSquare {
+        double count = 0;
+        double sum = 0;
+        void take(double value) {
+            count += 1;
+            sum += value * value;
+        }
+        double root() const { return std::sqrt(sum / count); }  // NaN for none
+    };
+
     void take_frequency(double f, double sd, double leakage);
 
     double independent_;
@@ -70,8 +83,8 @@ private:
     double spread_ = 0;
     Beyond below_;
     Beyond above_;
-    double noises_ = 0;
-    double noise_squares_ = 0;
+    MeanSquare noise_;
+    MeanSquare noise_of_invalid_;
 };
 
 // A whole track at once.

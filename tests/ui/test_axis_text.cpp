@@ -4,6 +4,7 @@
 #include "ui/words/display_units.h"
 #include "ui/words/index_text.h"
 #include "ui/words/number_label.h"
+#include "ui/words/rich_text.h"
 
 #include <QtTest>
 
@@ -165,8 +166,8 @@ private slots:
                                                    {QStringLiteral("B"), true},
                                                    {QStringLiteral("⟩"), false}};
         QVERIFY(indexPieces(QStringLiteral("⟨S_A S_B⟩")) == expected);
-        QCOMPARE(indexHtml(QStringLiteral("Δφ_CD")), QStringLiteral("Δφ<sub>CD</sub>"));
-        QCOMPARE(indexHtml(QStringLiteral("a<b")), QStringLiteral("a&lt;b"));
+        QCOMPARE(richText(QStringLiteral("Δφ_CD")), QStringLiteral("Δφ<sub>CD</sub>"));
+        QCOMPARE(richText(QStringLiteral("a<b")), QStringLiteral("a&lt;b"));
     }
 
     void every_unit_of_the_frequency_is_the_same_frequency() {

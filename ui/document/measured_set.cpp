@@ -21,17 +21,17 @@ ListedRecording rowOf(const RecordingEntry& entry) {
     return {entry.name.toStdString(), entry.path.toStdU16String(), entry.options, {}, {}};
 }
 
-// The id of a recording, which is opened unless it is open.
-int openOnce(const ListedRecording& row, RecordingStore& recordings) {
-    const QString path = QDir::cleanPath(
-        QFileInfo(QString::fromStdU16String(row.path.u16string())).absoluteFilePath());
-    for (const RecordingEntry& entry : recordings.all()) {
-        if (entry.path == path && entry.options == row.open) {
-            return entry.id;
+// Ids of the recordings of all sets in their order; those that are not open yet are opened
+// together.
+std::vector<int> openEachOnce(const MeasurementList& list, RecordingStore& recordings) {
+    std::vector<RecordingToOpen> wanted;
+    for (const MeasurementSet& set : list.sets) {
+        for (const ListedRecording& row : set.recordings) {
+            const QString path = QString::fromStdU16String(row.path.u16string());
+            wanted.push_back({QDir::cleanPath(QFileInfo(path).absoluteFilePath()), row.open});
         }
     }
-    recordings.open({path}, row.open);
-    return recordings.all().back().id;
+    return recordings.openOnce(wanted);
 }
 
 }  // namespace
@@ -62,7 +62,50 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
     return measured;
 }
 
+QStringList absentFiles(const RecordingSet& set) {
+    QStringList files;
+    if (set.listed) {
+        for (const auto& [id, member] : set.listed->members) {
+            if (std::ranges::find(set.recordings, id) == set.recordings.end()) {
+                files << QString::fromStdString(member.row.file);
+            }
+        }
+    }
+    return files;
+}
+
+ListedSet withRowFor(const ListedSet& listed, const QString& path, int id) {
+    ListedSet other = listed;
+    const auto row = std::ranges::find_if(other.members, [&path](const auto& each) {
+        return QString::fromStdU16String(each.second.row.path.u16string()) == path;
+    });
+    if (row != other.members.end()) {
+        auto taken = other.members.extract(row);
+        taken.key() = id;
+        other.members.insert(std::move(taken));
+    }
+    return other;
+}
+
+QStringList namedTwice(const MeasurementSet& set) {
+    QStringList files;
+    const auto& rows = set.recordings;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const auto same = [&](const ListedRecording& earlier) {
+            return earlier.path == rows[k].path && earlier.open == rows[k].open;
+        };
+        const QString file = QString::fromStdString(rows[k].file);
+        if (std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(k), same) &&
+            !files.contains(file)) {
+            files << file;
+        }
+    }
+    return files;
+}
+
 std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& recordings) {
+    const std::vector<int> ids = openEachOnce(list, recordings);
+    std::size_t next = 0;
     std::vector<RecordingSet> sets;
     for (const MeasurementSet& measured : list.sets) {
         RecordingSet set;
@@ -71,7 +114,7 @@ std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& 
         ListedSet listed{measured.settings, list.other_columns, {}};
         listed.settings.of_recordings.clear();
         for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
-            const int id = openOnce(measured.recordings[k], recordings);
+            const int id = ids[next++];
             listed.members.insert_or_assign(
                 id, ListedMember{measured.recordings[k], measured.settings.signal_of(k)});
             if (std::ranges::find(set.recordings, id) == set.recordings.end()) {

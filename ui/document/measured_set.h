@@ -4,6 +4,8 @@
 #include "ui/document/settings_model.h"
 #include "ui/values/recording_set.h"
 
+#include <QStringList>
+
 #include <vector>
 
 namespace vybeg::ui {
@@ -13,6 +15,15 @@ namespace vybeg::ui {
 // are in `recordings`.
 MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& settings,
                              const RecordingStore& recordings);
+
+// Files of the set's measurement list that are not among its recordings: not opened, or removed.
+QStringList absentFiles(const RecordingSet& set);
+
+// The same list with the row of that file for the recording `id`.
+ListedSet withRowFor(const ListedSet& listed, const QString& path, int id);
+
+// Files that a set of a list names more than once.
+QStringList namedTwice(const MeasurementSet& set);
 
 // Opens the recordings of a measurement list, and makes a set of the document of each of its sets,
 // still without ids. A recording that is open already, read in the same way, is taken as it is.

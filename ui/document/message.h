@@ -29,6 +29,8 @@ struct Message {
     // A button of its own, with its action.
     std::function<QString()> button = {};
     std::function<void()> press = {};
+    // A question that newer messages do not push out.
+    bool until_answered = false;
 };
 
 Message errorMessage(const Error& error, Topic topic = Topic::none);

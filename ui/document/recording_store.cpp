@@ -75,6 +75,26 @@ void RecordingStore::open(const QStringList& paths, const OpenOptions& options) 
     }
 }
 
+std::vector<int> RecordingStore::openOnce(const std::vector<RecordingToOpen>& wanted) {
+    std::vector<int> ids;
+    const std::size_t before = recordings_.size();
+    for (const RecordingToOpen& each : wanted) {
+        const auto open = std::ranges::find_if(recordings_, [&each](const RecordingEntry& entry) {
+            return entry.path == each.path && entry.options == each.options;
+        });
+        if (open != recordings_.end()) {
+            ids.push_back(open->id);
+        } else {
+            ids.push_back(ids_.next());
+            begin(ids.back(), recordings_.size(), each.path, each.options);
+        }
+    }
+    if (recordings_.size() != before) {
+        emit listChanged();
+    }
+    return ids;
+}
+
 void RecordingStore::openAs(int id, std::size_t place, const QString& path,
                             const OpenOptions& options) {
     begin(id, std::min(place, recordings_.size()), path, options);

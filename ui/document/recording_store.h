@@ -16,6 +16,11 @@
 
 namespace vybeg::ui {
 
+struct RecordingToOpen {
+    QString path;  // absolute
+    OpenOptions options;
+};
+
 // A recording in the window's list. `recording` is empty while the file is being opened; an
 // envelope exists earlier where opening takes long.
 struct RecordingEntry {
@@ -51,6 +56,8 @@ public:
     void setCurrent(int id);
 
     void open(const QStringList& paths, const OpenOptions& options);
+    // Ids in the order of `wanted`; a recording that is open in the same way is taken as it is.
+    std::vector<int> openOnce(const std::vector<RecordingToOpen>& wanted);
     // Under the id and at the place of one that was closed.
     void openAs(int id, std::size_t place, const QString& path, const OpenOptions& options);
     void close(int id);

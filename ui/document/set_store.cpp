@@ -1,7 +1,6 @@
 #include "ui/document/set_store.h"
 
 #include "ui/document/measured_set.h"
-#include "ui/words/program_name.h"
 
 #include <QFileInfo>
 
@@ -252,6 +251,16 @@ void SetStore::openList(const QString& path, const OpenOptions& options) {
 
 void SetStore::open(const MeasurementList& list) {
     std::vector<RecordingSet> sets = openSets(list, recordings_);
+    for (const MeasurementSet& set : list.sets) {
+        if (const QStringList twice = namedTwice(set); !twice.isEmpty()) {
+            const auto text = [name = QString::fromStdString(set.name), twice] {
+                return tr("The set %1 of the list names these recordings more than once: %2. Each "
+                          "counts once.")
+                    .arg(name, twice.join(QStringLiteral(", ")));
+            };
+            emit reported({Severity::warning, text, {}, {}});
+        }
+    }
     const int first = ids_.next();
     step([] { return tr("sets of the list"); },
          [&] {
@@ -356,44 +365,6 @@ std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RecordingSet& se
 KeptResult SetStore::kept(const RecordingSet& set) const {
     const auto found = outcome(set);
     return found ? KeptResult{found->kept, !outOfDate(set, *found)} : set.kept;
-}
-
-void SetStore::savePassport(const QString& path, std::function<void(const Status&)> done) {
-    const RecordingSet* set = current();
-    if (const auto found = set ? outcome(*set) : nullptr) {
-        job_.writePassport(ids_.next(), found, programName(), path, std::move(done));
-    }
-}
-
-void SetStore::openPassport(const QString& path) {
-    constexpr int one_at_a_time = 0;  // a newer one replaces one that is being read
-    job_.readPassport(one_at_a_time, path, [this, path](Result<Passport> passport) {
-        if (!passport) {
-            emit reported(errorMessage(passport.error()));
-            return;
-        }
-        passport_ = OpenPassport{QFileInfo(path).fileName(), std::move(*passport)};
-        emit passportChanged();
-    });
-}
-
-void SetStore::closePassport() {
-    passport_.reset();
-    emit passportChanged();
-}
-
-void SetStore::setFrequencyLimit(double ppm) {
-    if (ppm != compare_.f_limit_ppm) {
-        compare_.f_limit_ppm = ppm;
-        emit passportChanged();
-    }
-}
-
-std::vector<Difference> SetStore::differences() const {
-    const RecordingSet* set = current();
-    const auto found = set ? outcome(*set) : nullptr;
-    return passport_ && found ? compare(passport_->passport, found->identification.fit, compare_)
-                              : std::vector<Difference>();
 }
 
 }  // namespace vybeg::ui

@@ -1,6 +1,6 @@
 #include "ui/history/history_choices.h"
 
-#include "ui/words/number_label.h"
+#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>

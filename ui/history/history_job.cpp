@@ -71,10 +71,10 @@ void readResult(BackgroundJobs& job, int key, const QString& path, std::int64_t 
 }
 
 void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStore result,
-                 std::function<void(Result<std::int64_t>)> done) {
-    job.run<std::int64_t>(
+                 std::function<void(Result<bool>)> done) {
+    job.run<bool>(
         key,
-        [path, result = std::move(result)](const JobControl& control) -> Result<std::int64_t> {
+        [path, result = std::move(result)](const JobControl& control) -> Result<bool> {
             const std::string program = result.program.toStdString();
             const ResonatorOutcome& outcome = *result.outcome;
             const auto stored = stored_result(
@@ -84,7 +84,12 @@ void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStor
                 return stored.error();
             }
             auto database = opened(path, ResultsDatabase::Access::write, control);
-            return database ? database->add(*stored) : database.error();
+            if (!database) {
+                return database.error();
+            }
+            const Result<bool> known = database->holds(stored->key);
+            const Result<std::int64_t> id = known ? database->add(*stored) : known.error();
+            return id ? known : id.error();
         },
         std::move(done));
 }

@@ -34,8 +34,8 @@ struct ResultToStore {
     std::shared_ptr<const ResonatorOutcome> outcome;
 };
 
-// As `vybeg-cli batch --database` does; gives the id.
+// As `vybeg-cli batch --database` does; tells whether it has replaced an earlier one.
 void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStore result,
-                 std::function<void(Result<std::int64_t>)> done);
+                 std::function<void(Result<bool>)> done);
 
 }  // namespace vybeg::ui

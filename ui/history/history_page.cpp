@@ -10,6 +10,7 @@
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/words/error_text.h"
+#include "ui/words/index_text.h"
 #include "ui/words/program_name.h"
 #include "ui/words/rich_text.h"
 
@@ -66,6 +67,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
     history_.reset();
     chosen_.reset();
     choices_->chooseAllGyros();
+    showHistory();  // no longer that of the database before
     if (make) {
         reading_ = true;
         refresh();
@@ -151,6 +153,7 @@ void HistoryPage::showHistory() {
         for (XYPlotView* plot : {values_, ranges_, average_, distribution_}) {
             plot->setContent({});
         }
+        emit figuresChanged();
         return;
     }
     const HistoryView now = view();
@@ -177,6 +180,7 @@ void HistoryPage::showHistory() {
     if (chosen_) {
         point_->setText(richText(pointText(*history_, charts_, now, *chosen_)));
     }
+    emit figuresChanged();
 }
 
 QString HistoryPage::stateText() const {
@@ -318,26 +322,32 @@ void HistoryPage::add(const QString& gyro, const QString& date) {
                          set->listed ? set->listed->other_columns : std::vector<std::string>(),
                          outcome};
     tellGyroAndDate(result.set, gyro.toStdString(), date.toStdString());
-    storeResult(job_, storing_job, path_, std::move(result),
-                [this, gyro](const Result<std::int64_t>& stored) {
-                    if (!stored) {
-                        document_.report(errorMessage(stored.error()));
-                        return;
-                    }
-                    document_.report({Severity::info,
-                                      [gyro, name = QFileInfo(path_).fileName()] {
-                                          return tr("The result of %1 is in %2.").arg(gyro, name);
-                                      },
-                                      {},
-                                      {}});
-                    read();
-                });
+    storeResult(
+        job_, storing_job, path_, std::move(result), [this, gyro](const Result<bool>& replaced) {
+            if (!replaced) {
+                document_.report(errorMessage(replaced.error()));
+                return;
+            }
+            const auto text = [gyro, name = QFileInfo(path_).fileName(), replaced = *replaced] {
+                return replaced ? tr("The result of %1 replaces the one in %2 of the same "
+                                     "recordings and settings.")
+                                      .arg(gyro, name)
+                                : tr("The result of %1 is in %2.").arg(gyro, name);
+            };
+            document_.report({Severity::info, text, {}, {}});
+            read();
+        });
 }
 
 FigureSource HistoryPage::figures() const {
-    return history_ ? figuresOf({values_, ranges_, average_, distribution_},
-                                QStringLiteral("history"), parameterTitle(view().parameter))
-                    : FigureSource();
+    if (!history_) {
+        return {};
+    }
+    const QString parameter = indexPlain(parameterTitle(view().parameter));
+    const auto gyro = choices_->gyro();
+    return figuresOf(
+        {values_, ranges_, average_, distribution_}, QStringLiteral("history"),
+        gyro ? QStringLiteral("%1: %2").arg(QString::fromStdString(*gyro), parameter) : parameter);
 }
 
 void HistoryPage::setTheme(const Theme& theme) {

@@ -39,6 +39,7 @@ public:
 
 signals:
     void exportWanted(const Figure& figure);
+    void figuresChanged();  // figures() are others, or there are some now
     void openWanted();
     void newWanted();
     // Recordings of a result, open as a set.

@@ -82,6 +82,14 @@ XYSeries pointsAt(const Placed& at, const std::vector<double>& values, double fa
     return series;
 }
 
+// Ends of a level below all points; about a single place as wide as shows it.
+std::vector<double> acrossAll(const std::vector<double>& x) {
+    const auto [least, most] = std::ranges::minmax(x);
+    // Of the order of the results half a place; of a date minutes, of a frequency 1e-6.
+    const double aside = most > least ? 0 : std::abs(least) < 1000 ? 0.5 : 1e-6 * std::abs(least);
+    return {least - aside, most + aside};
+}
+
 // A level across the plot.
 void addLevel(XYPlot& plot, const QString& name, double level, Ink ink, bool dashed) {
     const std::vector<double>& x = plot.series.front().x;
@@ -92,7 +100,7 @@ void addLevel(XYPlot& plot, const QString& name, double level, Ink ink, bool das
     line.name = name;
     line.ink = ink;
     line.dashed = dashed;
-    line.x = {x.front(), x.back()};
+    line.x = acrossAll(x);
     line.y = {level, level};
     plot.series.push_back(std::move(line));
 }
@@ -135,7 +143,7 @@ void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
     XYSeries band;
     band.name = translated(QT_TRANSLATE_NOOP("History", "passport ± 3 u"));
     band.ink = Ink::channel_c;
-    band.x = {x.front(), x.back()};
+    band.x = acrossAll(x);
     band.y = {factor * view.passport.value, factor * view.passport.value};
     const double wide = std::abs(factor) * passport_deviations * view.passport.u;
     if (std::isfinite(wide)) {

@@ -13,7 +13,8 @@ class QVBoxLayout;
 
 namespace vybeg::ui {
 
-// Messages above the plots; none blocks or needs an answer. At most three, the newest on top.
+// Messages above the plots; none blocks or needs an answer. The newest is on top. Of more than
+// three the oldest go, news before warnings; questions stay. News go after a while.
 class MessageBar : public QWidget {
     Q_OBJECT
 
@@ -44,6 +45,8 @@ private:
     };
     void retranslate();
     void remove(QWidget* widget);
+    // Removes what is too much.
+    void prune();
 
     QVBoxLayout* layout_;
     std::vector<Row> rows_;

@@ -133,7 +133,7 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
     });
     connect(&document_, &Document::recordingsChanged, this, &RecordingPanel::rebuildList);
     connect(&document_, &Document::currentRecordingChanged, this, &RecordingPanel::rebuildList);
-    connect(&document_, &Document::recordingChanged, this, &RecordingPanel::rebuildList);
+    connect(&document_, &Document::recordingChanged, this, &RecordingPanel::refreshRow);
     connect(&document_, &Document::carrierChanged, this, &RecordingPanel::refreshInfo);
     retranslate();
 }
@@ -142,20 +142,16 @@ void RecordingPanel::rebuildList() {
     const QSignalBlocker blocker(list_);
     // Existing items are kept, because one of them may be about to be dragged.
     list_->setRecordings(document_.recordings());
+    const RecordingEntry* current = document_.currentRecording();
     int row = 0;
     for (const RecordingEntry& entry : document_.recordings()) {
         QListWidgetItem* item = list_->item(row++);
-        item->setText(entry.recording ? entry.name : tr("%1 (opening)").arg(entry.name));
-        item->setToolTip(QDir::toNativeSeparators(entry.path));
-        const bool doubtful =
-            entry.faults ? std::ranges::any_of(entry.faults->findings, isWorthAWarning)
-                         : entry.recording &&
-                               std::ranges::any_of(entry.recording->diagnostics, isWorthAWarning);
-        item->setIcon(doubtful ? style()->standardIcon(QStyle::SP_MessageBoxWarning) : QIcon());
-        const bool current =
-            document_.currentRecording() && document_.currentRecording()->id == entry.id;
-        if (current && list_->currentItem() != item) {
-            list_->setCurrentItem(item, QItemSelectionModel::ClearAndSelect);
+        showRow(*item, entry);
+        if (current && current->id == entry.id) {
+            if (list_->currentItem() != item) {
+                list_->setCurrentItem(item, QItemSelectionModel::ClearAndSelect);
+            }
+            list_->scrollToItem(item);
         }
     }
     const bool any = document_.currentRecording() != nullptr;
@@ -163,6 +159,29 @@ void RecordingPanel::rebuildList() {
     reopen_->setEnabled(any);
     add_to_set_->setEnabled(any);
     refreshInfo();
+}
+
+void RecordingPanel::showRow(QListWidgetItem& item, const RecordingEntry& entry) {
+    item.setText(entry.recording ? entry.name : tr("%1 (opening)").arg(entry.name));
+    item.setToolTip(QDir::toNativeSeparators(entry.path));
+    const bool doubtful =
+        entry.faults
+            ? std::ranges::any_of(entry.faults->findings, isWorthAWarning)
+            : entry.recording && std::ranges::any_of(entry.recording->diagnostics, isWorthAWarning);
+    item.setIcon(doubtful ? style()->standardIcon(QStyle::SP_MessageBoxWarning) : QIcon());
+}
+
+void RecordingPanel::refreshRow(int id) {
+    const auto& recordings = document_.recordings();
+    const auto entry = std::ranges::find(recordings, id, &RecordingEntry::id);
+    QListWidgetItem* item = list_->item(static_cast<int>(entry - recordings.begin()));
+    if (item) {
+        const QSignalBlocker blocker(list_);
+        showRow(*item, *entry);
+        if (entry->id == (document_.currentRecording() ? document_.currentRecording()->id : 0)) {
+            refreshInfo();
+        }
+    }
 }
 
 void RecordingPanel::refreshInfo() {

@@ -9,6 +9,7 @@
 class QAction;
 class QFormLayout;
 class QLabel;
+class QListWidgetItem;
 
 namespace vybeg::ui {
 
@@ -37,6 +38,8 @@ private:
     enum Row { file, format, rate, length, channels, start, carrier, sha256, row_count };
 
     void rebuildList();
+    void showRow(QListWidgetItem& item, const RecordingEntry& entry);
+    void refreshRow(int id);
     void refreshInfo();
     void retranslate();
 

@@ -3,7 +3,7 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/widgets/panel_focus.h"
-#include "ui/words/number_label.h"
+#include "ui/words/index_text.h"
 
 #include <QCoreApplication>
 

@@ -3,6 +3,10 @@
 #include "ui/plots/decimated_graph.h"
 #include "ui/words/index_text.h"
 
+#include <QStringList>
+
+#include <algorithm>
+
 namespace vybeg::ui {
 namespace {
 
@@ -72,12 +76,45 @@ std::vector<std::vector<StripEntry>> PlotStrip::rows(const std::vector<StripEntr
     return rows;
 }
 
+namespace {
+
+// Names without the end that all of them share, as the window of the same analysis of each
+// recording: what tells them apart stays legible longer.
+std::vector<StripEntry> withoutCommonEnd(std::vector<StripEntry> entries) {
+    QStringList names;
+    for (const StripEntry& entry : entries) {
+        if (entry.literal) {
+            names << entry.text;
+        }
+    }
+    qsizetype common = 0;
+    const auto shared = [&names](qsizetype length) {
+        return std::ranges::all_of(names, [&](const QString& name) {
+            return name.size() > length && name.right(length) == names.front().right(length);
+        });
+    };
+    while (names.size() > 1 && shared(common + 1)) {
+        ++common;
+    }
+    constexpr qsizetype worthwhile = 4;
+    for (StripEntry& entry : entries) {
+        if (entry.literal && common >= worthwhile) {
+            entry.text.chop(common);
+            entry.text += QChar(0x2026);
+        }
+    }
+    return entries;
+}
+
+}  // namespace
+
 void PlotStrip::shorten(double available) {
     const QFontMetricsF metrics(font_);
+    const std::vector<StripEntry> distinct = withoutCommonEnd(entries_);
     // All names get the same limit of length until they fit.
     for (double most = available; most > least_name; most *= 0.9) {
         double total = -entry_gap;
-        std::vector<StripEntry> shorter = entries_;
+        std::vector<StripEntry> shorter = most < available ? distinct : entries_;
         for (StripEntry& entry : shorter) {
             if (entry.literal) {
                 entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, most);
@@ -92,7 +129,7 @@ void PlotStrip::shorten(double available) {
     // Too many for distinct names: as many as fit.
     shown_.clear();
     double total = metrics.horizontalAdvance(QStringLiteral("…"));
-    for (StripEntry entry : entries_) {
+    for (StripEntry entry : distinct) {
         if (entry.literal) {
             entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, least_name);
         }

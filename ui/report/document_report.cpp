@@ -1,6 +1,8 @@
 #include "ui/report/document_report.h"
 
+#include "ui/document/measured_set.h"
 #include "ui/report/budget_text.h"
+#include "ui/resonator/conditions_text.h"
 #include "ui/resonator/set_panel.h"
 
 #include <QCoreApplication>
@@ -101,11 +103,18 @@ std::vector<ReportContent> reportContentsOf(const Document& document,
 
 ReportContent reportContentOf(const Document& document, const ReportSubject& subject) {
     ReportContent content;
+    const RecordingSet* set = identifiedSet(document, subject);
+    const ListedSet* listed = set ? set->listed.get() : nullptr;
     for (const int id : subject.recordings) {
         const RecordingEntry& entry = *document.recording(id);
         ReportRecording told = reportRecording(*entry.recording, entry.sha256);
         if (entry.faults) {
             told.check = entry.faults->findings;
+        }
+        if (listed) {
+            if (const auto row = listed->members.find(id); row != listed->members.end()) {
+                told.conditions = conditionsText(row->second.row, listed->other_columns);
+            }
         }
         for (const RunEntry& run : document.runs()) {
             if (run.recording_id == id && isReported(run)) {
@@ -117,7 +126,9 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
     }
     content.title.date = measuredOn(content.recordings);
     content.limits = document.dossier().dossier().limits;
-    if (const RecordingSet* set = identifiedSet(document, subject)) {
+    if (set) {
+        content.title = titleOf(document.sets().measured(*set), content.title);
+        content.absent = absentFiles(*set);
         content.outcome = document.sets().outcome(*set);
         content.out_of_date = content.outcome && document.sets().outOfDate(*set, *content.outcome);
     }

@@ -2,9 +2,30 @@
 
 #include "ui/words/error_text.h"
 
-#include <QStringList>
-
 namespace vybeg::ui {
+
+namespace {
+
+// A condition of the recordings, each value once; otherwise `usual`.
+QString told(const MeasurementSet& set, std::string Conditions::*condition, const QString& usual) {
+    QStringList values;
+    for (const ListedRecording& listed : set.recordings) {
+        const QString value = QString::fromStdString(listed.conditions.*condition);
+        if (!value.isEmpty() && !values.contains(value)) {
+            values << value;
+        }
+    }
+    return values.isEmpty() ? usual : values.join(QStringLiteral("; "));
+}
+
+}  // namespace
+
+ReportTitle titleOf(const MeasurementSet& set, const ReportTitle& usual) {
+    return {told(set, &Conditions::gyro, usual.gyro),
+            told(set, &Conditions::operator_name, usual.engineer),
+            told(set, &Conditions::date, usual.date),
+            told(set, &Conditions::comment, usual.comment)};
+}
 
 ReportRecording reportRecording(const Recording& recording, const QString& sha256) {
     ReportRecording told;

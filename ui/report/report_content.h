@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/measurement_list.h"
 #include "core/base/error.h"
 #include "core/recording/samples/recording.h"
 #include "core/resonator/results/parameter_limit.h"
@@ -10,6 +11,7 @@
 #include "ui/words/display_units.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
@@ -33,10 +35,15 @@ struct ReportRecording {
     double rate_hz = 0;
     double seconds = 0;
     std::optional<std::vector<Diagnostic>> check;  // findings; none: not finished yet
+    QStringList conditions;                        // of a measurement list, conditionsText()
 };
 
 // Without its check.
 ReportRecording reportRecording(const Recording& recording, const QString& sha256);
+
+// The title as the measurement list of a set tells it; where recordings differ, all of it. `usual`
+// for what it does not tell.
+ReportTitle titleOf(const MeasurementSet& set, const ReportTitle& usual);
 
 // Date of the recordings as their files tell it; the first and the last of several. Empty where
 // none does.
@@ -58,6 +65,7 @@ struct ReportContent {
     std::vector<ReportRecording> recordings;
     std::vector<ReportRun> runs;  // of the recordings, in their order
     std::shared_ptr<const ResonatorOutcome> outcome;
+    QStringList absent;        // recordings of the set's list that are not in it
     bool out_of_date = false;  // the outcome is of other settings than the present ones
     std::optional<Error>
         not_identified;  // reason for the absence of the outcome, where one is known

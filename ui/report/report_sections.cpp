@@ -1,10 +1,10 @@
 #include "ui/report/report_sections.h"
 
-#include "core/analysis/setting_table.h"
 #include "ui/report/budget_text.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_html.h"
 #include "ui/report/resonator_section.h"
+#include "ui/report/options_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/error_text.h"
@@ -13,7 +13,6 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -80,27 +79,13 @@ QString recordingsSection(const ReportContent& content) {
         table.rows.push_back({QStringLiteral("SHA-256: ") + hash});
         table.rows.push_back({reportText(QT_TRANSLATE_NOOP("Report", "Check: %1"))
                                   .arg(withIndices(checkText(each)))});
-    }
-    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Recordings"))) + html(table);
-}
-
-// The settings that have a part and are not the defaults, as options of the command line; without
-// those that stand in the table: the carrier that is found is one of its own.
-QString optionsText(const Settings& settings) {
-    QStringList options;
-    const Settings defaults;
-    constexpr std::array told{"algorithm", "window", "hop", "f0"};
-    for (const SettingRow<Settings>& row : analysis_settings()) {
-        const std::string text = row.text(settings);
-        const bool is_told = std::ranges::find(told, row.name) != told.end();
-        if (row.has_part && !is_told && text != row.text(defaults)) {
-            const QString option = QString::fromStdString(row.option());
-            options << (row.placeholder.empty()
-                            ? option
-                            : option + QLatin1Char(' ') + QString::fromStdString(text));
+        if (!each.conditions.isEmpty()) {
+            table.rows.push_back(
+                {reportText(QT_TRANSLATE_NOOP("Report", "Conditions: %1"))
+                     .arg(each.conditions.join(QStringLiteral("; ")).toHtmlEscaped())});
         }
     }
-    return options.join(QLatin1Char(' '));
+    return heading(reportText(QT_TRANSLATE_NOOP("Report", "Recordings"))) + html(table);
 }
 
 QString settingsSection(const ReportContent& content) {

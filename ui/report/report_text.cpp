@@ -61,6 +61,9 @@ ReportText reportTextOf(const ReportContent& content, const QString& program,
     QString about = content.title.gyro;
     if (about.isEmpty() && !content.recordings.empty()) {
         about = content.recordings.front().name;
+        if (content.recordings.size() > 1) {
+            about += QStringLiteral(" … ") + content.recordings.back().name;
+        }
     }
     ReportText text =
         framed(reportText(QT_TRANSLATE_NOOP("Report", "Report of a free decay")), about, program);

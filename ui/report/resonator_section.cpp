@@ -3,6 +3,7 @@
 #include "ui/report/budget_text.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_html.h"
+#include "ui/report/options_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/error_text.h"
 
@@ -78,6 +79,16 @@ QString resonatorSection(const ReportContent& content) {
     if (content.out_of_date) {
         text += paragraph(reportText(QT_TRANSLATE_NOOP(
             "Report", "Identified with other settings or recordings than the present ones.")));
+    }
+    if (!content.absent.isEmpty()) {
+        text += paragraph(
+            reportText(QT_TRANSLATE_NOOP("Report", "Without these recordings of the list: %1."))
+                .arg(content.absent.join(QStringLiteral(", "))));
+    }
+    if (const QString settings = optionsText(found.settings); !settings.isEmpty()) {
+        text += smallHeading(
+                    reportText(QT_TRANSLATE_NOOP("Report", "Settings of the identification"))) +
+                QStringLiteral("<p>%1</p>").arg(monospaced(settings));
     }
     const bool structured = found.fit.model == ResonatorModel::structured;
     const QString parameters = reportText(

@@ -295,6 +295,7 @@ void ResidualsPage::showFound() {
     }
     showPlots();
     chooseLine(chosen_);
+    emit figuresChanged();
 }
 
 QString ResidualsPage::emptyText() const {

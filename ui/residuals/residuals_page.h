@@ -43,12 +43,14 @@ public:
     void setTheme(const Theme& theme);
     // What is shown; null until it is computed.
     const Residuals* residuals() const { return found_ ? &*found_ : nullptr; }
+    bool computing() const { return computing_; }
 
     FigureSource figures() const;
 
 signals:
     void runWanted();
     void exportWanted(const Figure& figure);
+    void figuresChanged();  // figures() are others, or there are some now
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -72,6 +72,9 @@ LimitsDialog::LimitsDialog(const std::vector<ParameterLimit>& limits, const Disp
            "without a value, nothing is said (?)."),
         this);
     meaning->setWordWrap(true);
+    fault_ = new QLabel(this);
+    fault_->setObjectName(QStringLiteral("fault"));
+    fault_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     ok_ = buttons->button(QDialogButtonBox::Ok);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -79,6 +82,7 @@ LimitsDialog::LimitsDialog(const std::vector<ParameterLimit>& limits, const Disp
     auto* column = new QVBoxLayout(this);
     column->addLayout(grid);
     column->addWidget(meaning);
+    column->addWidget(fault_);
     column->addWidget(buttons);
     check();
 }
@@ -96,16 +100,21 @@ std::vector<ParameterLimit> LimitsDialog::limits() const {
 }
 
 void LimitsDialog::check() {
-    bool sound = true;
+    QString fault;
     for (const Row& row : rows_) {
         const auto lower = row.lower->value();
         const auto upper = row.upper->value();
         row.upper->setConflict(lower && upper && *lower > *upper
                                    ? tr("The greatest value lies below the least one.")
                                    : QString());
-        sound = sound && row.lower->fault().isEmpty() && row.upper->fault().isEmpty();
+        for (const NumberField* field : {row.lower, row.upper}) {
+            if (fault.isEmpty() && !field->fault().isEmpty()) {
+                fault = QStringLiteral("%1. %2").arg(field->accessibleName(), field->fault());
+            }
+        }
     }
-    ok_->setEnabled(sound);
+    fault_->setText(richText(fault));
+    ok_->setEnabled(fault.isEmpty());
 }
 
 void askForLimits(DossierModel& dossier, const DisplayUnits& units, QWidget* window) {

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+class QLabel;
 class QPushButton;
 
 namespace vybeg::ui {
@@ -37,6 +38,7 @@ private:
     void check();
 
     std::vector<Row> rows_;
+    QLabel* fault_ = nullptr;  // the first reason why the limits are none
     QPushButton* ok_;
 };
 

@@ -1,5 +1,6 @@
 #include "ui/resonator/resonator_page.h"
 
+#include "ui/document/measured_set.h"
 #include "ui/resonator/comparison_view.h"
 #include "ui/resonator/figures_view.h"
 #include "ui/resonator/numbers_view.h"
@@ -115,6 +116,11 @@ void ResonatorPage::showState(const RecordingSet* set) {
                    .arg(readable(theme_.warning, theme_).name(), tr("Out of date."),
                         tr("The set or its settings have changed since: identify again.")) +
                QStringLiteral("<br>") + text;
+    }
+    if (const QStringList absent = set ? absentFiles(*set) : QStringList(); !absent.isEmpty()) {
+        text +=
+            QStringLiteral("<br>") + tr("⚠ Without these recordings of the measurement list: %1.")
+                                         .arg(absent.join(QStringLiteral(", ")).toHtmlEscaped());
     }
     state_->setText(text);
 }

@@ -46,8 +46,9 @@ RoundSeries electrodes(const QString& name, Ink ink, double first) {
     points.name = name;
     points.ink = ink;
     points.points = true;
+    const double nearest = std::fmod(std::fmod(first, quarter) + quarter, quarter);
     for (int k = 0; k < 4; ++k) {
-        points.x.push_back(first + k * quarter);
+        points.x.push_back(nearest + k * quarter);
         points.y.push_back(1);
     }
     return points;
@@ -217,8 +218,10 @@ RoundPlot rimPlot(const ResonatorOutcome& outcome) {
         return plot;
     }
     plot.series.push_back(rim());
-    plot.series.push_back(electrodes(QStringLiteral("C"), Ink::channel_c, 0));
-    plot.series.push_back(electrodes(QStringLiteral("D"), Ink::channel_d, quarter / 2));
+    // Angles count from the angle zero, here of the first recording.
+    const double c = -outcome.identification.settings.signal_of(0).calibration.angle_zero_deg;
+    plot.series.push_back(electrodes(QStringLiteral("C"), Ink::channel_c, c));
+    plot.series.push_back(electrodes(QStringLiteral("D"), Ink::channel_d, c + quarter / 2));
     if (fit.resonator.theta_w_rad.given()) {
         plot.series.push_back(axes(QStringLiteral("θw"), Ink::text, fit.resonator.theta_w_rad));
     }

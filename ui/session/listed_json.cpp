@@ -145,10 +145,10 @@ Result<ListedSet> listedFromJson(const QJsonObject& json, const QDir& folder) {
 ListedSet renumbered(const ListedSet& listed,
                      const std::function<std::optional<int>(int)>& number) {
     ListedSet other{listed.settings, listed.other_columns, {}};
+    int without = 0;
     for (const auto& [before, member] : listed.members) {
-        if (const auto now = number(before)) {
-            other.members.emplace(*now, member);
-        }
+        const auto now = number(before);
+        other.members.emplace(now ? *now : --without, member);
     }
     return other;
 }

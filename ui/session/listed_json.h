@@ -18,7 +18,7 @@ QJsonObject listedToJson(const ListedSet& listed, const QDir& folder);
 // The reverse. Errors: setting_invalid.
 Result<ListedSet> listedFromJson(const QJsonObject& json, const QDir& folder);
 
-// The same with other numbers of the members: `number` of each; without one it is left out.
+// The same with other numbers of the members: `number` of each; negative ones for those without.
 ListedSet renumbered(const ListedSet& listed, const std::function<std::optional<int>(int)>& number);
 
 // Relative below the folder of the session, so that both can be moved together.

@@ -27,6 +27,7 @@ struct SessionRecording {
     QString sha256;  // empty: not known yet
     OpenOptions options;
     std::vector<RunWish> runs;
+    QJsonObject unknown;  // as Session::unknown
 };
 
 struct SessionSet {
@@ -35,6 +36,7 @@ struct SessionSet {
     FitOptions::Model model = FitOptions::Model::automatic;
     std::optional<ListedSet> listed;  // its members by places in Session::recordings
     KeptResult result;
+    QJsonObject unknown;  // as Session::unknown
 };
 
 // What the plots show.

@@ -3,6 +3,7 @@
 #include "core/analysis/setting_table.h"
 #include "ui/import/open_options_json.h"
 #include "ui/session/listed_json.h"
+#include "ui/session/session_view_json.h"
 #include "ui/values/setting_json.h"
 #include "ui/words/program_name.h"
 
@@ -35,16 +36,22 @@ const QString serial_key = QStringLiteral("serial");
 const QString type_key = QStringLiteral("type");
 const QString operator_key = QStringLiteral("operator");
 const QString comment_key = QStringLiteral("comment");
-const QString page_key = QStringLiteral("page");
-const QString trend_key = QStringLiteral("trend");
-
-// As TrendKind.
-constexpr std::array<QLatin1String, trend_kinds> trend_words{
-    QLatin1String("line"), QLatin1String("parabola"), QLatin1String("cubic"),
-    QLatin1String("beat")};
+const QString path_key = QStringLiteral("path");
+const QString sha256_key = QStringLiteral("sha256");
+const QString options_key = QStringLiteral("options");
+const QString runs_key = QStringLiteral("runs");
+const QString name_key = QStringLiteral("name");
+const QString model_key = QStringLiteral("model");
 
 QString text(const std::string& utf8) {
     return QString::fromStdString(utf8);
+}
+
+QJsonObject without(QJsonObject json, const QStringList& keys) {
+    for (const QString& key : keys) {
+        json.remove(key);
+    }
+    return json;
 }
 
 Result<Settings> analysisFromJson(const QJsonObject& json) {
@@ -95,25 +102,27 @@ QJsonObject recordingToJson(const SessionRecording& recording, const QDir& folde
     for (const RunWish& run : recording.runs) {
         runs.append(runToJson(run));
     }
-    return {{QStringLiteral("path"), storedPath(recording.path, folder)},
-            {QStringLiteral("sha256"), recording.sha256},
-            {QStringLiteral("options"), optionsToJson(recording.options)},
-            {QStringLiteral("runs"), runs}};
+    QJsonObject json = recording.unknown;
+    json[path_key] = storedPath(recording.path, folder);
+    json[sha256_key] = recording.sha256;
+    json[options_key] = optionsToJson(recording.options);
+    json[runs_key] = runs;
+    return json;
 }
 
 Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& folder) {
     SessionRecording recording;
-    recording.path =
-        QDir::cleanPath(folder.absoluteFilePath(json[QStringLiteral("path")].toString()));
-    recording.sha256 = json[QStringLiteral("sha256")].toString();
-    recording.options = optionsFromJson(json[QStringLiteral("options")].toObject());
-    for (const auto& value : json[QStringLiteral("runs")].toArray()) {
+    recording.path = QDir::cleanPath(folder.absoluteFilePath(json[path_key].toString()));
+    recording.sha256 = json[sha256_key].toString();
+    recording.options = optionsFromJson(json[options_key].toObject());
+    for (const auto& value : json[runs_key].toArray()) {
         Result<RunWish> run = runFromJson(value.toObject());
         if (!run) {
             return run.error();
         }
         recording.runs.push_back(std::move(*run));
     }
+    recording.unknown = without(json, {path_key, sha256_key, options_key, runs_key});
     return recording;
 }
 
@@ -124,9 +133,10 @@ QJsonObject setToJson(const SessionSet& set, const QDir& folder) {
     }
     IdentifySettings model;
     model.model = set.model;
-    QJsonObject json{{QStringLiteral("name"), set.name},
-                     {QStringLiteral("model"), text(identifyRow("model").text(model))},
-                     {recordings_key, members}};
+    QJsonObject json = set.unknown;
+    json[name_key] = set.name;
+    json[model_key] = text(identifyRow("model").text(model));
+    json[recordings_key] = members;
     if (set.listed) {
         json[listed_key] = listedToJson(*set.listed, folder);
     }
@@ -139,14 +149,14 @@ QJsonObject setToJson(const SessionSet& set, const QDir& folder) {
 
 Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QDir& folder) {
     SessionSet set;
-    set.name = json[QStringLiteral("name")].toString();
+    set.name = json[name_key].toString();
     for (const auto& value : json[recordings_key].toArray()) {
         if (const int place = value.toInt(-1); place >= 0 && place < recordings) {
             set.recordings.push_back(place);
         }
     }
     IdentifySettings model;
-    if (const QString word = json[QStringLiteral("model")].toString(); !word.isEmpty()) {
+    if (const QString word = json[model_key].toString(); !word.isEmpty()) {
         if (const Status read = identifyRow("model").read(word.toStdString(), model); !read) {
             return read.error();
         }
@@ -160,6 +170,8 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
         set.listed = std::move(*read);
     }
     set.result = {json[result_key].toObject(), json[up_to_date_key].toBool()};
+    set.unknown = without(
+        json, {name_key, model_key, recordings_key, listed_key, result_key, up_to_date_key});
     return set;
 }
 
@@ -204,37 +216,6 @@ std::vector<ParameterLimit> limitsFromJson(const QJsonObject& json) {
     return limits;
 }
 
-TrendKind trendFromJson(const QJsonValue& value) {
-    const auto found = std::ranges::find(trend_words, value.toString());
-    return found == trend_words.end() ? TrendKind::line
-                                      : static_cast<TrendKind>(found - trend_words.begin());
-}
-
-QJsonArray rangeToJson(const AxisRange& range) {
-    return {range.lower, range.upper};
-}
-
-std::optional<AxisRange> rangeFromJson(const QJsonValue& value) {
-    const QJsonArray ends = value.toArray();
-    const AxisRange range{ends.at(0).toDouble(), ends.at(1).toDouble()};
-    return range.lower < range.upper ? std::optional(range) : std::nullopt;
-}
-
-QString columnOf(SlowVariable variable) {
-    return QLatin1String(info(variable).column);
-}
-
-std::optional<SlowVariable> variableOf(const QString& column) {
-    const auto found = std::ranges::find(all_slow_variables, column, columnOf);
-    return found == all_slow_variables.end() ? std::nullopt : std::optional(*found);
-}
-
-template <class Unit>
-Unit unitFromJson(const QJsonObject& json, const char* key, Unit last) {
-    const int value = json[QLatin1String(key)].toInt();
-    return static_cast<Unit>(std::clamp(value, 0, static_cast<int>(last)));
-}
-
 // A place in a list, -1 for one outside of it.
 int placeFromJson(const QJsonValue& value, std::size_t count) {
     const int place = value.toInt(-1);
@@ -242,69 +223,6 @@ int placeFromJson(const QJsonValue& value, std::size_t count) {
 }
 
 }  // namespace
-
-QJsonObject viewToJson(const SessionView& view) {
-    QJsonObject values;
-    for (const auto& [variable, range] : view.zoom.fixed) {
-        values[columnOf(variable)] = rangeToJson(range);
-    }
-    QJsonArray variables;
-    for (const SlowVariable variable : view.variables) {
-        variables.append(columnOf(variable));
-    }
-    QJsonArray cursors;
-    for (const auto& cursor : view.cursors_s) {
-        cursors.append(cursor ? QJsonValue(*cursor) : QJsonValue());
-    }
-    const DisplayUnits& units = view.units;
-    return {{QStringLiteral("time_s"), rangeToJson(view.zoom.time)},
-            {QStringLiteral("values"), values},
-            {QStringLiteral("variables"), variables},
-            {QStringLiteral("cursors_s"), cursors},
-            {page_key, view.page},
-            {trend_key, trend_words.at(static_cast<std::size_t>(view.trend))},
-            {QStringLiteral("units"),
-             QJsonObject{{QStringLiteral("frequency"), static_cast<int>(units.frequency)},
-                         {QStringLiteral("angle"), static_cast<int>(units.angle)},
-                         {QStringLiteral("amplitude"), static_cast<int>(units.amplitude)},
-                         {QStringLiteral("volts_per_unit"), units.volts_per_unit},
-                         {QStringLiteral("log_a_A"), units.log_a_A},
-                         {QStringLiteral("sigma_bands"), units.sigma_bands}}}};
-}
-
-SessionView viewFromJson(const QJsonObject& json) {
-    SessionView view;
-    if (const auto time = rangeFromJson(json[QStringLiteral("time_s")])) {
-        view.zoom.time = *time;
-    }
-    const QJsonObject values = json[QStringLiteral("values")].toObject();
-    for (const SlowVariable variable : all_slow_variables) {
-        if (const auto range = rangeFromJson(values[columnOf(variable)])) {
-            view.zoom.fixed.emplace(variable, *range);
-        }
-    }
-    for (const auto& value : json[QStringLiteral("variables")].toArray()) {
-        if (const auto variable = variableOf(value.toString())) {
-            view.variables.push_back(*variable);
-        }
-    }
-    const QJsonArray cursors = json[QStringLiteral("cursors_s")].toArray();
-    for (int which = 0; which < 2; ++which) {
-        if (cursors.at(which).isDouble()) {
-            view.cursors_s[static_cast<std::size_t>(which)] = cursors.at(which).toDouble();
-        }
-    }
-    view.page = json[page_key].toString();
-    view.trend = trendFromJson(json[trend_key]);
-    const QJsonObject units = json[QStringLiteral("units")].toObject();
-    view.units.frequency = unitFromJson(units, "frequency", FrequencyUnit::deviation_ppm);
-    view.units.angle = unitFromJson(units, "angle", AngleUnit::degrees);
-    view.units.amplitude = unitFromJson(units, "amplitude", AmplitudeUnit::decibels);
-    view.units.volts_per_unit = units[QStringLiteral("volts_per_unit")].toDouble(1);
-    view.units.log_a_A = units[QStringLiteral("log_a_A")].toBool();
-    view.units.sigma_bands = units[QStringLiteral("sigma_bands")].toBool(true);
-    return view;
-}
 
 QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     IdentifySettings tolerance;
@@ -332,6 +250,23 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     json[limits_key] = limitsToJson(session.dossier.limits);
     json[view_key] = viewToJson(session.view);
     return json;
+}
+
+QString misplacedKey(const QJsonObject& json) {
+    for (const QString& key : {settings_key, gyro_key, limits_key, view_key}) {
+        if (json.contains(key) && !json[key].isObject()) {
+            return key;
+        }
+    }
+    for (const QString& key : {recordings_key, sets_key}) {
+        const QJsonArray elements = json[key].toArray();
+        if ((json.contains(key) && !json[key].isArray()) ||
+            !std::all_of(elements.begin(), elements.end(),
+                         [](const auto& element) { return element.isObject(); })) {
+            return key;
+        }
+    }
+    return {};
 }
 
 Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
@@ -371,17 +306,11 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     session.dossier = {gyroFromJson(json[gyro_key].toObject()),
                        limitsFromJson(json[limits_key].toObject())};
     session.view = viewFromJson(json[view_key].toObject());
-    session.unknown = json;
-    for (const QString& known :
-         {schema_key, program_key, settings_key, tolerance_key, live_key, recordings_key,
-          current_key, sets_key, current_set_key, current_run_key, limits_key, view_key}) {
-        session.unknown.remove(known);
-    }
-    QJsonObject gyro = json[gyro_key].toObject();
-    for (const QString& known : {serial_key, type_key, operator_key, comment_key}) {
-        gyro.remove(known);
-    }
-    session.unknown[gyro_key] = gyro;
+    session.unknown = without(
+        json, {schema_key, program_key, settings_key, tolerance_key, live_key, recordings_key,
+               current_key, sets_key, current_set_key, current_run_key, limits_key, view_key});
+    session.unknown[gyro_key] =
+        without(json[gyro_key].toObject(), {serial_key, type_key, operator_key, comment_key});
     return session;
 }
 

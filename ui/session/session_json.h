@@ -13,12 +13,11 @@ constexpr int session_schema = 1;
 // A session as the JSON object of its file; paths relative to `folder` where they lie below it.
 QJsonObject sessionToJson(const Session& session, const QDir& folder);
 
+// The first key whose value is not of the kind that a session has there; empty: none.
+QString misplacedKey(const QJsonObject& json);
+
 // The reverse. Values that are missing keep their defaults. Errors: setting_invalid, for a value
 // that a setting does not take.
 Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder);
-
-// What the plots show, a part of both.
-QJsonObject viewToJson(const SessionView& view);
-SessionView viewFromJson(const QJsonObject& json);
 
 }  // namespace vybeg::ui

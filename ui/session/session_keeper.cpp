@@ -1,6 +1,8 @@
 #include "ui/session/session_keeper.h"
 
 #include "core/output/output_file.h"
+#include "ui/document/measured_set.h"
+#include "ui/session/session_file.h"
 #include "ui/session/session_json.h"
 #include "ui/session/session_state.h"
 
@@ -22,23 +24,9 @@ namespace {
 const QString backup_key = QStringLiteral("backup_of");
 const QString schema_key = QStringLiteral("vybeg_session");
 
-QByteArray bytesOf(const QJsonObject& json) {
-    return QJsonDocument(json).toJson(QJsonDocument::Indented);
-}
-
-// A file of the same name in the session's folder or a folder in it, for a recording that is not at
-// its path; empty: none.
-QString foundNear(const QDir& folder, const QString& path) {
-    const QString name = QFileInfo(path).fileName();
-    QStringList folders = folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
-    folders.prepend(QStringLiteral("."));
-    for (const QString& each : folders) {
-        const QString candidate = folder.absoluteFilePath(each + QLatin1Char('/') + name);
-        if (QFileInfo(candidate).isFile()) {
-            return QDir::cleanPath(candidate);
-        }
-    }
-    return {};
+QJsonObject valueOf(const std::map<int, QJsonObject>& values, int id) {
+    const auto found = values.find(id);
+    return found == values.end() ? QJsonObject() : found->second;
 }
 
 }  // namespace
@@ -97,7 +85,8 @@ void SessionKeeper::openSession(const QString& path) {
         return;
     }
     QJsonParseError fault;
-    const QJsonObject json = QJsonDocument::fromJson(file.readAll(), &fault).object();
+    const QByteArray bytes = file.readAll();
+    const QJsonObject json = QJsonDocument::fromJson(bytes, &fault).object();
     if (fault.error != QJsonParseError::NoError) {
         fail([path, at = fault.offset, reason = fault.errorString()] {
             return tr("%1 is not a session that can be read: %2, at byte %3.")
@@ -109,6 +98,15 @@ void SessionKeeper::openSession(const QString& path) {
     const int schema = json[schema_key].toInt();
     if (schema < 1) {
         fail([path] { return tr("%1 is not a session of Vybeg.").arg(path); });
+        return;
+    }
+    if (const QString key = misplacedKey(json); !key.isEmpty()) {
+        fail([path, key] {
+            return tr("The session %1 is damaged: “%2” holds something else than a session has "
+                      "there. "
+                      "Restore the file from a copy.")
+                .arg(path, key);
+        });
         return;
     }
     if (schema > session_schema) {
@@ -130,6 +128,7 @@ void SessionKeeper::openSession(const QString& path) {
     session->unknown.remove(backup_key);
     path_ = is_backup ? json[backup_key].toString() : QFileInfo(path).absoluteFilePath();
     recovered_ = is_backup;
+    in_file_ = is_backup ? QByteArray() : digest(bytes);
     emit pathChanged();
     begin(std::move(*session));
 }
@@ -138,11 +137,14 @@ void SessionKeeper::begin(Session session) {
     unknown_ = session.unknown;
     absent_.clear();
     hashes_.clear();
+    unknown_of_recordings_.clear();
+    unknown_of_sets_.clear();
     opening_ = true;
     keepAbsent(session);
     wanted_ids_ = restoreSession(session, document_);
     const std::vector<RecordingSet>& sets = document_.sets().all();
     for (std::size_t set = 0; set < session.sets.size(); ++set) {
+        unknown_of_sets_[sets[set].id] = session.sets[set].unknown;
         for (std::size_t k = 0; k < absent_.size(); ++k) {
             if (std::ranges::count(session.sets[set].recordings, absent_[k].place) > 0) {
                 absent_[k].sets.push_back(sets[set].id);
@@ -152,6 +154,7 @@ void SessionKeeper::begin(Session session) {
     for (std::size_t k = 0; k < wanted_ids_.size(); ++k) {
         if (wanted_ids_[k] != 0) {
             hashes_[wanted_ids_[k]] = session.recordings[k].sha256;
+            unknown_of_recordings_[wanted_ids_[k]] = session.recordings[k].unknown;
         }
     }
     wanted_ = std::move(session);
@@ -198,9 +201,14 @@ void SessionKeeper::supply(std::size_t absent, const QString& path) {
     found.supplied = true;
     const int id = document_.restore(path, found.recording.options, found.recording.runs);
     hashes_[id] = found.recording.sha256;
-    for (const int set : found.sets) {
-        if (document_.sets().find(set)) {
-            document_.sets().addTo(set, {id});
+    unknown_of_recordings_[id] = found.recording.unknown;
+    for (const int set_id : found.sets) {
+        if (const RecordingSet* set = document_.sets().find(set_id)) {
+            if (set->listed) {
+                document_.sets().setListed(set_id,
+                                           withRowFor(*set->listed, found.recording.path, id));
+            }
+            document_.sets().addTo(set_id, {id});
         }
     }
 }
@@ -268,6 +276,13 @@ Session SessionKeeper::present() const {
         session.current_run = static_cast<int>(run - document_.runs().begin());
     }
     const std::vector<RecordingSet>& sets = document_.sets().all();
+    for (std::size_t k = 0; k < session.recordings.size(); ++k) {
+        session.recordings[k].unknown =
+            valueOf(unknown_of_recordings_, document_.recordings()[k].id);
+    }
+    for (std::size_t k = 0; k < session.sets.size(); ++k) {
+        session.sets[k].unknown = valueOf(unknown_of_sets_, sets[k].id);
+    }
     for (const Absent& absent : absent_) {
         if (absent.supplied) {
             continue;
@@ -307,6 +322,12 @@ bool SessionKeeper::isModified() const {
     return recovered_ || content() != saved_;
 }
 
+bool SessionKeeper::isChangedElsewhere() const {
+    QFile file(path_);
+    return !in_file_.isEmpty() && file.open(QIODevice::ReadOnly) &&
+           digest(file.readAll()) != in_file_;
+}
+
 bool SessionKeeper::save(const QString& path) {
     const QString target = QFileInfo(path).absoluteFilePath();
     const QByteArray bytes = bytesOf(sessionToJson(present(), QFileInfo(target).absoluteDir()));
@@ -319,6 +340,7 @@ bool SessionKeeper::save(const QString& path) {
         return false;
     }
     path_ = target;
+    in_file_ = digest(bytes);
     recovered_ = false;
     saved_ = content();
     document_.undoStack().setClean();
@@ -352,6 +374,7 @@ void SessionKeeper::offerAbandoned() {
             SessionBackup::discard(copy);
             backup_.soon();
         };
+        message.until_answered = true;
         document_.report(message);
     }
 }

@@ -31,6 +31,8 @@ public:
     void openSession(const QString& path);
     bool save(const QString& path);
     QString path() const { return path_; }
+    // Whether the session's file is not as it was opened or saved here.
+    bool isChangedElsewhere() const;
     // The run that the window's panels show.
     void setCurrentRun(int id) { current_run_ = id; }
     // Adds to a view what the window alone knows of it: page and trend.
@@ -81,6 +83,10 @@ private:
     SessionBackup backup_;
     QString path_;
     QJsonObject unknown_;
+    // As Session::unknown, by the recording's and the set's id.
+    std::map<int, QJsonObject> unknown_of_recordings_;
+    std::map<int, QJsonObject> unknown_of_sets_;
+    QByteArray in_file_;  // digest of the file as it was opened or saved here
     int current_run_ = 0;
     std::function<void(SessionView&)> add_to_view_ = [](SessionView&) {};
     QJsonObject saved_;  // content() when it was saved or opened

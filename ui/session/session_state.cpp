@@ -22,7 +22,7 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
     session.dossier = document.dossier().dossier();
     session.live = document.live();
     for (const RecordingEntry& entry : document.recordings()) {
-        SessionRecording recording{entry.path, entry.sha256, entry.options, {}};
+        SessionRecording recording{entry.path, entry.sha256, entry.options, {}, {}};
         for (std::size_t place = 0; place < document.runs().size(); ++place) {
             const RunEntry& run = document.runs()[place];
             if (run.recording_id == entry.id) {
@@ -35,7 +35,7 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
         session.current = placeOf(document.recordings(), current->id);
     }
     for (const RecordingSet& set : document.sets().all()) {
-        SessionSet stored{set.name, {}, set.model, {}, document.sets().kept(set)};
+        SessionSet stored{set.name, {}, set.model, {}, document.sets().kept(set), {}};
         for (const int id : set.recordings) {
             stored.recordings.push_back(placeOf(document.recordings(), id));
         }

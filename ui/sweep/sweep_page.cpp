@@ -249,6 +249,7 @@ void SweepPage::showFound() {
     scatter_->setContent(scatterPlot(shown, view, {}));
     residual_->setContent(residualPlot(shown, view, {}));
     point_->setVisible(shown && chosen_);
+    emit figuresChanged();
     if (!shown) {
         return;
     }

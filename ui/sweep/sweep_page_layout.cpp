@@ -5,7 +5,7 @@
 #include "ui/sweep/sweep_text.h"
 #include "ui/widgets/quantity_table.h"
 #include "ui/words/algorithm_text.h"
-#include "ui/words/number_label.h"
+#include "ui/words/index_text.h"
 #include "ui/words/rich_text.h"
 
 #include <QCheckBox>

@@ -40,7 +40,9 @@ struct ListedMember {
 struct ListedSet {
     IdentifySettings settings;
     std::vector<std::string> other_columns;  // of the list
-    std::map<int, ListedMember> members;     // by id in the document
+    // By id in the document; negative or of no member of the set: a row whose recording is not in
+    // it.
+    std::map<int, ListedMember> members;
 };
 
 // Recordings of one resonator, started at different angles, that are identified together. A single

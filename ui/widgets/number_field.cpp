@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +120,9 @@ void NumberField::commit() {
     const Reading reading = read();
     setRefusal(reading.refusal);
     if (!reading.refusal.isEmpty()) {
+        if (isVisible()) {
+            QToolTip::showText(mapToGlobal(rect().bottomLeft()), reading.refusal, this);
+        }
         return;
     }
     setModified(false);
@@ -206,7 +210,9 @@ void NumberField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
     QPainter painter(this);
     // No unit after a placeholder in words ("as the window").
-    if (!unit_.isEmpty() && (!text().isEmpty() || readNumber(placeholderText()))) {
+    const QString& placeholder = placeholderText();
+    if (!unit_.isEmpty() &&
+        (!text().isEmpty() || placeholder.isEmpty() || readNumber(placeholder))) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);
     }

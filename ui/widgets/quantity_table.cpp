@@ -12,6 +12,7 @@
 #include <QScrollBar>
 
 #include <algorithm>
+#include <numeric>
 
 namespace vybeg::ui {
 
@@ -92,8 +93,26 @@ QString QuantityTable::tableText() const {
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
+// Widths of the columns without breaking words.
+std::vector<int> QuantityTable::leastWidths() const {
+    std::vector<int> widths(static_cast<std::size_t>(columnCount()), 0);
+    for (int column = 0; column < columnCount(); ++column) {
+        int& width = widths[static_cast<std::size_t>(column)];
+        if (!headers_.isEmpty() && column > 0) {
+            width = fontMetrics().horizontalAdvance(headers_[column - 1]) + 16;
+        }
+        for (int row = 0; row < rowCount(); ++row) {
+            for (const QString& word : item(row, column)->text().split(QLatin1Char(' '))) {
+                width = std::max(width, WrappingDelegate::widthFor(word, font()) + 2);
+            }
+        }
+    }
+    return widths;
+}
+
 // Column widths: names as wide as needed, at most two fifths of the width, without breaking words;
-// the second of two columns takes the rest, several columns take their own width.
+// the second of two columns takes the rest, several columns take their own width. Where the table
+// is wider than its room, the texts are wrapped.
 void QuantityTable::layOut() {
     const int characters = fontMetrics().averageCharWidth();
     const int room = viewport()->width();
@@ -110,17 +129,23 @@ void QuantityTable::layOut() {
             width = std::max(width, sentence ? std::min(wish, 26 * characters) : wish);
         }
     }
+    const std::vector<int> least = leastWidths();
     if (!widths.empty()) {
-        int longest_word = 0;
-        for (const QuantityRow& row : rows_) {
-            for (const QString& word : row.name.split(QLatin1Char(' '))) {
-                longest_word = std::max(longest_word, WrappingDelegate::widthFor(word, font()));
-            }
-        }
-        widths[0] = std::min(widths[0], std::max(room * 2 / 5, longest_word + 2));
+        widths[0] = std::min(widths[0], std::max(room * 2 / 5, least[0]));
     }
     if (widths.size() == 2) {
         widths[1] = std::max(room - widths[0], 14 * characters);
+    }
+    const int excess = std::accumulate(widths.begin(), widths.end(), -room);
+    int slack = 0;
+    for (std::size_t k = 0; k < widths.size(); ++k) {
+        slack += std::max(0, widths[k] - least[k]);
+    }
+    if (excess > 0 && slack > 0) {
+        for (std::size_t k = 0; k < widths.size(); ++k) {
+            const int own = std::max(0, widths[k] - least[k]);
+            widths[k] -= std::min(own, own * excess / slack + 1);
+        }
     }
     int total = 0;
     for (int column = 0; column < columnCount(); ++column) {

@@ -45,6 +45,7 @@ protected:
 
 private:
     void layOut();
+    std::vector<int> leastWidths() const;
     void retranslate();
 
     QStringList headers_;

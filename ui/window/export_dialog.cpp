@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
@@ -22,7 +23,10 @@ const QString dpi_key = QStringLiteral("export/dpi");
 const QString titled_key = QStringLiteral("export/titled");
 const QString settings_key = QStringLiteral("export/settings");
 
-constexpr double least_mm = 20;
+constexpr double least_width_mm = 80;
+// A plot needs this much for its ticks, and the time axis below all of them once.
+constexpr double least_plot_mm = 18;
+constexpr double least_axis_mm = 12;
 constexpr double most_mm = 1200;
 constexpr double least_dpi = 36;
 constexpr double most_dpi = 1200;
@@ -80,8 +84,9 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
         connect(field, &NumberField::valueEdited, this, &ExportDialog::refresh);
         connect(field, &NumberField::faultChanged, this, &ExportDialog::refresh);
     };
-    number(width_mm_, tr("Width"), tr("Of the figure on paper"), tr("mm"), least_mm, most_mm);
-    number(height_mm_, tr("Height"), tr("Of the figure on paper"), tr("mm"), least_mm, most_mm);
+    number(width_mm_, tr("Width"), tr("Of the figure on paper"), tr("mm"), least_width_mm, most_mm);
+    number(height_mm_, tr("Height"), tr("Of the figure on paper"), tr("mm"), least_plot_mm,
+           most_mm);
     number(dpi_, tr("Resolution"),
            tr("Pixels per inch of a PNG image; SVG and PDF are vectors and need none"), tr("dpi"),
            least_dpi, most_dpi);
@@ -170,13 +175,35 @@ Paper ExportDialog::paper() const {
     return {{toPixels(*width_mm_->value()), toPixels(*height_mm_->value())}, *dpi_->value()};
 }
 
+double ExportDialog::leastHeightMm() const {
+    const int caption =
+        captionHeight(title_->text(), settings_->isChecked() ? source_.settings : QString());
+    return least_axis_mm + least_plot_mm * static_cast<double>(chosen().size()) + toMm(caption);
+}
+
+QString ExportDialog::fault() const {
+    if (chosen().empty()) {
+        return tr("Choose at least one plot.");
+    }
+    for (const NumberField* field : {width_mm_, height_mm_, dpi_}) {
+        if (!field->fault().isEmpty() || !field->isValid()) {
+            return QStringLiteral("%1: %2").arg(field->accessibleName(), field->fault());
+        }
+    }
+    return {};
+}
+
 void ExportDialog::refresh() {
-    const bool possible =
-        !chosen().empty() && width_mm_->isValid() && height_mm_->isValid() && dpi_->isValid();
-    save_->setEnabled(possible);
-    copy_->setEnabled(possible);
-    if (!possible) {
-        preview_->setText(chosen().empty() ? tr("Choose at least one plot.") : QString());
+    const double least = leastHeightMm();
+    height_mm_->setConflict(
+        height_mm_->value().value_or(least) < least
+            ? tr("At least %1 mm is needed for these plots.").arg(QLocale().toString(least))
+            : QString());
+    const QString wrong = fault();
+    save_->setEnabled(wrong.isEmpty());
+    copy_->setEnabled(wrong.isEmpty());
+    if (!wrong.isEmpty()) {
+        preview_->setText(wrong);
         return;
     }
     const QSize size = paper().size;

@@ -35,6 +35,9 @@ private:
     // The size that the chosen plots propose.
     void propose();
     void refresh();
+    double leastHeightMm() const;
+    // Why no figure can be made; empty: it can.
+    QString fault() const;
 
     FigureSource source_;
     QLabel* preview_;

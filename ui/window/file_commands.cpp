@@ -13,6 +13,7 @@
 
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 
 #include <algorithm>
 #include <iterator>
@@ -91,9 +92,31 @@ void FileCommands::openDemonstration() {
 void FileCommands::saveSession(const std::function<void()>& then) {
     if (session_.path().isEmpty()) {
         saveSessionAs(then);
+    } else if (session_.isChangedElsewhere()) {
+        askToReplaceAndThen(then);
     } else if (session_.save(session_.path())) {
         then();
     }
+}
+
+void FileCommands::askToReplaceAndThen(const std::function<void()>& then) {
+    auto* question = new QMessageBox(
+        QMessageBox::Warning, tr("Save session"),
+        tr("Another program has changed %1 since it was opened here. Saving replaces its changes.")
+            .arg(QFileInfo(session_.path()).fileName()),
+        QMessageBox::Cancel, window_);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    const auto* replace = question->addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    const auto* other = question->addButton(tr("Save as…"), QMessageBox::AcceptRole);
+    connect(question, &QMessageBox::buttonClicked, this,
+            [this, then, replace, other](const QAbstractButton* pressed) {
+                if (pressed == other) {
+                    saveSessionAs(then);
+                } else if (pressed == replace && session_.save(session_.path())) {
+                    then();
+                }
+            });
+    question->open();
 }
 
 void FileCommands::saveSessionAs(const std::function<void()>& then) {
@@ -203,8 +226,8 @@ void FileCommands::exportPlot(const Figure& figure) {
     exportPlots({{figure.name}, [figure](const auto&) { return figure; }, {}, {}});
 }
 
-void FileCommands::askForReport() {
-    auto* dialog = new ReportDialog(document_, window_);
+void FileCommands::askForReport(bool of_set) {
+    auto* dialog = new ReportDialog(document_, of_set, window_);
     connect(dialog, &ReportDialog::saveWanted, this, [this, dialog] {
         ask_.reportTarget(QFileInfo(dialog->subject().name).completeBaseName(),
                           [this, dialog = QPointer(dialog)](const QString& path) {

@@ -56,7 +56,8 @@ public:
     void exportPlots(const FigureSource& source);
     void exportPlot(const Figure& figure);
     // By a dialog: subject, title block, plots. Written in the background.
-    void askForReport();
+    // Of the current recording, or of the current set.
+    void askForReport(bool of_set);
     // Several contents are chapters; `about` says of what.
     void writeReport(const std::vector<ReportContent>& contents, const QString& about,
                      const QString& path);
@@ -68,6 +69,8 @@ signals:
     void databaseChosen(const QString& path, bool make);
 
 private:
+    // Before the session's file loses what another program wrote into it.
+    void askToReplaceAndThen(const std::function<void()>& then);
     void reportSaved(const Status& status, const QString& path);
     void showComparison(const QList<int>& run_ids);
 

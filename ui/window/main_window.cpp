@@ -60,7 +60,8 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     commands_ = new Commands(
         windowCommands({document_, *tracks_, *cursor_, *measure_, *runs_, *settings_, *status_,
                         *files_, *batch_, [this](const DisplayUnits& units) { setUnits(units); },
-                        [this](Page page) { pages_->showPage(page); }, [this] { return figures(); },
+                        [this](Page page) { pages_->showPage(page); },
+                        [this] { return pages_->page(); }, [this] { return figures(); },
                         [this] { showHelp(); },
                         [this] { showAbout(this, action(Command::copy_diagnostics)); },
                         [this] { return diagnosticsText(); }, [this] { close(); }}),
@@ -244,6 +245,9 @@ void MainWindow::connectPanels() {
             &TracksPage::analyseVisibleRange);
     connect(signals_, &SignalsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
+    connect(residuals_, &ResidualsPage::figuresChanged, commands_, &Commands::refresh);
+    connect(sweep_, &SweepPage::figuresChanged, commands_, &Commands::refresh);
+    connect(history_, &HistoryPage::figuresChanged, commands_, &Commands::refresh);
     connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(sweep_, &SweepPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(history_, &HistoryPage::exportWanted, files_, &FileCommands::exportPlot);

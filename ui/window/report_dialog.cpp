@@ -16,7 +16,7 @@ const QString all_plots_key = QStringLiteral("report/all_plots");
 
 }  // namespace
 
-ReportDialog::ReportDialog(Document& document, QWidget* parent)
+ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
     : QDialog(parent),
       document_(document),
       subjects_(reportSubjects(document)),
@@ -37,6 +37,9 @@ ReportDialog::ReportDialog(Document& document, QWidget* parent)
     };
     for (const ReportSubject& each : subjects_) {
         subject_->addItem(each.name);
+        if (of_set && document.sets().current() && each.set == document.sets().current()->id) {
+            subject_->setCurrentIndex(subject_->count() - 1);
+        }
     }
     add(tr("Report of"), subject_,
         tr("A recording, a set of them with its resonator, or all sets"));
@@ -51,19 +54,9 @@ ReportDialog::ReportDialog(Document& document, QWidget* parent)
     comment_->setObjectName(QStringLiteral("comment"));
     all_plots_->setToolTip(tr("Off: the five slow variables"));
     form->addRow(all_plots_);
-    const GyroData& known = document.dossier().dossier().gyro;
-    gyro_->setText(known.serial);
-    engineer_->setText(known.operator_name);
-    comment_->setText(known.comment.simplified());
     all_plots_->setChecked(QSettings().value(all_plots_key, false).toBool());
-    const auto propose_date = [this] {
-        // Each of several sets has its own.
-        date_->setEnabled(!subject().all_sets);
-        date_->setText(subject().all_sets ? QString()
-                                          : reportContentOf(document_, subject()).title.date);
-    };
-    connect(subject_, &QComboBox::currentIndexChanged, this, propose_date);
-    propose_date();
+    connect(subject_, &QComboBox::currentIndexChanged, this, &ReportDialog::propose);
+    propose();
     auto* buttons = new QDialogButtonBox(this);
     auto* save = new QPushButton(tr("&Save…"), this);
     save->setObjectName(QStringLiteral("save"));
@@ -83,12 +76,45 @@ const ReportSubject& ReportDialog::subject() const {
     return subjects_[static_cast<std::size_t>(subject_->currentIndex())];
 }
 
+// What a measurement list tells of the subject, otherwise what the dossier tells.
+void ReportDialog::propose() {
+    const GyroData& known = document_.dossier().dossier().gyro;
+    proposed_ = {known.serial, known.operator_name, QString(), known.comment.simplified()};
+    // Each of several sets has its own date, and what its list tells.
+    if (!subject().all_sets) {
+        const ReportTitle told = reportContentOf(document_, subject()).title;
+        const auto prefer = [](QString& proposed, const QString& other) {
+            proposed = other.isEmpty() ? proposed : other;
+        };
+        prefer(proposed_.gyro, told.gyro);
+        prefer(proposed_.engineer, told.engineer);
+        prefer(proposed_.comment, told.comment);
+        proposed_.date = told.date;
+    }
+    gyro_->setText(proposed_.gyro);
+    engineer_->setText(proposed_.engineer);
+    date_->setText(proposed_.date);
+    comment_->setText(proposed_.comment);
+    date_->setEnabled(!subject().all_sets);
+}
+
+ReportTitle ReportDialog::typed() const {
+    return {gyro_->text().trimmed(), engineer_->text().trimmed(), date_->text().trimmed(),
+            comment_->text().trimmed()};
+}
+
 std::vector<ReportContent> ReportDialog::contents() const {
     std::vector<ReportContent> contents = reportContentsOf(document_, subject());
+    const ReportTitle title = typed();
     for (ReportContent& content : contents) {
-        const QString date = subject().all_sets ? content.title.date : date_->text().trimmed();
-        content.title = {gyro_->text().trimmed(), engineer_->text().trimmed(), date,
-                         comment_->text().trimmed()};
+        if (subject().all_sets) {
+            const ReportTitle told = content.title;
+            content.title = {told.gyro.isEmpty() ? title.gyro : told.gyro,
+                             told.engineer.isEmpty() ? title.engineer : told.engineer, told.date,
+                             told.comment.isEmpty() ? title.comment : told.comment};
+        } else {
+            content.title = title;
+        }
         if (all_plots_->isChecked()) {
             content.variables.assign(shown_slow_variables.begin(), shown_slow_variables.end());
         }
@@ -96,14 +122,16 @@ std::vector<ReportContent> ReportDialog::contents() const {
     return contents;
 }
 
+// The dossier takes what was typed over the proposal.
 void ReportDialog::keep() {
     GyroData gyro = document_.dossier().dossier().gyro;
-    gyro.serial = gyro_->text().trimmed();
-    gyro.operator_name = engineer_->text().trimmed();
-    // The dossier's comment may have several lines.
-    if (const QString comment = comment_->text().trimmed(); comment != gyro.comment.simplified()) {
-        gyro.comment = comment;
-    }
+    const ReportTitle title = typed();
+    const auto take = [](QString& kept, const QString& now, const QString& proposed) {
+        kept = now == proposed ? kept : now;
+    };
+    take(gyro.serial, title.gyro, proposed_.gyro);
+    take(gyro.operator_name, title.engineer, proposed_.engineer);
+    take(gyro.comment, title.comment, proposed_.comment);
     document_.dossier().setGyro(gyro);
     QSettings().setValue(all_plots_key, all_plots_->isChecked());
 }

@@ -12,14 +12,15 @@ class QLineEdit;
 
 namespace vybeg::ui {
 
-// Asks what a report is about and for its title block. Gyro, operator and comment are those of the
-// session's dossier, which takes what is typed here.
+// Asks what a report is about and for its title block. Gyro, operator and comment are those that a
+// measurement list tells, otherwise those of the session's dossier, which takes what is typed here.
 class ReportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // Precondition: the document has a subject of a report.
-    explicit ReportDialog(Document& document, QWidget* parent = nullptr);
+    // `of_set`: proposes the current set rather than the current recording. Precondition: the
+    // document has a subject of a report.
+    ReportDialog(Document& document, bool of_set, QWidget* parent = nullptr);
 
     const ReportSubject& subject() const;
     std::vector<ReportContent> contents() const;
@@ -28,10 +29,13 @@ signals:
     void saveWanted();
 
 private:
+    void propose();
+    ReportTitle typed() const;
     void keep();
 
     Document& document_;
     std::vector<ReportSubject> subjects_;
+    ReportTitle proposed_;
     QComboBox* subject_;
     QLineEdit* gyro_;
     QLineEdit* engineer_;

@@ -6,6 +6,7 @@
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/words/algorithm_text.h"
+#include "ui/words/index_text.h"
 
 #include <QEvent>
 #include <QLocale>
@@ -22,10 +23,6 @@ namespace {
 constexpr qint64 one_gesture_ms = 700;
 
 // "2θ_A" as "2θA", for texts without indices.
-QString plainSymbol(QString symbol) {
-    return symbol.remove(QLatin1Char('_'));
-}
-
 QString settingsText(const RunEntry& entry) {
     const Analysis& analysis = *entry.run.analysis;
     QString text = TracksPage::tr("%1: %2; window %3, hop %4 samples; f0 = %5 Hz")
@@ -191,7 +188,7 @@ FigureSource TracksPage::figures() const {
         return source;
     }
     for (const SlowVariable variable : content.variables) {
-        source.plots << plainSymbol(displaySymbol(variable, content.units));
+        source.plots << indexPlain(displaySymbol(variable, content.units));
     }
     source.figure = [content](const std::vector<int>& places) {
         PlotContent some = content;

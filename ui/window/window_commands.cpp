@@ -89,7 +89,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .icon = "report",
          .keys = {QKeySequence::Print},
          .enabled = [to] { return !reportSubjects(to.document).empty(); },
-         .act = [to] { to.files.askForReport(); }},
+         .act = [to] { to.files.askForReport(to.page() == Page::resonator); }},
         {.id = Command::save_passport,
          .text = QT_TRANSLATE_NOOP("Command", "Save &passport…"),
          .tip = QT_TRANSLATE_NOOP("Command",

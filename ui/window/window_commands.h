@@ -34,8 +34,8 @@ struct CommandTargets {
     // What the window itself does.
     std::function<void(const DisplayUnits&)> set_units;
     std::function<void(Page)> show_page;
-    // Of the page that is shown.
-    std::function<FigureSource()> figures;
+    std::function<Page()> page;             // that is shown
+    std::function<FigureSource()> figures;  // of that page
     std::function<void()> show_help;
     std::function<void()> show_about;
     std::function<QString()> diagnostics;

@@ -40,6 +40,14 @@ std::vector<IndexTextPiece> indexPieces(const QString& text) {
     return pieces;
 }
 
+QString indexPlain(const QString& text) {
+    QString plain;
+    for (const IndexTextPiece& piece : indexPieces(text)) {
+        plain += piece.text;
+    }
+    return plain;
+}
+
 double indexTextWidth(const QString& text, const QFont& font) {
     double width = 0;
     for (const IndexTextPiece& piece : indexPieces(text)) {

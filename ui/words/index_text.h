@@ -20,6 +20,9 @@ struct IndexTextPiece {
 // "2θ_A" as {"2θ"}, {"A", index}: an underscore makes the letters and digits behind it an index.
 std::vector<IndexTextPiece> indexPieces(const QString& text);
 
+// "2θA", where only plain text is possible: accessible names, the rows of a choice.
+QString indexPlain(const QString& text);
+
 // Width in pixels of a text with indices.
 double indexTextWidth(const QString& text, const QFont& font);
 

@@ -1,7 +1,5 @@
 #include "ui/words/number_label.h"
 
-#include "ui/words/index_text.h"
-
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -36,20 +34,6 @@ QString siPrefix(int exponent) {
         QT_TRANSLATE_NOOP("SiPrefix", "G"), QT_TRANSLATE_NOOP("SiPrefix", "T")};
     const char* prefix = prefixes[static_cast<std::size_t>(exponent / 3 + 5)];
     return *prefix ? QCoreApplication::translate("SiPrefix", prefix) : QString();
-}
-
-QString indexHtml(const QString& text) {
-    QString html;
-    for (const IndexTextPiece& piece : indexPieces(text)) {
-        const QString escaped = piece.text.toHtmlEscaped();
-        html += piece.index ? QStringLiteral("<sub>%1</sub>").arg(escaped) : escaped;
-    }
-    return html;
-}
-
-QString indexPlain(const QString& text) {
-    QString plain = text;
-    return plain.replace('_', ' ');
 }
 
 }  // namespace vybeg::ui

@@ -14,10 +14,4 @@ QString powerOfTen(int exponent);
 // The SI prefix of an exponent that is a multiple of 3 in [-15, 12], translated: "m" for -3.
 QString siPrefix(int exponent);
 
-// Text with indices: an underscore makes the letters and digits behind it an index. "a_A" as
-// "a<sub>A</sub>", for labels and tables.
-QString indexHtml(const QString& text);
-// The same without markup, where only plain text is possible (accessible names): "a A".
-QString indexPlain(const QString& text);
-
 }  // namespace vybeg::ui

@@ -3,6 +3,8 @@
 #include "core/numerics/fft.h"
 #include "core/numerics/line_fit.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -53,6 +55,20 @@ double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
+}
+
+// Largest distance of equally spaced values from their polynomial of the fourth degree.
+double distance_from_smooth(const std::vector<double>& values) {
+    const auto count = static_cast<Eigen::Index>(values.size());
+    const Eigen::VectorXd places = Eigen::VectorXd::LinSpaced(count, -1, 1);
+    Eigen::Matrix<double, Eigen::Dynamic, 5> powers(count, 5);
+    powers.col(0).setOnes();
+    for (int k = 1; k < 5; ++k) {
+        powers.col(k) = powers.col(k - 1).cwiseProduct(places);
+    }
+    const Eigen::Map<const Eigen::VectorXd> given(values.data(), count);
+    const Eigen::VectorXd smooth = powers * powers.householderQr().solve(given);
+    return (given - smooth).lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace
@@ -139,8 +155,7 @@ double start_transient_s(std::span<const double> c, std::span<const double> d, d
         logarithms.push_back(wave > 0 ? std::log(wave) : std::nan(""));
     }
     constexpr std::size_t half = blocks / 2;
-    if (std::any_of(logarithms.begin() + half, logarithms.end(),
-                    [](double x) { return std::isnan(x); })) {
+    if (std::ranges::any_of(logarithms, [](double x) { return std::isnan(x); })) {
         return 0;  // noise only
     }
     const LineFit line =
@@ -157,6 +172,12 @@ double start_transient_s(std::span<const double> c, std::span<const double> d, d
     // without exponential decay (beats, decay down to the noise) is inconclusive.
     const double usual = 8 * median(scatter);
     if (usual > 0.2) {
+        return 0;
+    }
+    // A beat whose power channels of different gain change slowly bends smoothly from one end to
+    // the other; a transient has its end, which a polynomial does not follow.
+    constexpr double bend = 0.004;
+    if (distance_from_smooth(logarithms) < std::max(bend, usual / 2)) {
         return 0;
     }
     const double threshold = std::max(0.02, usual);

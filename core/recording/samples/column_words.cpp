@@ -117,7 +117,7 @@ std::vector<std::string> header_fields(std::string_view line, char delimiter) {
     for (const std::string_view part : parts) {
         if (delimiter == ' ' && !fields.empty() &&
             (part.starts_with('[') || part.starts_with('('))) {
-            fields.back() += " " + std::string(part);
+            fields.back().append(" ").append(part);
         } else {
             fields.emplace_back(part);
         }

@@ -65,7 +65,9 @@ Status check_choice(const TextChoice& choice) {
 std::string choice_text(const TextChoice& choice) {
     std::string text;
     const auto add = [&text](const char* option, const std::string& value) {
-        text += (text.empty() ? "" : " ") + std::string(option) + " " + value;
+        text += text.empty() ? "" : " ";
+        text += option;
+        text += ' ' + value;
     };
     if (choice.delimiter) {
         add("--delimiter", name_of(delimiters, *choice.delimiter));

@@ -60,6 +60,24 @@ Eigen::VectorXd toward_residual(const FitProblem& problem, std::span<const Linea
 
 }  // namespace
 
+double Posterior::chi2() const {
+    double sum = 0;
+    for (const Linearised& run : runs) {
+        sum += run.residual.squaredNorm();
+    }
+    return sum;
+}
+
+Eigen::MatrixXd Posterior::covariance_of(const Eigen::MatrixXd& gradient) const {
+    const Eigen::MatrixXd in_root = gradient * root;
+    return in_root * (data + known + nothing) * in_root.transpose();
+}
+
+Eigen::MatrixXd Posterior::covariance_of(Eigen::Index first, Eigen::Index count) const {
+    const Eigen::MatrixXd rows = root.middleRows(first, count);
+    return rows * (data + known + nothing) * rows.transpose();
+}
+
 Posterior posterior(const FitProblem& problem, const MapFit& fit) {
     Posterior out;
     out.p = fit.p;

@@ -28,24 +28,12 @@ struct Posterior {
     Eigen::MatrixXd nothing;  // S L S of the physical priors
 
     // chi^2 of the data.
-    double chi2() const {
-        double sum = 0;
-        for (const Linearised& run : runs) {
-            sum += run.residual.squaredNorm();
-        }
-        return sum;
-    }
+    double chi2() const;
 
     // The covariance of quantities by their gradients (a row each) in the active parameters.
-    Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& gradient) const {
-        const Eigen::MatrixXd in_root = gradient * root;
-        return in_root * (data + known + nothing) * in_root.transpose();
-    }
+    Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& gradient) const;
     // That of the active parameters from `first` on.
-    Eigen::MatrixXd covariance_of(Eigen::Index first, Eigen::Index count) const {
-        const auto rows = root.middleRows(first, count);
-        return rows * (data + known + nothing) * rows.transpose();
-    }
+    Eigen::MatrixXd covariance_of(Eigen::Index first, Eigen::Index count) const;
 };
 
 // With white noise.

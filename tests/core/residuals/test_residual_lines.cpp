@@ -66,6 +66,23 @@ private slots:
         }
     }
 
+    // Hum 30 times the noise, at all places between two bins, with its third harmonic.
+    void the_side_lobes_of_a_strong_line_are_none() {
+        for (int part = 0; part < 10; ++part) {
+            FreeDecay decay = still_wave(20);
+            decay.seed = static_cast<std::uint64_t>(part) + 1;
+            const double f_hz = 50 + 0.04 * part;
+            decay.modes_beside = {{f_hz, 3e-2, 2e-2, 0.3, 1.1, 1e300},
+                                  {3 * f_hz, 3e-3, 2e-3, 0.2, 0.4, 1e300}};
+            const Recording recording = simulated_recording(decay);
+            const Residuals found = residuals(recording, analysed(recording, windows_of(33333)));
+            QVERIFY2(found.lines.size() == 2, qPrintable(names_of(found)));
+            for (const ResidualLine& line : found.lines) {
+                QVERIFY2(line.origin == LineOrigin::mains, qPrintable(names_of(found)));
+            }
+        }
+    }
+
     // Over 100 seeds: the stated deviation of a line's amplitude within a quarter.
     void the_amplitude_of_a_line_scatters_as_stated() {
         double squares = 0;

@@ -37,6 +37,17 @@ private slots:
         QCOMPARE(summary.noise, 0.5);
     }
 
+    void a_faulty_window_does_not_tell_the_noise() {
+        Track track = track_of(std::vector<double>(100, 5300), 1);
+        track.values(SlowVariable::noise)[40] = 300;
+        track.flags()[40] = static_cast<Flags>(Flag::not_converged);
+        QCOMPARE(summarise(track, 1).noise, 1.0);
+        for (Flags& flags : track.flags()) {
+            flags = static_cast<Flags>(Flag::clipped);
+        }
+        VYBEG_CLOSE_RATIO(summarise(track, 1).noise, std::sqrt((99 + 300. * 300) / 100), 1e-12);
+    }
+
     void a_scatter_of_nine_digits_below_the_value_is_not_lost() {
         // Independent signs of +-1e-6; 250 blocks of four tell their deviation to 5 %.
         std::mt19937_64 random(1);

@@ -3,10 +3,14 @@
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
 #include "ui/panels/message_bar.h"
+#include "ui/report/document_report.h"
+#include "ui/report/options_text.h"
+#include "ui/report/report_text.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/file_commands.h"
+#include "ui/window/report_dialog.h"
 
 #include <QComboBox>
 #include <QDropEvent>
@@ -112,6 +116,62 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(messages().contains("none.wav"), 20000);
         waitUntilOpen(1);
         QCOMPARE(sets().current()->recordings.size(), std::size_t(1));
+        const auto state = [this] { return childOf<QLabel>(*window_, "state").text(); };
+        QVERIFY2(state().contains("Without these recordings") && state().contains("none.wav"),
+                 qPrintable(state()));
+        // A session keeps that the set is a part of its list.
+        const QString path = home_.path("half.vybeg");
+        QVERIFY(window_->session().save(path));
+        window_ = shownWindow();
+        window_->files().open({path});
+        waitUntilOpen(1);
+        QTRY_VERIFY2(state().contains("none.wav"), qPrintable(state()));
+    }
+
+    void a_recording_named_twice_in_a_set_is_told() {
+        home_.recording("twice.wav");
+        window_->files().open(
+            {home_.file("twice.csv", "file,set\ntwice.wav,A\ntwice.wav,A\ntwice.wav,B\n")});
+        waitUntilOpen(1);
+        QVERIFY2(messages().contains("more than once: twice.wav") && messages().contains("set A"),
+                 qPrintable(messages()));
+        QVERIFY2(!messages().contains("set B"), qPrintable(messages()));
+        QCOMPARE(sets().all()[0].recordings.size(), std::size_t(1));
+    }
+
+    // A report has what the list tells of its recordings; of all sets, each has its own.
+    void a_report_has_the_conditions_and_settings_of_the_list() {
+        window_->files().open({list("reported.csv")});
+        waitUntilOpen(2);
+        document().dossier().setGyro({"session", {}, "Ivanova", "bench 2"});
+        QTRY_COMPARE_WITH_TIMEOUT(document().runs().size(), std::size_t(2), 30000);
+        for (const RecordingSet& set : sets().all()) {
+            sets().identifySet(set.id);
+        }
+        for (const std::size_t set : {0, 1}) {
+            QVERIFY(QTest::qWaitFor([&] { return sets().outcome(sets().all()[set]) != nullptr; },
+                                    60000));
+        }
+        QTRY_VERIFY(!reportSubjects(document()).empty());
+        ReportDialog dialog(document(), true);
+        QCOMPARE(dialog.contents().front().title.gyro, QString("G7"));
+        QCOMPARE(dialog.contents().front().title.engineer, QString("Ivanova"));
+        auto& subject = childOf<QComboBox>(dialog);
+        subject.setCurrentIndex(subject.count() - 1);  // all sets
+        QVERIFY(dialog.subject().all_sets);
+        const std::vector<ReportContent> contents = dialog.contents();
+        QCOMPARE(contents.size(), std::size_t(2));
+        QCOMPARE(contents[0].title.gyro, QString("G7"));
+        QCOMPARE(contents[0].title.date, QString("2026-03-31"));
+        QCOMPARE(contents[1].title.gyro, QString("G8"));
+        QCOMPARE(contents[1].title.comment, QString("bench 2"));
+        QVERIFY(contents[0].recordings[0].conditions.contains("bias voltage: 100 V"));
+        QVERIFY(contents[0].recordings[0].conditions.contains("Bench: B1"));
+        QVERIFY2(chapterOf(contents[1]).html.contains("--from 1 --model structured") ||
+                     chapterOf(contents[1]).html.contains("--model structured --from 1"),
+                 qPrintable(optionsText(contents[1].outcome->identification.settings)));
+        QVERIFY(optionsText(contents[0].outcome->identification.settings)
+                    .contains("--model structured"));
     }
 
     // Recordings as CSV stay recordings, beside a list in one drop of files.

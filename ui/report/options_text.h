@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/analysis/identify_settings.h"
+#include "core/analysis/settings.h"
+
+#include <QString>
+
+namespace vybeg::ui {
+
+// The settings that have a part in the result and are not the defaults, as options of the command
+// line; empty: all are.
+
+// Without algorithm, window, hop and carrier, which the table of analyses has.
+QString optionsText(const Settings& settings);
+
+// Settings in which the recordings differ have the value of each, with semicolons between them.
+QString optionsText(const IdentifySettings& settings);
+
+}  // namespace vybeg::ui
