@@ -7,6 +7,7 @@
 #include "core/output/file_ending.h"
 #include "core/output/output_file.h"
 #include "ui/report/report_pdf.h"
+#include "ui/session/session_keeper.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -25,6 +26,19 @@ Status check_ending(const std::string& path) {
                             : Error{ErrorCode::setting_invalid,
                                     "",
                                     {"--report", path, "a report is a PDF document: name it .pdf"}};
+}
+
+// A session has its report in the window.
+Status check_no_session(const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+        if (ui::SessionKeeper::isSession(QString::fromStdString(input))) {
+            return Error{
+                ErrorCode::setting_invalid,
+                "",
+                {"--report", input, "a session has its report in the window: File > Report"}};
+        }
+    }
+    return {};
 }
 
 Result<MeasurementList> wanted_sets(const ReportRequest& request) {
@@ -129,6 +143,9 @@ Result<QByteArray> pdf_of_all(const ReportRequest& request, const MeasurementLis
 int write_report(const ReportRequest& request, std::stop_token stop) {
     if (const Status is_pdf = check_ending(request.report); !is_pdf) {
         return fail(is_pdf.error());
+    }
+    if (const Status possible = check_no_session(request.inputs); !possible) {
+        return fail(possible.error());
     }
     const Result<MeasurementList> list = wanted_sets(request);
     if (!list) {

@@ -210,10 +210,10 @@ void show_batch(MainWindow& window, const QStringList& files, const QDir& folder
     const auto* batch = window.findChild<BatchWindow*>();
     QElapsedTimer clock;
     clock.start();
-    // It begins once its passport is written.
+    constexpr qint64 begins_ms = 1500;  // once its passport is written
     do {
         pass(settle_ms);
-    } while (clock.elapsed() < most_ms && (batch->running() || clock.elapsed() < 10 * settle_ms));
+    } while (clock.elapsed() < most_ms && (batch->running() || clock.elapsed() < begins_ms));
 }
 
 Status write_picture(const QImage& image, const QString& path) {

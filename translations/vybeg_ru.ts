@@ -4179,6 +4179,10 @@
         <source>Choose at least one plot.</source>
         <translation>Выберите хотя бы один график.</translation>
     </message>
+    <message>
+        <source>At least %1 mm is needed for these plots.</source>
+        <translation>Для этих графиков нужно не меньше %1 мм.</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::FiguresView</name>
@@ -4553,10 +4557,6 @@
         <translation>Настройки результата %1 не читаются: у набора настройки панели «Обработка».</translation>
     </message>
     <message>
-        <source>The result of %1 is in %2.</source>
-        <translation>Результат %1 записан в %2.</translation>
-    </message>
-    <message>
         <source>Open…</source>
         <translation>Открыть…</translation>
     </message>
@@ -4615,10 +4615,6 @@
     <message>
         <source>How often each value occurs among the results shown</source>
         <translation>Как часто каждое значение встречается среди показанных результатов</translation>
-    </message>
-    <message>
-        <source>The result of %1 replaces the one in %2 of the same recordings and settings.</source>
-        <translation>Результат %1 заменяет в %2 прежний результат тех же записей с теми же настройками.</translation>
     </message>
 </context>
 <context>
@@ -5560,6 +5556,17 @@
     <message>
         <source>⚠ Without these recordings of the measurement list: %1.</source>
         <translation>⚠ Без этих записей списка измерений: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::ResultAdder</name>
+    <message>
+        <source>The result of %1 replaces the one in %2 of the same recordings and settings.</source>
+        <translation>Результат %1 заменяет в %2 прежний результат тех же записей с теми же настройками.</translation>
+    </message>
+    <message>
+        <source>The result of %1 is in %2.</source>
+        <translation>Результат %1 записан в %2.</translation>
     </message>
 </context>
 <context>

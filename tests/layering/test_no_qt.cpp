@@ -1,3 +1,6 @@
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -8,6 +11,27 @@ struct Outcome {
     int status = -1;
     QString messages;
 };
+
+// The build's command for a source, without the source and what comes of it.
+QStringList commandOf(const QString& source) {
+    QFile file(VYBEG_COMPILE_COMMANDS);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    for (const QJsonValue& each : QJsonDocument::fromJson(file.readAll()).array()) {
+        if (each["file"].toString().endsWith(source)) {
+            QStringList command = QProcess::splitCommand(each["command"].toString());
+            for (const char* option : {"-o", "-c"}) {
+                const auto at = command.indexOf(QLatin1String(option));
+                if (at >= 0) {
+                    command.remove(at, 2);
+                }
+            }
+            return command;
+        }
+    }
+    return {};
+}
 
 // Compiles a file of the given content as the build compiles core/: same compiler, same flags,
 // and with Qt's include directories on top.
@@ -20,17 +44,22 @@ Outcome compileAsCore(const QByteArray& content) {
     }
     source.close();
 
-    QFile flags(VYBEG_CORE_FLAGS_FILE);
-    if (!flags.open(QIODevice::ReadOnly)) {
+    QStringList arguments = commandOf("/core/base/plain_text.cpp");
+    if (arguments.isEmpty()) {
         return {};
     }
-    QStringList arguments = QString::fromUtf8(flags.readAll()).split('\n', Qt::SkipEmptyParts);
+    const QString program = arguments.takeFirst();
+    // Not as precompiled, because Qt asks for -fPIC.
+    arguments.removeAll(QStringLiteral("-Winvalid-pch"));
+    for (const QString& folder : QString(VYBEG_QT_FOLDERS).split(':')) {
+        arguments << "-I" + folder;
+    }
     arguments << "-fPIC"
               << "-fsyntax-only" << path;
 
     QProcess compiler;
     compiler.setProcessChannelMode(QProcess::MergedChannels);
-    compiler.start(VYBEG_COMPILER, arguments);
+    compiler.start(program, arguments);
     compiler.waitForFinished(120'000);
     return {compiler.exitStatus() == QProcess::NormalExit ? compiler.exitCode() : -1,
             QString::fromUtf8(compiler.readAll())};

@@ -122,7 +122,7 @@ private slots:
         const auto boxes = dialog.findChildren<QCheckBox*>();
         QCOMPARE(boxes.size(), 6);  // five plots and the settings
         typeInto(fieldOf(dialog, "Width"), "120");
-        typeInto(fieldOf(dialog, "Height"), "80");
+        typeInto(fieldOf(dialog, "Height"), "100");
         typeInto(fieldOf(dialog, "Resolution"), "254");
         auto& title = childOf<QLineEdit>(dialog, "title");
         QCOMPARE(title.text(), QStringLiteral("demo.wav"));
@@ -136,7 +136,7 @@ private slots:
         save(dialog, home_.path("paper.png"));
         const QImage image(home_.path("paper.png"));
         VYBEG_CLOSE(image.width(), 1200, 12);
-        VYBEG_CLOSE(image.height(), 800, 12);
+        VYBEG_CLOSE(image.height(), 1000, 12);
         VYBEG_CLOSE(image.dotsPerMeterX(), 10000, 1);
         QTRY_VERIFY(!window_->findChild<ExportDialog*>());
 
@@ -169,6 +169,12 @@ private slots:
         QVERIFY(!save.isEnabled());
         QVERIFY(!fieldOf(dialog, "Width").fault().isEmpty());
         typeInto(fieldOf(dialog, "Width"), "100");
+        QVERIFY(save.isEnabled());
+        // Five plots do not stand in 40 mm, one does.
+        typeInto(fieldOf(dialog, "Height"), "40");
+        QVERIFY(!save.isEnabled());
+        QVERIFY(!fieldOf(dialog, "Height").fault().isEmpty());
+        typeInto(fieldOf(dialog, "Height"), "120");
         QVERIFY(save.isEnabled());
         for (QCheckBox* box : dialog.findChildren<QCheckBox*>().mid(0, 5)) {
             box->setChecked(false);

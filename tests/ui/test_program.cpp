@@ -125,6 +125,8 @@ private slots:
             << QStringList{good, "--figure", figure, "--window", "1000000"} << 4;
         QTest::newRow("report without recording")
             << QStringList{"--report", home_.path("wrong.pdf")} << 2;
+        QTest::newRow("report of a session")
+            << QStringList{home_.path("one.vybeg"), "--report", home_.path("wrong.pdf")} << 2;
         QTest::newRow("title without report") << QStringList{good, "--gyro", "SN_7"} << 2;
         QTest::newRow("list and recording")
             << QStringList{good, "--list", good, "--report", home_.path("wrong.pdf")} << 2;

@@ -227,7 +227,7 @@ private slots:
         bench.view.activateWindow();
         QWidget* second = nullptr;
         for (QWidget* child : bench.view.findChildren<QWidget*>()) {
-            if (child->accessibleName().contains(QStringLiteral("a B"))) {
+            if (child->accessibleName().contains(QStringLiteral("aB"))) {
                 second = child;
             }
         }

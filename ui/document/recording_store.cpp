@@ -128,11 +128,22 @@ void RecordingStore::close(int id) {
     }
 }
 
+// Of many that are opened at once the first and the last ones are shown: each costs the window a
+// redraw of all that shows a recording.
+void RecordingStore::showOpened(int id) {
+    constexpr std::ptrdiff_t few = 4;
+    const auto opening = std::ranges::count_if(
+        recordings_, [](const RecordingEntry& entry) { return !entry.recording; });
+    if (current_ == 0 || opening <= few) {
+        setCurrent(id);
+    }
+}
+
 void RecordingStore::whenLookedAt(int id, const QuickOverview& look) {
     RecordingEntry& looked_at = *entry(id);
     looked_at.envelope = look.envelope;
     looked_at.envelope_rate_hz = look.rate_hz;
-    setCurrent(id);
+    showOpened(id);
     emit changed(id);
 }
 
@@ -153,7 +164,7 @@ void RecordingStore::whenOpened(int id, Result<Recording> result) {
     if (id == current_) {
         emit currentChanged();  // an envelope was all that was known of it
     }
-    setCurrent(id);
+    showOpened(id);
     emit changed(id);
     emit opened(id);
 }

@@ -84,6 +84,7 @@ signals:
 private:
     void begin(int id, std::size_t place, const QString& path, const OpenOptions& options);
     RecordingEntry* entry(int id);
+    void showOpened(int id);
     void whenLookedAt(int id, const QuickOverview& look);
     void whenOpened(int id, Result<Recording> result);
     void reportWarnings(const RecordingEntry& entry);

@@ -1,17 +1,13 @@
 #include "ui/history/history_page.h"
 
-#include "core/output/batch_csv.h"
 #include "ui/document/document.h"
 #include "ui/history/history_choices.h"
 #include "ui/history/history_job.h"
 #include "ui/history/history_text.h"
-#include "ui/history/store_dialog.h"
 #include "ui/history/stored_set.h"
 #include "ui/plots/xy_plot_view.h"
-#include "ui/resonator/set_panel.h"
 #include "ui/words/error_text.h"
 #include "ui/words/index_text.h"
-#include "ui/words/program_name.h"
 #include "ui/words/rich_text.h"
 
 #include <QEvent>
@@ -28,7 +24,7 @@ namespace vybeg::ui {
 
 namespace {
 
-enum JobKey : int { reading_job, result_job, storing_job };
+enum JobKey : int { reading_job, result_job };
 
 const QString path_key = QStringLiteral("history/database");
 
@@ -37,6 +33,7 @@ const QString path_key = QStringLiteral("history/database");
 HistoryPage::HistoryPage(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
+      adder_(document),
       theme_(lightTheme()),
       database_(new QLabel(this)),
       open_(new QPushButton(this)),
@@ -204,16 +201,10 @@ QString HistoryPage::stateText() const {
     return {};
 }
 
-std::shared_ptr<const ResonatorOutcome> HistoryPage::addable() const {
-    const RecordingSet* set = document_.sets().current();
-    const auto outcome = set ? document_.sets().outcome(*set) : nullptr;
-    return outcome && !document_.sets().outOfDate(*set, *outcome) ? outcome : nullptr;
-}
-
 QString HistoryPage::addHint() const {
-    return path_.isEmpty() ? tr("First open a database, or make a new one.")
-           : !addable()    ? tr("First identify the resonator of a set, on the page Resonator.")
-                           : QString();
+    return path_.isEmpty()     ? tr("First open a database, or make a new one.")
+           : !adder_.addable() ? tr("First identify the resonator of a set, on the page Resonator.")
+                               : QString();
 }
 
 void HistoryPage::refresh() {
@@ -290,53 +281,15 @@ void HistoryPage::openStored(const StoredResult& result) {
 }
 
 void HistoryPage::askToAdd() {
-    const RecordingSet* set = document_.sets().current();
-    if (!set || !addable() || path_.isEmpty()) {
-        return;
-    }
-    const MeasurementSet measured = document_.sets().measured(*set);
-    QString gyro = QString::fromStdString(gyro_of(measured));
-    gyro = gyro.isEmpty() ? document_.dossier().dossier().gyro.serial : gyro;
-    gyro = gyro.isEmpty() ? set->name : gyro;
     QStringList gyros;
     for (const StoredGyro& each : history_ ? history_->gyros : std::vector<StoredGyro>()) {
         if (!each.name.empty()) {
             gyros << QString::fromStdString(each.name);
         }
     }
-    auto* dialog = new StoreDialog(gyros, gyro, toldDate(measured, addable()->inputs), this);
-    connect(dialog, &StoreDialog::chosen, this, &HistoryPage::add);
-    dialog->open();
-}
-
-void HistoryPage::add(const QString& gyro, const QString& date) {
-    const RecordingSet* set = document_.sets().current();
-    const auto outcome = addable();
-    if (!outcome) {
-        return;
+    if (!path_.isEmpty()) {
+        adder_.ask(path_, gyros, this);
     }
-    RecordingSet ordered = *set;
-    ordered.name = setName(document_, *set);
-    ordered.recordings = outcome->recordings;  // the order of its inputs
-    ResultToStore result{programName(), document_.sets().measured(ordered),
-                         set->listed ? set->listed->other_columns : std::vector<std::string>(),
-                         outcome};
-    tellGyroAndDate(result.set, gyro.toStdString(), date.toStdString());
-    storeResult(
-        job_, storing_job, path_, std::move(result), [this, gyro](const Result<bool>& replaced) {
-            if (!replaced) {
-                document_.report(errorMessage(replaced.error()));
-                return;
-            }
-            const auto text = [gyro, name = QFileInfo(path_).fileName(), replaced = *replaced] {
-                return replaced ? tr("The result of %1 replaces the one in %2 of the same "
-                                     "recordings and settings.")
-                                      .arg(gyro, name)
-                                : tr("The result of %1 is in %2.").arg(gyro, name);
-            };
-            document_.report({Severity::info, text, {}, {}});
-            read();
-        });
 }
 
 FigureSource HistoryPage::figures() const {

@@ -2,6 +2,7 @@
 
 #include "ui/document/background_jobs.h"
 #include "ui/history/history_plots.h"
+#include "ui/history/result_adder.h"
 #include "ui/plots/figure_source.h"
 #include "ui/widgets/theme.h"
 
@@ -9,6 +10,7 @@
 
 #include <memory>
 
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
@@ -47,12 +49,14 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     // history_page_layout.cpp
     QLayout* buildHead();
     QWidget* buildContent();
+    void placeSmallPlots(bool side_by_side);
     XYPlotView* addPlot(const char* name, int height);
     void connectWidgets();
     void retranslate();
@@ -64,7 +68,6 @@ private:
     void refresh();
     HistoryView view() const;
     QString stateText() const;
-    std::shared_ptr<const ResonatorOutcome> addable() const;
     QString addHint() const;
     // `place`: of a point in the plot.
     void choose(const HistoryPlot& shown, int place);
@@ -72,10 +75,12 @@ private:
     void openChosen();
     void openStored(const StoredResult& result);
     void askToAdd();
-    void add(const QString& gyro, const QString& date);
 
     Document& document_;
+    QGridLayout* grid_ = nullptr;
+    bool side_by_side_ = true;
     BackgroundJobs job_;
+    ResultAdder adder_;
     QString path_;
     bool seen_ = false;
     bool reading_ = false;

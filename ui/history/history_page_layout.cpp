@@ -15,6 +15,7 @@ namespace vybeg::ui {
 namespace {
 
 constexpr int plot_height = 240;
+
 void makeSentence(QLabel* label, const char* name) {
     label->setObjectName(QLatin1String(name));
     label->setWordWrap(true);
@@ -47,6 +48,24 @@ QLayout* HistoryPage::buildHead() {
     return rows;
 }
 
+// Side by side where both have room for their titles.
+void HistoryPage::placeSmallPlots(bool side_by_side) {
+    side_by_side_ = side_by_side;
+    for (QWidget* plot : {ranges_, average_}) {
+        grid_->removeWidget(plot);
+    }
+    grid_->addWidget(ranges_, 3, 0, 1, side_by_side ? 1 : 2);
+    grid_->addWidget(average_, side_by_side ? 3 : 4, side_by_side ? 1 : 0, 1, side_by_side ? 1 : 2);
+}
+
+void HistoryPage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    constexpr int wide = 760;
+    if (side_by_side_ != (width() >= wide)) {
+        placeSmallPlots(width() >= wide);
+    }
+}
+
 QWidget* HistoryPage::buildContent() {
     auto* content = new QWidget(this);
     verdict_ = new QLabel(content);
@@ -68,12 +87,12 @@ QWidget* HistoryPage::buildContent() {
     grid->addWidget(verdict_, 0, 0, 1, 2);
     grid->addWidget(values_, 1, 0, 1, 2);
     grid->addLayout(chosen, 2, 0, 1, 2);
-    grid->addWidget(ranges_, 3, 0);
-    grid->addWidget(average_, 3, 1);
-    grid->addWidget(distribution_, 4, 0, 1, 2);
+    grid->addWidget(distribution_, 5, 0, 1, 2);
+    grid_ = grid;
+    placeSmallPlots(true);
     grid->setRowStretch(1, 3);
     grid->setRowStretch(3, 2);
-    grid->setRowStretch(4, 2);
+    grid->setRowStretch(5, 2);
     return content;
 }
 
@@ -92,6 +111,11 @@ void HistoryPage::connectWidgets() {
     connect(open_, &QPushButton::clicked, this, &HistoryPage::openWanted);
     connect(new_, &QPushButton::clicked, this, &HistoryPage::newWanted);
     connect(add_, &QPushButton::clicked, this, &HistoryPage::askToAdd);
+    connect(&adder_, &ResultAdder::added, this, [this](const QString& path) {
+        if (path == path_) {
+            read();
+        }
+    });
     connect(recordings_, &QPushButton::clicked, this, &HistoryPage::openChosen);
     connect(choices_, &HistoryChoices::dataWanted, this, &HistoryPage::read);
     connect(choices_, &HistoryChoices::axisChanged, this, &HistoryPage::showHistory);

@@ -1,10 +1,10 @@
 #include "ui/report/report_sections.h"
 
 #include "ui/report/budget_text.h"
+#include "ui/report/options_text.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_html.h"
 #include "ui/report/resonator_section.h"
-#include "ui/report/options_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/algorithm_text.h"
 #include "ui/words/error_text.h"

@@ -1,9 +1,9 @@
 #include "ui/report/resonator_section.h"
 
 #include "ui/report/budget_text.h"
+#include "ui/report/options_text.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_html.h"
-#include "ui/report/options_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/error_text.h"
 

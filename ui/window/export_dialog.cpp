@@ -25,8 +25,8 @@ const QString settings_key = QStringLiteral("export/settings");
 
 constexpr double least_width_mm = 80;
 // A plot needs this much for its ticks, and the time axis below all of them once.
-constexpr double least_plot_mm = 18;
-constexpr double least_axis_mm = 12;
+constexpr double least_plot_mm = 14;
+constexpr double least_axis_mm = 10;
 constexpr double most_mm = 1200;
 constexpr double least_dpi = 36;
 constexpr double most_dpi = 1200;

@@ -27,6 +27,7 @@
 #include "ui/window/welcome_page.h"
 #include "ui/window/window_commands.h"
 #include "ui/window/window_menus.h"
+#include "ui/window/window_title.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -173,7 +174,12 @@ void MainWindow::buildToolBar() {
 
 void MainWindow::connectDocument() {
     connect(&document_, &Document::recordingsChanged, this, &MainWindow::showCurrentRecording);
-    connect(&document_, &Document::recordingChanged, this, &MainWindow::showCurrentRecording);
+    connect(&document_, &Document::recordingChanged, this, [this](int id) {
+        if (const RecordingEntry* current = document_.currentRecording();
+            !current || current->id == id) {
+            showCurrentRecording();
+        }
+    });
     connect(&document_, &Document::currentRecordingChanged, this,
             &MainWindow::showCurrentRecording);
     connect(&document_, &Document::runsChanged, this, &MainWindow::showRuns);
@@ -300,19 +306,7 @@ void MainWindow::showCurrentRecording() {
 }
 
 void MainWindow::showTitle() {
-    const RecordingEntry* entry = document_.currentRecording();
-    QStringList parts;
-    if (!session_->path().isEmpty()) {
-        parts << QFileInfo(session_->path()).fileName();
-    }
-    if (const QString& serial = document_.dossier().dossier().gyro.serial; !serial.isEmpty()) {
-        parts << serial;
-    }
-    if (entry && (entry->recording || entry->envelope)) {
-        parts << entry->name;
-    }
-    parts << QStringLiteral("Vybeg");
-    setWindowTitle(parts.join(QStringLiteral(" — ")));
+    setWindowTitle(titleOf(document_, session_->path()));
 }
 
 void MainWindow::showRuns() {

@@ -59,7 +59,12 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
     layout->addWidget(scroll_, 1);
 
     connect(&document_, &Document::recordingsChanged, this, &TracksPage::showRecording);
-    connect(&document_, &Document::recordingChanged, this, &TracksPage::showRecording);
+    connect(&document_, &Document::recordingChanged, this, [this](int id) {
+        if (const RecordingEntry* current = document_.currentRecording();
+            !current || current->id == id) {
+            showRecording();
+        }
+    });
     connect(&document_, &Document::currentRecordingChanged, this, &TracksPage::showRecording);
     connect(&document_, &Document::envelopeGrown, this, &TracksPage::showEnvelope);
     connect(&document_, &Document::settingsChanged, this, &TracksPage::showAnalysedRange);

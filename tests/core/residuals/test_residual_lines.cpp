@@ -71,7 +71,7 @@ private slots:
         for (int part = 0; part < 10; ++part) {
             FreeDecay decay = still_wave(20);
             decay.seed = static_cast<std::uint64_t>(part) + 1;
-            const double f_hz = 50 + 0.04 * part;
+            const double f_hz = 49.9 + 0.02 * part;
             decay.modes_beside = {{f_hz, 3e-2, 2e-2, 0.3, 1.1, 1e300},
                                   {3 * f_hz, 3e-3, 2e-3, 0.2, 0.4, 1e300}};
             const Recording recording = simulated_recording(decay);

@@ -240,7 +240,7 @@ private slots:
         const QStringList row = lines[2].split('\t');
         QCOMPARE(row.size(), head.size());
         QCOMPARE(row[0], QString("96"));
-        const auto column = head.indexOf("2θ A: scatter, °");
+        const auto column = head.indexOf("2θA: scatter, °");
         QVERIFY2(column > 0, qPrintable(lines[0]));
         VYBEG_CLOSE_RATIO(QLocale().toDouble(row[column]),
                           page().sweep()->lengths[1].values[2].scatter * 180 / std::numbers::pi,

@@ -1,0 +1,75 @@
+#include "ui/history/result_adder.h"
+
+#include "core/output/batch_csv.h"
+#include "ui/history/history_job.h"
+#include "ui/history/store_dialog.h"
+#include "ui/history/stored_set.h"
+#include "ui/resonator/set_panel.h"
+#include "ui/words/program_name.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace vybeg::ui {
+
+namespace {
+
+constexpr int storing_job = 1;
+
+}  // namespace
+
+std::shared_ptr<const ResonatorOutcome> ResultAdder::addable() const {
+    const RecordingSet* set = document_.sets().current();
+    const auto outcome = set ? document_.sets().outcome(*set) : nullptr;
+    return outcome && !document_.sets().outOfDate(*set, *outcome) ? outcome : nullptr;
+}
+
+void ResultAdder::ask(const QString& path, const QStringList& gyros, QWidget* window) {
+    const RecordingSet* set = document_.sets().current();
+    const auto outcome = addable();
+    if (!set || !outcome) {
+        return;
+    }
+    const MeasurementSet measured = document_.sets().measured(*set);
+    QString gyro = QString::fromStdString(gyro_of(measured));
+    gyro = gyro.isEmpty() ? document_.dossier().dossier().gyro.serial : gyro;
+    gyro = gyro.isEmpty() ? set->name : gyro;
+    auto* dialog = new StoreDialog(gyros, gyro, toldDate(measured, outcome->inputs), window);
+    connect(dialog, &StoreDialog::chosen, this,
+            [this, path](const QString& named, const QString& date) { add(path, named, date); });
+    dialog->open();
+}
+
+void ResultAdder::add(const QString& path, const QString& gyro, const QString& date) {
+    const RecordingSet* set = document_.sets().current();
+    const auto outcome = addable();
+    if (!outcome) {
+        return;
+    }
+    RecordingSet ordered = *set;
+    ordered.name = setName(document_, *set);
+    ordered.recordings = outcome->recordings;  // the order of its inputs
+    ResultToStore result{programName(), document_.sets().measured(ordered),
+                         set->listed ? set->listed->other_columns : std::vector<std::string>(),
+                         outcome};
+    tellGyroAndDate(result.set, gyro.toStdString(), date.toStdString());
+    storeResult(job_, storing_job, path, std::move(result),
+                [this, path, gyro](const Result<bool>& replaced) {
+                    if (!replaced) {
+                        document_.report(errorMessage(replaced.error()));
+                        return;
+                    }
+                    const auto text = [gyro, name = QFileInfo(path).fileName(),
+                                       replaced = *replaced] {
+                        return replaced ? tr("The result of %1 replaces the one in %2 of the same "
+                                             "recordings and settings.")
+                                              .arg(gyro, name)
+                                        : tr("The result of %1 is in %2.").arg(gyro, name);
+                    };
+                    document_.report({Severity::info, text, {}, {}});
+                    emit added(path);
+                });
+}
+
+}  // namespace vybeg::ui
