@@ -51,8 +51,10 @@ CursorPanel::CursorPanel(Document& document, QWidget* parent)
     table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
     table_->setIconSize({28, 14});
     table_->setWordWrap(true);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    // To their contents once all of them are there: by itself the table measures all of its texts
+    // after each one.
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -117,6 +119,8 @@ void CursorPanel::refresh() {
         any_flag = any_flag || !reason.isEmpty();
     }
     table_->setRowHidden(shown_count, !any_flag);
+    table_->resizeColumnsToContents();
+    table_->resizeRowsToContents();
 }
 
 QString CursorPanel::tableText() const {
