@@ -3578,10 +3578,6 @@
         <translation>Записано: %1</translation>
     </message>
     <message>
-        <source>Stopped. What is computed is kept: Start goes on from here.</source>
-        <translation>Остановлено. Вычисленное сохранено: «Начать» продолжит отсюда.</translation>
-    </message>
-    <message>
         <source>Stopped.</source>
         <translation>Остановлено.</translation>
     </message>
@@ -3630,16 +3626,8 @@
         <translation>Пакетная обработка</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Начать</translation>
-    </message>
-    <message>
         <source>Compute every set of the list; rows of a stopped batch with the same files and options are kept</source>
         <translation>Вычислить все наборы списка; строки остановленной обработки с теми же файлами и параметрами сохраняются</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Остановить</translation>
     </message>
     <message>
         <source>Stop; what is computed is kept</source>
@@ -3676,6 +3664,26 @@
     <message>
         <source>Copy rows</source>
         <translation>Копировать строки</translation>
+    </message>
+    <message>
+        <source>%1 is there already, and is no table of results: choose another name.</source>
+        <translation>Файл %1 уже есть, и это не таблица результатов: выберите другое имя.</translation>
+    </message>
+    <message>
+        <source>What is computed is kept: Start goes on from here.</source>
+        <translation>Вычисленное сохранено: кнопка «Начать» продолжит отсюда.</translation>
+    </message>
+    <message>
+        <source>This set has a result, and no warnings.</source>
+        <translation>У этого набора есть результат; предупреждений нет.</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Начать</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>&amp;Остановить</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include "core/base/system_reason.h"
 #include "core/batch/list_sets.h"
+#include "core/output/batch_csv.h"
 #include "core/output/output_paths.h"
 #include "core/output/same_file.h"
 
@@ -43,7 +44,9 @@ Result<MeasurementList> wanted_list(const BatchRequest& request) {
         return read_measurement_list(request.list, defaults);
     }
     return list_of_folder(request.list, defaults, [&request](const fs::path& path) {
-        return same_file(path, request.output) || same_file(path, journal_of(request.output)) ||
+        // A file of another kind stays an input, which check_paths() keeps from being replaced.
+        return (same_file(path, request.output) && is_batch_table(path)) ||
+               same_file(path, journal_of(request.output)) ||
                (!request.database.empty() && (same_file(path, request.database) ||
                                               same_file(path, rollback_of(request.database))));
     });

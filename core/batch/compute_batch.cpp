@@ -135,7 +135,7 @@ Status write_table(OutputFile& output, const std::string& head, const std::vecto
 // journal without rows.
 Error as_left(const Error& error, const OutputFile& output, RowJournal& journal, std::size_t done,
               std::size_t sets) {
-    if (done == 0) {
+    if (journal.empty()) {  // rows of other settings may be wanted again
         journal.remove();
     }
     const bool kept = done > 0 && output.seekable();

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace vybeg {
@@ -132,6 +135,13 @@ std::vector<std::string> batch_columns() {
 
 std::string gyro_of(const MeasurementSet& set) {
     return first_told(set, &Conditions::gyro);
+}
+
+bool is_batch_table(const std::filesystem::path& path) {
+    constexpr std::string_view begin = "# vybeg-cli ";
+    std::string head(begin.size(), '\0');
+    std::ifstream file(path, std::ios::binary);
+    return file.read(head.data(), std::ssize(head)) && head == begin;
 }
 
 std::string batch_head(std::span<const std::string> header,

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/output/identify_json.h"
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ namespace vybeg {
 
 // The names of the table's own columns; those of the list come behind them.
 std::vector<std::string> batch_columns();
+
+// Whether the file begins as a table of batch_head() does, whose program is the command line.
+bool is_batch_table(const std::filesystem::path& path);
 
 // "# " lines and the line of names, for a list with these unknown columns. An unknown column whose
 // name is one of the table's has "list_" before it.

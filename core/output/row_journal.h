@@ -28,6 +28,7 @@ public:
 
     // `key` names the row and all that it depends on, in one line without spaces.
     bool has(const std::string& key) const { return rows_.contains(key); }
+    bool empty() const { return rows_.empty(); }
     // Precondition: has(key). Errors: file_read_failed.
     Result<std::string> row(const std::string& key) const;
     // `row`: one line without its line feed. An error leaves the rows before. Errors:

@@ -269,6 +269,16 @@ private slots:
         QVERIFY2(outcome.err.contains("--json cannot be \"mixed/s1.json\""), outcome.err);
         QCOMPARE(file("mixed/s1.json"), file("a.wav"));
     }
+
+    void a_table_does_not_replace_a_recording_of_its_folder() {
+        QDir(folder_.path()).mkdir("taken");
+        QVERIFY(QFile::copy(path("a.wav"), path("taken/1.wav")));
+        QVERIFY(QFile::copy(path("b.wav"), path("taken/2.wav")));
+        const Outcome outcome = run({"batch", "taken", "-o", "taken/2.wav"});
+        QCOMPARE(outcome.status, 2);
+        QVERIFY2(outcome.err.contains("it is one of the recordings"), outcome.err);
+        QCOMPARE(file("taken/2.wav"), file("b.wav"));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestCliBatch)

@@ -195,6 +195,21 @@ private slots:
         QVERIFY(put(path("b.wav"), recording));
     }
 
+    // A run that ends before its first row leaves the rows of other options to a later one.
+    void rows_of_other_options_outlive_a_run_without_rows() {
+        QVERIFY(leave_rows());
+        const QByteArray rows = file(journal);
+        bool interrupted = false;
+        for (int after_ms = 0; after_ms < 400 && !interrupted; after_ms += 10) {
+            const Outcome outcome =
+                end_after({"--resume", "--filter", "5000,5600"}, SIGINT, after_ms);
+            interrupted = outcome.status == 130;
+            QVERIFY2(file(journal).startsWith(rows), outcome.err);
+        }
+        QVERIFY(interrupted);
+        resume_and_compare();
+    }
+
     void a_list_that_has_grown_keeps_its_rows() {
         QVERIFY(leave_rows());
         QVERIFY(put(path("list.csv"), twelve_sets + "s13,a.wav,,,0.7,\n"));

@@ -75,12 +75,14 @@ QLineEdit* BatchForm::editOf(BatchPath which) const {
 
 void BatchForm::setPath(BatchPath which, const QString& path) {
     editOf(which)->setText(QDir::toNativeSeparators(path));
-    if (editOf(which) == input_.edit && !path.isEmpty() && results_.edit->text().isEmpty()) {
+    const QString results = results_.edit->text();
+    if (editOf(which) == input_.edit && !path.isEmpty() &&
+        (results.isEmpty() || results == proposed_)) {
         // Beside a folder, not in it: it is not one of its recordings.
         const QFileInfo input(path);
         const QString name = input.isDir() ? input.fileName() : input.completeBaseName();
-        results_.edit->setText(
-            QDir(input.absolutePath()).filePath(name + QStringLiteral("_results.csv")));
+        proposed_ = QDir(input.absolutePath()).filePath(name + QStringLiteral("_results.csv"));
+        results_.edit->setText(proposed_);
     }
 }
 

@@ -55,6 +55,7 @@ private:
     Line input_;
     QPushButton* folder_ = nullptr;
     Line results_;
+    QString proposed_;  // for the results, by the list
     Line passports_;
     Line database_;
     Line json_;

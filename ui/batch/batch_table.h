@@ -40,6 +40,9 @@ public:
     bool isEmpty(int column) const;
     // All there is to say of a set: the reason, the warnings.
     QString detailText(int row) const;
+    bool hasResult(int row) const {
+        return rows_[static_cast<std::size_t>(row)].state == State::done;
+    }
     // Rows in that order with their headers, for a spreadsheet: all digits, a deviation is a column
     // of its own.
     QString tableText(const std::vector<int>& rows, const std::vector<int>& columns) const;

@@ -1,5 +1,7 @@
 #include "ui/batch/batch_window.h"
 
+#include "core/output/batch_csv.h"
+#include "ui/batch/batch_message.h"
 #include "ui/batch/batch_order.h"
 #include "ui/batch/batch_text.h"
 #include "ui/words/error_text.h"
@@ -16,6 +18,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -31,6 +34,22 @@ constexpr int lines_of_details = 4;
 constexpr int widest_column = 260;
 constexpr int cell_margin = 16;
 
+void ask(QWidget* window, const QString& title, const QString& text, const QString& yes,
+         const QString& no, const std::function<void()>& then) {
+    auto* question =
+        new QMessageBox(QMessageBox::Question, title, text, QMessageBox::NoButton, window);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    const auto* wanted = question->addButton(yes, QMessageBox::AcceptRole);
+    question->addButton(no, QMessageBox::RejectRole);
+    QObject::connect(question, &QMessageBox::buttonClicked, window,
+                     [wanted, then](const QAbstractButton* pressed) {
+                         if (pressed == wanted) {
+                             then();
+                         }
+                     });
+    question->open();
+}
+
 }  // namespace
 
 BatchWindow::BatchWindow(QWidget* parent)
@@ -41,7 +60,7 @@ BatchWindow::BatchWindow(QWidget* parent)
       stop_(new QPushButton(this)),
       bar_(new QProgressBar(this)),
       told_(new QLabel(this)),
-      message_(new QLabel(this)),
+      message_(new BatchMessage(this)),
       table_(new QTableView(this)),
       details_(new QPlainTextEdit(this)),
       open_(new QAction(table_)),
@@ -51,11 +70,6 @@ BatchWindow::BatchWindow(QWidget* parent)
     start_->setObjectName(QStringLiteral("batchStart"));
     stop_->setObjectName(QStringLiteral("batchStop"));
     told_->setObjectName(QStringLiteral("batchTold"));
-    message_->setObjectName(QStringLiteral("batchMessage"));
-    message_->setWordWrap(true);
-    message_->setTextFormat(Qt::PlainText);
-    message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    message_->hide();
     bar_->setTextVisible(false);
     bar_->setFixedWidth(220);
     buildTable();
@@ -83,7 +97,7 @@ BatchWindow::BatchWindow(QWidget* parent)
     connect(&run_, &BatchRun::begun, this, &BatchWindow::whenBegun);
     connect(&run_, &BatchRun::ended, this, &BatchWindow::whenEnded);
     connect(&run_, &BatchRun::warned, this, [this](const Diagnostic& diagnostic) {
-        say([diagnostic] { return diagnosticText(diagnostic); }, false);
+        message_->warn([diagnostic] { return diagnosticText(diagnostic); });
     });
     connect(&run_, &BatchRun::rowFinished, this, [this](const FinishedRow& finished) {
         model_.add(finished);
@@ -92,8 +106,11 @@ BatchWindow::BatchWindow(QWidget* parent)
         showProgress();
         showDetails();
     });
+    connect(new QShortcut(QKeySequence::HelpContents, this), &QShortcut::activated, this,
+            &BatchWindow::helpWanted);
     applyTheme();
     retranslate();
+    refresh();
 }
 
 void BatchWindow::buildTable() {
@@ -113,6 +130,7 @@ void BatchWindow::buildTable() {
     QHeaderView* header = table_->horizontalHeader();
     header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setSectionsMovable(true);
+    header->setHighlightSections(false);
     header->setSortIndicatorClearable(true);
     header->setSortIndicator(-1, Qt::AscendingOrder);
     table_->setSortingEnabled(true);
@@ -148,20 +166,19 @@ void BatchWindow::askAndStart() {
         start();
         return;
     }
-    auto* question = new QMessageBox(
-        QMessageBox::Question, tr("Replace the results?"),
+    if (!is_batch_table(results.toStdU16String())) {
+        message_->begin();
+        message_->end(
+            [results] {
+                return tr("%1 is there already, and is no table of results: choose another name.")
+                    .arg(results);
+            },
+            true);
+        return;
+    }
+    ask(this, tr("Replace the results?"),
         tr("%1 is there already. The new table takes its place when it is whole.").arg(results),
-        QMessageBox::NoButton, this);
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    const auto* replace = question->addButton(tr("Replace"), QMessageBox::AcceptRole);
-    question->addButton(tr("Cancel"), QMessageBox::RejectRole);
-    connect(question, &QMessageBox::buttonClicked, this,
-            [this, replace](const QAbstractButton* pressed) {
-                if (pressed == replace) {
-                    start();
-                }
-            });
-    question->open();
+        tr("Replace"), tr("Cancel"), [this] { start(); });
 }
 
 void BatchWindow::start() {
@@ -177,8 +194,9 @@ void BatchWindow::start() {
     }
     output_ = QString::fromStdString(request.output);
     stopping_ = false;
-    said_ = nullptr;
-    message_->hide();
+    message_->begin();
+    model_.begin(std::make_shared<const MeasurementList>());  // the table of the batch before goes
+    progress_.begin(0);
     run_.start(request);
     refresh();
 }
@@ -202,28 +220,24 @@ void BatchWindow::whenBegun(const std::shared_ptr<const MeasurementList>& list) 
 
 void BatchWindow::whenEnded(const Status& status) {
     tick_.stop();
+    const auto kept = [] { return tr("What is computed is kept: Start goes on from here."); };
     if (status) {
-        say([path = output_] { return tr("Written: %1").arg(path); }, false);
+        message_->end([path = output_] { return tr("Written: %1").arg(path); }, false);
     } else if (status.error().code == ErrorCode::interrupted_midway) {
-        say([] { return tr("Stopped. What is computed is kept: Start goes on from here."); },
-            false);
+        message_->end([kept] { return tr("Stopped.") + QLatin1Char(' ') + kept(); }, false);
     } else if (status.error().code == ErrorCode::interrupted) {
-        say([] { return tr("Stopped."); }, false);
+        message_->end([] { return tr("Stopped."); }, false);
     } else {
-        say([error = status.error()] { return batchErrorText(error); }, true);
+        message_->end(
+            [error = status.error(), kept, some = model_.finished() > 0] {
+                return batchErrorText(error) + (some ? QLatin1Char(' ') + kept() : QString());
+            },
+            true);
     }
     refresh();
     if (leaving_) {
         close();
     }
-}
-
-void BatchWindow::say(std::function<QString()> text, bool fault) {
-    said_ = std::move(text);
-    fault_ = fault;
-    message_->setText(said_());
-    message_->show();
-    applyTheme();
 }
 
 void BatchWindow::showProgress() {
@@ -285,6 +299,10 @@ void BatchWindow::showDetails() {
     if (details_->toPlainText() != text) {
         details_->setPlainText(text);
     }
+    details_->setPlaceholderText(
+        current.isValid() && model_.hasResult(current.row())
+            ? tr("This set has a result, and no warnings.")
+            : tr("Choose a set: here stands why it has no result, and its warnings."));
     open_->setEnabled(current.isValid());
     copy_->setEnabled(current.isValid());
 }
@@ -325,30 +343,15 @@ void BatchWindow::copyRows() const {
 }
 
 void BatchWindow::closeEvent(QCloseEvent* event) {
-    if (!run_.running()) {
+    if (!run_.running() || leaving_) {  // then the run stops where this object goes
         QWidget::closeEvent(event);
         return;
     }
-    if (leaving_) {
-        event->accept();  // the run stops where this object goes
-        return;
-    }
     event->ignore();
-    auto* question =
-        new QMessageBox(QMessageBox::Question, tr("Stop the batch?"),
-                        tr("The batch is running. What is computed is kept beside the table, and "
-                           "Start with the same files goes on from there."),
-                        QMessageBox::NoButton, this);
-    question->setAttribute(Qt::WA_DeleteOnClose);
-    const auto* leave_now = question->addButton(tr("Stop and close"), QMessageBox::AcceptRole);
-    question->addButton(tr("Go on"), QMessageBox::RejectRole);
-    connect(question, &QMessageBox::buttonClicked, this,
-            [this, leave_now](const QAbstractButton* pressed) {
-                if (pressed == leave_now) {
-                    leave();
-                }
-            });
-    question->open();
+    ask(this, tr("Stop the batch?"),
+        tr("The batch is running. What is computed is kept beside the table, and Start with the "
+           "same files goes on from there."),
+        tr("Stop and close"), tr("Go on"), [this] { leave(); });
 }
 
 void BatchWindow::changeEvent(QEvent* event) {
@@ -361,35 +364,31 @@ void BatchWindow::changeEvent(QEvent* event) {
 }
 
 void BatchWindow::applyTheme() {
-    const Theme theme = isDark(palette()) ? darkTheme() : lightTheme();
-    model_.setTheme(theme);
-    QPalette colors = palette();
-    if (fault_) {
-        colors.setColor(QPalette::WindowText, theme.broken);
-    }
-    message_->setPalette(colors);
+    model_.setTheme(isDark(palette()) ? darkTheme() : lightTheme());
+}
+
+// Once it has left and is shown again, it is the window it was.
+void BatchWindow::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    leaving_ = false;
 }
 
 void BatchWindow::retranslate() {
     setWindowTitle(tr("Batch of sets"));
-    start_->setText(tr("Start"));
+    start_->setText(tr("&Start"));
     start_->setToolTip(
         tr("Compute every set of the list; rows of a stopped batch with the same files and options "
            "are kept"));
-    stop_->setText(tr("Stop"));
+    stop_->setText(tr("S&top"));
     stop_->setToolTip(tr("Stop; what is computed is kept"));
     bar_->setAccessibleName(tr("Progress of the batch"));
     table_->setAccessibleName(tr("Results of the batch"));
     table_->setToolTip(tr("A double click or Return opens the set in the main window"));
     details_->setAccessibleName(tr("About the chosen set"));
     details_->setToolTip(tr("Why the chosen set has no result, and its warnings"));
-    details_->setPlaceholderText(
-        tr("Choose a set: here stands why it has no result, and its warnings."));
     open_->setText(tr("Open the set in the main window"));
     copy_->setText(tr("Copy rows"));
-    if (said_) {
-        message_->setText(said_());
-    }
+    message_->retranslate();
     model_.retranslate();
     showColumns();
     showDetails();

@@ -21,6 +21,7 @@ class QTableView;
 
 namespace vybeg::ui {
 
+class BatchMessage;
 class BatchOrder;
 
 // A window of its own for many sets: the files of a batch, its progress, and the table of its
@@ -42,10 +43,12 @@ public:
 signals:
     // A list of this set alone, with the options and conditions of its rows.
     void setWanted(const vybeg::MeasurementList& list);
+    void helpWanted();
 
 protected:
     void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void buildTable();
@@ -59,7 +62,6 @@ private:
     // Their widths, and which are there.
     void showColumns();
     void widenFor(int row);
-    void say(std::function<QString()> text, bool fault);
     void refresh();
     void openCurrent();
     void copyRows() const;
@@ -72,8 +74,6 @@ private:
     QString output_;  // of the batch that runs or ran
     BatchProgress progress_;
     QTimer tick_;
-    std::function<QString()> said_;
-    bool fault_ = false;
 
     BatchTable model_;
     BatchOrder* order_;
@@ -81,8 +81,8 @@ private:
     QPushButton* start_;
     QPushButton* stop_;
     QProgressBar* bar_;
-    QLabel* told_;     // how far it is
-    QLabel* message_;  // how it ended
+    QLabel* told_;  // how far it is
+    BatchMessage* message_;
     QTableView* table_;
     QPlainTextEdit* details_;
     QAction* open_;

@@ -5,6 +5,7 @@
 #include <QBuffer>
 #include <QClipboard>
 #include <QFileInfo>
+#include <QFontMetrics>
 #include <QGuiApplication>
 #include <QMimeData>
 #include <QPageSize>
@@ -12,14 +13,17 @@
 #include <QSvgGenerator>
 #include <qcustomplot.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 namespace vybeg::ui {
 namespace {
 
-constexpr int title_height = 26;
-constexpr int settings_height = 34;  // two lines
+constexpr int title_pixels = 15;
+constexpr int settings_pixels = 11;
+constexpr int caption_margin = 8;
+constexpr int caption_flags = Qt::AlignCenter | Qt::TextWordWrap;
 // The scale is Qt's: 100 does not compress. A plot takes two thirds of the time of Qt's own choice
 // and a third more bytes.
 constexpr int png_quality = 70;
@@ -88,25 +92,44 @@ QPicture toPicture(const Drawing& draw, QSize size) {
     return picture;
 }
 
-int captionHeight(const QString& title, const QString& settings) {
-    return (title.isEmpty() ? 0 : title_height) + (settings.isEmpty() ? 0 : settings_height);
+namespace {
+
+QFont captionFont(int pixels) {
+    QFont font = QGuiApplication::font();
+    font.setPixelSize(pixels);
+    return font;
+}
+
+// Height of a text above or below the plots, in lines as the width has room for; 0: no text.
+int textHeight(const QString& text, int pixels, int width) {
+    if (text.isEmpty()) {
+        return 0;
+    }
+    const QRect room(0, 0, std::max(1, width - 2 * caption_margin), QWIDGETSIZE_MAX);
+    return QFontMetrics(captionFont(pixels)).boundingRect(room, caption_flags, text).height() +
+           caption_margin;
+}
+
+}  // namespace
+
+int captionHeight(const QString& title, const QString& settings, int width) {
+    return textHeight(title, title_pixels, width) + textHeight(settings, settings_pixels, width);
 }
 
 Drawing withCaption(const Drawing& draw, const QString& title, const QString& settings) {
     return [draw, title, settings](QCPPainter& painter, QSize size) {
-        const int above = captionHeight(title, {});
-        const int below = captionHeight({}, settings);
-        QFont font = QGuiApplication::font();
-        const auto text = [&](const QString& what, int pixels, QRect room) {
-            font.setPixelSize(pixels);
-            painter.setFont(font);
+        const int above = textHeight(title, title_pixels, size.width());
+        const int below = textHeight(settings, settings_pixels, size.width());
+        const auto text = [&](const QString& what, int pixels, const QRect& room) {
+            painter.setFont(captionFont(pixels));
             painter.setPen(Qt::black);
-            painter.drawText(room.adjusted(8, 0, -8, 0), Qt::AlignCenter | Qt::TextWordWrap, what);
+            painter.drawText(room.adjusted(caption_margin, 0, -caption_margin, 0), caption_flags,
+                             what);
         };
         painter.save();
         painter.fillRect(QRect(QPoint(0, 0), size), Qt::white);
-        text(title, 15, QRect(0, 0, size.width(), above));
-        text(settings, 11, QRect(0, size.height() - below, size.width(), below));
+        text(title, title_pixels, QRect(0, 0, size.width(), above));
+        text(settings, settings_pixels, QRect(0, size.height() - below, size.width(), below));
         painter.translate(0, above);
         draw(painter, QSize(size.width(), size.height() - above - below));
         painter.restore();

@@ -35,10 +35,10 @@ struct Figure {
 QImage toImage(const Drawing& draw, const Paper& paper);
 QPicture toPicture(const Drawing& draw, QSize size);
 
-// A title above the figure, a line of settings below it; each only where it is not empty.
+// A title above the figure and settings below it, in as many lines as they need.
 Drawing withCaption(const Drawing& draw, const QString& title, const QString& settings);
-// Height that the caption adds to a figure.
-int captionHeight(const QString& title, const QString& settings);
+// Height that the caption adds to a figure of that width.
+int captionHeight(const QString& title, const QString& settings, int width);
 
 // Format by the ending of `path`: .png, .svg or .pdf (vectors, text as text). Drawn in memory and
 // written by write_file(). Errors: output_format_unknown, output_failed, out_of_memory.

@@ -41,6 +41,7 @@ void BatchCommands::show() {
         connect(&batch_->form(), &BatchForm::pathWanted, this,
                 [this, questions](BatchPath which) { ask(*questions, which); });
         connect(batch_, &BatchWindow::setWanted, this, &BatchCommands::openSet);
+        connect(batch_, &BatchWindow::helpWanted, this, &BatchCommands::helpWanted);
     }
     batch_->show();
     batch_->raise();

@@ -29,6 +29,7 @@ public:
 
 signals:
     void setOpened();
+    void helpWanted();
 
 private:
     void ask(FileQuestions& questions, BatchPath which);

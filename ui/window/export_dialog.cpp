@@ -24,9 +24,9 @@ const QString titled_key = QStringLiteral("export/titled");
 const QString settings_key = QStringLiteral("export/settings");
 
 constexpr double least_width_mm = 80;
-// A plot needs this much for its ticks, and the time axis below all of them once.
-constexpr double least_plot_mm = 14;
-constexpr double least_axis_mm = 10;
+// Of the height that the plots propose: below it their ticks have no room.
+constexpr double least_of_proposed = 1.0 / 3;
+constexpr double least_height_mm = 20;
 constexpr double most_mm = 1200;
 constexpr double least_dpi = 36;
 constexpr double most_dpi = 1200;
@@ -85,7 +85,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
         connect(field, &NumberField::faultChanged, this, &ExportDialog::refresh);
     };
     number(width_mm_, tr("Width"), tr("Of the figure on paper"), tr("mm"), least_width_mm, most_mm);
-    number(height_mm_, tr("Height"), tr("Of the figure on paper"), tr("mm"), least_plot_mm,
+    number(height_mm_, tr("Height"), tr("Of the figure on paper"), tr("mm"), least_height_mm,
            most_mm);
     number(dpi_, tr("Resolution"),
            tr("Pixels per inch of a PNG image; SVG and PDF are vectors and need none"), tr("dpi"),
@@ -158,8 +158,9 @@ void ExportDialog::propose() {
         const QSize size = source_.figure(chosen()).size;
         width_mm_->setValue(toMm(size.width()));
         height_mm_->setValue(toMm(
-            size.height() +
-            captionHeight(title_->text(), settings_->isChecked() ? source_.settings : QString())));
+            size.height() + captionHeight(title_->text(),
+                                          settings_->isChecked() ? source_.settings : QString(),
+                                          size.width())));
     }
 }
 
@@ -176,9 +177,14 @@ Paper ExportDialog::paper() const {
 }
 
 double ExportDialog::leastHeightMm() const {
+    if (chosen().empty()) {
+        return 0;
+    }
+    const int plots = source_.figure(chosen()).size.height();
     const int caption =
-        captionHeight(title_->text(), settings_->isChecked() ? source_.settings : QString());
-    return least_axis_mm + least_plot_mm * static_cast<double>(chosen().size()) + toMm(caption);
+        captionHeight(title_->text(), settings_->isChecked() ? source_.settings : QString(),
+                      toPixels(width_mm_->value().value_or(least_width_mm)));
+    return std::ceil(toMm(plots) * least_of_proposed + toMm(caption));
 }
 
 QString ExportDialog::fault() const {

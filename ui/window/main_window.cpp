@@ -260,6 +260,7 @@ void MainWindow::connectPanels() {
     connect(history_, &HistoryPage::openWanted, files_, &FileCommands::askForDatabase);
     connect(history_, &HistoryPage::newWanted, files_, &FileCommands::askForNewDatabase);
     connect(history_, &HistoryPage::setOpened, this, [this] { pages_->showPage(Page::resonator); });
+    connect(batch_, &BatchCommands::helpWanted, this, &MainWindow::showHelp);
     connect(batch_, &BatchCommands::setOpened, this, [this] { pages_->showPage(Page::resonator); });
     connect(files_, &FileCommands::databaseChosen, this, [this](const QString& path, bool make) {
         pages_->showPage(Page::history);

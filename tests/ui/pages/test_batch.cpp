@@ -149,12 +149,12 @@ private slots:
     }
 
     void a_table_that_is_there_is_replaced_after_a_question() {
-        const QString results = home_.file("there.csv", "something else");
+        const QString results = home_.file("there.csv", "# vybeg-cli 0.0.1\nan older table");
         open(home_.path("list.csv"), results);
         press("batchStart");
         clickAnswer("Cancel");
         QVERIFY(!batch().running());
-        QCOMPARE(content(results), QByteArray("something else"));
+        QCOMPARE(content(results), QByteArray("# vybeg-cli 0.0.1\nan older table"));
         QTRY_VERIFY(!batch().findChild<QMessageBox*>());
         press("batchStart");
         clickAnswer("Replace");

@@ -26,12 +26,12 @@ private slots:
         // In words of the window.
         open(home_.path("list.csv"), home_.path("list.csv"));
         press("batchStart");
-        clickAnswer("Replace");
-        QTRY_VERIFY_WITH_TIMEOUT(!batch().running() && message().contains("list of the"), most_ms);
-        QVERIFY2(message().startsWith("Results cannot be"), qPrintable(message()));
+        QVERIFY2(message().contains("no table of results"), qPrintable(message()));
+        QVERIFY(!batch().running());
         open(home_.path("none.csv"), home_.path("fine.csv"));
         run();
         QVERIFY2(message().contains("none.csv"), qPrintable(message()));
+        QCOMPARE(model().rowCount(), 0);  // no rows of another list
         // Where the rows should go lies a folder.
         QVERIFY(QDir(home_.path(".")).mkpath("blocked.csv.unfinished"));
         open(home_.path("list.csv"), home_.path("blocked.csv"));
@@ -119,6 +119,34 @@ private slots:
         QVERIFY(table().isColumnHidden(column(titles[gyro])));
     }
 
+    void every_warning_of_the_list_stays() {
+        QFile list(home_.path("list.csv"));
+        QVERIFY(list.open(QIODevice::ReadOnly));
+        QByteArrayList lines = list.readAll().trimmed().split('\n');
+        for (QByteArray& line : lines) {
+            line += &line == &lines.front() ? ",wndow,flter" : ",1,2";
+        }
+        const QByteArray text = lines.join('\n');
+        open(home_.file("warned.csv", text), home_.path("warned_table.csv"));
+        run();
+        QCOMPARE(message().count("⚠"), 2);
+        QVERIFY2(message().endsWith("Written: " + home_.path("warned_table.csv")),
+                 qPrintable(message()));
+    }
+
+    void an_untouched_proposal_follows_the_list() {
+        window_->action(Command::batch)->trigger();
+        QVERIFY(!button("batchStart").isEnabled());
+        BatchForm& form = batch().form();
+        form.setPath(BatchPath::list, home_.path("list.csv"));
+        QCOMPARE(form.path(BatchPath::results), home_.path("list_results.csv"));
+        form.setPath(BatchPath::list, home_.path("other.csv"));
+        QCOMPARE(form.path(BatchPath::results), home_.path("other_results.csv"));
+        form.setPath(BatchPath::results, home_.path("mine.csv"));
+        form.setPath(BatchPath::list, home_.path("list.csv"));
+        QCOMPARE(form.path(BatchPath::results), home_.path("mine.csv"));
+    }
+
     void closing_asks_and_the_end_of_the_program_does_not() {
         open(home_.path("list.csv"), home_.path("closed.csv"));
         press("batchStart");
@@ -130,9 +158,12 @@ private slots:
         batch().close();
         clickAnswer("Stop and close");
         QTRY_VERIFY_WITH_TIMEOUT(!batch().running() && !batch().isVisible(), most_ms);
-        // It opens again with its files, and runs.
+        // It opens again with its files, runs to the end, and stays.
         window_->action(Command::batch)->trigger();
+        run();
         QVERIFY(batch().isVisible());
+        QVERIFY2(message().startsWith("Written"), qPrintable(message()));
+        QVERIFY(QFile::remove(home_.path("closed.csv")));
         press("batchStart");
         QVERIFY(batch().running());
         QElapsedTimer clock;

@@ -92,6 +92,9 @@ private slots:
         const CsvRows read = table("file;\xCF\xE0\xF0\xF2\xE8\xFF\na.wav;\xC0\n");
         QCOMPARE(read.names[1], "Партия");
         QCOMPARE(read.rows[0].fields[1], "А");
+        // Number, quotes, dashes, degree; the letters of Belarusian and Ukrainian.
+        QCOMPARE(table("file;\xB9\xAB\xBB\x96\x97\xB0\xB1;\xA8\xB8\xA1\xB2\xAF\xA5\na;1;2\n").names,
+                 (Texts{"file", "№«»–—°±", "ЁёЎІЇҐ"}));
     }
 
     void a_fault_names_its_line_and_column_data() {
