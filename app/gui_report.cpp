@@ -1,6 +1,7 @@
 #include "app/gui_report.h"
 
 #include "app/gui_analysis.h"
+#include "app/gui_report_session.h"
 #include "app/gui_report_set.h"
 #include "core/base/messages.h"
 #include "core/batch/list_sets.h"
@@ -28,14 +29,17 @@ Status check_ending(const std::string& path) {
                                     {"--report", path, "a report is a PDF document: name it .pdf"}};
 }
 
-// A session has its report in the window.
+bool is_session(const std::string& input) {
+    return ui::SessionKeeper::isSession(QString::fromStdString(input));
+}
+
 Status check_no_session(const std::vector<std::string>& inputs) {
     for (const std::string& input : inputs) {
-        if (ui::SessionKeeper::isSession(QString::fromStdString(input))) {
+        if (is_session(input)) {
             return Error{
                 ErrorCode::setting_invalid,
                 "",
-                {"--report", input, "a session has its report in the window: File > Report"}};
+                {"--report", input, "a session is a report of its own: name no other file"}};
         }
     }
     return {};
@@ -143,6 +147,9 @@ Result<QByteArray> pdf_of_all(const ReportRequest& request, const MeasurementLis
 int write_report(const ReportRequest& request, std::stop_token stop) {
     if (const Status is_pdf = check_ending(request.report); !is_pdf) {
         return fail(is_pdf.error());
+    }
+    if (request.inputs.size() == 1 && request.list.empty() && is_session(request.inputs.front())) {
+        return write_session_report(request, std::move(stop));
     }
     if (const Status possible = check_no_session(request.inputs); !possible) {
         return fail(possible.error());

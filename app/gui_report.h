@@ -11,7 +11,8 @@
 
 namespace vybeg::cli {
 
-// `vybeg FILE... --report REPORT.pdf`: the report of one recording, or of several as one set;
+// `vybeg FILE... --report REPORT.pdf`: the report of one recording, or of several as one set, or of
+// a session (gui_report_session.h);
 // `vybeg --list LIST.csv --report REPORT.pdf`: of the sets of a measurement list, a chapter each,
 // or of one of them. In the language of the system. What the title does not tell is a line to fill
 // in by hand. Needs a QApplication, shows no window. Errors and warnings go to standard error;

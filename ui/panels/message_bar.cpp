@@ -6,12 +6,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStyle>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 
 namespace vybeg::ui {
@@ -19,7 +17,6 @@ namespace vybeg::ui {
 namespace {
 
 constexpr std::size_t most_rows = 3;
-constexpr std::chrono::seconds news_last{20};
 
 QStyle::StandardPixmap iconOf(Severity severity) {
     switch (severity) {
@@ -87,24 +84,16 @@ void MessageBar::add(const Message& message) {
     rows_.insert(rows_.begin(), row);
     layout_->insertWidget(0, frame);
     prune();
-    if (message.severity == Severity::info && !row.action) {
-        QTimer::singleShot(news_last, frame, [this, frame] { remove(frame); });
-    }
     retranslate();
     show();
 }
 
 void MessageBar::prune() {
-    const auto is_news = [](const Row& row) {
-        return row.message.severity == Severity::info && !row.action;
-    };
-    const auto may_go = [](const Row& row) { return !row.message.until_answered; };
     while (rows_.size() > most_rows) {
-        auto oldest = std::find_if(rows_.rbegin(), std::prev(rows_.rend()), is_news);
-        if (oldest == std::prev(rows_.rend())) {
-            oldest = std::find_if(rows_.rbegin(), std::prev(rows_.rend()), may_go);
-        }
-        if (oldest == std::prev(rows_.rend())) {
+        const auto newest = std::prev(rows_.rend());
+        const auto oldest = std::find_if(
+            rows_.rbegin(), newest, [](const Row& row) { return !row.message.until_answered; });
+        if (oldest == newest) {
             return;
         }
         remove(oldest->widget);

@@ -13,8 +13,8 @@ class QVBoxLayout;
 
 namespace vybeg::ui {
 
-// Messages above the plots; none blocks or needs an answer. The newest is on top. Of more than
-// three the oldest go, news before warnings; questions stay. News go after a while.
+// Messages above the plots; none blocks. The newest is on top. Of more than three the oldest go,
+// but questions stay.
 class MessageBar : public QWidget {
     Q_OBJECT
 

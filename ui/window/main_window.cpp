@@ -191,7 +191,13 @@ void MainWindow::connectDocument() {
         showRuns();
     });
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
-    connect(&document_, &Document::reported, messages_, &MessageBar::add);
+    connect(&document_, &Document::reported, this, [this](const Message& message) {
+        if (message.severity == Severity::info) {
+            status_->tell(message.text);
+        } else {
+            messages_->add(message);
+        }
+    });
     connect(&document_.sets(), &SetStore::changed, this, &MainWindow::showCurrentRecording);
     connect(&document_.sets(), &SetStore::listOpened, this, [this](const QString& path) {
         menus_->recentFiles()->add(path);

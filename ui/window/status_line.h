@@ -22,13 +22,14 @@ public:
     explicit StatusLine(Document& document, QWidget* parent = nullptr);
 
     QString text() const;
+    // News that need no answer.
+    void tell(std::function<QString()> text);
     void cancel();
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void tell(std::function<QString()> text);
     void whenBusyChanged();
     void refresh();
     void retranslate();
