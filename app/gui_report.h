@@ -1,13 +1,8 @@
 #pragma once
 
-#include "core/analysis/settings.h"
-#include "core/analysis/tolerance.h"
-#include "core/recording/samples/open_options.h"
-#include "ui/report/report_content.h"
+#include "app/gui_report_request.h"
 
 #include <stop_token>
-#include <string>
-#include <vector>
 
 namespace vybeg::cli {
 
@@ -18,17 +13,6 @@ namespace vybeg::cli {
 // in by hand. Needs a QApplication, shows no window. Errors and warnings go to standard error;
 // returns the exit status (help, files.html). A resonator that cannot be identified is no failure,
 // nor is one of several sets without a result: the report gives the reason.
-struct ReportRequest {
-    std::vector<std::string> inputs;
-    std::string list;       // measurement list in place of inputs; empty: none
-    std::string set;        // of the list alone; empty: all
-    std::string report;     // .pdf
-    ui::ReportTitle title;  // conditions of a list take precedence
-    OpenOptions open;
-    Settings settings;    // of the list: where it has no others
-    Tolerance tolerance;  // of the channels, likewise
-};
-
 int write_report(const ReportRequest& request, std::stop_token stop);
 
 }  // namespace vybeg::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/gui_report.h"
+#include "app/gui_report_request.h"
 
 #include <stop_token>
 

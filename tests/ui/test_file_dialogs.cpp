@@ -204,7 +204,7 @@ private slots:
             QVERIFY2(track.readAll().startsWith(each.value()), qPrintable(each.key()));
         }
         window_->files().exportTrackTo(home_.path("track.npy"));
-        QTRY_VERIFY(the<MessageBar>().texts().first().contains("let its name end in .npz"));
+        QTRY_VERIFY(the<MessageBar>().texts().join('\n').contains("let its name end in .npz"));
     }
 
     void no_export_takes_the_place_of_an_open_recording() {
@@ -242,6 +242,7 @@ private slots:
         };
         const auto before = size();
         QCOMPARE(before.first, before.second);
+        window_->document().report({Severity::warning, [] { return QString("odd"); }, {}, {}});
         QVERIFY(the<MessageBar>().isVisible());
         window_->resize(1000, 700);
         QVERIFY(QTest::qWaitFor([&] { return the<TrackView>().width() < 800; }));

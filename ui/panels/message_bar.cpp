@@ -36,6 +36,9 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayo
 }
 
 void MessageBar::add(const Message& message) {
+    if (message.severity == Severity::info) {
+        return;  // stands in the status bar
+    }
     withdraw(message.topic);
     const QString text = message.text();
     const auto same =

@@ -13,8 +13,8 @@ class QVBoxLayout;
 
 namespace vybeg::ui {
 
-// Messages above the plots; none blocks. The newest is on top. Of more than three the oldest go,
-// but questions stay.
+// Messages above the plots, but for news; none blocks. The newest is on top. Of more than three the
+// oldest go, but questions stay.
 class MessageBar : public QWidget {
     Q_OBJECT
 

@@ -105,6 +105,7 @@ void ResonatorPage::rebuild() {
                                       : shown_);
     figures_->setOutcome(shown_);
     comparison_->setOutcome(shown_);
+    emit figuresChanged();
 }
 
 void ResonatorPage::showState(const RecordingSet* set) {

@@ -34,6 +34,7 @@ public:
 
 signals:
     void exportWanted(const Figure& figure);
+    void figuresChanged();  // figures() are others, or there are some now
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -191,13 +191,7 @@ void MainWindow::connectDocument() {
         showRuns();
     });
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
-    connect(&document_, &Document::reported, this, [this](const Message& message) {
-        if (message.severity == Severity::info) {
-            status_->tell(message.text);
-        } else {
-            messages_->add(message);
-        }
-    });
+    connect(&document_, &Document::reported, messages_, &MessageBar::add);
     connect(&document_.sets(), &SetStore::changed, this, &MainWindow::showCurrentRecording);
     connect(&document_.sets(), &SetStore::listOpened, this, [this](const QString& path) {
         menus_->recentFiles()->add(path);
@@ -258,6 +252,7 @@ void MainWindow::connectPanels() {
     connect(signals_, &SignalsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
     connect(residuals_, &ResidualsPage::figuresChanged, commands_, &Commands::refresh);
+    connect(resonator_, &ResonatorPage::figuresChanged, commands_, &Commands::refresh);
     connect(sweep_, &SweepPage::figuresChanged, commands_, &Commands::refresh);
     connect(history_, &HistoryPage::figuresChanged, commands_, &Commands::refresh);
     connect(residuals_, &ResidualsPage::exportWanted, files_, &FileCommands::exportPlot);

@@ -60,6 +60,11 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
                 .arg(QLocale().toString(seconds, 'g', 2));
         });
     });
+    connect(&document_, &Document::reported, this, [this](const Message& message) {
+        if (message.severity == Severity::info) {
+            tell(message.text);
+        }
+    });
     retranslate();
 }
 

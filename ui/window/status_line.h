@@ -13,8 +13,8 @@ namespace vybeg::ui {
 
 class Document;
 
-// What the status bar shows: how the last analysis ended, or how far the one under way is, with the
-// button that stops it.
+// What the status bar shows: news that need no answer, how the last analysis ended, or how far the
+// one under way is, with the button that stops it.
 class StatusLine : public QWidget {
     Q_OBJECT
 
@@ -22,14 +22,13 @@ public:
     explicit StatusLine(Document& document, QWidget* parent = nullptr);
 
     QString text() const;
-    // News that need no answer.
-    void tell(std::function<QString()> text);
     void cancel();
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void tell(std::function<QString()> text);
     void whenBusyChanged();
     void refresh();
     void retranslate();

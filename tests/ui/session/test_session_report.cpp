@@ -1,0 +1,57 @@
+// The report of a session, as the program writes it without a window.
+#include "tests/ui/gui_test.h"
+
+#include <QFile>
+#include <QProcess>
+#include <QtTest>
+
+using namespace vybeg::ui;
+
+class TestSessionReport : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+
+    struct Outcome {
+        int status;
+        QString err;
+    };
+
+    static Outcome run(const QStringList& arguments) {
+        QProcess program;
+        program.start(VYBEG_PROGRAM, arguments);
+        program.waitForFinished(60000);
+        return {program.exitStatus() == QProcess::NormalExit ? program.exitCode() : -1,
+                QString::fromUtf8(program.readAllStandardError())};
+    }
+
+private slots:
+    void a_session_has_its_report_without_a_display() {
+        home_.recording("of_session.wav");
+        const QString report = home_.path("session.pdf");
+        const QString session = home_.file("report.vybeg", R"({"vybeg_session": 1,
+            "recordings": [{"path": "of_session.wav",
+                            "runs": [{"name": "run", "settings": {"window": "80"}}]}],
+            "sets": [{"name": "S", "recordings": [0]}], "gyro": {"serial": "HRG-5"}})");
+        const Outcome made = run({session, "--report", report});
+        QVERIFY2(made.status == 0, qPrintable(made.err));
+        QFile file(report);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray pdf = file.readAll();
+        QVERIFY(pdf.startsWith("%PDF-"));
+        QVERIFY2(pdf.size() > 20'000, qPrintable(QString::number(pdf.size())));
+        const Outcome broken = run({home_.file("broken.vybeg", "{"), "--report", report});
+        QCOMPARE(broken.status, 3);
+        QVERIFY2(broken.err.contains("not a session that can be read"), qPrintable(broken.err));
+        file.seek(0);
+        QCOMPARE(file.readAll(), pdf);  // the report of before stays
+        const Outcome gone =
+            run({home_.file("gone.vybeg",
+                            R"({"vybeg_session": 1, "recordings": [{"path": "no.wav"}]})"),
+                 "--report", report});
+        QCOMPARE(gone.status, 2);
+    }
+};
+
+QTEST_MAIN(TestSessionReport)
+#include "test_session_report.moc"
