@@ -110,6 +110,10 @@ void ResonatorPage::rebuild() {
 
 void ResonatorPage::showState(const RecordingSet* set) {
     QString text = stateText(set);
+    if (!set) {
+        state_->setText(text);
+        return;
+    }
     const bool out_of_date = shown_ ? document_.sets().outOfDate(*set, *shown_)
                                     : !kept_json_.isEmpty() && !set->kept.up_to_date;
     if (out_of_date) {
@@ -118,7 +122,7 @@ void ResonatorPage::showState(const RecordingSet* set) {
                         tr("The set or its settings have changed since: identify again.")) +
                QStringLiteral("<br>") + text;
     }
-    if (const QStringList absent = set ? absentFiles(*set) : QStringList(); !absent.isEmpty()) {
+    if (const QStringList absent = absentFiles(*set); !absent.isEmpty()) {
         text +=
             QStringLiteral("<br>") + tr("⚠ Without these recordings of the measurement list: %1.")
                                          .arg(absent.join(QStringLiteral(", ")).toHtmlEscaped());
