@@ -169,7 +169,8 @@ void SessionKeeper::keepAbsent(Session& session) {
         if (QFileInfo::exists(recording.path)) {
             continue;
         }
-        if (const QString found = folder.isRoot() ? QString() : foundNear(folder, recording.path);
+        if (const QString found =
+                folder.isRoot() ? QString() : foundNear(folder, recording.path, recording.sha256);
             !found.isEmpty()) {
             recording.path = found;
             continue;

@@ -101,6 +101,17 @@ private slots:
         }
     }
 
+    void a_recording_under_another_name_is_found_by_its_content() {
+        const QString path = saved("renamed");
+        QTRY_VERIFY(!document().recordings()[0].sha256.isEmpty());
+        QVERIFY(session().save(path));
+        QVERIFY(QFile::rename(home_.path("renamed.wav"), home_.path("another.wav")));
+        opened(path);
+        QCOMPARE(document().recordings().size(), std::size_t(1));
+        QCOMPARE(document().recordings()[0].path, home_.path("another.wav"));
+        QCOMPARE(messages(), QString());
+    }
+
     // Two programs have the same session open; both save it.
     void changes_of_another_program_are_not_replaced_unasked() {
         const QString path = saved("shared");
