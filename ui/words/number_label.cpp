@@ -32,7 +32,8 @@ QString siPrefix(int exponent) {
         QT_TRANSLATE_NOOP("SiPrefix", "m"), "",
         QT_TRANSLATE_NOOP("SiPrefix", "k"), QT_TRANSLATE_NOOP("SiPrefix", "M"),
         QT_TRANSLATE_NOOP("SiPrefix", "G"), QT_TRANSLATE_NOOP("SiPrefix", "T")};
-    const char* prefix = prefixes[static_cast<std::size_t>(exponent / 3 + 5)];
+    const int place = exponent / 3 + 5;
+    const char* prefix = prefixes[static_cast<std::size_t>(place)];
     return *prefix ? QCoreApplication::translate("SiPrefix", prefix) : QString();
 }
 
