@@ -8,7 +8,7 @@
 namespace vybeg::cli {
 namespace {
 
-// What a batch tells, in the log.
+// Writes the events of a batch into the log.
 class BatchLog {
 public:
     explicit BatchLog(Log& log) : log_(log) {}

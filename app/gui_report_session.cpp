@@ -40,7 +40,7 @@ bool wait_until(const std::function<bool()>& done, const std::stop_token& stop) 
     return !stop.stop_requested();
 }
 
-// Whether all is known that a report tells of the recordings.
+// Whether every recording has its hash and its check, and no analysis is under way.
 bool is_whole(const Document& document) {
     return !document.busy() &&
            std::ranges::all_of(document.recordings(), [](const RecordingEntry& entry) {
@@ -68,17 +68,6 @@ std::optional<ReportSubject> subject_of(const Document& document) {
     return wanted == subjects.end() ? std::nullopt : std::optional(*wanted);
 }
 
-void complete(ReportTitle& title, const ReportTitle& given, const GyroData& gyro) {
-    const auto fill = [](QString& text, const QString& told, const QString& otherwise) {
-        if (text.isEmpty()) {
-            text = told.isEmpty() ? otherwise : told;
-        }
-    };
-    fill(title.gyro, given.gyro, gyro.serial);
-    fill(title.engineer, given.engineer, gyro.operator_name);
-    fill(title.comment, given.comment, gyro.comment.simplified());
-}
-
 std::vector<std::string> files_of(const ReportRequest& request, const Document& document) {
     std::vector<std::string> files = request.inputs;
     for (const RecordingEntry& entry : document.recordings()) {
@@ -93,6 +82,7 @@ int write_session_report(const ReportRequest& request, std::stop_token stop) {
     Document document;
     TrackView tracks;
     SessionKeeper session(document, tracks);
+    session.end();  // without copies: nothing of it is changed
     DisplayUnits units;
     QObject::connect(&session, &SessionKeeper::unitsWanted,
                      [&units](const DisplayUnits& wanted) { units = wanted; });
@@ -117,7 +107,6 @@ int write_session_report(const ReportRequest& request, std::stop_token stop) {
     if (!wait_until(ready, stop)) {
         return fail(interrupted);
     }
-    session.end();
     const std::optional<ReportSubject> subject = subject_of(document);
     if (!subject) {
         return fail({ErrorCode::setting_invalid,
@@ -125,10 +114,12 @@ int write_session_report(const ReportRequest& request, std::stop_token stop) {
                      {"--report", request.inputs.front(),
                       "none of the session's recordings is there and analysed"}});
     }
+    const ReportTitle otherwise =
+        completed(request.title, titleOf(document.dossier().dossier().gyro));
     std::vector<ReportContent> contents = reportContentsOf(document, *subject);
     for (ReportContent& content : contents) {
         content.units = units;
-        complete(content.title, request.title, document.dossier().dossier().gyro);
+        content.title = completed(content.title, otherwise);
     }
     ReportWriter writer;
     std::optional<Status> written;

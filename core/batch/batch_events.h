@@ -26,8 +26,8 @@ struct FinishedRow {
     std::optional<Error> error;  // why the set has no result
 };
 
-// What a batch tells while it works: in its threads, never two at once. An empty function is left
-// out.
+// Receivers of the events of a batch, called in its threads, never two at once. An empty one
+// receives nothing.
 struct BatchEvents {
     std::function<void(const std::vector<Diagnostic>&)> warned;  // about the list
     // Everything has been checked; the rows come next, those of an earlier run first.

@@ -53,7 +53,7 @@ Status set_keys(const BatchRequest& request, const std::string& database,
     return {};
 }
 
-// The database that is asked for; `identity` is told who it is.
+// Opens the database of the request, if it names one; sets its identity.
 Status open_database(const BatchRequest& request, const JobControl& job,
                      std::optional<ResultsDatabase>& database, std::string& identity) {
     if (request.database.empty()) {

@@ -62,8 +62,8 @@ private:
 
 struct Peak {
     std::ptrdiff_t bin = 0;
-    double ratio = 0;     // to the noise
-    std::size_t channel;  // in which it rises
+    double ratio = 0;         // to the noise
+    std::size_t channel = 0;  // in which it rises
 };
 
 // Bins that may hold a line: all but the ends, inside a band-pass. Beyond it line and noise are as

@@ -21,25 +21,21 @@ void BatchMessage::begin() {
     warnings_.clear();
     end_ = nullptr;
     fault_ = false;
-    show();
+    refresh();
 }
 
 void BatchMessage::warn(Text text) {
     warnings_.push_back(std::move(text));
-    show();
+    refresh();
 }
 
 void BatchMessage::end(Text text, bool fault) {
     end_ = std::move(text);
     fault_ = fault;
-    show();
+    refresh();
 }
 
-void BatchMessage::retranslate() {
-    show();
-}
-
-void BatchMessage::show() {
+void BatchMessage::refresh() {
     QStringList lines;
     for (const Text& warning : warnings_) {
         lines << QStringLiteral("⚠ ") + warning();

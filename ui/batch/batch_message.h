@@ -20,13 +20,12 @@ public:
     void begin();  // a new batch: nothing to say
     void warn(Text text);
     void end(Text text, bool fault);
-    void retranslate();
+    void refresh();  // in the present language
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void show();
     void color();
 
     std::vector<Text> warnings_;

@@ -12,8 +12,8 @@
 
 namespace vybeg::ui {
 
-// A batch in the background: the one of the command line, which tells this thread its rows. What
-// was finished stays on the disk when the object goes.
+// The batch of the command line in the background; its rows arrive as signals in this thread.
+// Finished rows stay on the disk when the object goes.
 class BatchRun : public QObject {
     Q_OBJECT
 

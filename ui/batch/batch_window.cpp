@@ -388,7 +388,7 @@ void BatchWindow::retranslate() {
     details_->setToolTip(tr("Why the chosen set has no result, and its warnings"));
     open_->setText(tr("Open the set in the main window"));
     copy_->setText(tr("Copy rows"));
-    message_->retranslate();
+    message_->refresh();
     model_.retranslate();
     showColumns();
     showDetails();

@@ -4,13 +4,6 @@
 
 namespace vybeg::ui {
 
-namespace {
-
-// With more of them under way the window shows their results a few times a second.
-constexpr std::size_t few_requests = 4;
-
-}  // namespace
-
 Document::Document(QObject* parent) : QObject(parent) {
     connectStores();
     connect(&recordings_, &RecordingStore::opened, this, &Document::whenOpened);
@@ -224,8 +217,7 @@ void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
         const double seconds = result->analysis->timing.estimate_s;
         recordings_.learnCarrier(request.recording_id, request.settings,
                                  result->analysis->settings);
-        const int run_id = runs_.show(request.recording_id, request.settings, std::move(*result),
-                                      queue_.waiting() > few_requests);
+        const int run_id = runs_.show(request.recording_id, request.settings, std::move(*result));
         if (request.batch != 0) {
             queue_.addToBatch(request.batch, run_id);
         }

@@ -41,6 +41,9 @@ public:
     const std::vector<RecordingEntry>& recordings() const { return recordings_.all(); }
     const RecordingEntry* recording(int id) const { return recordings_.find(id); }
     const RecordingEntry* currentRecording() const { return recordings_.current(); }
+    bool isCurrent(int recording_id) const {
+        return currentRecording() && currentRecording()->id == recording_id;
+    }
     std::optional<double> carrier() const { return recordings_.carrier(); }
 
     // Settings (settings_model.h).

@@ -34,6 +34,7 @@ struct Message {
 };
 
 Message errorMessage(const Error& error, Topic topic = Topic::none);
+Message warningMessage(std::function<QString()> text);
 // A warning about a file.
 Message warningMessage(const QString& file, const Diagnostic& diagnostic);
 

@@ -29,10 +29,6 @@ bool isFixableByImportOptions(ErrorCode code) {
     }
 }
 
-Message warning(std::function<QString()> text) {
-    return {Severity::warning, std::move(text), {}, {}};
-}
-
 }  // namespace
 
 RecordingStore::RecordingStore(BackgroundJobs& job, const SettingsModel& settings, IdCounter& ids,
@@ -229,7 +225,7 @@ void RecordingStore::whenChecked(int id, SampleFaults faults) {
         return;
     }
     const auto more = static_cast<int>(findings.size() - known) - 1;
-    emit reported(warning([name = checked.name, first = findings[known], more] {
+    emit reported(warningMessage([name = checked.name, first = findings[known], more] {
         const QString text = QStringLiteral("%1: %2").arg(name, diagnosticText(first));
         return more == 0 ? text
                          : text + QLatin1Char(' ') +

@@ -50,7 +50,6 @@ public:
     void forgetBatches() { batches_.clear(); }
 
     bool busy() const { return !requests_.empty(); }
-    std::size_t waiting() const { return requests_.size(); }
     double progress() const;
     std::optional<double> secondsLeft() const;
 

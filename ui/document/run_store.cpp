@@ -6,7 +6,6 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace vybeg::ui {
@@ -67,18 +66,7 @@ RunWish wishOf(const RunEntry& entry, int place) {
 
 RunStore::RunStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
                    UndoSteps& steps, QObject* parent)
-    : QObject(parent), job_(job), recordings_(recordings), ids_(ids), steps_(steps) {
-    constexpr std::chrono::milliseconds pause{300};
-    pause_.setInterval(pause);
-    pause_.setSingleShot(true);
-    connect(&pause_, &QTimer::timeout, this, [this] {
-        const int id = untold_;
-        tell();
-        if (find(id)) {
-            emit added(id);
-        }
-    });
-}
+    : QObject(parent), job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
 
 const RunEntry* RunStore::find(int id) const {
     const auto found =
@@ -106,8 +94,7 @@ std::vector<Run> RunStore::plotted(bool live_on_top) const {
     return plotted;
 }
 
-int RunStore::show(int recording_id, const Settings& requested, AnalysisOutcome outcome,
-                   bool more_follow) {
+int RunStore::show(int recording_id, const Settings& requested, AnalysisOutcome outcome) {
     const RecordingEntry& recording = *recordings_.find(recording_id);
     const auto same = std::ranges::find_if(runs_, [&](const RunEntry& other) {
         return !other.live && other.recording_id == recording_id && other.requested == requested;
@@ -125,22 +112,9 @@ int RunStore::show(int recording_id, const Settings& requested, AnalysisOutcome 
     }
     setOutcome(*shown, requested, std::move(outcome));
     const int id = shown->run.id;
-    if (more_follow) {
-        untold_ = id;
-        if (!pause_.isActive()) {
-            pause_.start();
-        }
-    } else {
-        tell();
-        emit added(id);
-    }
-    return id;
-}
-
-void RunStore::tell() {
-    pause_.stop();
-    untold_ = 0;
     emit changed();
+    emit added(id);
+    return id;
 }
 
 int RunStore::showLive(int recording_id, const Settings& requested, AnalysisOutcome outcome) {
@@ -152,7 +126,7 @@ int RunStore::showLive(int recording_id, const Settings& requested, AnalysisOutc
     RunEntry& entry = expected ? *expected : is_new ? addLive(recording_id) : *live;
     setOutcome(entry, requested, std::move(outcome));
     const int id = entry.run.id;
-    tell();
+    emit changed();
     if (is_new) {
         emit added(id);
     }
@@ -235,7 +209,7 @@ void RunStore::change(int id, const std::function<void(Run&)>& edit) {
     for (RunEntry& entry : runs_) {
         if (entry.run.id == id) {
             edit(entry.run);
-            tell();
+            emit changed();
         }
     }
 }
@@ -289,13 +263,13 @@ void RunStore::putBack(const RunEntry& entry, std::size_t place) {
     if (recordings_.find(entry.recording_id) && !replaced) {
         runs_.insert(runs_.begin() + static_cast<std::ptrdiff_t>(std::min(place, runs_.size())),
                      entry);
-        tell();
+        emit changed();
     }
 }
 
 void RunStore::takeOut(int id) {
     if (std::erase_if(runs_, [id](const RunEntry& entry) { return entry.run.id == id; }) > 0) {
-        tell();
+        emit changed();
     }
 }
 
@@ -311,7 +285,7 @@ void RunStore::removeOf(int recording_id) {
         return entry.recording_id == recording_id;
     });
     if (gone > 0) {
-        tell();
+        emit changed();
     }
 }
 

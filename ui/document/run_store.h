@@ -7,7 +7,6 @@
 #include "ui/values/run.h"
 
 #include <QObject>
-#include <QTimer>
 
 #include <cstdint>
 #include <functional>
@@ -62,10 +61,8 @@ public:
     // In the order of drawing: with `live_on_top` the live runs last.
     std::vector<Run> plotted(bool live_on_top) const;
 
-    // Returns the run's id. A run of the same recording and settings gets the new outcome. Where
-    // `more_follow` soon, it is told of at most a few times a second.
-    int show(int recording_id, const Settings& requested, AnalysisOutcome outcome,
-             bool more_follow);
+    // Returns the run's id. A run of the same recording and settings gets the new outcome.
+    int show(int recording_id, const Settings& requested, AnalysisOutcome outcome);
     // The same for the live run of a recording.
     int showLive(int recording_id, const Settings& requested, AnalysisOutcome outcome);
     // The next run of that recording with these settings gets the look and place of the wish.
@@ -86,7 +83,6 @@ signals:
     void added(int id);
 
 private:
-    void tell();
     void change(int id, const std::function<void(Run&)>& edit);
     void putBack(const RunEntry& entry, std::size_t place);
     void takeOut(int id);
@@ -104,8 +100,6 @@ private:
     UndoSteps& steps_;
     std::vector<RunEntry> runs_;
     std::multimap<int, RunWish> expected_;  // by recording
-    QTimer pause_;                          // until changed() after a run that others follow
-    int untold_ = 0;                        // such a run; 0: none
 };
 
 }  // namespace vybeg::ui

@@ -253,12 +253,11 @@ void SetStore::open(const MeasurementList& list) {
     std::vector<RecordingSet> sets = openSets(list, recordings_);
     for (const MeasurementSet& set : list.sets) {
         if (const QStringList twice = namedTwice(set); !twice.isEmpty()) {
-            const auto text = [name = QString::fromStdString(set.name), twice] {
+            emit reported(warningMessage([name = QString::fromStdString(set.name), twice] {
                 return tr("The set %1 of the list names these recordings more than once: %2. Each "
                           "counts once.")
                     .arg(name, twice.join(QStringLiteral(", ")));
-            };
-            emit reported({Severity::warning, text, {}, {}});
+            }));
         }
     }
     const int first = ids_.next();

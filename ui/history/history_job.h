@@ -34,7 +34,7 @@ struct ResultToStore {
     std::shared_ptr<const ResonatorOutcome> outcome;
 };
 
-// As `vybeg-cli batch --database` does; tells whether it has replaced an earlier one.
+// As `vybeg-cli batch --database` does. `done` gets whether the result replaces an earlier one.
 void storeResult(BackgroundJobs& job, int key, const QString& path, ResultToStore result,
                  std::function<void(Result<bool>)> done);
 

@@ -258,7 +258,7 @@ void HistoryPage::openChosen() {
 void HistoryPage::openStored(const StoredResult& result) {
     const StoredSet stored = storedSet(result, document_.sets().measured(RecordingSet()).settings);
     const auto warn = [this](std::function<QString()> text) {
-        document_.report({Severity::warning, std::move(text), {}, {}});
+        document_.report(warningMessage(std::move(text)));
     };
     if (!stored.missing.isEmpty()) {
         warn([missing = stored.missing, name = QString::fromStdString(result.set)] {

@@ -18,15 +18,6 @@ namespace {
 
 constexpr std::size_t most_rows = 3;
 
-QStyle::StandardPixmap iconOf(Severity severity) {
-    switch (severity) {
-        case Severity::info: return QStyle::SP_MessageBoxInformation;
-        case Severity::warning: return QStyle::SP_MessageBoxWarning;
-        case Severity::error: return QStyle::SP_MessageBoxCritical;
-    }
-    return QStyle::SP_MessageBoxInformation;
-}
-
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
@@ -56,7 +47,9 @@ void MessageBar::add(const Message& message) {
     line->setContentsMargins(8, 3, 4, 3);
     auto* icon = new QLabel(frame);
     const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
-    icon->setPixmap(style()->standardIcon(iconOf(message.severity)).pixmap(size));
+    const auto sign = message.severity == Severity::error ? QStyle::SP_MessageBoxCritical
+                                                          : QStyle::SP_MessageBoxWarning;
+    icon->setPixmap(style()->standardIcon(sign).pixmap(size));
     line->addWidget(icon);
     Row row{message, frame, new QLabel(frame), new QToolButton(frame), nullptr};
     row.text->setWordWrap(true);

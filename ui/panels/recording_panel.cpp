@@ -142,12 +142,11 @@ void RecordingPanel::rebuildList() {
     const QSignalBlocker blocker(list_);
     // Existing items are kept, because one of them may be about to be dragged.
     list_->setRecordings(document_.recordings());
-    const RecordingEntry* current = document_.currentRecording();
     int row = 0;
     for (const RecordingEntry& entry : document_.recordings()) {
         QListWidgetItem* item = list_->item(row++);
         showRow(*item, entry);
-        if (current && current->id == entry.id) {
+        if (document_.isCurrent(entry.id)) {
             if (list_->currentItem() != item) {
                 list_->setCurrentItem(item, QItemSelectionModel::ClearAndSelect);
             }
@@ -178,7 +177,7 @@ void RecordingPanel::refreshRow(int id) {
     if (item) {
         const QSignalBlocker blocker(list_);
         showRow(*item, *entry);
-        if (entry->id == (document_.currentRecording() ? document_.currentRecording()->id : 0)) {
+        if (document_.isCurrent(id)) {
             refreshInfo();
         }
     }

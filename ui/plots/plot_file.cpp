@@ -67,6 +67,22 @@ QByteArray drawn(const Draw& draw) {
     return bytes;
 }
 
+QFont captionFont(int pixels) {
+    QFont font = QGuiApplication::font();
+    font.setPixelSize(pixels);
+    return font;
+}
+
+// Height of a text above or below the plots, in lines as the width has room for; 0: no text.
+int textHeight(const QString& text, int pixels, int width) {
+    if (text.isEmpty()) {
+        return 0;
+    }
+    const QRect room(0, 0, std::max(1, width - 2 * caption_margin), QWIDGETSIZE_MAX);
+    return QFontMetrics(captionFont(pixels)).boundingRect(room, caption_flags, text).height() +
+           caption_margin;
+}
+
 }  // namespace
 
 QImage toImage(const Drawing& draw, const Paper& paper) {
@@ -91,26 +107,6 @@ QPicture toPicture(const Drawing& draw, QSize size) {
     picture.setBoundingRect(QRect(QPoint(0, 0), size));
     return picture;
 }
-
-namespace {
-
-QFont captionFont(int pixels) {
-    QFont font = QGuiApplication::font();
-    font.setPixelSize(pixels);
-    return font;
-}
-
-// Height of a text above or below the plots, in lines as the width has room for; 0: no text.
-int textHeight(const QString& text, int pixels, int width) {
-    if (text.isEmpty()) {
-        return 0;
-    }
-    const QRect room(0, 0, std::max(1, width - 2 * caption_margin), QWIDGETSIZE_MAX);
-    return QFontMetrics(captionFont(pixels)).boundingRect(room, caption_flags, text).height() +
-           caption_margin;
-}
-
-}  // namespace
 
 int captionHeight(const QString& title, const QString& settings, int width) {
     return textHeight(title, title_pixels, width) + textHeight(settings, settings_pixels, width);

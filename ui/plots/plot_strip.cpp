@@ -21,6 +21,43 @@ double widthOf(const StripEntry& entry, const QFont& font) {
     return text + (entry.line ? sample_length + sample_gap : 0);
 }
 
+// Of all of them in a row.
+double widthOf(const std::vector<StripEntry>& entries, const QFont& font) {
+    double total = -entry_gap;
+    for (const StripEntry& entry : entries) {
+        total += widthOf(entry, font) + entry_gap;
+    }
+    return total;
+}
+
+// Names without the end that all of them share, as the window of the same analysis of each
+// recording: what tells them apart stays legible longer.
+std::vector<StripEntry> withoutCommonEnd(std::vector<StripEntry> entries) {
+    QStringList names;
+    for (const StripEntry& entry : entries) {
+        if (entry.literal) {
+            names << entry.text;
+        }
+    }
+    qsizetype common = 0;
+    const auto shared = [&names](qsizetype length) {
+        return std::ranges::all_of(names, [&](const QString& name) {
+            return name.size() > length && name.right(length) == names.front().right(length);
+        });
+    };
+    while (names.size() > 1 && shared(common + 1)) {
+        ++common;
+    }
+    constexpr qsizetype worthwhile = 4;
+    for (StripEntry& entry : entries) {
+        if (entry.literal && common >= worthwhile) {
+            entry.text.chop(common);
+            entry.text += QChar(0x2026);
+        }
+    }
+    return entries;
+}
+
 }  // namespace
 
 void drawSample(QCPPainter& painter, QPointF from, double length, const QColor& color,
@@ -76,82 +113,49 @@ std::vector<std::vector<StripEntry>> PlotStrip::rows(const std::vector<StripEntr
     return rows;
 }
 
-namespace {
-
-// Names without the end that all of them share, as the window of the same analysis of each
-// recording: what tells them apart stays legible longer.
-std::vector<StripEntry> withoutCommonEnd(std::vector<StripEntry> entries) {
-    QStringList names;
-    for (const StripEntry& entry : entries) {
-        if (entry.literal) {
-            names << entry.text;
-        }
-    }
-    qsizetype common = 0;
-    const auto shared = [&names](qsizetype length) {
-        return std::ranges::all_of(names, [&](const QString& name) {
-            return name.size() > length && name.right(length) == names.front().right(length);
-        });
-    };
-    while (names.size() > 1 && shared(common + 1)) {
-        ++common;
-    }
-    constexpr qsizetype worthwhile = 4;
-    for (StripEntry& entry : entries) {
-        if (entry.literal && common >= worthwhile) {
-            entry.text.chop(common);
-            entry.text += QChar(0x2026);
-        }
-    }
-    return entries;
-}
-
-}  // namespace
-
 void PlotStrip::shorten(double available) {
+    if (widthOf(entries_, font_) <= available) {
+        shown_ = entries_;
+        return;
+    }
     const QFontMetricsF metrics(font_);
     const std::vector<StripEntry> distinct = withoutCommonEnd(entries_);
+    const auto limited = [&metrics](StripEntry entry, double most) {
+        if (entry.literal) {
+            entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, most);
+        }
+        return entry;
+    };
     // All names get the same limit of length until they fit.
     for (double most = available; most > least_name; most *= 0.9) {
-        double total = -entry_gap;
-        std::vector<StripEntry> shorter = most < available ? distinct : entries_;
-        for (StripEntry& entry : shorter) {
-            if (entry.literal) {
-                entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, most);
-            }
-            total += widthOf(entry, font_) + entry_gap;
+        shown_.clear();
+        for (const StripEntry& entry : distinct) {
+            shown_.push_back(limited(entry, most));
         }
-        if (total <= available) {
-            shown_ = std::move(shorter);
+        if (widthOf(shown_, font_) <= available) {
             return;
         }
     }
     // Too many for distinct names: as many as fit.
     shown_.clear();
     double total = metrics.horizontalAdvance(QStringLiteral("…"));
-    for (StripEntry entry : distinct) {
-        if (entry.literal) {
-            entry.text = metrics.elidedText(entry.text, Qt::ElideMiddle, least_name);
-        }
-        total += widthOf(entry, font_) + entry_gap;
+    for (const StripEntry& entry : distinct) {
+        StripEntry shorter = limited(entry, least_name);
+        total += widthOf(shorter, font_) + entry_gap;
         if (total > available) {
             shown_.push_back({QStringLiteral("…"), true, false, {}, Qt::SolidLine});
             return;
         }
-        shown_.push_back(std::move(entry));
+        shown_.push_back(std::move(shorter));
     }
 }
 
 void PlotStrip::draw(QCPPainter* painter) {
     const QRect area = rect().adjusted(left_, above_, -right_, 0);
     shorten(area.width());
-    double total = -entry_gap;
-    for (const StripEntry& entry : shown_) {
-        total += widthOf(entry, font_) + entry_gap;
-    }
     double x = area.left();
     if (alignment_ == Qt::AlignHCenter) {
-        x += 0.5 * std::max(0., area.width() - total);
+        x += 0.5 * std::max(0., area.width() - widthOf(shown_, font_));
     }
     const QFontMetricsF metrics(font_);
     const double base = area.top() + 0.5 * (area.height() + metrics.ascent() - metrics.descent());

@@ -5,18 +5,17 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <string_view>
 
 namespace vybeg::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> told_elsewhere{"algorithm", "window", "hop", "f0"};
-
 // `listed`: of the rows that have a part, in their order, as settings_list().
 template <class S>
-QString textOf(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed) {
+QString textOf(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed,
+               std::initializer_list<std::string_view> left_out = {}) {
     const S defaults;
     QStringList options;
     auto value = listed.begin();
@@ -25,12 +24,12 @@ QString textOf(const std::vector<SettingRow<S>>& rows, const std::vector<NamedVa
             continue;
         }
         const std::string& text = (value++)->second;
-        if (text != row.text(defaults)) {
-            const bool is_switch = row.placeholder.empty() && text.find(';') == std::string::npos;
-            const QString option = QString::fromStdString(row.option());
-            options << (is_switch ? option
-                                  : option + QLatin1Char(' ') + QString::fromStdString(text));
+        if (text == row.text(defaults) || std::ranges::find(left_out, row.name) != left_out.end()) {
+            continue;
         }
+        const QString option = QString::fromStdString(row.option());
+        const bool is_switch = row.placeholder.empty() && text.find(';') == std::string::npos;
+        options << (is_switch ? option : option + QLatin1Char(' ') + QString::fromStdString(text));
     }
     return options.join(QLatin1Char(' '));
 }
@@ -38,15 +37,8 @@ QString textOf(const std::vector<SettingRow<S>>& rows, const std::vector<NamedVa
 }  // namespace
 
 QString optionsText(const Settings& settings) {
-    std::vector<SettingRow<Settings>> rows = analysis_settings();
-    std::vector<NamedValue> listed = settings_list(settings);
-    std::erase_if(rows, [](const SettingRow<Settings>& row) {
-        return std::ranges::find(told_elsewhere, row.name) != told_elsewhere.end();
-    });
-    std::erase_if(listed, [](const NamedValue& each) {
-        return std::ranges::find(told_elsewhere, each.first) != told_elsewhere.end();
-    });
-    return textOf(rows, listed);
+    return textOf(analysis_settings(), settings_list(settings),
+                  {"algorithm", "window", "hop", "f0"});
 }
 
 QString optionsText(const IdentifySettings& settings) {

@@ -27,6 +27,18 @@ ReportTitle titleOf(const MeasurementSet& set, const ReportTitle& usual) {
             told(set, &Conditions::comment, usual.comment)};
 }
 
+ReportTitle titleOf(const GyroData& gyro) {
+    return {gyro.serial, gyro.operator_name, QString(), gyro.comment.simplified()};
+}
+
+ReportTitle completed(const ReportTitle& title, const ReportTitle& otherwise) {
+    const auto either = [](const QString& text, const QString& other) {
+        return text.isEmpty() ? other : text;
+    };
+    return {either(title.gyro, otherwise.gyro), either(title.engineer, otherwise.engineer),
+            either(title.date, otherwise.date), either(title.comment, otherwise.comment)};
+}
+
 ReportRecording reportRecording(const Recording& recording, const QString& sha256) {
     ReportRecording told;
     told.name = QString::fromStdString(recording.path.filename().string());

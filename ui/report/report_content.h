@@ -6,6 +6,7 @@
 #include "core/resonator/results/parameter_limit.h"
 #include "core/track/events.h"
 #include "core/track/track_summary.h"
+#include "ui/values/dossier.h"
 #include "ui/values/recording_set.h"
 #include "ui/values/run.h"
 #include "ui/words/display_units.h"
@@ -44,6 +45,12 @@ ReportRecording reportRecording(const Recording& recording, const QString& sha25
 // The title as the measurement list of a set tells it; where recordings differ, all of it. `usual`
 // for what it does not tell.
 ReportTitle titleOf(const MeasurementSet& set, const ReportTitle& usual);
+
+// The title that a gyro's data give, without a date.
+ReportTitle titleOf(const GyroData& gyro);
+
+// The title, with the texts of `otherwise` where it has none.
+ReportTitle completed(const ReportTitle& title, const ReportTitle& otherwise);
 
 // Date of the recordings as their files tell it; the first and the last of several. Empty where
 // none does.

@@ -69,7 +69,7 @@ void SessionKeeper::open(const QStringList& paths, const OpenOptions& options) {
 }
 
 void SessionKeeper::warn(std::function<QString()> text) {
-    document_.report({Severity::warning, std::move(text), {}, {}});
+    document_.report(warningMessage(std::move(text)));
 }
 
 void SessionKeeper::fail(std::function<QString()> text) {
@@ -103,8 +103,7 @@ void SessionKeeper::openSession(const QString& path) {
     if (const QString key = misplacedKey(json); !key.isEmpty()) {
         fail([path, key] {
             return tr("The session %1 is damaged: “%2” holds something else than a session has "
-                      "there. "
-                      "Restore the file from a copy.")
+                      "there. Restore the file from a copy.")
                 .arg(path, key);
         });
         return;
@@ -177,14 +176,11 @@ void SessionKeeper::keepAbsent(Session& session) {
         }
         const std::size_t absent = absent_.size();
         absent_.push_back({recording, {}, static_cast<int>(place), false});
-        Message message{Severity::warning,
-                        [path = recording.path] {
-                            return tr("The session's recording %1 is not there. The session keeps "
-                                      "its place and its analyses.")
-                                .arg(path);
-                        },
-                        {},
-                        {}};
+        Message message = warningMessage([path = recording.path] {
+            return tr("The session's recording %1 is not there. The session keeps its place and "
+                      "its analyses.")
+                .arg(path);
+        });
         message.button = [] { return tr("Find…"); };
         message.press = [this, absent, name = QFileInfo(recording.path).fileName()] {
             emit fileWanted(absent, name);
@@ -361,14 +357,10 @@ QByteArray SessionKeeper::backupBytes() const {
 void SessionKeeper::offerAbandoned() {
     for (const QString& copy : SessionBackup::abandoned()) {
         const QDateTime written = QFileInfo(copy).lastModified();
-        Message message{Severity::warning,
-                        [written] {
-                            return tr("Vybeg did not end as it should. Its session of %1 can be "
-                                      "recovered.")
-                                .arg(QLocale().toString(written, QLocale::ShortFormat));
-                        },
-                        {},
-                        {}};
+        Message message = warningMessage([written] {
+            return tr("Vybeg did not end as it should. Its session of %1 can be recovered.")
+                .arg(QLocale().toString(written, QLocale::ShortFormat));
+        });
         message.button = [] { return tr("Recover"); };
         message.press = [this, copy] {
             openSession(copy);

@@ -1,5 +1,6 @@
 #include "ui/session/session_state.h"
 
+#include "ui/document/measured_set.h"
 #include "ui/session/listed_json.h"
 
 #include <algorithm>
@@ -87,12 +88,18 @@ std::vector<int> restoreSession(const Session& session, Document& document) {
         document.sets().rename(set_ids.back(), set.name);
         document.sets().setModel(set_ids.back(), set.model);
         if (set.listed) {
-            document.sets().setListed(
-                set_ids.back(), renumbered(*set.listed, [&](int place) {
-                    const auto known = place >= 0 && place < static_cast<int>(ids.size());
-                    const int id = known ? ids[static_cast<std::size_t>(place)] : 0;
-                    return id == 0 ? std::nullopt : std::optional(id);
-                }));
+            ListedSet listed = renumbered(*set.listed, [&](int place) {
+                const auto known = place >= 0 && place < static_cast<int>(ids.size());
+                const int id = known ? ids[static_cast<std::size_t>(place)] : 0;
+                return id == 0 ? std::nullopt : std::optional(id);
+            });
+            // A recording that was missing when the session was saved is there again.
+            for (const int id : members) {
+                if (!listed.members.contains(id)) {
+                    listed = withRowFor(listed, document.recording(id)->path, id);
+                }
+            }
+            document.sets().setListed(set_ids.back(), std::move(listed));
         }
     }
     for (std::size_t place = 0; place < set_ids.size(); ++place) {

@@ -16,6 +16,12 @@
 
 namespace vybeg::ui {
 
+namespace {
+
+constexpr int header_margin = 16;
+
+}  // namespace
+
 QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent), copy_(new QAction(this)) {
     setItemDelegate(new WrappingDelegate(this));
     verticalHeader()->hide();
@@ -93,21 +99,29 @@ QString QuantityTable::tableText() const {
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
-// Widths of the columns without breaking words.
-std::vector<int> QuantityTable::leastWidths() const {
-    std::vector<int> widths(static_cast<std::size_t>(columnCount()), 0);
-    for (int column = 0; column < columnCount(); ++column) {
-        int& width = widths[static_cast<std::size_t>(column)];
-        if (!headers_.isEmpty() && column > 0) {
-            width = fontMetrics().horizontalAdvance(headers_[column - 1]) + 16;
-        }
-        for (int row = 0; row < rowCount(); ++row) {
-            for (const QString& word : item(row, column)->text().split(QLatin1Char(' '))) {
-                width = std::max(width, WrappingDelegate::widthFor(word, font()) + 2);
-            }
+// Width of a column in which no word breaks.
+int QuantityTable::leastWidth(int column) const {
+    int width = !headers_.isEmpty() && column > 0
+                    ? fontMetrics().horizontalAdvance(headers_[column - 1]) + header_margin
+                    : 0;
+    for (int row = 0; row < rowCount(); ++row) {
+        for (const QString& word : item(row, column)->text().split(QLatin1Char(' '))) {
+            width = std::max(width, WrappingDelegate::widthFor(word, font()) + 2);
         }
     }
-    return widths;
+    return width;
+}
+
+// Takes what is too much from the columns, each by its share of the room that its words leave.
+void QuantityTable::narrow(std::vector<int>& widths, int excess) const {
+    std::vector<int> slack;
+    for (std::size_t k = 0; k < widths.size(); ++k) {
+        slack.push_back(std::max(0, widths[k] - leastWidth(static_cast<int>(k))));
+    }
+    const int all = std::accumulate(slack.begin(), slack.end(), 0);
+    for (std::size_t k = 0; k < widths.size() && all > 0; ++k) {
+        widths[k] -= std::min(slack[k], slack[k] * excess / all + 1);
+    }
 }
 
 // Column widths: names as wide as needed, at most two fifths of the width, without breaking words;
@@ -120,7 +134,7 @@ void QuantityTable::layOut() {
     for (int column = 0; column < columnCount(); ++column) {
         int& width = widths[static_cast<std::size_t>(column)];
         if (!headers_.isEmpty() && column > 0) {
-            width = fontMetrics().horizontalAdvance(headers_[column - 1]) + 16;
+            width = fontMetrics().horizontalAdvance(headers_[column - 1]) + header_margin;
         }
         for (int row = 0; row < rowCount(); ++row) {
             const QString text = item(row, column)->text();
@@ -129,23 +143,14 @@ void QuantityTable::layOut() {
             width = std::max(width, sentence ? std::min(wish, 26 * characters) : wish);
         }
     }
-    const std::vector<int> least = leastWidths();
     if (!widths.empty()) {
-        widths[0] = std::min(widths[0], std::max(room * 2 / 5, least[0]));
+        widths[0] = std::min(widths[0], std::max(room * 2 / 5, leastWidth(0)));
     }
     if (widths.size() == 2) {
         widths[1] = std::max(room - widths[0], 14 * characters);
     }
-    const int excess = std::accumulate(widths.begin(), widths.end(), -room);
-    int slack = 0;
-    for (std::size_t k = 0; k < widths.size(); ++k) {
-        slack += std::max(0, widths[k] - least[k]);
-    }
-    if (excess > 0 && slack > 0) {
-        for (std::size_t k = 0; k < widths.size(); ++k) {
-            const int own = std::max(0, widths[k] - least[k]);
-            widths[k] -= std::min(own, own * excess / slack + 1);
-        }
+    if (const int excess = std::accumulate(widths.begin(), widths.end(), -room); excess > 0) {
+        narrow(widths, excess);
     }
     int total = 0;
     for (int column = 0; column < columnCount(); ++column) {

@@ -45,7 +45,8 @@ protected:
 
 private:
     void layOut();
-    std::vector<int> leastWidths() const;
+    int leastWidth(int column) const;
+    void narrow(std::vector<int>& widths, int excess) const;
     void retranslate();
 
     QStringList headers_;

@@ -153,21 +153,22 @@ std::vector<int> ExportDialog::chosen() const {
     return places;
 }
 
+QString ExportDialog::shownSettings() const {
+    return settings_->isChecked() ? source_.settings : QString();
+}
+
 void ExportDialog::propose() {
     if (!chosen().empty()) {
         const QSize size = source_.figure(chosen()).size;
         width_mm_->setValue(toMm(size.width()));
-        height_mm_->setValue(toMm(
-            size.height() + captionHeight(title_->text(),
-                                          settings_->isChecked() ? source_.settings : QString(),
-                                          size.width())));
+        height_mm_->setValue(
+            toMm(size.height() + captionHeight(title_->text(), shownSettings(), size.width())));
     }
 }
 
 Figure ExportDialog::figure() const {
     Figure figure = source_.figure(chosen());
-    figure.draw = withCaption(figure.draw, title_->text().trimmed(),
-                              settings_->isChecked() ? source_.settings : QString());
+    figure.draw = withCaption(figure.draw, title_->text().trimmed(), shownSettings());
     figure.size = paper().size;
     return figure;
 }
@@ -181,9 +182,8 @@ double ExportDialog::leastHeightMm() const {
         return 0;
     }
     const int plots = source_.figure(chosen()).size.height();
-    const int caption =
-        captionHeight(title_->text(), settings_->isChecked() ? source_.settings : QString(),
-                      toPixels(width_mm_->value().value_or(least_width_mm)));
+    const int caption = captionHeight(title_->text(), shownSettings(),
+                                      toPixels(width_mm_->value().value_or(least_width_mm)));
     return std::ceil(toMm(plots) * least_of_proposed + toMm(caption));
 }
 

@@ -32,6 +32,7 @@ protected:
 
 private:
     std::vector<int> chosen() const;
+    QString shownSettings() const;  // below the plots
     // The size that the chosen plots propose.
     void propose();
     void refresh();

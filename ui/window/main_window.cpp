@@ -175,8 +175,7 @@ void MainWindow::buildToolBar() {
 void MainWindow::connectDocument() {
     connect(&document_, &Document::recordingsChanged, this, &MainWindow::showCurrentRecording);
     connect(&document_, &Document::recordingChanged, this, [this](int id) {
-        if (const RecordingEntry* current = document_.currentRecording();
-            !current || current->id == id) {
+        if (document_.isCurrent(id)) {
             showCurrentRecording();
         }
     });

@@ -78,18 +78,10 @@ const ReportSubject& ReportDialog::subject() const {
 
 // What a measurement list tells of the subject, otherwise what the dossier tells.
 void ReportDialog::propose() {
-    const GyroData& known = document_.dossier().dossier().gyro;
-    proposed_ = {known.serial, known.operator_name, QString(), known.comment.simplified()};
+    proposed_ = titleOf(document_.dossier().dossier().gyro);
     // Each of several sets has its own date, and what its list tells.
     if (!subject().all_sets) {
-        const ReportTitle told = reportContentOf(document_, subject()).title;
-        const auto prefer = [](QString& proposed, const QString& other) {
-            proposed = other.isEmpty() ? proposed : other;
-        };
-        prefer(proposed_.gyro, told.gyro);
-        prefer(proposed_.engineer, told.engineer);
-        prefer(proposed_.comment, told.comment);
-        proposed_.date = told.date;
+        proposed_ = completed(reportContentOf(document_, subject()).title, proposed_);
     }
     gyro_->setText(proposed_.gyro);
     engineer_->setText(proposed_.engineer);
@@ -107,14 +99,7 @@ std::vector<ReportContent> ReportDialog::contents() const {
     std::vector<ReportContent> contents = reportContentsOf(document_, subject());
     const ReportTitle title = typed();
     for (ReportContent& content : contents) {
-        if (subject().all_sets) {
-            const ReportTitle told = content.title;
-            content.title = {told.gyro.isEmpty() ? title.gyro : told.gyro,
-                             told.engineer.isEmpty() ? title.engineer : told.engineer, told.date,
-                             told.comment.isEmpty() ? title.comment : told.comment};
-        } else {
-            content.title = title;
-        }
+        content.title = subject().all_sets ? completed(content.title, title) : title;
         if (all_plots_->isChecked()) {
             content.variables.assign(shown_slow_variables.begin(), shown_slow_variables.end());
         }

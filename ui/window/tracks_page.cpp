@@ -60,8 +60,7 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
 
     connect(&document_, &Document::recordingsChanged, this, &TracksPage::showRecording);
     connect(&document_, &Document::recordingChanged, this, [this](int id) {
-        if (const RecordingEntry* current = document_.currentRecording();
-            !current || current->id == id) {
+        if (document_.isCurrent(id)) {
             showRecording();
         }
     });

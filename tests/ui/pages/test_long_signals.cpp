@@ -1,4 +1,5 @@
-// Pan and zoom of a long recording on the page of the signals: what a step costs.
+// Pan and zoom of a long recording on the page of the signals: a step costs what it costs on a
+// recording of half a minute, the peer in the same run.
 //
 // 10^7 samples; for more, give their number in the environment variable VYBEG_SIGNAL_SAMPLES.
 #include "tests/ui/gui_test.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -21,8 +23,12 @@ using namespace vybeg::ui;
 namespace {
 
 constexpr int rate = 33333;
-constexpr double most_ms = 16;  // the median of the steps
-constexpr double longest_gap_ms = 50;
+constexpr qint64 usual_samples = 1'000'000;
+constexpr qint64 long_samples = 10'000'000;
+
+// What goes over the samples in the window's thread costs ten times as much on the long recording.
+constexpr double largest_ratio = 2;
+constexpr double clock_ms = 2;  // of a timer and of a step that takes nothing
 
 }  // namespace
 
@@ -32,6 +38,7 @@ class TestLongSignals : public QObject {
     GuiTestHome home_;
     std::unique_ptr<MainWindow> window_;
     Heartbeat heart_;
+    std::map<QString, double> costs_ms_;  // medians by step, of the recording looked at
 
     Document& document() { return window_->document(); }
     SignalsView& view() { return childOf<SignalsPage>(*window_).view(); }
@@ -83,28 +90,22 @@ class TestLongSignals : public QObject {
         const double median = costs[costs.size() / 2];
         qInfo("%s: median %.1f ms, largest %.1f ms; %s", what, median, costs.back(),
               qPrintable(heart_.text()));
-        QVERIFY2(median <= most_ms, what);
-        QVERIFY2(heart_.longestMs() <= longest_gap_ms, what);
+        costs_ms_[what] = median;
     }
 
-private slots:
-    void pan_and_zoom_take_a_frame() {
-        bool given = false;
-        const qint64 samples = qEnvironmentVariableIntValue("VYBEG_SIGNAL_SAMPLES", &given);
+    void panAndZoom(qint64 samples) {
+        costs_ms_.clear();
         OpenOptions options;
         options.raw = RawLayout{};
         options.rate_hz = rate;
         window_ = shownWindow();
-        document().open({written(given ? samples : 10'000'000)}, options);
+        document().open({written(samples)}, options);
         QVERIFY(QTest::qWaitFor([&] { return !document().busy() && !document().runs().empty(); },
                                 600000));
         QVERIFY(QTest::qWaitFor([&] { return document().currentRecording()->envelope->whole(); },
                                 600000));
-        heart_.reset();
         QTest::keyClick(window_.get(), Qt::Key_2, Qt::ControlModifier);
         QTest::qWait(200);
-        qInfo("page shown: %s", qPrintable(heart_.text()));
-        QVERIFY(heart_.longestMs() <= longest_gap_ms);
 
         const auto wheel = [&](int notches) {
             const QPointF middle(view().width() / 2.0, view().height() / 2.0);
@@ -113,9 +114,10 @@ private slots:
             QCoreApplication::sendEvent(&view(), &event);
         };
         const auto pan = [&](int k) { tracks().zoom().panTime(k % 20 < 10 ? 0.03 : -0.03); };
-        const double seconds = static_cast<double>(given ? samples : 10'000'000) / rate;
+        const double seconds = static_cast<double>(samples) / rate;
         tracks().setTimeRange({0.1 * seconds, 0.9 * seconds});
         measure("pan of nearly all", 60, pan);
+        tracks().setTimeRange({2, 22});
         measure("zoom to periods", 70, [&](int) { wheel(1); });
         QVERIFY(view().picture().samples);
         measure("pan of periods", 60, pan);
@@ -123,10 +125,24 @@ private slots:
             const double from = tracks().timeRange().lower;
             tracks().setTimeRange({from, from + in_pixel * view().timeWidth() / rate});
             QVERIFY(view().picture().samples);
-            measure("pan of samples", 60, pan);
+            measure(qPrintable(QStringLiteral("pan of samples, %1 in a pixel").arg(in_pixel)), 60,
+                    pan);
         }
-        measure("zoom out", 70, [&](int) { wheel(-1); });
+        measure("zoom out", 20, [&](int) { wheel(-1); });
         window_.reset();
+    }
+
+private slots:
+    void pan_and_zoom_cost_the_same_on_a_long_recording() {
+        bool given = false;
+        const qint64 samples = qEnvironmentVariableIntValue("VYBEG_SIGNAL_SAMPLES", &given);
+        panAndZoom(usual_samples);
+        const auto usual_ms = costs_ms_;
+        panAndZoom(given ? samples : long_samples);
+        QCOMPARE(costs_ms_.size(), std::size_t(7));
+        for (const auto& [what, cost_ms] : costs_ms_) {
+            QVERIFY2(cost_ms <= largest_ratio * usual_ms.at(what) + clock_ms, qPrintable(what));
+        }
     }
 };
 

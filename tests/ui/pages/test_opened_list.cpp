@@ -128,6 +128,32 @@ private slots:
         QTRY_VERIFY2(state().contains("none.wav"), qPrintable(state()));
     }
 
+    // Saved while it was missing, a recording that is there again has its row of the list.
+    void a_recording_that_comes_back_has_its_row() {
+        window_->files().open({list("back.csv")});
+        waitUntilOpen(2);
+        const QString path = home_.path("back.vybeg");
+        QVERIFY(window_->session().save(path));
+        const QString recording = home_.path("runs-45.wav");
+        const QString aside = home_.path("aside");  // without its ending it is not looked at
+        QVERIFY(QFile::rename(recording, aside));
+        for (const std::size_t there : {1, 2}) {
+            window_ = shownWindow();
+            window_->files().open({path});
+            waitUntilOpen(there);
+            const bool back = there == 2;
+            QTRY_COMPARE(childOf<QLabel>(*window_, "state").text().contains("runs-45.wav"), !back);
+            QVERIFY(QTest::qWaitFor([&] { return !window_->session().isOpening(); }));
+            QVERIFY(window_->session().save(path));
+            if (!back) {
+                QVERIFY(QFile::rename(aside, recording));
+            }
+        }
+        const MeasurementSet whole = sets().measured(sets().all()[0]);
+        QCOMPARE(whole.recordings.size(), std::size_t(2));
+        QCOMPARE(whole.recordings[1].conditions.gyro, std::string("G7"));
+    }
+
     void a_recording_named_twice_in_a_set_is_told() {
         home_.recording("twice.wav");
         window_->files().open(
