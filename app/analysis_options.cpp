@@ -1,7 +1,7 @@
 #include "app/analysis_options.h"
 
 #include "app/option_values.h"
-#include "core/analysis/open_table.h"
+#include "core/recording/samples/open_table.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 

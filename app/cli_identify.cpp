@@ -7,6 +7,7 @@
 #include "core/output/identify_json.h"
 #include "core/output/output_paths.h"
 #include "core/output/passport_json.h"
+#include "core/recording/samples/open_table.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "core/analysis/measurement_list.h"
 
 #include "core/analysis/list_fields.h"
-#include "core/analysis/open_table.h"
+#include "core/recording/samples/open_table.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
 #include "core/base/number_text.h"

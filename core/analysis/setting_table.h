@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/identify_settings.h"
-#include "core/analysis/setting_rows.h"
+#include "core/base/setting_rows.h"
 #include "core/analysis/settings.h"
 
 #include <string>

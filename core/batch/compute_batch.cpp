@@ -10,6 +10,7 @@
 #include "core/output/batch_csv.h"
 #include "core/output/output_file.h"
 #include "core/recording/bytes/sha256.h"
+#include "core/recording/samples/open_table.h"
 
 #include <filesystem>
 #include <optional>

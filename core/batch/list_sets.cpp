@@ -4,6 +4,7 @@
 #include "core/base/read_value.h"
 #include "core/output/batch_csv.h"
 #include "core/recording/bytes/sha256.h"
+#include "core/recording/samples/open_table.h"
 
 #include <algorithm>
 #include <sys/stat.h>

@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/output/batch_csv.h"
 #include "core/recording/bytes/sha256.h"
+#include "core/recording/samples/open_table.h"
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@ std::string recording_json(const Recording& recording, const std::string& sha256
                          {"count", diagnostic.count},
                          {"text", english(diagnostic)}});
     }
-    Json info{{"format", recording.format},
+    Json info{{"format", english(recording.format)},
               {"frames", recording.frames()},
               {"seconds", recording.seconds()},
               {"rate_hz", recording.rate_hz},

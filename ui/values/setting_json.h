@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/setting_rows.h"
+#include "core/base/setting_rows.h"
 
 #include <QJsonObject>
 #include <QString>

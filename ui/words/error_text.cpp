@@ -103,41 +103,6 @@ QString flagsText(Flags flags) {
     return reasons.join(QStringLiteral("; "));
 }
 
-QString formatText(const std::string& format) {
-    static const QStringList known{QT_TRANSLATE_NOOP("Format", "text"),
-                                   QT_TRANSLATE_NOOP("Format", "raw"),
-                                   QT_TRANSLATE_NOOP("Format", "tab"),
-                                   QT_TRANSLATE_NOOP("Format", "semicolon"),
-                                   QT_TRANSLATE_NOOP("Format", "comma"),
-                                   QT_TRANSLATE_NOOP("Format", "bar"),
-                                   QT_TRANSLATE_NOOP("Format", "blanks"),
-                                   QT_TRANSLATE_NOOP("Format", "decimal comma"),
-                                   QT_TRANSLATE_NOOP("Format", "16 bit integer"),
-                                   QT_TRANSLATE_NOOP("Format", "32 bit integer"),
-                                   QT_TRANSLATE_NOOP("Format", "32 bit float"),
-                                   QT_TRANSLATE_NOOP("Format", "64 bit float"),
-                                   QT_TRANSLATE_NOOP("Format", "big endian"),
-                                   QT_TRANSLATE_NOOP("Format", "little endian"),
-                                   QT_TRANSLATE_NOOP("Format", "Signed 8 bit PCM"),
-                                   QT_TRANSLATE_NOOP("Format", "Unsigned 8 bit PCM"),
-                                   QT_TRANSLATE_NOOP("Format", "Signed 16 bit PCM"),
-                                   QT_TRANSLATE_NOOP("Format", "Signed 24 bit PCM"),
-                                   QT_TRANSLATE_NOOP("Format", "Signed 32 bit PCM")};
-    static const QRegularExpression counted(QStringLiteral("^(\\d+) (channels|columns)$"));
-    QStringList words = QString::fromStdString(format).split(QStringLiteral(", "));
-    for (QString& word : words) {
-        if (known.contains(word)) {
-            word = QCoreApplication::translate("Format", word.toUtf8().constData());
-        } else if (const auto match = counted.match(word); match.hasMatch()) {
-            const int count = match.captured(1).toInt();
-            word = match.captured(2) == QLatin1String("channels")
-                       ? QCoreApplication::translate("Format", "%n channel(s)", nullptr, count)
-                       : QCoreApplication::translate("Format", "%n column(s)", nullptr, count);
-        }
-    }
-    return words.join(QStringLiteral(", "));
-}
-
 QString eventText(const Event& event) {
     const auto seconds = [&] { return QLocale().toString(event.seconds, 'g', 4); };
     switch (event.kind) {

@@ -22,10 +22,6 @@ QString shortNumberText(double value, int digits);
 // Why a window's value is missing or doubtful, e.g. "samples are missing"; empty without a reason.
 QString flagsText(Flags flags);
 
-// What a recording's format says ("WAV, 64 bit float, 2 channels"), word by word; what is not known
-// here stays as it is.
-QString formatText(const std::string& format);
-
 // E.g. "2θ_A passes −π/2, rising".
 QString eventText(const Event& event);
 

@@ -208,11 +208,6 @@ std::int64_t NpyArray::frames() const {
     return shape.empty() ? 1 : shape.size() == 1 ? shape[0] : shape[1 - channel_axis(shape)];
 }
 
-std::string NpyArray::text() const {
-    return name_of(type) + (big_endian ? ", big endian" : ", little endian") +
-           (fortran_order ? ", Fortran order" : ", C order");
-}
-
 Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
                                  const std::string& name) {
     const auto damaged = [&](const char* text) {

@@ -27,7 +27,6 @@ struct NpyArray {
 
     std::int64_t frames() const;
     std::int64_t channels() const;
-    std::string text() const;  // e.g. "64 bit float, little endian, C order"
 };
 
 // Reads the header. `name`: name of the array in messages, e.g. "NPY". Errors about `file`:

@@ -1,5 +1,6 @@
 #include "core/recording/arrays/npy_reader.h"
 
+#include "core/base/translatable.h"
 #include "core/recording/arrays/npy_array.h"
 #include "core/recording/samples/reader_rules.h"
 
@@ -18,7 +19,12 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
         return status.error();
     }
     FoundSamples found;
-    found.format = "NPY, " + array->text() + ", " + std::to_string(channels) + " channels";
+    found.format = {
+        FormatPart::name("NPY"), FormatPart::words(name_of(array->type)),
+        byte_order_part(array->big_endian),
+        FormatPart::words(array->fortran_order ? VYBEG_MESSAGE("Format", "Fortran order")
+                                               : VYBEG_MESSAGE("Format", "C order")),
+        FormatPart::channels(channels)};
     found.channels = numbered_channels(channels);
     found.promised_frames = array->frames();
     found.source = column_source(npy_column(*array, bytes, options.channel_c - 1),

@@ -1,6 +1,7 @@
 #include "core/recording/arrays/raw_reader.h"
 
 #include "core/base/number_text.h"
+#include "core/base/translatable.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 
@@ -78,9 +79,9 @@ Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOpti
         return status.error();
     }
     FoundSamples found;
-    found.format = "raw, " + name_of(number_type(layout.type)) +
-                   (layout.big_endian ? ", big endian, " : ", little endian, ") +
-                   std::to_string(layout.channels) + " channels";
+    found.format = {FormatPart::words(VYBEG_MESSAGE("Format", "raw")),
+                    FormatPart::words(name_of(number_type(layout.type))),
+                    byte_order_part(layout.big_endian), FormatPart::channels(layout.channels)};
     found.channels = numbered_channels(layout.channels);
     found.frames = frame_count(*file, layout);
     if (found.frames > 0) {

@@ -282,7 +282,8 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     if (!columns) {
         return columns.error();
     }
-    found.format = "TDMS, " + name_of(columns->c.type) + ", " + std::to_string(count) + " channels";
+    found.format = {FormatPart::name("TDMS"), FormatPart::words(name_of(columns->c.type)),
+                    FormatPart::channels(count)};
     found.channels = describe(*contents);
     found.start = TdmsReader::text(c, "wf_start_time");
     found.never_closed = contents->open_ended;

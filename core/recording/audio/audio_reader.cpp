@@ -159,8 +159,8 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
         return extent.error();
     }
     FoundSamples found;
-    found.format = decoder.container() + ", " + decoder.sample_type() + ", " +
-                   std::to_string(info.channels) + " channels";
+    found.format = {FormatPart::name(decoder.container()), FormatPart::words(decoder.sample_type()),
+                    FormatPart::channels(info.channels)};
     found.channels = numbered_channels(info.channels);
     found.own_rate = own;
     found.start = decoder.start();

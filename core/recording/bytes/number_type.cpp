@@ -1,5 +1,7 @@
 #include "core/recording/bytes/number_type.h"
 
+#include "core/base/translatable.h"
+
 namespace vybeg {
 
 int bytes_of(NumberType type) {
@@ -21,17 +23,21 @@ int bytes_of(NumberType type) {
 }
 
 std::string name_of(NumberType type) {
-    const std::string bits = std::to_string(8 * bytes_of(type)) + " bit ";
     switch (type) {
-        case NumberType::u8:
-        case NumberType::u16:
-        case NumberType::u32:
-        case NumberType::u64: return bits + "unsigned integer";
-        case NumberType::f16:
-        case NumberType::f32:
-        case NumberType::f64: return bits + "float";
-        default: return bits + "integer";
+        case NumberType::i8: return VYBEG_MESSAGE("Format", "8 bit integer");
+        case NumberType::u8: return VYBEG_MESSAGE("Format", "8 bit unsigned integer");
+        case NumberType::i16: return VYBEG_MESSAGE("Format", "16 bit integer");
+        case NumberType::u16: return VYBEG_MESSAGE("Format", "16 bit unsigned integer");
+        case NumberType::f16: return VYBEG_MESSAGE("Format", "16 bit float");
+        case NumberType::i24: return VYBEG_MESSAGE("Format", "24 bit integer");
+        case NumberType::i32: return VYBEG_MESSAGE("Format", "32 bit integer");
+        case NumberType::u32: return VYBEG_MESSAGE("Format", "32 bit unsigned integer");
+        case NumberType::f32: return VYBEG_MESSAGE("Format", "32 bit float");
+        case NumberType::i64: return VYBEG_MESSAGE("Format", "64 bit integer");
+        case NumberType::u64: return VYBEG_MESSAGE("Format", "64 bit unsigned integer");
+        case NumberType::f64: return VYBEG_MESSAGE("Format", "64 bit float");
     }
+    return {};
 }
 
 }  // namespace vybeg

@@ -8,7 +8,7 @@ namespace vybeg {
 enum class NumberType { i8, u8, i16, u16, i24, i32, u32, i64, u64, f16, f32, f64 };
 
 int bytes_of(NumberType type);
-std::string name_of(NumberType type);  // e.g. "16 bit integer"
+std::string name_of(NumberType type);  // e.g. "16 bit integer" (context "Format")
 
 // Samples are gain * number + offset.
 struct Scale {

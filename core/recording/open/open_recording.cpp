@@ -8,6 +8,7 @@
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/open/file_kind.h"
 #include "core/recording/samples/open_options.h"
+#include "core/recording/samples/open_table.h"
 #include "core/recording/text/text_recording.h"
 #include "core/recording/text/uff_reader.h"
 #include "core/recording/variables/helper_reader.h"
@@ -58,7 +59,9 @@ Result<Recording> open_recording(const std::filesystem::path& path, const OpenOp
     }
     auto recording = open_by_content(*file, options, job);
     if (recording) {
-        recording->format = plain_text(recording->format);
+        for (FormatPart& part : recording->format) {
+            part.text = plain_text(part.text);
+        }
         recording->start = plain_text(recording->start);
         for (Channel& channel : recording->channels) {
             channel = {plain_text(channel.name), plain_text(channel.unit)};

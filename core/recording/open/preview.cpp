@@ -8,6 +8,7 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/text_preview.h"
 #include "core/recording/samples/open_options.h"
+#include "core/recording/samples/open_table.h"
 
 #include <algorithm>
 #include <utility>

@@ -4,6 +4,7 @@
 #include "core/recording/open/file_kind.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
+#include "core/recording/samples/recording_format.h"
 #include "core/recording/text/text_format.h"
 
 #include <cstddef>
@@ -27,7 +28,7 @@ struct RecordingPreview {
     std::optional<TextFormat> guessed;   // of text, by content only
     std::optional<RawLayout> raw_guess;  // of a file of no other kind
     std::optional<TextFormat> used;      // of a file read as text
-    std::string format;                  // as Recording::format
+    RecordingFormat format;              // as Recording::format
     std::vector<Channel> channels;       // as Recording::channels
     std::vector<Channel> columns;        // of the cells
     int time_column = -1;                // among them, from 0; -1: none

@@ -150,7 +150,7 @@ Status preview_text(std::shared_ptr<const FileBytes> file, const OpenOptions& op
         return {};
     }
     preview.used = std::move(*used);
-    preview.format = format_text(*preview.used);
+    preview.format = format_of(*preview.used);
     preview.channels = channels_of(*preview.used, choice.scale);
     preview.time_column = preview.used->time_column;
     for (std::size_t i = 0; i < preview.used->names.size(); ++i) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/result.h"
 #include "core/recording/samples/text_choice.h"
 
 #include <cstdint>
@@ -24,10 +23,10 @@ struct RawLayout {
 };
 
 struct OpenOptions {
-    std::optional<double> rate_hz;  // used if the file has no rate
-    int channel_c = 1;              // from 1; a time column does not count
+    std::optional<double> rate_hz{};  // used if the file has no rate
+    int channel_c = 1;                // from 1; a time column does not count
     int channel_d = 2;
-    std::optional<RawLayout> raw;  // read the file as raw samples in any case
+    std::optional<RawLayout> raw{};  // read the file as raw samples in any case
     // Names of the variables of C, D and, third, the rate in a file of several variables (NPZ, MAT,
     // HDF5). D's name is omitted, or empty before a rate, if the variable of C contains both
     // channels. Empty: chosen by the reader.
@@ -37,13 +36,5 @@ struct OpenOptions {
 
     friend bool operator==(const OpenOptions&, const OpenOptions&) = default;
 };
-
-// Text of `options` other than rate and channels, as on the command line; empty without such
-// options.
-std::string options_text(const OpenOptions& options);
-
-// Checks the options without a file: a positive rate, two different channels. Errors:
-// setting_invalid.
-Status check_options(const OpenOptions& options);
 
 }  // namespace vybeg

@@ -5,6 +5,7 @@
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
+#include "core/recording/samples/recording_format.h"
 #include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
@@ -42,7 +43,7 @@ Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> 
 
 // Result of a reader.
 struct FoundSamples {
-    std::string format;                   // as Recording::format
+    RecordingFormat format;
     std::vector<Channel> channels;        // as Recording::channels
     std::optional<SampleRate> own_rate;   // of the file
     std::string start;                    // as Recording::start

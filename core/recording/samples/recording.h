@@ -2,6 +2,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/recording/bytes/file_bytes.h"
+#include "core/recording/samples/recording_format.h"
 #include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
@@ -27,7 +28,7 @@ struct Channel {
 // An open recording: properties from its file, and samples on demand. Copies share the samples.
 struct Recording {
     std::filesystem::path path;
-    std::string format;  // e.g. "WAV, 64 bit float, 2 channels", "text, 3 columns, comma"
+    RecordingFormat format;
     double rate_hz = 0;
     // Relative standard deviation of rate_hz due to the number of digits in the file; 0 for an
     // exact rate.

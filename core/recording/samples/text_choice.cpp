@@ -40,7 +40,7 @@ Error invalid(const char* option, const std::string& value, const std::string& a
 }  // namespace
 
 Status check_choice(const TextChoice& choice) {
-    if (choice.delimiter && name_of(delimiters, *choice.delimiter).empty()) {
+    if (choice.delimiter && delimiter_name(*choice.delimiter).empty()) {
         return invalid("--delimiter", std::string(1, *choice.delimiter),
                        "it is comma, semicolon, tab, space or bar");
     }
@@ -53,7 +53,7 @@ Status check_choice(const TextChoice& choice) {
         return invalid("--time-column", std::to_string(*choice.time_column),
                        "it is the number of a column, from 1, or none");
     }
-    if (choice.time_unit_s && name_of(time_units, *choice.time_unit_s).empty()) {
+    if (choice.time_unit_s && time_unit_name(*choice.time_unit_s).empty()) {
         return invalid("--time-unit", short_text(*choice.time_unit_s), "it is s, ms, us or ns");
     }
     if (!std::isfinite(choice.scale) || choice.scale == 0) {
@@ -62,40 +62,20 @@ Status check_choice(const TextChoice& choice) {
     return {};
 }
 
-std::string choice_text(const TextChoice& choice) {
-    std::string text;
-    const auto add = [&text](const char* option, const std::string& value) {
-        text += text.empty() ? "" : " ";
-        text += option;
-        text += ' ' + value;
-    };
-    if (choice.delimiter) {
-        add("--delimiter", name_of(delimiters, *choice.delimiter));
-    }
-    if (choice.decimal_comma) {
-        add("--decimal", *choice.decimal_comma ? "comma" : "point");
-    }
-    if (choice.lines_to_skip) {
-        add("--skip-lines", integer_text(*choice.lines_to_skip));
-    }
-    if (choice.time_column) {
-        add("--time-column", *choice.time_column == 0 ? "none" : integer_text(*choice.time_column));
-    }
-    if (choice.time_unit_s) {
-        add("--time-unit", name_of(time_units, *choice.time_unit_s));
-    }
-    if (choice.scale != 1) {
-        add("--scale", round_trip_text(choice.scale));
-    }
-    return text;
-}
-
 std::optional<char> delimiter_from_name(std::string_view name) {
     return value_of(delimiters, name);
 }
 
+std::string delimiter_name(char delimiter) {
+    return name_of(delimiters, delimiter);
+}
+
 std::optional<double> time_unit_from_name(std::string_view name) {
     return value_of(time_units, name);
+}
+
+std::string time_unit_name(double seconds) {
+    return name_of(time_units, seconds);
 }
 
 }  // namespace vybeg

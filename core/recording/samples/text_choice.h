@@ -28,14 +28,12 @@ inline constexpr std::int64_t most_skipped_lines = 1'000'000;
 // Checks the options without a file. Errors: setting_invalid.
 Status check_choice(const TextChoice& choice);
 
-// Text of the options, as on the command line ("--delimiter semicolon --skip-lines 3"); empty
-// without options.
-std::string choice_text(const TextChoice& choice);
-
 // Delimiter of the names comma, semicolon, tab, space, bar; empty for other names.
 std::optional<char> delimiter_from_name(std::string_view name);
+std::string delimiter_name(char delimiter);
 
 // Seconds of the names s, ms, us, ns; empty for other names.
 std::optional<double> time_unit_from_name(std::string_view name);
+std::string time_unit_name(double seconds);
 
 }  // namespace vybeg

@@ -1,5 +1,6 @@
 #include "core/recording/text/text_format.h"
 
+#include "core/base/translatable.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_clock.h"
 #include "core/recording/text/text_columns.h"
@@ -201,14 +202,18 @@ std::vector<Channel> channels_of(const TextFormat& format, double scale) {
     return channels;
 }
 
-std::string format_text(const TextFormat& format) {
-    const char* delimiter = format.delimiter == '\t'  ? "tab"
-                            : format.delimiter == ';' ? "semicolon"
-                            : format.delimiter == ',' ? "comma"
-                            : format.delimiter == '|' ? "bar"
-                                                      : "blanks";
-    return "text, " + std::to_string(format.columns) + " columns, " + delimiter +
-           (format.decimal_comma ? ", decimal comma" : "");
+RecordingFormat format_of(const TextFormat& format) {
+    const char* delimiter = format.delimiter == '\t'  ? VYBEG_MESSAGE("Format", "tab")
+                            : format.delimiter == ';' ? VYBEG_MESSAGE("Format", "semicolon")
+                            : format.delimiter == ',' ? VYBEG_MESSAGE("Format", "comma")
+                            : format.delimiter == '|' ? VYBEG_MESSAGE("Format", "bar")
+                                                      : VYBEG_MESSAGE("Format", "blanks");
+    RecordingFormat parts{FormatPart::words(VYBEG_MESSAGE("Format", "text")),
+                          FormatPart::columns(format.columns), FormatPart::words(delimiter)};
+    if (format.decimal_comma) {
+        parts.push_back(FormatPart::words(VYBEG_MESSAGE("Format", "decimal comma")));
+    }
+    return parts;
 }
 
 }  // namespace vybeg

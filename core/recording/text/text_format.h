@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/recording/samples/recording.h"
+#include "core/recording/samples/recording_format.h"
 #include "core/recording/samples/text_choice.h"
 #include "core/recording/text/text_layout.h"
 
@@ -27,6 +28,6 @@ std::vector<Channel> channels_of(const TextFormat& format, double scale);
 bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& format);
 
 // E.g. "text, 3 columns, semicolon, decimal comma".
-std::string format_text(const TextFormat& format);
+RecordingFormat format_of(const TextFormat& format);
 
 }  // namespace vybeg

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/recording/bytes/text_encoding.h"
+#include "core/recording/samples/open_table.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_columns.h"
 #include "core/recording/text/text_lines.h"
@@ -43,7 +44,7 @@ private:
 
 // Why there is no table; the head has at least the lines that are skipped.
 Error no_table(const FileBytes& file, const TextHead& head, const TextChoice& choice) {
-    const std::string said = choice_text(choice);
+    const std::string said = options_text({.text = choice});
     if (said.empty()) {
         return file.error(ErrorCode::text_no_data);
     }

@@ -271,7 +271,7 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
         return table.error();
     }
     FoundSamples found;
-    found.format = format_text(table->format);
+    found.format = format_of(table->format);
     const double scale = options.text ? options.text->scale : 1;
     found.channels = channels_of(table->format, scale);
     found.one_unit = true;

@@ -1,6 +1,7 @@
 #include "core/recording/text/uff_reader.h"
 
 #include "core/base/number_text.h"
+#include "core/base/translatable.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/text_fields.h"
@@ -101,8 +102,10 @@ public:
         }
         const UffFunction& first = channels_.front();
         FoundSamples found;
-        found.format = "UFF, dataset " + std::string(any_binary_ ? "58b" : "58") + ", " +
-                       std::to_string(channels_.size()) + " channels";
+        found.format = {FormatPart::name("UFF"),
+                        FormatPart::words(any_binary_ ? VYBEG_MESSAGE("Format", "dataset 58b")
+                                                      : VYBEG_MESSAGE("Format", "dataset 58")),
+                        FormatPart::channels(static_cast<std::int64_t>(channels_.size()))};
         if (std::isfinite(1 / first.step_s) && first.step_s > 0) {
             found.own_rate = SampleRate{1 / first.step_s, RateOrigin::file, first.step_relative_sd};
         }

@@ -100,9 +100,9 @@ Result<Recording> open_variables(const VariableFile& from, const OpenOptions& op
     opening.c = choice->channels[static_cast<std::size_t>(options.channel_c - 1)];
     opening.d = choice->channels[static_cast<std::size_t>(options.channel_d - 1)];
     const auto& variables = from.catalogue.variables;
-    found.format = from.format + ", " +
-                   variables[static_cast<std::size_t>(opening.c.variable)].type + ", " +
-                   std::to_string(channels) + " channels";
+    found.format = {FormatPart::name(from.format),
+                    FormatPart::words(variables[static_cast<std::size_t>(opening.c.variable)].type),
+                    FormatPart::channels(channels)};
     if (choice->time) {
         opening.time = TimeVariable{{*choice->time, 0}, choice->time_unit_s, {}};
         const std::string& type = variables[static_cast<std::size_t>(*choice->time)].type;

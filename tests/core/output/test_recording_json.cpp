@@ -20,7 +20,7 @@ class TestRecordingJson : public QObject {
 private slots:
     void it_has_the_members_of_the_interface() {
         Recording recording;
-        recording.format = "WAV, \"quoted\"";
+        recording.format = {FormatPart::name("WAV"), FormatPart::name("\"quoted\"")};
         recording.rate_hz = 400.5;
         recording.rate_from = RateOrigin::time_column;
         recording.channels = {{"C", "V"}, {"D", ""}};

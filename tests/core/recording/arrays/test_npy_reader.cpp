@@ -128,7 +128,7 @@ void TestNpyReader::every_type_byte_order_and_layout_gives_back_its_samples() {
     QFETCH(bool, is_signed);
     QFETCH(QString, format);
     const Recording recording = opened(folder_.file(name.toStdString()), with_rate);
-    QCOMPARE(QString::fromStdString(recording.format), format);
+    QCOMPARE(QString::fromStdString(english(recording.format)), format);
     QCOMPARE(recording.rate_hz, 33333.0);
     QCOMPARE(recording.rate_from, RateOrigin::option);
     QVERIFY(recording.diagnostics.empty());

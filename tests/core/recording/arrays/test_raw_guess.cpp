@@ -2,6 +2,7 @@
 // frequencies, with noise, as counts of 12 to 24 bits, with an offset, behind headers.
 #include "core/recording/arrays/raw_guess.h"
 #include "core/recording/bytes/byte_order.h"
+#include "core/recording/samples/open_table.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/recording/recording_files.h"

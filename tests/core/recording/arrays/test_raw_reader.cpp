@@ -74,7 +74,7 @@ void TestRawReader::every_type_and_byte_order_gives_back_its_samples() {
     const Folder folder;
     const auto path = folder.write("run", encoded(interleaved, raw_type, big_endian) + "x");
     const Recording recording = opened(path, raw(raw_type, big_endian));
-    QCOMPARE(QString::fromStdString(recording.format), format);
+    QCOMPARE(QString::fromStdString(english(recording.format)), format);
     QCOMPARE(recording.rate_hz, 20000.0);
     QCOMPARE(recording.rate_from, RateOrigin::option);
     const Samples read = read_all(recording);

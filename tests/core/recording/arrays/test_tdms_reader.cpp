@@ -66,7 +66,7 @@ void TestTdmsReader::a_file_written_out_byte_by_byte_is_read() {
         "14000000 02000000 01000000 0500000000000000 00000000"
         "0100 0200 0300 0400 0500  ffff feff fdff fcff fbff");
     const Recording recording = opened(folder_.write("bytes", bytes.toStdString()));
-    QCOMPARE(recording.format, std::string("TDMS, 16 bit integer, 2 channels"));
+    QCOMPARE(english(recording.format), std::string("TDMS, 16 bit integer, 2 channels"));
     QCOMPARE(recording.rate_hz, 1000.0);
     QVERIFY(recording.diagnostics.empty());
     QCOMPARE(read_all(recording).c, (std::vector<double>{1, 2, 3, 4, 5}));

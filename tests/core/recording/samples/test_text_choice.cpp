@@ -1,4 +1,5 @@
 // What the engineer says of a text file, against files that the guess takes for something else.
+#include "core/recording/samples/open_table.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 
@@ -37,7 +38,7 @@ private slots:
     void a_delimiter_that_is_said_cuts_the_lines() {
         // A pair of numbers in each field: to the guess the blanks separate as well as the commas.
         const auto path = folder_.write("pairs.txt", "1,2;3\n5,6;7\n1,2;4\n5,6;8\n1,2;5\n");
-        QCOMPARE(opened(path, said({}, 10)).format,
+        QCOMPARE(english(opened(path, said({}, 10)).format),
                  std::string("text, 2 columns, semicolon, decimal comma"));
         const auto wrong = open(path, said({.delimiter = ' '}, 10));
         QVERIFY(!wrong);
@@ -221,6 +222,31 @@ private slots:
         QCOMPARE(options_text(raw), std::string("--variables C,D --raw f32:be --raw-channels 3 "
                                                 "--skip 512 --scale 0.5"));
         QCOMPARE(options_text({}), std::string());
+    }
+
+    void each_option_reads_its_own_text() {
+        OpenOptions text = said({.delimiter = '|',
+                                 .decimal_comma = false,
+                                 .lines_to_skip = 12,
+                                 .time_column = 3,
+                                 .time_unit_s = 1e-9,
+                                 .scale = 1. / 3},
+                                33333.125);
+        text.channel_c = 4;
+        text.channel_d = 2;
+        text.unit = "V";
+        OpenOptions raw;
+        raw.raw = RawLayout{RawType::f64, true, 5, 44, -1e-7};
+        raw.variables = {"XY", "", "fs"};
+        for (const OpenOptions& wanted : {OpenOptions(), text, raw}) {
+            OpenOptions read;
+            for (const SettingRow<OpenOptions>& row : open_settings()) {
+                if (const std::string value = row.text(wanted); !value.empty()) {
+                    QVERIFY2(row.read(value, read), row.name.c_str());
+                }
+            }
+            QVERIFY2(read == wanted, options_text(read).c_str());
+        }
     }
 
     void choices_that_cannot_be_are_refused_data() {

@@ -63,7 +63,7 @@ void TestUffReader::single_and_double_precision_come_back_to_their_digits() {
     text.line_end = line_end.toStdString();
     const Folder folder;
     const Recording recording = opened(folder.write("run.uff", two_channels(samples, text)));
-    QCOMPARE(recording.format, std::string("UFF, dataset 58, 2 channels"));
+    QCOMPARE(english(recording.format), std::string("UFF, dataset 58, 2 channels"));
     QVERIFY(recording.diagnostics.empty());
     const Samples read = read_all(recording);
     // Half a unit of the last decimal, of values below 1.
@@ -111,7 +111,7 @@ void TestUffReader::binary_numbers_are_read_in_place() {
     text.name = "Other";
     content += "    -1\n   151\nmodel\n    -1\n" + uff58b(samples.d, text, bytes);
     const Recording recording = opened(folder.write("run.uff", content));
-    QCOMPARE(recording.format, std::string("UFF, dataset 58b, 2 channels"));
+    QCOMPARE(english(recording.format), std::string("UFF, dataset 58b, 2 channels"));
     QCOMPARE(recording.channels[1].name, std::string("Other"));
     QVERIFY(recording.diagnostics.empty());
     const Samples read = read_all(recording);

@@ -216,7 +216,7 @@ void TestHdf5Reader::the_demonstration_decay_is_the_same_from_every_layout() {
     QFETCH(QString, format);
     QFETCH(Rounding, rounding);
     const Recording recording = opened(folder_.file(QTest::currentDataTag()));
-    QCOMPARE(QString::fromStdString(recording.format), format);
+    QCOMPARE(QString::fromStdString(english(recording.format)), format);
     const QString file = QTest::currentDataTag();
     const bool by_time = file == "time.h5" || file == "pytables.h5";
     QCOMPARE(recording.rate_from, by_time ? RateOrigin::time_column : RateOrigin::file);

@@ -146,7 +146,7 @@ void TestMatReader::the_demonstration_decay_is_the_same_from_every_level_and_lay
     QFETCH(QStringList, channels);
     QFETCH(Rounding, rounding);
     const Recording recording = opened(folder_.file(QTest::currentDataTag()));
-    QCOMPARE(QString::fromStdString(recording.format), format);
+    QCOMPARE(QString::fromStdString(english(recording.format)), format);
     QStringList names;
     for (const Channel& channel : recording.channels) {
         names << QString::fromStdString(channel.name);

@@ -122,7 +122,7 @@ void TestNpzReader::stored_and_deflated_arrays_of_any_layout_come_back() {
     QFETCH(QString, name);
     QFETCH(QString, type);
     const Recording recording = opened(folder_.file(name.toStdString()));
-    QCOMPARE(QString::fromStdString(recording.format), "NPZ, " + type + ", 2 channels");
+    QCOMPARE(QString::fromStdString(english(recording.format)), "NPZ, " + type + ", 2 channels");
     QCOMPARE(recording.rate_hz, 20.0);
     QCOMPARE(recording.rate_from, RateOrigin::file);
     const Samples read = read_all(recording);

@@ -1,7 +1,13 @@
-#include "core/analysis/open_table.h"
+#include "core/recording/samples/open_table.h"
+
+#include "core/base/number_text.h"
+#include "core/base/read_value.h"
+#include "core/base/translatable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace vybeg {
 namespace {
@@ -9,13 +15,20 @@ namespace {
 using Row = SettingRow<OpenOptions>;
 
 // Row of an option whose reader gets the option's name, dashes included.
-template <class Read>
-Row row(const char* name, const char* placeholder, const char* help, Read read) {
+template <class Read, class Text>
+Row row(const char* name, const char* placeholder, const char* help, Read read, Text text) {
     Row made{name, placeholder, help};
-    made.read = [option = made.option(), read](const std::string& text, OpenOptions& options) {
-        return Status(read(option, text, options));
+    made.read = [option = made.option(), read](const std::string& from, OpenOptions& options) {
+        return Status(read(option, from, options));
     };
+    made.text = text;
     return made;
+}
+
+// One that the results state on their own.
+Row without_part(Row row) {
+    row.has_part = false;
+    return row;
 }
 
 // A whole number from `least` on that fits into an int.
@@ -44,6 +57,10 @@ Status read_rate(const std::string& option, const std::string& text, OpenOptions
     return {};
 }
 
+std::string rate_text(const OpenOptions& options) {
+    return options.rate_hz ? round_trip_text(*options.rate_hz) : "";
+}
+
 Status read_channels(const std::string& option, const std::string& text, OpenOptions& options) {
     const std::string allowed = "it must be two channel numbers from 1, as in 1,2";
     const auto pair = read_numbers(option, text, 2, allowed);
@@ -56,6 +73,10 @@ Status read_channels(const std::string& option, const std::string& text, OpenOpt
     options.channel_c = static_cast<int>((*pair)[0]);
     options.channel_d = static_cast<int>((*pair)[1]);
     return {};
+}
+
+std::string channels_text(const OpenOptions& options) {
+    return joined({static_cast<double>(options.channel_c), static_cast<double>(options.channel_d)});
 }
 
 // The names between the commas, of which only the middle one of three may be empty.
@@ -74,9 +95,19 @@ Status read_variables(const std::string& option, const std::string& text, OpenOp
     return {};
 }
 
-Status read_raw(const std::string& option, const std::string& text, OpenOptions& options) {
-    constexpr std::array types{std::pair{"i16", RawType::i16}, std::pair{"i32", RawType::i32},
+std::string variables_text(const OpenOptions& options) {
+    std::string text;
+    for (const std::string& name : options.variables) {
+        text += &name == &options.variables.front() ? "" : ",";
+        text += name;
+    }
+    return text;
+}
+
+constexpr std::array raw_types{std::pair{"i16", RawType::i16}, std::pair{"i32", RawType::i32},
                                std::pair{"f32", RawType::f32}, std::pair{"f64", RawType::f64}};
+
+Status read_raw(const std::string& option, const std::string& text, OpenOptions& options) {
     RawLayout layout;
     std::string type = text;
     if (const std::size_t colon = text.find(':'); colon != std::string::npos) {
@@ -84,13 +115,28 @@ Status read_raw(const std::string& option, const std::string& text, OpenOptions&
         layout.big_endian = order == "be";
         type = order == "be" || order == "le" ? text.substr(0, colon) : text;
     }
-    const auto* const found = std::ranges::find(types, type, [](const auto& t) { return t.first; });
-    if (found == types.end()) {
+    const auto* const found =
+        std::ranges::find(raw_types, type, [](const auto& each) { return each.first; });
+    if (found == raw_types.end()) {
         return refused_value(option, text, "it is i16, i32, f32 or f64, with :be for big-endian");
     }
     layout.type = found->second;
     options.raw = layout;
     return {};
+}
+
+// Text of a field of the raw layout; empty where the file is not read as raw.
+template <class Text>
+auto raw_text(Text text) {
+    return [text](const OpenOptions& options) {
+        return options.raw ? std::string(text(*options.raw)) : std::string();
+    };
+}
+
+std::string type_text(const RawLayout& layout) {
+    const auto* const type =
+        std::ranges::find(raw_types, layout.type, [](const auto& each) { return each.second; });
+    return std::string(type->first) + (layout.big_endian ? ":be" : "");
 }
 
 Status read_raw_channels(const std::string& option, const std::string& text, OpenOptions& options) {
@@ -120,21 +166,25 @@ Status read_skip(const std::string& option, const std::string& text, OpenOptions
     return {};
 }
 
-// Row of an option of text files. `read` returns the fault of a value, or none.
-template <class Read>
-Row text_row(const char* name, const char* placeholder, const char* help, Read read) {
+// Row of an option of text files. `read` returns the fault of a value, or none; `text` an empty
+// text where nothing is chosen.
+template <class Read, class Text>
+Row text_row(const char* name, const char* placeholder, const char* help, Read read, Text text) {
     return row(
         name, placeholder, help,
-        [read](const std::string& option, const std::string& text, OpenOptions& options) -> Status {
+        [read](const std::string& option, const std::string& from, OpenOptions& options) -> Status {
             if (options.raw) {
-                return refused_value(option, text, "it is for text, and --raw reads no text");
+                return refused_value(option, from, "it is for text, and --raw reads no text");
             }
             TextChoice choice = options.text.value_or(TextChoice{});
-            if (Status done = read(option, text, choice); !done) {
+            if (Status done = read(option, from, choice); !done) {
                 return done;
             }
             options.text = choice;
             return {};
+        },
+        [text](const OpenOptions& options) {
+            return options.text ? std::string(text(*options.text)) : std::string();
         });
 }
 
@@ -191,6 +241,11 @@ Status read_scale(const std::string& option, const std::string& text, OpenOption
     return {};
 }
 
+std::string scale_text(const OpenOptions& options) {
+    const bool scaled = options.raw || (options.text && options.text->scale != 1);
+    return scaled ? round_trip_text(options.raw ? options.raw->scale : options.text->scale) : "";
+}
+
 Status read_unit(const std::string& /*option*/, const std::string& text, OpenOptions& options) {
     options.unit = text;
     return {};
@@ -200,35 +255,95 @@ Status read_unit(const std::string& /*option*/, const std::string& text, OpenOpt
 
 const std::vector<SettingRow<OpenOptions>>& open_settings() {
     static const std::vector<Row> rows{
-        row("rate", "HZ", "Sample rate where the file has none, Hz", read_rate),
-        row("channels", "I,J",
-            "Which two channels or columns are C and D, from 1; a time column does not count "
-            "(default 1,2)",
-            read_channels),
+        without_part(
+            row("rate", "HZ", "Sample rate where the file has none, Hz", read_rate, rate_text)),
+        without_part(
+            row("channels", "I,J",
+                "Which two channels or columns are C and D, from 1; a time column does not count "
+                "(default 1,2)",
+                read_channels, channels_text)),
         row("variables", "C,D[,RATE]",
             "Names of the variables of a MAT, HDF5 or NPZ file that hold C and D, and the rate; D "
             "is left out where one holds both: XY or XY,,RATE",
-            read_variables),
-        row("raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]", read_raw),
-        row("raw-channels", "N", "Channels of --raw (default 2)", read_raw_channels),
-        row("skip", "BYTES", "Bytes before the first sample of --raw (default 0)", read_skip),
+            read_variables, variables_text),
+        row("raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]", read_raw,
+            raw_text(type_text)),
+        row("raw-channels", "N", "Channels of --raw (default 2)", read_raw_channels,
+            raw_text([](const RawLayout& raw) { return integer_text(raw.channels); })),
+        row("skip", "BYTES", "Bytes before the first sample of --raw (default 0)", read_skip,
+            raw_text([](const RawLayout& raw) { return integer_text(raw.skip_bytes); })),
         text_row("delimiter", "NAME",
                  "Between the columns of a text file: comma, semicolon, tab, space or bar "
                  "(default: guessed, as is all that follows)",
-                 read_delimiter),
-        text_row("decimal", "SIGN", "Decimal sign of a text file: point or comma", read_decimal),
+                 read_delimiter,
+                 [](const TextChoice& choice) {
+                     return choice.delimiter ? delimiter_name(*choice.delimiter) : "";
+                 }),
+        text_row("decimal", "SIGN", "Decimal sign of a text file: point or comma", read_decimal,
+                 [](const TextChoice& choice) {
+                     return !choice.decimal_comma ? "" : *choice.decimal_comma ? "comma" : "point";
+                 }),
         text_row("skip-lines", "N", "Lines of a text file above its first row of numbers",
-                 read_skip_lines),
+                 read_skip_lines,
+                 [](const TextChoice& choice) {
+                     return choice.lines_to_skip ? integer_text(*choice.lines_to_skip) : "";
+                 }),
         text_row("time-column", "N|none",
                  "Column of a text file that is the time, from 1; none: every column is a channel",
-                 read_time_column),
-        text_row("time-unit", "UNIT", "Unit of the time column: s, ms, us or ns", read_time_unit),
+                 read_time_column,
+                 [](const TextChoice& choice) {
+                     return !choice.time_column        ? ""
+                            : *choice.time_column == 0 ? not_set
+                                                       : integer_text(*choice.time_column);
+                 }),
+        text_row("time-unit", "UNIT", "Unit of the time column: s, ms, us or ns", read_time_unit,
+                 [](const TextChoice& choice) {
+                     return choice.time_unit_s ? time_unit_name(*choice.time_unit_s) : "";
+                 }),
         row("scale", "X",
             "Recording units per count of --raw, or per unit of a text file (default 1)",
-            read_scale),
-        row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)", read_unit),
+            read_scale, scale_text),
+        row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)", read_unit,
+            [](const OpenOptions& options) { return options.unit; }),
     };
     return rows;
+}
+
+std::string options_text(const OpenOptions& options) {
+    std::string text;
+    for (const Row& row : open_settings()) {
+        const std::string value = row.has_part ? row.text(options) : "";
+        if (!value.empty()) {
+            text += text.empty() ? "" : " ";
+            text += row.option() + ' ' + value;
+        }
+    }
+    return text;
+}
+
+Status check_options(const OpenOptions& options) {
+    constexpr double least_hz = 1e-6;
+    constexpr double most_hz = 1e12;
+    if (options.rate_hz && !(*options.rate_hz >= least_hz && *options.rate_hz <= most_hz)) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--rate", number_arg(*options.rate_hz),
+                      words(VYBEG_MESSAGE("Words", "it must lie between 1e-6 and 1e12 Hz"))}};
+    }
+    if (options.channel_c == options.channel_d) {
+        const std::string channel = std::to_string(options.channel_c);
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--channels", channel + "," + channel,
+                      words(VYBEG_MESSAGE("Words", "C and D must be two channels"))}};
+    }
+    if (options.text && options.raw) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--raw", options_text({.text = options.text}),
+                      words(VYBEG_MESSAGE("Words", "a file is read as text or as raw"))}};
+    }
+    return options.text ? check_choice(*options.text) : Status{};
 }
 
 }  // namespace vybeg
