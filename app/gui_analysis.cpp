@@ -68,17 +68,17 @@ Result<Analysis> analyse_warned(const Recording& recording, const Settings& sett
     return analysis;
 }
 
-ui::Run run_of(const Recording& recording, Analysis analysis, int index) {
-    const ui::RunStyle style = ui::runStyle(index);
-    ui::Run run;
-    run.id = index + 1;
-    run.name = QStringLiteral("n = %1").arg(analysis.plan.length);
-    run.recording = QString::fromStdString(recording.path.filename().string());
-    run.color = style.color;
-    run.rate_hz = recording.rate_hz;
-    run.seconds_taken = analysis.timing.estimate_s;
-    run.analysis = std::make_shared<const Analysis>(std::move(analysis));
-    return run;
+ui::ShownAnalysis shown_analysis(const Recording& recording, Analysis analysis, int index) {
+    const ui::CurveStyle style = ui::curveStyle(index);
+    ui::ShownAnalysis shown;
+    shown.id = static_cast<ui::AnalysisId>(index + 1);
+    shown.name = QStringLiteral("n = %1").arg(analysis.plan.length);
+    shown.recording = QString::fromStdString(recording.path.filename().string());
+    shown.color = style.color;
+    shown.rate_hz = recording.rate_hz;
+    shown.seconds_taken = analysis.timing.estimate_s;
+    shown.analysis = std::make_shared<const Analysis>(std::move(analysis));
+    return shown;
 }
 
 }  // namespace vybeg::cli

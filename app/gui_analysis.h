@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
-#include "ui/values/run.h"
+#include "ui/values/shown_analysis.h"
 
 #include <string>
 #include <vector>
@@ -35,6 +35,6 @@ Result<Analysis> analyse_warned(const Recording& recording, const Settings& sett
                                 const JobControl& job);
 
 // For display, in the style of that number; its name is the window.
-ui::Run run_of(const Recording& recording, Analysis analysis, int index);
+ui::ShownAnalysis shown_analysis(const Recording& recording, Analysis analysis, int index);
 
 }  // namespace vybeg::cli

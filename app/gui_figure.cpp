@@ -44,12 +44,12 @@ int draw_figure(const FigureRequest& request, std::stop_token stop) {
             if (!analysis) {
                 return fail(analysis.error());
             }
-            ui::Run run =
-                run_of(*recording, std::move(*analysis), static_cast<int>(columns.size()));
+            ui::ShownAnalysis shown =
+                shown_analysis(*recording, std::move(*analysis), static_cast<int>(columns.size()));
             const QString title = request.inputs.size() > 1
-                                      ? QStringLiteral("%1, %2").arg(run.recording, run.name)
-                                      : run.name;
-            columns.push_back({title, std::move(run)});
+                                      ? QStringLiteral("%1, %2").arg(shown.recording, shown.name)
+                                      : shown.name;
+            columns.push_back({title, std::move(shown)});
         }
     }
     if (stop.stop_requested()) {

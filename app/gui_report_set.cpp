@@ -46,8 +46,9 @@ Status add_recording(const ListedRecording& listed, const Settings& settings, co
     const std::size_t index = all.recordings.size();
     const TrackSummary means = analysis->means;
     std::vector<Event> events = find_events(analysis->track);
-    all.content.runs.push_back({run_of(*recording, std::move(*analysis), static_cast<int>(index)),
-                                index, means, std::move(events)});
+    all.content.analyses.push_back(
+        {shown_analysis(*recording, std::move(*analysis), static_cast<int>(index)), index, means,
+         std::move(events)});
     all.content.recordings.push_back(std::move(told));
     all.recordings.push_back(std::move(*recording));
     all.hashes.push_back(*hash);

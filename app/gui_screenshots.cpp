@@ -138,9 +138,9 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
         // A sweep is computed when it is asked for.
         std::prev(pages.end(), 2)->show = [](MainWindow& shown) {
             shown.action(Command::page_windows)->trigger();
-            auto* run = shown.findChild<QPushButton*>(QStringLiteral("sweepRun"));
+            auto* compute = shown.findChild<QPushButton*>(QStringLiteral("computeSweep"));
             if (const auto* page = shown.findChild<SweepPage*>(); page->sweep() == nullptr) {
-                run->click();
+                compute->click();
                 while (page->running()) {
                     pass(settle_ms);
                 }
@@ -171,7 +171,7 @@ void fill(MainWindow& window, const QStringList& files, const OpenOptions& open)
     document.setLive(false);
     window.files().open(files, open);
     settled(window, document);
-    std::vector<int> ids;
+    std::vector<ui::RecordingId> ids;
     for (const RecordingEntry& entry : document.recordings()) {
         ids.push_back(entry.id);
     }

@@ -96,7 +96,7 @@
         </message>
     </context>
     <context>
-        <name>vybeg::ui::RunList</name>
+        <name>vybeg::ui::AnalysisList</name>
         <message numerus="yes">
             <source>The frequency of %n window(s) lies at the bound of the search; the mean's deviation allows for them.</source>
             <translation>

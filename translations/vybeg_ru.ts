@@ -177,7 +177,7 @@
         <translation>&amp;Закрыть запись</translation>
     </message>
     <message>
-        <source>Close the current recording and its runs</source>
+        <source>Close the current recording and its analyses</source>
         <translation>Закрыть текущую запись и её расчёты</translation>
     </message>
     <message>
@@ -193,7 +193,7 @@
         <translation>Экспорт &amp;результатов…</translation>
     </message>
     <message>
-        <source>Save the slow variables of the chosen run as CSV</source>
+        <source>Save the slow variables of the chosen analysis as CSV</source>
         <translation>Сохранить медленные переменные выбранного расчёта в CSV</translation>
     </message>
     <message>
@@ -265,11 +265,11 @@
         <translation>&amp;Логарифмическая шкала рабочей амплитуды</translation>
     </message>
     <message>
-        <source>&amp;Run</source>
+        <source>&amp;Analyse</source>
         <translation>&amp;Рассчитать</translation>
     </message>
     <message>
-        <source>Analyse the current recording with the settings of the panel, as a run that is kept</source>
+        <source>Analyse the current recording with the settings of the panel and keep the analysis</source>
         <translation>Обработать текущую запись с настройками панели и оставить расчёт в списке</translation>
     </message>
     <message>
@@ -277,7 +277,7 @@
         <translation>&amp;Автопересчёт</translation>
     </message>
     <message>
-        <source>Every change of a setting shows at once, in a run that follows the panel</source>
+        <source>Every change of a setting shows at once, in an analysis that follows the panel</source>
         <translation>Каждое изменение настройки сразу видно: один расчёт следует за панелью</translation>
     </message>
     <message>
@@ -341,7 +341,7 @@
         <translation>Подогнать один резонатор ко всем записям набора</translation>
     </message>
     <message>
-        <source>&amp;New set of runs</source>
+        <source>&amp;New set of recordings</source>
         <translation>Но&amp;вый набор пусков</translation>
     </message>
     <message>
@@ -353,7 +353,7 @@
         <translation>&amp;Сохранить сеанс</translation>
     </message>
     <message>
-        <source>Recordings, settings, runs, sets and view, to go on with later</source>
+        <source>Recordings, settings, analyses, sets and view, to go on with later</source>
         <translation>Записи, настройки, расчёты, наборы и вид графиков — чтобы продолжить позже</translation>
     </message>
     <message>
@@ -377,7 +377,7 @@
         <translation>Страница со спектром, распределением и автокорреляцией того, что остаётся от отсчётов после вычитания волн</translation>
     </message>
     <message>
-        <source>Take back the last change of settings, runs or sets</source>
+        <source>Take back the last change of settings, analyses or sets</source>
         <translation>Отменить последнее изменение настроек, расчётов или наборов</translation>
     </message>
     <message>
@@ -678,6 +678,54 @@
             <numerusform>%n столбца</numerusform>
             <numerusform>%n столбцов</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Fortran order</source>
+        <translation>порядок Fortran</translation>
+    </message>
+    <message>
+        <source>C order</source>
+        <translation>порядок C</translation>
+    </message>
+    <message>
+        <source>8 bit integer</source>
+        <translation>целые 8 бит</translation>
+    </message>
+    <message>
+        <source>8 bit unsigned integer</source>
+        <translation>целые 8 бит без знака</translation>
+    </message>
+    <message>
+        <source>16 bit unsigned integer</source>
+        <translation>целые 16 бит без знака</translation>
+    </message>
+    <message>
+        <source>16 bit float</source>
+        <translation>вещественные 16 бит</translation>
+    </message>
+    <message>
+        <source>24 bit integer</source>
+        <translation>целые 24 бита</translation>
+    </message>
+    <message>
+        <source>32 bit unsigned integer</source>
+        <translation>целые 32 бита без знака</translation>
+    </message>
+    <message>
+        <source>64 bit integer</source>
+        <translation>целые 64 бита</translation>
+    </message>
+    <message>
+        <source>64 bit unsigned integer</source>
+        <translation>целые 64 бита без знака</translation>
+    </message>
+    <message>
+        <source>dataset 58b</source>
+        <translation>набор данных 58b</translation>
+    </message>
+    <message>
+        <source>dataset 58</source>
+        <translation>набор данных 58</translation>
     </message>
 </context>
 <context>
@@ -3439,6 +3487,132 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::AnalysisList</name>
+    <message>
+        <source>%1 (%2 flagged)</source>
+        <translation>%1 (помечено %2)</translation>
+    </message>
+    <message>
+        <source>Analyses</source>
+        <translation>Расчёты</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Расчёт</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Запись</translation>
+    </message>
+    <message>
+        <source>Algorithm</source>
+        <translation>Алгоритм</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Окон</translation>
+    </message>
+    <message>
+        <source>Mean f, Hz</source>
+        <translation>Средняя f, Гц</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Шум</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>Время, мс</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Замечания</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>К полупериодам</translation>
+    </message>
+    <message>
+        <source>Analyse again with a window of whole half-periods, which leaks least</source>
+        <translation>Рассчитать снова с окном из целых полупериодов: утечка в нём наименьшая</translation>
+    </message>
+    <message>
+        <source>Leakage of the window limits the mean frequency, by %1 Hz.</source>
+        <translation>Среднюю частоту ограничивает утечка окна: %1 Гц.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The frequency of %n window(s) lies at the bound of the search; the mean&apos;s deviation allows for them.</source>
+        <translation>
+            <numerusform>Частота %n окна лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Weighted mean of the frequency f_cp over all valid windows ± its standard deviation: scatter between windows, leakage of algorithms 1 to 4, bounds of the search</source>
+        <translation>Взвешенное среднее частоты f_cp по всем годным окнам ± его СКО: разброс между окнами, утечка алгоритмов 1–4, границы поиска</translation>
+    </message>
+    <message>
+        <source>Noise per sample and channel: residual of the windows, its degrees of freedom counted</source>
+        <translation>Шум на отсчёт и канал: невязка в окнах с учётом числа степеней свободы</translation>
+    </message>
+    <message>
+        <source>Time in the estimators alone</source>
+        <translation>Время самих алгоритмов</translation>
+    </message>
+    <message>
+        <source>Window, samples</source>
+        <translation>Окно, отсчётов</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Переименовать</translation>
+    </message>
+    <message>
+        <source>Analyse again with its settings</source>
+        <translation>Рассчитать снова с его настройками</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Удалить</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 из %2</translation>
+    </message>
+    <message>
+        <source>Follows the settings while Live is on; Analyse keeps an analysis as it is</source>
+        <translation>Следует за настройками, пока включено «Автопересчёт»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
+    </message>
+    <message>
+        <source>The chosen analysis is what cursors, events and residuals show. Space hides, Delete removes, F2 renames</source>
+        <translation>Выбранный расчёт показывают курсоры, события и невязки. Пробел скрывает, Delete удаляет, F2 переименовывает</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::AnalysisStore</name>
+    <message>
+        <source>show %1</source>
+        <translation>показать %1</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>скрыть %1</translation>
+    </message>
+    <message>
+        <source>rename %1</source>
+        <translation>переименовать %1</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>удалить %1</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::BatchCommands</name>
     <message>
         <source>Folder of recordings</source>
@@ -4020,7 +4194,7 @@
 <context>
     <name>vybeg::ui::CursorPanel</name>
     <message>
-        <source>The values of every shown run at the mouse appear here.</source>
+        <source>The values of every shown analysis at the mouse appear here.</source>
         <translation>Здесь появятся значения всех показанных расчётов под указателем мыши.</translation>
     </message>
     <message>
@@ -4073,7 +4247,7 @@
 <context>
     <name>vybeg::ui::EventsPanel</name>
     <message>
-        <source>Axis crossings, gaps and windows without convergence of the chosen run appear here.</source>
+        <source>Axis crossings, gaps and windows without convergence of the chosen analysis appear here.</source>
         <translation>Здесь появятся проходы осей, пропуски и окна без сходимости выбранного расчёта.</translation>
     </message>
     <message>
@@ -4971,7 +5145,7 @@
         <translation>Значения и события</translation>
     </message>
     <message>
-        <source>Runs</source>
+        <source>Analyses</source>
         <translation>Расчёты</translation>
     </message>
     <message>
@@ -5082,7 +5256,7 @@
         <translation>B = %1 с</translation>
     </message>
     <message>
-        <source>A cursor stands where the run has no windows.</source>
+        <source>A cursor stands where the analysis has no windows.</source>
         <translation>Курсор стоит там, где у расчёта нет окон.</translation>
     </message>
     <message>
@@ -5407,11 +5581,11 @@
 <context>
     <name>vybeg::ui::ResidualsPage</name>
     <message>
-        <source>No run is chosen. Run (F5) analyses the current recording; a row of the list Runs chooses one.</source>
+        <source>No analysis is chosen. Analyse (F5) adds one of the current recording; a row of the list Analyses chooses one.</source>
         <translation>Расчёт не выбран. «Рассчитать» (F5) обрабатывает текущую запись; выбрать расчёт можно в списке «Расчёты».</translation>
     </message>
     <message>
-        <source>The residual appears when all windows of the run are there.</source>
+        <source>The residual appears when all windows of the analysis are there.</source>
         <translation>Невязка появится, когда будут готовы все окна расчёта.</translation>
     </message>
     <message>
@@ -5455,7 +5629,7 @@
         <translation>видимая часть</translation>
     </message>
     <message>
-        <source>the whole run</source>
+        <source>the whole analysis</source>
         <translation>весь расчёт</translation>
     </message>
     <message>
@@ -5589,132 +5763,6 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::RunList</name>
-    <message>
-        <source>%1 (%2 flagged)</source>
-        <translation>%1 (помечено %2)</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Расчёты</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Расчёт</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>Запись</translation>
-    </message>
-    <message>
-        <source>Algorithm</source>
-        <translation>Алгоритм</translation>
-    </message>
-    <message>
-        <source>n</source>
-        <translation>n</translation>
-    </message>
-    <message>
-        <source>Windows</source>
-        <translation>Окон</translation>
-    </message>
-    <message>
-        <source>Mean f, Hz</source>
-        <translation>Средняя f, Гц</translation>
-    </message>
-    <message>
-        <source>Noise</source>
-        <translation>Шум</translation>
-    </message>
-    <message>
-        <source>Time, ms</source>
-        <translation>Время, мс</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Замечания</translation>
-    </message>
-    <message>
-        <source>Snap</source>
-        <translation>К полупериодам</translation>
-    </message>
-    <message>
-        <source>Analyse again with a window of whole half-periods, which leaks least</source>
-        <translation>Рассчитать снова с окном из целых полупериодов: утечка в нём наименьшая</translation>
-    </message>
-    <message>
-        <source>Leakage of the window limits the mean frequency, by %1 Hz.</source>
-        <translation>Среднюю частоту ограничивает утечка окна: %1 Гц.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The frequency of %n window(s) lies at the bound of the search; the mean&apos;s deviation allows for them.</source>
-        <translation>
-            <numerusform>Частота %n окна лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-            <numerusform>Частота %n окон лежит на границе поиска; СКО среднего это учитывает.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Weighted mean of the frequency f_cp over all valid windows ± its standard deviation: scatter between windows, leakage of algorithms 1 to 4, bounds of the search</source>
-        <translation>Взвешенное среднее частоты f_cp по всем годным окнам ± его СКО: разброс между окнами, утечка алгоритмов 1–4, границы поиска</translation>
-    </message>
-    <message>
-        <source>Noise per sample and channel: residual of the windows, its degrees of freedom counted</source>
-        <translation>Шум на отсчёт и канал: невязка в окнах с учётом числа степеней свободы</translation>
-    </message>
-    <message>
-        <source>Time in the estimators alone</source>
-        <translation>Время самих алгоритмов</translation>
-    </message>
-    <message>
-        <source>Window, samples</source>
-        <translation>Окно, отсчётов</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Переименовать</translation>
-    </message>
-    <message>
-        <source>Run again with its settings</source>
-        <translation>Рассчитать снова с его настройками</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Удалить</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 из %2</translation>
-    </message>
-    <message>
-        <source>Follows the settings while Live is on; Run keeps a run as it is</source>
-        <translation>Следует за настройками, пока включено «Автопересчёт»; расчёт кнопкой «Рассчитать» остаётся как есть</translation>
-    </message>
-    <message>
-        <source>The chosen run is what cursors, events and residuals show. Space hides, Delete removes, F2 renames</source>
-        <translation>Выбранный расчёт показывают курсоры, события и невязки. Пробел скрывает, Delete удаляет, F2 переименовывает</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::RunStore</name>
-    <message>
-        <source>show %1</source>
-        <translation>показать %1</translation>
-    </message>
-    <message>
-        <source>hide %1</source>
-        <translation>скрыть %1</translation>
-    </message>
-    <message>
-        <source>rename %1</source>
-        <translation>переименовать %1</translation>
-    </message>
-    <message>
-        <source>remove %1</source>
-        <translation>удалить %1</translation>
-    </message>
-</context>
-<context>
     <name>vybeg::ui::Section</name>
     <message>
         <source>Folds this part away, and opens it again</source>
@@ -5748,7 +5796,7 @@
         <translation>Найти…</translation>
     </message>
     <message>
-        <source>%1 is another file than that of the session: its SHA-256 differs. The runs are computed from the present file.</source>
+        <source>%1 is another file than that of the session: its SHA-256 differs. The analyses are computed from the present file.</source>
         <translation>%1 — не тот файл, что был в сеансе: SHA-256 отличается. Расчёты выполнены по нынешнему файлу.</translation>
     </message>
     <message>
@@ -5767,7 +5815,7 @@
 <context>
     <name>vybeg::ui::SetPanel</name>
     <message>
-        <source>Set of runs</source>
+        <source>Set of recordings</source>
         <translation>Набор пусков</translation>
     </message>
     <message>
@@ -5931,11 +5979,11 @@
         <translation>Алгоритм</translation>
     </message>
     <message>
-        <source>Run</source>
+        <source>Analyse</source>
         <translation>Рассчитать</translation>
     </message>
     <message>
-        <source>Analyse the current recording with these settings and keep the run (F5)</source>
+        <source>Analyse the current recording with these settings and keep the analysis (F5)</source>
         <translation>Обработать текущую запись с этими настройками и оставить расчёт в списке (F5)</translation>
     </message>
     <message>
@@ -5943,7 +5991,7 @@
         <translation>Автопересчёт</translation>
     </message>
     <message>
-        <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same run. What is to stay for comparison is kept by Run (Ctrl+L)</source>
+        <source>Every change of a setting shows at once: first in the visible part of the plots, then in the rest, always in the same analysis. What is to stay for comparison is kept by Analyse (Ctrl+L)</source>
         <translation>Каждое изменение настройки сразу видно: сначала на видимой части графиков, затем на остальной, всегда в одном и том же расчёте. То, что нужно для сравнения, оставляет кнопка «Рассчитать» (Ctrl+L)</translation>
     </message>
 </context>
@@ -5973,7 +6021,7 @@
 <context>
     <name>vybeg::ui::SignalsPage</name>
     <message>
-        <source>The residual is what a run leaves of the samples.</source>
+        <source>The residual is what an analysis leaves of the samples.</source>
         <translation>Невязка — то, что расчёт оставляет от отсчётов.</translation>
     </message>
     <message>
@@ -5985,15 +6033,15 @@
         <translation>Запись %1 открывается…</translation>
     </message>
     <message>
-        <source>%1, samples as recorded. Run (F5) fits the wave.</source>
+        <source>%1, samples as recorded. Analyse (F5) fits the wave.</source>
         <translation>%1, отсчёты как записаны. Расчёт (F5) вписывает волну.</translation>
     </message>
     <message>
-        <source>%1, samples as recorded: the chosen run is one of %2.</source>
+        <source>%1, samples as recorded: the chosen analysis is one of %2.</source>
         <translation>%1, отсчёты как записаны: выбранный расчёт относится к %2.</translation>
     </message>
     <message>
-        <source>%1: the wave appears when all windows of the run are there.</source>
+        <source>%1: the wave appears when all windows of the analysis are there.</source>
         <translation>%1: волна появится, когда будут готовы все окна расчёта.</translation>
     </message>
     <message>
@@ -6009,7 +6057,7 @@
         <translation>Вписанная &amp;волна</translation>
     </message>
     <message>
-        <source>Shows the wave of the chosen run over the samples: zoomed out its amplitude, zoomed in the wave itself</source>
+        <source>Shows the wave of the chosen analysis over the samples: zoomed out its amplitude, zoomed in the wave itself</source>
         <translation>Показывает волну выбранного расчёта поверх отсчётов: в мелком масштабе её амплитуду, в крупном — саму волну</translation>
     </message>
     <message>
@@ -6024,7 +6072,7 @@
         <translation>Графики старше панели «Обработка». С тех пор изменено: %1.</translation>
     </message>
     <message>
-        <source>Run</source>
+        <source>Analyse</source>
         <translation>Рассчитать</translation>
     </message>
     <message>
@@ -6196,11 +6244,11 @@
         <translation>Окна оцениваются…</translation>
     </message>
     <message>
-        <source>Run estimates this recording once for each length: it shows how much the values scatter and which window the recording deserves.</source>
+        <source>Compute estimates this recording once for each length: it shows how much the values scatter and which window the recording deserves.</source>
         <translation>«Рассчитать» оценивает эту запись один раз для каждой длины и показывает, как разбросаны значения и какого окна заслуживает запись.</translation>
     </message>
     <message>
-        <source>The result is older than the settings: Run computes it anew.</source>
+        <source>The result is older than the settings: Compute does it anew.</source>
         <translation>Результат старше настроек: «Рассчитать» вычислит его заново.</translation>
     </message>
     <message>
@@ -6240,11 +6288,11 @@
         <translation>Длины</translation>
     </message>
     <message>
-        <source>Run</source>
+        <source>Compute</source>
         <translation>Рассчитать</translation>
     </message>
     <message>
-        <source>Run the sweep</source>
+        <source>Compute the sweep</source>
         <translation>Запустить перебор окон</translation>
     </message>
     <message>
@@ -6304,7 +6352,7 @@
     </message>
     <message>
         <source>No analysis yet.
-Open a recording and press Run.</source>
+Open a recording and press Analyse.</source>
         <translation>Расчётов пока нет.
 Откройте запись и нажмите «Рассчитать».</translation>
     </message>

@@ -1,4 +1,4 @@
-// The real window, offscreen: from the click on Run to the redrawn plots, from a live change of the
+// The real window, offscreen: from the click on Analyse to the redrawn plots, from a live change of the
 // window's length to them, and a frame of panning and zooming. `bin/window_benchmarks` prints the
 // table; its status tells whether all is fast enough. With a long recording in the environment
 // variable VYBEG_LONG_RECORDING it also tells when a live change of it shows what.
@@ -120,9 +120,9 @@ public:
     double click_ms(const Settings& settings) {
         document().setSettings(settings);
         QTest::qWait(50);  // what this asks for is drawn before the clock starts
-        QPushButton* run = window_.findChild<QPushButton*>(QStringLiteral("run"));
+        QPushButton* analyse = window_.findChild<QPushButton*>(QStringLiteral("analyse"));
         const Clock clock;
-        QTest::mouseClick(run, Qt::LeftButton);
+        QTest::mouseClick(analyse, Qt::LeftButton);
         while (document().busy()) {
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         }
@@ -139,7 +139,7 @@ public:
         document().setSettings(settings);
         const std::int64_t length = settings.window;
         const auto shown = [&] {
-            return document().runs().front().run.analysis->plan.length == length;
+            return document().analyses().front().shown.analysis->plan.length == length;
         };
         while (!shown()) {
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
@@ -204,11 +204,12 @@ void print_live_steps(const QString& path) {
         QElapsedTimer clock;
         clock.start();
         const auto print = [&] {
-            const RunEntry& live = document.runs().back();
+            const AnalysisEntry& live = document.analyses().back();
             std::printf("%8lld ms: %zu of %lld windows\n", clock.elapsed(), live.summary.windows,
-                        static_cast<long long>(live.run.analysis->plan.count));
+                        static_cast<long long>(live.shown.analysis->plan.count));
         };
-        const auto watch = QObject::connect(&document, &Document::runsChanged, &document, print);
+        const auto watch =
+            QObject::connect(&document, &Document::analysesChanged, &document, print);
         document.setSettings(settings);
         bench.wait([&] { return !document.busy(); });
         QObject::disconnect(watch);
@@ -248,7 +249,7 @@ int main(int argc, char** argv) {
     }
     // The live run, in the place of the others.
     Series live;
-    bench.document().removeRun(bench.document().runs().front().run.id);
+    bench.document().removeAnalysis(bench.document().analyses().front().shown.id);
     bench.document().setLive(true);
     bench.wait([&] { return !bench.document().busy(); });
     for (int i = 0; i < clicks; ++i) {
@@ -261,8 +262,8 @@ int main(int argc, char** argv) {
     for (const Algorithm other : {Algorithm::demodulation, Algorithm::in_phase}) {
         bench.click_ms(with(other));
     }
-    if (bench.document().runs().size() != 3 ||
-        bench.document().runs().front().summary.windows != 155554) {
+    if (bench.document().analyses().size() != 3 ||
+        bench.document().analyses().front().summary.windows != 155554) {
         qFatal("there should be three runs of 155,554 windows");
     }
 

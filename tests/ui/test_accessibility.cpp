@@ -150,7 +150,7 @@ private slots:
         window_->resize(1280, 720);
         Document& document = window_->document();
         document.open({home_.recording("a.wav"), home_.recording("b.wav")});
-        QTRY_VERIFY_WITH_TIMEOUT(!document.busy() && document.runs().size() == 2, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.busy() && document.analyses().size() == 2, 20000);
         document.sets().add({document.recordings()[0].id, document.recordings()[1].id});
         document.sets().identify();
         QTRY_VERIFY_WITH_TIMEOUT(!document.busy(), 60000);

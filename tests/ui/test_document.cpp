@@ -18,8 +18,8 @@ class TestDocument : public QObject {
     GuiTestHome home_;
 
     static bool idle(const Document& document, std::size_t runs) {
-        return QTest::qWaitFor([&] { return !document.busy() && document.runs().size() == runs; },
-                               20000);
+        return QTest::qWaitFor(
+            [&] { return !document.busy() && document.analyses().size() == runs; }, 20000);
     }
 
 private slots:
@@ -27,13 +27,13 @@ private slots:
         Document document;
         document.open({home_.recording("one.wav")});
         QVERIFY(idle(document, 1));
-        const RunEntry& entry = document.runs().front();
-        QCOMPARE(entry.run.analysis->plan.length, 60);
+        const AnalysisEntry& entry = document.analyses().front();
+        QCOMPARE(entry.shown.analysis->plan.length, 60);
         QCOMPARE(entry.summary.windows, std::size_t(16000 / 60));
         // Five standard errors of the mean, and its error itself below 1 ppm.
         VYBEG_CLOSE(entry.summary.mean_f_hz, 1000, 5 * entry.summary.sd_mean_f_hz + 1e-9);
         QVERIFY(entry.summary.sd_mean_f_hz < 1e-2);
-        QVERIFY(entry.run.seconds_taken > 0);
+        QVERIFY(entry.shown.seconds_taken > 0);
         QVERIFY(QTest::qWaitFor([&] {
             const RecordingEntry* current = document.currentRecording();
             return current->envelope && current->sha256.size() == 64 && current->f0_hz;
@@ -66,13 +66,13 @@ private slots:
         VYBEG_WITHIN(faults.steps[0].frame, 8000, 1);
         QCOMPARE(messages.filter("lost.csv: Samples lost: 1 at ").size(), 1);
         const auto gaps = [&] {
-            return std::ranges::count_if(document.runs().back().run.analysis->track.flags(),
+            return std::ranges::count_if(document.analyses().back().shown.analysis->track.flags(),
                                          [](Flags flags) { return has(flags, Flag::gap); });
         };
         QCOMPARE(gaps(), 1);
-        QVERIFY(std::ranges::all_of(document.runs().back().events,
+        QVERIFY(std::ranges::all_of(document.analyses().back().events,
                                     [](const Event& e) { return e.kind == EventKind::gap; }));
-        QCOMPARE(document.runs().back().events.size(), std::size_t(1));
+        QCOMPARE(document.analyses().back().events.size(), std::size_t(1));
     }
 
     void several_recordings_are_open_at_once_and_each_has_its_run() {
@@ -82,13 +82,13 @@ private slots:
         QVERIFY(idle(document, 3));
         QCOMPARE(document.recordings().size(), std::size_t(3));
         QSet<QRgb> looks;
-        for (const RunEntry& entry : document.runs()) {
-            looks.insert(entry.run.color.rgb() ^ static_cast<QRgb>(entry.run.dash));
+        for (const AnalysisEntry& entry : document.analyses()) {
+            looks.insert(entry.shown.color.rgb() ^ static_cast<QRgb>(entry.shown.dash));
         }
         QCOMPARE(looks.size(), 3);
         document.closeRecording(document.recordings().front().id);
         QCOMPARE(document.recordings().size(), std::size_t(2));
-        QCOMPARE(document.runs().size(), std::size_t(2));
+        QCOMPARE(document.analyses().size(), std::size_t(2));
     }
 
     void a_bad_file_leaves_a_message_and_nothing_else_data() {
@@ -118,7 +118,7 @@ private slots:
         QVERIFY(!last.text().isEmpty());
         QCOMPARE(!last.reopen_path.isEmpty(), can_be_reopened);
         QVERIFY(document.recordings().empty());
-        QVERIFY(document.runs().empty());
+        QVERIFY(document.analyses().empty());
     }
 
     void a_new_run_of_a_recording_replaces_the_one_that_still_computes() {
@@ -134,9 +134,9 @@ private slots:
             document.analyse();
         }
         QVERIFY(idle(document, 1));
-        QCOMPARE(document.runs().front().run.analysis->plan.length, 48);
+        QCOMPARE(document.analyses().front().shown.analysis->plan.length, 48);
         QTest::qWait(200);  // no stale run arrives in this time
-        QCOMPARE(document.runs().size(), std::size_t(1));
+        QCOMPARE(document.analyses().size(), std::size_t(1));
     }
 
     void cancel_stops_at_once_and_leaves_the_runs_as_they_were() {
@@ -184,26 +184,26 @@ private slots:
         Document document;
         document.open({home_.recording("same.wav")});
         QVERIFY(idle(document, 1));
-        const int id = document.runs().front().run.id;
-        document.renameRun(id, "mine");
+        const auto id = document.analyses().front().shown.id;
+        document.renameAnalysis(id, "mine");
         document.analyse();
         QVERIFY(idle(document, 1));
-        QCOMPARE(document.runs().front().run.id, id);
-        QCOMPARE(document.runs().front().run.name, QStringLiteral("mine"));
+        QCOMPARE(document.analyses().front().shown.id, id);
+        QCOMPARE(document.analyses().front().shown.name, QStringLiteral("mine"));
     }
 
     void rerun_brings_the_settings_of_a_run_back() {
         Document document;
-        document.open({home_.recording("rerun.wav")});
+        document.open({home_.recording("analyseAgain.wav")});
         QVERIFY(idle(document, 1));
-        const int first = document.runs().front().run.id;
+        const auto first = document.analyses().front().shown.id;
         Settings settings = document.settings();
         settings.window = 80;
         settings.algorithm = Algorithm::demodulation;
         document.setSettings(settings);
         document.analyse();
         QVERIFY(idle(document, 2));
-        document.rerun(first);
+        document.analyseAgain(first);
         QVERIFY(idle(document, 2));
         QCOMPARE(document.settings().window, 60);
         QCOMPARE(document.settings().algorithm, Algorithm::maximum_likelihood);
@@ -237,11 +237,11 @@ private slots:
         QSignalSpy ready(&document, &Document::comparisonReady);
         document.compareWindows({8, 16, 80});
         QVERIFY(ready.wait(20000));
-        const auto ids = ready.first().first().value<QList<int>>();
+        const auto ids = ready.first().first().value<QList<AnalysisId>>();
         QCOMPARE(ids.size(), 3);
         QList<qint64> lengths;
-        for (const int id : ids) {
-            lengths << document.run(id)->run.analysis->plan.length;
+        for (const AnalysisId id : ids) {
+            lengths << document.analysis(id)->shown.analysis->plan.length;
         }
         QCOMPARE(lengths, (QList<qint64>{8, 16, 80}));
     }

@@ -96,7 +96,7 @@ private slots:
                        });
             },
             20000));
-        std::vector<int> ids;
+        std::vector<RecordingId> ids;
         for (const RecordingEntry& entry : document().recordings()) {
             ids.push_back(entry.id);
         }

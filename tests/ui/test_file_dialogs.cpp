@@ -39,8 +39,8 @@ class TestFileDialogs : public QObject {
     void openOne() {
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         document().open({home_.recording("demo.wav")});
-        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && document().runs().size() == 1; },
-                                20000));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return !document().busy() && document().analyses().size() == 1; }, 20000));
         QVERIFY(QTest::qWaitFor([&] { return document().carrier().has_value(); }));
     }
 

@@ -289,7 +289,7 @@ private slots:
         choose("decimal", "comma");
         QTRY_VERIFY(openButton().isEnabled());
         QTest::keyClick(dialog_, Qt::Key_Return);
-        QTRY_COMPARE_WITH_TIMEOUT(window.document().runs().size(), std::size_t(1), 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(window.document().analyses().size(), std::size_t(1), 20000);
         const RecordingEntry* entry = window.document().currentRecording();
         QVERIFY(entry && entry->recording);
         QCOMPARE(entry->recording->rate_hz, 8000.0);

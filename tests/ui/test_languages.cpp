@@ -1,8 +1,8 @@
 // Every text of the window in the interface's language, and the translation complete.
 #include "tests/ui/gui_test.h"
 #include "ui/import/import_dialog.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/panels/recording_panel.h"
-#include "ui/panels/run_list.h"
 #include "ui/window/compare_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
@@ -151,7 +151,7 @@ private slots:
         window.show();
         window.document().open({home_.recording("demo.wav"), home_.file("demo.csv", "")});
         QVERIFY(QTest::qWaitFor(
-            [&] { return !window.document().busy() && window.document().runs().size() == 1; },
+            [&] { return !window.document().busy() && window.document().analyses().size() == 1; },
             20000));
         window.action(Command::identify)->trigger();
         QVERIFY(QTest::qWaitFor(

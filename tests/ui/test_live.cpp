@@ -1,8 +1,8 @@
 // Live analysis: a run that follows the settings.
 #include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/panels/message_bar.h"
-#include "ui/panels/run_list.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/status_line.h"
 
@@ -41,16 +41,16 @@ class TestLive : public QObject {
     QString long_;  // with one sample of hop it takes long enough to be shown early
 
     static bool idle(const Document& document, std::size_t runs) {
-        return QTest::qWaitFor([&] { return !document.busy() && document.runs().size() == runs; },
-                               60000);
+        return QTest::qWaitFor(
+            [&] { return !document.busy() && document.analyses().size() == runs; }, 60000);
     }
 
     using History = std::shared_ptr<std::vector<Shown>>;
     static History watch(Document& document) {
         auto shown = std::make_shared<std::vector<Shown>>();
-        connect(&document, &Document::runsChanged, &document, [&document, shown] {
-            for (const RunEntry& entry : document.runs()) {
-                const auto& analysis = entry.run.analysis;
+        connect(&document, &Document::analysesChanged, &document, [&document, shown] {
+            for (const AnalysisEntry& entry : document.analyses()) {
+                const auto& analysis = entry.shown.analysis;
                 if (entry.live && (shown->empty() || shown->back().analysis != analysis)) {
                     shown->push_back({analysis->plan.length, analysis, entry.partial()});
                 }
@@ -85,24 +85,25 @@ private slots:
         document.setLive(true);
         document.open({short_});
         QVERIFY(idle(document, 1));
-        const RunEntry before = document.runs().front();
+        const AnalysisEntry before = document.analyses().front();
         QVERIFY(before.live);
-        QCOMPARE(before.run.name, QStringLiteral("short"));
+        QCOMPARE(before.shown.name, QStringLiteral("short"));
         change(document, 80);
         QVERIFY(idle(document, 1));
-        const RunEntry& after = document.runs().front();
-        QCOMPARE(after.run.analysis->plan.length, 80);
-        QCOMPARE(after.run.id, before.run.id);
-        QCOMPARE(after.run.name, before.run.name);
-        QCOMPARE(after.run.color, before.run.color);
-        QCOMPARE(after.run.dash, before.run.dash);
+        const AnalysisEntry& after = document.analyses().front();
+        QCOMPARE(after.shown.analysis->plan.length, 80);
+        QCOMPARE(after.shown.id, before.shown.id);
+        QCOMPARE(after.shown.name, before.shown.name);
+        QCOMPARE(after.shown.color, before.shown.color);
+        QCOMPARE(after.shown.dash, before.shown.dash);
         Settings settings = document.settings();
         settings.algorithm = Algorithm::demodulation;
         settings.calibration.kappa = 1.5;
         document.setSettings(settings);
         QVERIFY(idle(document, 1));
-        QCOMPARE(document.runs().front().run.analysis->settings.calibration.kappa, 1.5);
-        QCOMPARE(document.runs().front().run.analysis->settings.algorithm, Algorithm::demodulation);
+        QCOMPARE(document.analyses().front().shown.analysis->settings.calibration.kappa, 1.5);
+        QCOMPARE(document.analyses().front().shown.analysis->settings.algorithm,
+                 Algorithm::demodulation);
     }
 
     void runs_stand_and_are_coloured_as_their_recordings_whichever_is_done_first() {
@@ -113,10 +114,10 @@ private slots:
             document.open(files);
             QVERIFY(idle(document, 2));
             for (std::size_t k = 0; k < 2; ++k) {
-                const RunEntry& entry = document.runs()[k];
+                const AnalysisEntry& entry = document.analyses()[k];
                 QCOMPARE(entry.recording_id, document.recordings()[k].id);
-                QCOMPARE(entry.run.color, runStyle(static_cast<int>(k)).color);
-                QCOMPARE(entry.run.dash, runStyle(static_cast<int>(k)).dash);
+                QCOMPARE(entry.shown.color, curveStyle(static_cast<int>(k)).color);
+                QCOMPARE(entry.shown.dash, curveStyle(static_cast<int>(k)).dash);
             }
         }
     }
@@ -132,11 +133,11 @@ private slots:
         QVERIFY(idle(document, 2));
         change(document, 80);
         QVERIFY(idle(document, 2));
-        QCOMPARE(document.runs()[0].run.analysis->plan.length, 80);
-        QCOMPARE(document.runs()[1].run.analysis->plan.length, 60);
-        QVERIFY(!document.runs()[1].live);
-        QCOMPARE(document.plottedRuns().back().id, document.runs()[0].run.id);  // on top
-        QVERIFY(document.runs()[1].run.color != document.runs()[0].run.color);
+        QCOMPARE(document.analyses()[0].shown.analysis->plan.length, 80);
+        QCOMPARE(document.analyses()[1].shown.analysis->plan.length, 60);
+        QVERIFY(!document.analyses()[1].live);
+        QCOMPARE(document.plottedAnalyses().back().id, document.analyses()[0].shown.id);  // on top
+        QVERIFY(document.analyses()[1].shown.color != document.analyses()[0].shown.color);
     }
 
     void the_visible_part_arrives_first_and_is_that_of_the_whole() {
@@ -170,7 +171,7 @@ private slots:
                              1e-9 * std::max(1.0, std::abs(expected)));
             }
         }
-        QVERIFY(document.runs().front().events.empty());
+        QVERIFY(document.analyses().front().events.empty());
     }
 
     void the_newest_of_many_settings_wins_and_none_is_shown_late() {
@@ -213,10 +214,10 @@ private slots:
         QVERIFY(idle(document, 1));
         document.undoStack().undo();
         QVERIFY(idle(document, 1));
-        QCOMPARE(document.runs().front().run.analysis->plan.length, 60);
+        QCOMPARE(document.analyses().front().shown.analysis->plan.length, 60);
         document.undoStack().redo();
         QVERIFY(idle(document, 1));
-        QCOMPARE(document.runs().front().run.analysis->plan.length, 80);
+        QCOMPARE(document.analyses().front().shown.analysis->plan.length, 80);
     }
 
     void nothing_is_run_while_live_is_off() {
@@ -226,12 +227,12 @@ private slots:
         change(document, 80);
         QVERIFY(!document.busy());
         QTest::qWait(100);  // nothing happens in this time
-        QCOMPARE(document.runs().front().run.analysis->plan.length, 60);
+        QCOMPARE(document.analyses().front().shown.analysis->plan.length, 60);
         // Switched on, it catches up, and leaves what was there.
         document.setLive(true);
         QVERIFY(idle(document, 2));
-        QCOMPARE(document.runs()[0].run.analysis->plan.length, 60);
-        QCOMPARE(document.runs()[1].run.analysis->plan.length, 80);
+        QCOMPARE(document.analyses()[0].shown.analysis->plan.length, 60);
+        QCOMPARE(document.analyses()[1].shown.analysis->plan.length, 80);
         document.setLive(false);
         change(document, 44);
         QVERIFY(!document.busy());
@@ -242,16 +243,16 @@ private slots:
         document.setLive(true);
         document.open({short_, home_.recording("other.wav")});
         QVERIFY(idle(document, 2));
-        const int first = document.runs()[0].recording_id;
-        const int second = document.runs()[1].recording_id;
+        const auto first = document.analyses()[0].recording_id;
+        const auto second = document.analyses()[1].recording_id;
         document.setCurrentRecording(first);
         QVERIFY2(!document.busy(), "it shows the settings already");
         change(document, 80);
         QVERIFY(idle(document, 2));
-        const auto length_of = [&](int recording) {
+        const auto length_of = [&](RecordingId recording) {
             const auto entry =
-                std::ranges::find(document.runs(), recording, &RunEntry::recording_id);
-            return entry->run.analysis->plan.length;
+                std::ranges::find(document.analyses(), recording, &AnalysisEntry::recording_id);
+            return entry->shown.analysis->plan.length;
         };
         QCOMPARE(length_of(first), 80);
         QCOMPARE(length_of(second), 60);
@@ -276,7 +277,7 @@ private slots:
         const Recording& recording = *document.currentRecording()->recording;
         const auto plain = analyse(recording, settings, {});
         QVERIFY(plain);
-        const Analysis& live = *document.runs().front().run.analysis;
+        const Analysis& live = *document.analyses().front().shown.analysis;
         QCOMPARE(live.settings, plain->settings);
         for (const SlowVariable variable : all_slow_variables) {
             QVERIFY(std::ranges::equal(live.track.values(variable), plain->track.values(variable)));
@@ -290,10 +291,10 @@ private slots:
         document.open({long_});
         QVERIFY(idle(document, 1));
         change(document, 64, 1);
-        document.removeRun(document.runs().front().run.id);
+        document.removeAnalysis(document.analyses().front().shown.id);
         QVERIFY(idle(document, 0));
         QTest::qWait(100);  // nothing happens in this time
-        QCOMPARE(document.runs().size(), std::size_t(0));
+        QCOMPARE(document.analyses().size(), std::size_t(0));
         change(document, 80);
         QVERIFY(idle(document, 1));
     }
@@ -304,12 +305,12 @@ private slots:
         document.open({long_});
         QVERIFY(idle(document, 1));
         makeSlow(document);
-        QVERIFY(QTest::qWaitFor([&] { return document.runs().front().partial(); }, 20000));
+        QVERIFY(QTest::qWaitFor([&] { return document.analyses().front().partial(); }, 20000));
         document.cancel();
         QVERIFY(idle(document, 1));
-        QVERIFY(document.runs().front().partial());
+        QVERIFY(document.analyses().front().partial());
         bool told = false;
-        document.exportTrack(document.runs().front().run.id, home_.path("partial.csv"),
+        document.exportTrack(document.analyses().front().shown.id, home_.path("partial.csv"),
                              [&](const Status&) { told = true; });
         QTest::qWait(100);  // nothing happens in this time
         QVERIFY(!told && !QFile::exists(home_.path("partial.csv")));
@@ -325,7 +326,7 @@ private slots:
         QVERIFY(idle(document, 1));
         auto& tracks = *window->findChild<TrackView*>();
         auto& messages = *window->findChild<MessageBar*>();
-        auto& list = *window->findChild<RunList*>();
+        auto& list = *window->findChild<AnalysisList*>();
         tracks.setTimeRange({0.5, 1.0});
         tracks.setCursor(Cursor::a, 0.7);
         NumberField& length = fieldOf(*window, "Length");
@@ -333,7 +334,7 @@ private slots:
         QTest::keyClick(&length, Qt::Key_Up);
         QTest::keyClick(&length, Qt::Key_Up);
         QVERIFY(idle(document, 1));
-        QCOMPARE(document.runs().front().run.analysis->plan.length, 62);
+        QCOMPARE(document.analyses().front().shown.analysis->plan.length, 62);
         QCOMPARE(tracks.timeRange(), (AxisRange{0.5, 1.0}));
         QCOMPARE(tracks.cursor(Cursor::a), std::optional(0.7));
         QCOMPARE(list.topLevelItemCount(), 1);
@@ -349,10 +350,10 @@ private slots:
             QCOMPARE(messages.texts().size(), 1);
         }
         QVERIFY(messages.texts().first().contains("300"));
-        QCOMPARE(document.runs().front().run.analysis->plan.length, 62);
+        QCOMPARE(document.analyses().front().shown.analysis->plan.length, 62);
         type("70");
         QVERIFY(messages.texts().isEmpty());
-        QCOMPARE(document.runs().front().run.analysis->plan.length, 70);
+        QCOMPARE(document.analyses().front().shown.analysis->plan.length, 70);
     }
 
     void cancelling_ends_what_the_status_bar_says() {

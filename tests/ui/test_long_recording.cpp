@@ -5,7 +5,7 @@
 // environment variable VYBEG_LONG_RECORDING.
 #include "tests/ui/gui_test.h"
 #include "tests/ui/heartbeat.h"
-#include "ui/panels/run_list.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/main_window.h"
@@ -92,7 +92,7 @@ class TestLongRecording : public QObject {
         return entry && entry->envelope;
     }
     bool whole() { return seen() && document().currentRecording()->envelope->whole(); }
-    bool analysed() { return !document().busy() && !document().runs().empty(); }
+    bool analysed() { return !document().busy() && !document().analyses().empty(); }
 
     // Another thirty turns of the event loop, in which what has been asked for is drawn.
     bool settled() {
@@ -142,7 +142,7 @@ class TestLongRecording : public QObject {
         qInfo("whole after %lld ms", clock.elapsed());
         QVERIFY(QTest::qWaitFor([&] { return analysed(); }, 120000));
         qInfo("analysed after %lld ms, %zu windows", clock.elapsed(),
-              document().runs().front().summary.windows);
+              document().analyses().front().summary.windows);
         QVERIFY(settled());
         keep(opening);
 
@@ -169,16 +169,16 @@ class TestLongRecording : public QObject {
             document().analyse();
         });
         heart_.reset();
-        QVERIFY(QTest::qWaitFor([&] { return document().runs().size() == 2; }, 60000));
-        keep("a second run");
-        const int second = document().runs().back().run.id;
-        act("hiding a run", [&] { document().setRunVisible(second, false); });
-        act("showing a run", [&] { document().setRunVisible(second, true); });
+        QVERIFY(QTest::qWaitFor([&] { return document().analyses().size() == 2; }, 60000));
+        keep("a second analysis");
+        const auto second = document().analyses().back().shown.id;
+        act("hiding an analysis", [&] { document().setAnalysisVisible(second, false); });
+        act("showing an analysis", [&] { document().setAnalysisVisible(second, true); });
         act("the dark theme", [&] { window_->setThemeMode(ThemeMode::dark); });
         act("the light theme", [&] { window_->setThemeMode(ThemeMode::light); });
         act("the other language", [&] { window_->setLanguage("ru"); });
         act("resizing", [&] { window_->resize(1200, 800); });
-        act("removing a run", [&] { document().removeRun(second); });
+        act("removing an analysis", [&] { document().removeAnalysis(second); });
         act("the first length of window", [&] { document().setSettings(Settings()); });
         act("closing the recording",
             [&] { document().closeRecording(document().currentRecording()->id); });
@@ -280,7 +280,7 @@ private slots:
     void a_recording_closes_at_once_while_loading_and_another_opens() {
         document().open({path_}, options_);
         QVERIFY(QTest::qWaitFor([&] { return seen(); }, 60000));
-        const int id = document().currentRecording()->id;
+        const auto id = document().currentRecording()->id;
         const double closing = duration([&] { document().closeRecording(id); });
         qInfo("closed in %.1f ms", closing);
         QVERIFY(closing < at_once_ms);

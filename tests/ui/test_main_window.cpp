@@ -1,10 +1,10 @@
 // The window driven as a person drives it: files, keys, mouse.
 #include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/panels/cursor_panel.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/message_bar.h"
-#include "ui/panels/run_list.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/settings/settings_panel.h"
@@ -48,7 +48,7 @@ class TestMainWindow : public QObject {
 
     bool idle(std::size_t runs) {
         return QTest::qWaitFor(
-            [&] { return !document().busy() && document().runs().size() == runs; }, 20000);
+            [&] { return !document().busy() && document().analyses().size() == runs; }, 20000);
     }
 
     void openOne(const QString& name = "demo.wav") {
@@ -72,13 +72,13 @@ private slots:
         QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(window_.get(), &drop);
         QVERIFY(idle(2));
-        QCOMPARE(the<TrackView>().runs().size(), std::size_t(2));
+        QCOMPARE(the<TrackView>().analyses().size(), std::size_t(2));
         QCOMPARE(the<TrackView>().shownVariables().size(), std::size_t(5));
     }
 
     void leakage_that_limits_the_mean_stands_in_the_row_with_its_cure() {
         openOne();
-        auto& list = the<RunList>();
+        auto& list = the<AnalysisList>();
         const auto notes_of = [&list](int row) {
             const int column = list.columnCount() - 1;
             const auto* item = list.topLevelItem(row);
@@ -99,16 +99,16 @@ private slots:
         document().setSettings(settings);
         document().analyse();
         QVERIFY(idle(2));
-        const RunEntry& entry = document().runs().back();
+        const AnalysisEntry& entry = document().analyses().back();
         QVERIFY(entry.summary.leakage_limits());
         VYBEG_CLOSE(entry.summary.mean_f_hz, 1000, 4 * entry.summary.sd_mean_f_hz);
         QVERIFY2(notes_of(1).contains("Leakage"), qPrintable(notes_of(1)));
-        auto* snap = list.findChild<QPushButton*>(QStringLiteral("snapRun"));
+        auto* snap = list.findChild<QPushButton*>(QStringLiteral("snapAnalysis"));
         QVERIFY(snap && snap->isVisible());
         QTest::mouseClick(snap, Qt::LeftButton);
         QVERIFY(idle(3));
-        const RunEntry& snapped = document().runs().back();
-        QCOMPARE(snapped.run.analysis->plan.length % 4, 0);
+        const AnalysisEntry& snapped = document().analyses().back();
+        QCOMPARE(snapped.shown.analysis->plan.length % 4, 0);
         QVERIFY(snapped.requested.snap && document().settings().snap);
         QVERIFY(!snapped.summary.leakage_limits());
         QVERIFY2(!notes_of(2).contains("Leakage"), qPrintable(notes_of(2)));
@@ -151,15 +151,15 @@ private slots:
             for (int step = 0; step < index; ++step) {
                 QTest::keyClick(&algorithms, Qt::Key_Down);
             }
-            QTest::mouseClick(&the<QPushButton>("run"), Qt::LeftButton);
+            QTest::mouseClick(&the<QPushButton>("analyse"), Qt::LeftButton);
             // The sixth is what the recording was opened with: it replaces its run.
             QVERIFY(idle(static_cast<std::size_t>(std::min(index + 2, 6))));
             const auto wanted = static_cast<Algorithm>(index);
-            QVERIFY(std::ranges::any_of(document().runs(), [&](const RunEntry& entry) {
-                return entry.run.analysis->settings.algorithm == wanted;
+            QVERIFY(std::ranges::any_of(document().analyses(), [&](const AnalysisEntry& entry) {
+                return entry.shown.analysis->settings.algorithm == wanted;
             }));
         }
-        QCOMPARE(the<RunList>().topLevelItemCount(), 6);
+        QCOMPARE(the<AnalysisList>().topLevelItemCount(), 6);
     }
 
     void the_window_is_tied_together_in_samples_periods_and_milliseconds() {
@@ -196,7 +196,7 @@ private slots:
         QCOMPARE(*field("Overlap").value(), 50.0);
         QTest::keyClick(&the<TrackView>(), Qt::Key_F5);
         QVERIFY(idle(2));
-        QCOMPARE(document().runs().back().run.analysis->plan.hop, 30);
+        QCOMPARE(document().analyses().back().shown.analysis->plan.hop, 30);
     }
 
     void the_run_key_takes_the_text_of_the_field_being_edited() {
@@ -207,7 +207,7 @@ private slots:
         QTest::keyClicks(&length, "88");
         QTest::keyClick(&length, Qt::Key_F5);
         QVERIFY(idle(2));
-        QCOMPARE(document().runs().back().run.analysis->plan.length, 88);
+        QCOMPARE(document().analyses().back().shown.analysis->plan.length, 88);
     }
 
     void settings_are_undone_and_redone_by_keys() {
@@ -254,17 +254,18 @@ private slots:
 
     void runs_are_hidden_renamed_and_removed() {
         openOne();
-        auto& runs = the<RunList>();
+        auto& runs = the<AnalysisList>();
         QTreeWidgetItem* item = runs.topLevelItem(0);
         item->setCheckState(0, Qt::Unchecked);
-        QVERIFY(QTest::qWaitFor([&] { return !document().runs().front().run.visible; }));
-        QVERIFY(!the<TrackView>().runs().front().visible);
+        QVERIFY(QTest::qWaitFor([&] { return !document().analyses().front().shown.visible; }));
+        QVERIFY(!the<TrackView>().analyses().front().visible);
         runs.topLevelItem(0)->setText(0, "reference");
-        QVERIFY(QTest::qWaitFor(
-            [&] { return document().runs().front().run.name == QLatin1String("reference"); }));
+        QVERIFY(QTest::qWaitFor([&] {
+            return document().analyses().front().shown.name == QLatin1String("reference");
+        }));
         runs.setFocus();
         QTest::keyClick(&runs, Qt::Key_Delete);
-        QVERIFY(document().runs().empty());
+        QVERIFY(document().analyses().empty());
         QVERIFY(!window_->action(Command::export_plots)->isEnabled());
     }
 
@@ -298,9 +299,9 @@ private slots:
     void overview_and_plots_have_one_range_where_a_part_is_analysed() {
         openOne();
         typeInto(field("Range from"), "1");
-        window_->action(Command::run)->trigger();
+        window_->action(Command::analyse)->trigger();
         QVERIFY(idle(2));
-        document().removeRun(document().runs().front().run.id);
+        document().removeAnalysis(document().analyses().front().shown.id);
         auto& overview = the<SignalView>();
         auto& tracks = the<TrackView>();
         QCOMPARE(overview.visibleRange(), tracks.timeRange());
@@ -320,8 +321,8 @@ private slots:
         openOne();
         window_->setThemeMode(ThemeMode::light);
         const auto ground = [this] {
-            return the<RunList>().topLevelItem(0)->icon(0).pixmap(28, 14).toImage().pixelColor(1,
-                                                                                               1);
+            return the<AnalysisList>().topLevelItem(0)->icon(0).pixmap(28, 14).toImage().pixelColor(
+                1, 1);
         };
         QCOMPARE(ground(), lightTheme().palette.color(QPalette::Base));
         window_->setThemeMode(ThemeMode::dark);
@@ -386,7 +387,7 @@ private slots:
         window_->close();
         window_ = std::make_unique<TestWindow>();
         QVERIFY(window_->diagnosticsText().contains("Language ru, theme dark"));
-        QVERIFY(window_->diagnosticsText().contains("Recordings: 0, runs: 0"));
+        QVERIFY(window_->diagnosticsText().contains("Recordings: 0, analyses: 0"));
         window_->setThemeMode(ThemeMode::light);
     }
 };

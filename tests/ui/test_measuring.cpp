@@ -3,8 +3,8 @@
 #include "core/track/trend.h"
 #include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/panels/measure_panel.h"
-#include "ui/panels/run_list.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/main_window.h"
 
@@ -31,7 +31,7 @@ class TestMeasuring : public QObject {
     }
     MeasurePanel& panel() { return the<MeasurePanel>(); }
     QTableWidget& table() { return childOf<QTableWidget>(panel()); }
-    const Analysis& analysis() { return *window_->document().runs().front().run.analysis; }
+    const Analysis& analysis() { return *window_->document().analyses().front().shown.analysis; }
     QString cell(int row, int column) { return table().item(row, column)->text(); }
     // "1.234 ± 0.005" as its two numbers.
     static std::pair<double, double> number(QString text) {
@@ -57,7 +57,7 @@ private slots:
     void init() {
         window_ = shownWindow();
         window_->document().open({home_.recording("demo.wav")});
-        QTRY_VERIFY(!window_->document().busy() && window_->document().runs().size() == 1);
+        QTRY_VERIFY(!window_->document().busy() && window_->document().analyses().size() == 1);
     }
 
     void keys_place_cursors_and_the_table_reads_them() {
@@ -85,7 +85,7 @@ private slots:
         const Trend angle = expected(SlowVariable::two_theta_A, 0.5, 1.5);
         QCOMPARE(cell(2, 4).replace('\n', ' '),
                  valueText(angle.slope_per_s * degrees, angle.sd_slope_per_s * degrees));
-        QVERIFY(the<RunList>().currentRun() != 0);
+        QVERIFY(the<AnalysisList>().currentAnalysis() != AnalysisId::none);
     }
 
     void trends_are_drawn_and_go_with_the_cursors() {
@@ -222,7 +222,8 @@ private slots:
 
     void a_hidden_run_is_not_measured() {
         setCursors(0.5, 1.5);
-        window_->document().setRunVisible(window_->document().runs().front().run.id, false);
+        window_->document().setAnalysisVisible(window_->document().analyses().front().shown.id,
+                                               false);
         QVERIFY(!panel().isVisibleTo(window_.get()));
         QVERIFY(the<TrackView>().content().trends.empty());
     }

@@ -1,4 +1,4 @@
-#include "tests/ui/synthetic_run.h"
+#include "tests/ui/synthetic_analysis.h"
 #include "ui/plots/figure.h"
 #include "ui/plots/plot_export.h"
 
@@ -21,16 +21,16 @@ namespace {
 
 PlotContent twoRuns() {
     PlotContent content;
-    content.runs = {syntheticRun(0, {.window = 6}), syntheticRun(1, {.window = 60})};
-    content.zoom.time = *coveredTime(content.runs);
+    content.analyses = {syntheticAnalysis(0, {.window = 6}), syntheticAnalysis(1, {.window = 60})};
+    content.zoom.time = *coveredTime(content.analyses);
     content.theme = darkTheme();
     return content;
 }
 
 std::vector<FigureColumn> twoColumns() {
     const PlotContent content = twoRuns();
-    return {{QStringLiteral("n = 6"), content.runs[0]},
-            {QStringLiteral("n = 60"), content.runs[1]}};
+    return {{QStringLiteral("n = 6"), content.analyses[0]},
+            {QStringLiteral("n = 60"), content.analyses[1]}};
 }
 
 QByteArray bytesOf(const QString& path) {
@@ -83,8 +83,8 @@ private slots:
         for (const AxisRange& values : {AxisRange{0, 0.1}, AxisRange{10, 11}}) {
             content.zoom.fixed[SlowVariable::a_A] = values;
             const QImage image = toImage(plotsDrawing(content), {{800, 300}, pixels_per_inch});
-            for (const Run& run : content.runs) {
-                const QColor color = readable(run.color, lightTheme());
+            for (const ShownAnalysis& shown : content.analyses) {
+                const QColor color = readable(shown.color, lightTheme());
                 int pixels = 0;
                 int longest = 0;
                 for (int y = 0; y < image.height(); ++y) {

@@ -59,7 +59,7 @@ class TestReport : public QObject {
     void openAll(const QStringList& files) {
         document().open(files);
         const auto ready = [&] {
-            return !document().busy() && qsizetype(document().runs().size()) == files.size() &&
+            return !document().busy() && qsizetype(document().analyses().size()) == files.size() &&
                    std::ranges::all_of(document().recordings(), [](const RecordingEntry& entry) {
                        return entry.faults && !entry.sha256.isEmpty();
                    });
@@ -68,7 +68,7 @@ class TestReport : public QObject {
     }
 
     void identifyAll() {
-        std::vector<int> ids;
+        std::vector<RecordingId> ids;
         for (const RecordingEntry& entry : document().recordings()) {
             ids.push_back(entry.id);
         }
@@ -172,8 +172,8 @@ private slots:
     // A chapter for each, found by its page in the table of all.
     void the_report_of_all_sets_has_a_chapter_for_each() {
         openAll({home_.recording("run_1.wav"), home_.recording("run_2.csv")});
-        const int first = document().recordings().front().id;
-        const int second = document().recordings().back().id;
+        const auto first = document().recordings().front().id;
+        const auto second = document().recordings().back().id;
         document().sets().add({first});
         document().sets().add({second});
         const auto subjects = reportSubjects(document());

@@ -35,7 +35,7 @@ class TestSettingsPanel : public QObject {
 
     bool idle(std::size_t runs) {
         return QTest::qWaitFor(
-            [&] { return !document().busy() && document().runs().size() == runs; }, 20000);
+            [&] { return !document().busy() && document().analyses().size() == runs; }, 20000);
     }
 
     void openOne() {
@@ -118,7 +118,7 @@ private slots:
                          Qt::KeyboardModifiers(Qt::ControlModifier)},
               std::tuple{Command::live, Qt::Key_L, Qt::KeyboardModifiers(Qt::ControlModifier)},
               std::tuple{Command::zoom_fit, Qt::Key_0, Qt::KeyboardModifiers(Qt::ControlModifier)},
-              std::tuple{Command::run, Qt::Key_F5, Qt::KeyboardModifiers()}}) {
+              std::tuple{Command::analyse, Qt::Key_F5, Qt::KeyboardModifiers()}}) {
             // What a command does has tests of its own: here it is only seen that it is called.
             QAction* const action = window_->action(command);
             QObject::disconnect(action, &QAction::triggered, window_.get(), nullptr);
@@ -212,7 +212,7 @@ private slots:
         QTest::mouseClick(mark.findChild<QPushButton*>(), Qt::LeftButton);
         QVERIFY(idle(2));
         QVERIFY(shown(false));
-        document().setRunVisible(document().runs().back().run.id, false);
+        document().setAnalysisVisible(document().analyses().back().shown.id, false);
         QVERIFY2(shown(true), "what has the panel's settings is hidden");
         document().setLive(true);
         QVERIFY(idle(2));

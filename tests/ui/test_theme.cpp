@@ -36,11 +36,11 @@ private slots:
     void run_colours_are_readable_in_both_themes() {
         for (const Theme& theme : {lightTheme(), darkTheme()}) {
             for (int i = 0; i < 30; ++i) {
-                const QColor shown = readable(runStyle(i).color, theme);
+                const QColor shown = readable(curveStyle(i).color, theme);
                 QVERIFY2(contrast(shown, theme.panelBackground) >= (theme.dark ? 4.5 : 3.2),
                          qPrintable(shown.name()));
                 // The hue, which tells runs apart, is kept (rounding of 8-bit colours: 2 degrees).
-                const int turn = std::abs(shown.hslHue() - runStyle(i).color.hslHue());
+                const int turn = std::abs(shown.hslHue() - curveStyle(i).color.hslHue());
                 QVERIFY(std::min(turn, 360 - turn) <= 2);
             }
         }
@@ -49,8 +49,8 @@ private slots:
     void thirty_runs_have_thirty_styles() {
         for (int i = 0; i < 30; ++i) {
             for (int k = 0; k < i; ++k) {
-                QVERIFY(runStyle(i).color != runStyle(k).color ||
-                        runStyle(i).dash != runStyle(k).dash);
+                QVERIFY(curveStyle(i).color != curveStyle(k).color ||
+                        curveStyle(i).dash != curveStyle(k).dash);
             }
         }
     }

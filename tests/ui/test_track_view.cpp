@@ -1,5 +1,5 @@
 #include "tests/closeness.h"
-#include "tests/ui/synthetic_run.h"
+#include "tests/ui/synthetic_analysis.h"
 #include "ui/plots/track_view.h"
 
 #include <QSignalSpy>
@@ -16,10 +16,10 @@ struct Bench {
     TrackView view;
     QCustomPlot* plot = nullptr;
 
-    explicit Bench(std::vector<Run> runs = {syntheticRun(0, {.seconds = 10})}) {
+    explicit Bench(std::vector<ShownAnalysis> analyses = {syntheticAnalysis(0, {.seconds = 10})}) {
         view.resize(900, 700);
         view.show();
-        view.setRuns(std::move(runs));
+        view.setAnalyses(std::move(analyses));
         plot = view.findChild<QCustomPlot*>();
         settle();
     }
@@ -298,13 +298,13 @@ private slots:
     void another_run_of_the_same_recording_keeps_the_view() {
         Bench bench;
         bench.view.setTimeRange({2, 3});
-        std::vector<Run> runs = bench.view.runs();
-        runs.push_back(syntheticRun(1, {.seconds = 10, .window = 6}));
-        runs[1].recording = runs[0].recording;
-        bench.view.setRuns(runs);
+        std::vector<ShownAnalysis> analyses = bench.view.analyses();
+        analyses.push_back(syntheticAnalysis(1, {.seconds = 10, .window = 6}));
+        analyses[1].recording = analyses[0].recording;
+        bench.view.setAnalyses(analyses);
         VYBEG_WITHIN(bench.view.timeRange().lower, 2, 1e-9);
-        runs[0].visible = runs[1].visible = false;
-        bench.view.setRuns(runs);
+        analyses[0].visible = analyses[1].visible = false;
+        bench.view.setAnalyses(analyses);
         QCOMPARE(bench.view.fullTimeRange(), (AxisRange{0, 1}));
     }
 

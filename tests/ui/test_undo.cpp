@@ -29,10 +29,10 @@ class TestUndo : public QObject {
         QVERIFY(idle(names.size()));
     }
 
-    bool idle(qsizetype runs) {
+    bool idle(qsizetype analyses) {
         return QTest::qWaitFor(
             [&] {
-                return !document().busy() && std::ssize(document().runs()) == runs &&
+                return !document().busy() && std::ssize(document().analyses()) == analyses &&
                        std::ranges::all_of(document().recordings(), [](const auto& entry) {
                            return entry.recording && entry.f0_hz;
                        });
@@ -40,8 +40,8 @@ class TestUndo : public QObject {
             20000);
     }
 
-    std::vector<int> ids() {
-        std::vector<int> found;
+    std::vector<RecordingId> ids() {
+        std::vector<RecordingId> found;
         for (const RecordingEntry& entry : document().recordings()) {
             found.push_back(entry.id);
         }
@@ -63,7 +63,7 @@ private slots:
         settings.window = 44;
         document().setSettings(settings);
         QCOMPARE(undo().text().remove('&'), QStringLiteral("Undo: window"));
-        document().renameRun(document().runs().front().run.id, "reference");
+        document().renameAnalysis(document().analyses().front().shown.id, "reference");
         QCOMPARE(undo().text().remove('&'), QStringLiteral("Undo: rename a, n = 60"));
         undo().trigger();
         QCOMPARE(undo().text().remove('&'), QStringLiteral("Undo: window"));
@@ -74,32 +74,32 @@ private slots:
 
     void a_run_is_hidden_renamed_removed_and_comes_back_the_same() {
         open({"a.wav", "b.wav"});
-        const Run first = document().runs().front().run;
-        document().setRunVisible(first.id, false);
-        document().renameRun(first.id, "x");
-        document().removeRun(first.id);
-        QCOMPARE(document().runs().size(), std::size_t(1));
+        const ShownAnalysis first = document().analyses().front().shown;
+        document().setAnalysisVisible(first.id, false);
+        document().renameAnalysis(first.id, "x");
+        document().removeAnalysis(first.id);
+        QCOMPARE(document().analyses().size(), std::size_t(1));
         undo().trigger();
-        QCOMPARE(document().runs().size(), std::size_t(2));
-        QCOMPARE(document().runs().front().run.name, QStringLiteral("x"));
-        QCOMPARE(document().runs().front().run.analysis, first.analysis);
+        QCOMPARE(document().analyses().size(), std::size_t(2));
+        QCOMPARE(document().analyses().front().shown.name, QStringLiteral("x"));
+        QCOMPARE(document().analyses().front().shown.analysis, first.analysis);
         undo().trigger();
-        QCOMPARE(document().runs().front().run.name, first.name);
-        QVERIFY(!document().runs().front().run.visible);
+        QCOMPARE(document().analyses().front().shown.name, first.name);
+        QVERIFY(!document().analyses().front().shown.visible);
         undo().trigger();
-        QVERIFY(document().runs().front().run.visible);
+        QVERIFY(document().analyses().front().shown.visible);
         QVERIFY(!undo().isEnabled());
         for (int step = 0; step < 3; ++step) {
             redo().trigger();
         }
-        QCOMPARE(document().runs().size(), std::size_t(1));
+        QCOMPARE(document().analyses().size(), std::size_t(1));
         QVERIFY(!redo().isEnabled());
     }
 
     void sets_come_back_with_recordings_model_and_name() {
         open({"a.wav", "b.wav"});
         sets().add(ids());
-        const int set = sets().current()->id;
+        const auto set = sets().current()->id;
         sets().rename(set, "gyro 17");
         sets().setModel(set, FitOptions::Model::free);
         sets().removeFrom(set, {ids()[0]});
@@ -108,7 +108,7 @@ private slots:
         QVERIFY(sets().all().empty());
         undo().trigger();
         QCOMPARE(sets().current()->name, QStringLiteral("gyro 17"));
-        QCOMPARE(sets().current()->recordings, std::vector<int>{ids()[1]});
+        QCOMPARE(sets().current()->recordings, std::vector<RecordingId>{ids()[1]});
         undo().trigger();
         QCOMPARE(sets().current()->recordings, ids());
         QVERIFY(sets().current()->model == FitOptions::Model::free);
@@ -120,14 +120,14 @@ private slots:
         for (int step = 0; step < 4; ++step) {
             redo().trigger();
         }
-        QCOMPARE(sets().current()->recordings, std::vector<int>{ids()[1]});
+        QCOMPARE(sets().current()->recordings, std::vector<RecordingId>{ids()[1]});
     }
 
     // An identification is no step, and its result stays with the recordings that it is of.
     void undo_keeps_what_was_found_meanwhile() {
         open({"a.wav"});
         sets().add(ids());
-        const int set = sets().current()->id;
+        const auto set = sets().current()->id;
         sets().rename(set, "x");
         sets().identify();
         QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
@@ -139,30 +139,30 @@ private slots:
 
     void a_closed_recording_is_read_again_with_its_runs_and_sets() {
         open({"a.wav", "b.wav", "c.wav"});
-        const std::vector<int> before = ids();
+        const std::vector<RecordingId> before = ids();
         sets().add({before[0], before[1]});
-        const Run run = document().runs()[1].run;
-        document().renameRun(run.id, "middle");
+        const ShownAnalysis shown = document().analyses()[1].shown;
+        document().renameAnalysis(shown.id, "middle");
         document().closeRecording(before[1]);
-        QCOMPARE(sets().current()->recordings, std::vector<int>{before[0]});
+        QCOMPARE(sets().current()->recordings, std::vector<RecordingId>{before[0]});
         QVERIFY(idle(2));
         QVERIFY2(undo().text().endsWith("close b.wav"), qPrintable(undo().text()));
         undo().trigger();
         QVERIFY(idle(3));
         QCOMPARE(ids(), before);
         QCOMPARE(sets().current()->recordings.size(), std::size_t(2));
-        const Run& back = document().runs()[1].run;
+        const ShownAnalysis& back = document().analyses()[1].shown;
         QCOMPARE(back.name, QStringLiteral("middle"));
-        QCOMPARE(back.color, run.color);
+        QCOMPARE(back.color, shown.color);
         QCOMPARE(back.recording, QStringLiteral("b.wav"));
-        const auto values = [](const Run& of) {
+        const auto values = [](const ShownAnalysis& of) {
             const auto span = of.analysis->track.values(SlowVariable::a_A);
             return std::vector<double>(span.begin(), span.end());
         };
-        QCOMPARE(values(back), values(run));
+        QCOMPARE(values(back), values(shown));
         redo().trigger();
         QVERIFY(idle(2));
-        QCOMPARE(ids(), (std::vector<int>{before[0], before[2]}));
+        QCOMPARE(ids(), (std::vector<RecordingId>{before[0], before[2]}));
         // Steps of what is closed do no harm.
         undo().trigger();
         undo().trigger();

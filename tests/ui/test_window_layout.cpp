@@ -63,7 +63,7 @@ private slots:
         window_->resize(window);
         Document& document = window_->document();
         document.open({home_.recording("room.wav")});
-        QTRY_VERIFY(!document.busy() && document.runs().size() == 1);
+        QTRY_VERIFY(!document.busy() && document.analyses().size() == 1);
         auto& view = the<TrackView>();
         auto* scroll = qobject_cast<QScrollArea*>(view.parentWidget()->parentWidget());
         QVERIFY(scroll);
@@ -92,7 +92,7 @@ private slots:
         QTRY_COMPARE(overviewSpan(), plotSpan());
         Document& document = window_->document();
         document.open({home_.recording("demo.wav")});
-        QTRY_VERIFY(!document.busy() && document.runs().size() == 1);
+        QTRY_VERIFY(!document.busy() && document.analyses().size() == 1);
         QTRY_COMPARE(overviewSpan(), plotSpan());
         for (const QSize by : {QSize(101, 0), QSize(-60, 40)}) {
             const auto before = plotSpan();
@@ -106,7 +106,7 @@ private slots:
         window_ = shownWindow();
         Document& document = window_->document();
         document.open({home_.recording("demo.wav"), home_.recording("other.wav")});
-        QTRY_VERIFY(!document.busy() && document.runs().size() == 2);
+        QTRY_VERIFY(!document.busy() && document.analyses().size() == 2);
         const auto& table = childOf<QTableWidget>(childOf<CursorPanel>(*window_));
         QTRY_COMPARE(table.columnCount(), 3);
         QTRY_COMPARE(table.horizontalScrollBar()->maximum(), 0);
@@ -117,14 +117,14 @@ private slots:
         window_ = shownWindow();
         Document& document = window_->document();
         const auto idle = [&] {
-            return QTest::qWaitFor([&] { return !document.busy() && document.runs().size() == 1; },
-                                   20000);
+            return QTest::qWaitFor(
+                [&] { return !document.busy() && document.analyses().size() == 1; }, 20000);
         };
         auto& recent = childOf<QListWidget>(*window_, "recent");
         QVERIFY(!childOf<QPushButton>(*window_, "demonstration").toolTip().isEmpty());
         QTest::mouseClick(&childOf<QPushButton>(*window_, "demonstration"), Qt::LeftButton);
         QVERIFY(idle());
-        QCOMPARE(document.runs().front().run.recording, QStringLiteral("demonstration.wav"));
+        QCOMPARE(document.analyses().front().shown.recording, QStringLiteral("demonstration.wav"));
         VYBEG_CLOSE(document.currentRecording()->recording->seconds(), 28, 0.001);
         const QString path = document.currentRecording()->path;
         document.closeRecording(document.currentRecording()->id);
@@ -160,7 +160,7 @@ private slots:
         window_->document().open(
             {home_.recording("short.wav", 1.0), home_.recording("long.wav", 3.0)});
         QTRY_VERIFY_WITH_TIMEOUT(
-            !window_->document().busy() && window_->document().runs().size() == 2, 20000);
+            !window_->document().busy() && window_->document().analyses().size() == 2, 20000);
         auto& cursor = the<CursorPanel>();
         cursor.setTime(2.5);
         // Symbol, then value and deviation of each run.

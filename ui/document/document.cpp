@@ -8,7 +8,7 @@ Document::Document(QObject* parent) : QObject(parent) {
     connectStores();
     connect(&recordings_, &RecordingStore::opened, this, &Document::whenOpened);
     connect(&recordings_, &RecordingStore::openFailed, this,
-            [this](int id, const Message& message) {
+            [this](RecordingId id, const Message& message) {
                 close(id);
                 emit reported(message);
             });
@@ -29,8 +29,8 @@ void Document::connectStores() {
     connect(&recordings_, &RecordingStore::carrierChanged, this, &Document::carrierChanged);
     connect(&recordings_, &RecordingStore::reported, this, &Document::reported);
     connect(&settings_, &SettingsModel::toleranceChanged, this, &Document::settingsChanged);
-    connect(&runs_, &RunStore::changed, this, &Document::runsChanged);
-    connect(&runs_, &RunStore::added, this, &Document::runAdded);
+    connect(&analyses_, &AnalysisStore::changed, this, &Document::analysesChanged);
+    connect(&analyses_, &AnalysisStore::added, this, &Document::analysisAdded);
     connect(&queue_, &RequestQueue::busyChanged, this, &Document::busyChanged);
     connect(&queue_, &RequestQueue::progressChanged, this, &Document::progressChanged);
     connect(&queue_, &RequestQueue::batchDone, this, &Document::comparisonReady);
@@ -45,14 +45,14 @@ void Document::open(const QStringList& paths, const OpenOptions& options) {
     recordings_.open(paths, options);
 }
 
-void Document::reopen(int id, const OpenOptions& options) {
+void Document::reopen(RecordingId id, const OpenOptions& options) {
     if (!recordings_.find(id)) {
         return;
     }
     const Closed before = whatCloses(id);
     Closed after = before;
     after.options = options;
-    after.runs.reset();
+    after.analyses.reset();
     const auto become = [this](const Closed& wanted) {
         close(wanted.id);
         bringBack(wanted);
@@ -62,46 +62,47 @@ void Document::reopen(int id, const OpenOptions& options) {
     become(after);
 }
 
-int Document::restore(const QString& path, const OpenOptions& options, std::vector<RunWish> runs) {
+RecordingId Document::restore(const QString& path, const OpenOptions& options,
+                              std::vector<AnalysisWish> analyses) {
     recordings_.open({path}, options);
-    const int id = recordings_.all().back().id;
-    restored_[id] = std::move(runs);
+    const auto id = recordings_.all().back().id;
+    restored_[id] = std::move(analyses);
     return id;
 }
 
-void Document::restoreRuns(int id, const std::vector<RunWish>& runs) {
-    for (const RunWish& run : runs) {
-        runs_.expect(id, run);
-        if (run.live) {
-            live_.follow(id, run.settings);
+void Document::restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& analyses) {
+    for (const AnalysisWish& analysis : analyses) {
+        analyses_.expect(id, analysis);
+        if (analysis.live) {
+            live_.follow(id, analysis.settings);
         } else {
-            ask({.recording_id = id, .settings = run.settings, .restored = true});
+            ask({.recording_id = id, .settings = analysis.settings, .restored = true});
         }
     }
 }
 
-Document::Closed Document::whatCloses(int id) {
-    runs_.keepPlaces();
+Document::Closed Document::whatCloses(RecordingId id) {
+    analyses_.keepPlaces();
     const RecordingEntry& entry = *recordings_.find(id);
     Closed closed{id, recordings_.place(id), entry.path, entry.options, {}, sets_.holding(id)};
-    closed.runs.emplace();
-    for (std::size_t place = 0; place < runs().size(); ++place) {
-        if (runs()[place].recording_id == id) {
-            closed.runs->push_back(wishOf(runs()[place], static_cast<int>(place)));
+    closed.analyses.emplace();
+    for (std::size_t place = 0; place < analyses().size(); ++place) {
+        if (analyses()[place].recording_id == id) {
+            closed.analyses->push_back(wishOf(analyses()[place], static_cast<int>(place)));
         }
     }
     return closed;
 }
 
 void Document::bringBack(const Closed& closed) {
-    if (closed.runs) {
-        restored_[closed.id] = *closed.runs;
+    if (closed.analyses) {
+        restored_[closed.id] = *closed.analyses;
     }
     recordings_.openAs(closed.id, closed.place, closed.path, closed.options);
     sets_.putInto(closed.sets, closed.id);
 }
 
-void Document::closeRecording(int id) {
+void Document::closeRecording(RecordingId id) {
     if (const RecordingEntry* entry = recordings_.find(id)) {
         steps_.add([name = entry->name] { return tr("close %1").arg(name); },
                    [this, closed = whatCloses(id)] { bringBack(closed); },
@@ -110,21 +111,21 @@ void Document::closeRecording(int id) {
     }
 }
 
-void Document::close(int id) {
+void Document::close(RecordingId id) {
     restored_.erase(id);
     for (const int key : queue_.keysOfRecording(id)) {
         queue_.forget(key);
     }
     sets_.removeFromAll(id);
-    runs_.removeOf(id);
+    analyses_.removeOf(id);
     recordings_.close(id);
 }
 
-void Document::whenOpened(int id) {
+void Document::whenOpened(RecordingId id) {
     emit opened(recordings_.find(id)->path);
     if (const auto restored = restored_.extract(id)) {
         recordings_.searchCarrier(id);
-        restoreRuns(id, restored.mapped());
+        restoreAnalyses(id, restored.mapped());
     } else if (live()) {
         live_.follow(id);  // finds the carrier, too
     } else {
@@ -142,8 +143,8 @@ void Document::whenSettingsChanged(const Settings& before) {
     const RecordingEntry* current = recordings_.current();
     if (!same_carrier_search(before, settings()) || before.f0_hz != settings().f0_hz) {
         for (const RecordingEntry& entry : recordings_.all()) {
-            const bool found_by_live_run = live() && &entry == current;
-            if (entry.recording && !settings().f0_hz && !found_by_live_run) {
+            const bool found_by_live_analysis = live() && &entry == current;
+            if (entry.recording && !settings().f0_hz && !found_by_live_analysis) {
                 recordings_.searchCarrier(entry.id);
             }
         }
@@ -160,21 +161,21 @@ void Document::analyse() {
     }
 }
 
-void Document::rerun(int run_id) {
-    if (const RunEntry* entry = run(run_id)) {
-        runAgain(entry->recording_id, entry->requested);
+void Document::analyseAgain(AnalysisId analysis_id) {
+    if (const AnalysisEntry* entry = analysis(analysis_id)) {
+        computeAgain(entry->recording_id, entry->requested);
     }
 }
 
-void Document::rerunSnapped(int run_id) {
-    if (const RunEntry* entry = run(run_id)) {
+void Document::analyseSnapped(AnalysisId analysis_id) {
+    if (const AnalysisEntry* entry = analysis(analysis_id)) {
         Settings snapped = entry->requested;
         snapped.snap = true;
-        runAgain(entry->recording_id, snapped);
+        computeAgain(entry->recording_id, snapped);
     }
 }
 
-void Document::runAgain(int recording_id, const Settings& requested) {
+void Document::computeAgain(RecordingId recording_id, const Settings& requested) {
     setCurrentRecording(recording_id);
     setSettings(requested);
     ask({.recording_id = recording_id, .settings = requested});
@@ -185,7 +186,7 @@ void Document::compareWindows(const std::vector<std::int64_t>& lengths) {
     if (!entry || !entry->recording || lengths.empty()) {
         return;
     }
-    const int id = entry->id;
+    const auto id = entry->id;
     const int batch = ids_.next();
     queue_.beginBatch(batch);
     for (const std::int64_t length : lengths) {
@@ -200,8 +201,8 @@ void Document::compareWindows(const std::vector<std::int64_t>& lengths) {
 
 void Document::ask(const Request& request) {
     if (request.batch == 0 && !request.restored) {
-        // A new run of a recording replaces one that is still computing.
-        queue_.replace(queue_.keyOfRun(request.recording_id));
+        // A new analysis of a recording replaces one that is still computing.
+        queue_.replace(queue_.keyOfAnalysis(request.recording_id));
     }
     const int key = ids_.next();
     queue_.enter(key, request);
@@ -217,11 +218,12 @@ void Document::whenAnalysed(int key, Result<AnalysisOutcome> result) {
         const double seconds = result->analysis->timing.estimate_s;
         recordings_.learnCarrier(request.recording_id, request.settings,
                                  result->analysis->settings);
-        const int run_id = runs_.show(request.recording_id, request.settings, std::move(*result));
+        const AnalysisId analysis_id =
+            analyses_.show(request.recording_id, request.settings, std::move(*result));
         if (request.batch != 0) {
-            queue_.addToBatch(request.batch, run_id);
+            queue_.addToBatch(request.batch, analysis_id);
         }
-        emit finished(run_id, seconds);
+        emit finished(analysis_id, seconds);
     } else if (result.error().code != ErrorCode::interrupted) {
         emit reported(errorMessage(result.error()));
     }
@@ -233,18 +235,20 @@ void Document::cancel() {
     job_.cancelAnalyses();
 }
 
-void Document::removeRun(int id) {
-    if (const RunEntry* entry = run(id); entry && entry->live) {
+void Document::removeAnalysis(AnalysisId id) {
+    if (const AnalysisEntry* entry = analysis(id); entry && entry->live) {
         // Its computation would bring it back.
-        if (const Request* request = queue_.find(entry->recording_id); request && request->live) {
-            queue_.forget(entry->recording_id);
+        if (const Request* request = queue_.find(number(entry->recording_id));
+            request && request->live) {
+            queue_.forget(number(entry->recording_id));
         }
     }
-    runs_.remove(id);
+    analyses_.remove(id);
 }
 
-void Document::exportTrack(int id, const QString& path, std::function<void(const Status&)> done) {
-    runs_.exportTrack(id, path, std::move(done));
+void Document::exportTrack(AnalysisId id, const QString& path,
+                           std::function<void(const Status&)> done) {
+    analyses_.exportTrack(id, path, std::move(done));
 }
 
 }  // namespace vybeg::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/analysis_store.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/dossier_model.h"
 #include "ui/document/id_counter.h"
@@ -7,9 +8,9 @@
 #include "ui/document/message.h"
 #include "ui/document/recording_store.h"
 #include "ui/document/request_queue.h"
-#include "ui/document/run_store.h"
 #include "ui/document/set_store.h"
 #include "ui/document/settings_model.h"
+#include "ui/values/ids.h"
 
 #include <QObject>
 #include <QStringList>
@@ -22,8 +23,8 @@
 
 namespace vybeg::ui {
 
-// The session: open recordings, the settings being edited, runs and sets, each in a store of its
-// own. The document connects the stores and asks for analyses. It is the only source of change
+// The session: open recordings, the settings being edited, analyses and sets, each in a store of
+// its own. The document connects the stores and asks for analyses. It is the only source of change
 // signals in the window: widgets call its functions, listen, and hold no state of the session.
 class Document : public QObject {
     Q_OBJECT
@@ -33,15 +34,17 @@ public:
 
     // Recordings. Each is analysed with the present settings as soon as it is open.
     void open(const QStringList& paths, const OpenOptions& options = {});
-    void reopen(int id, const OpenOptions& options);
-    // Opens a recording of a session and computes its runs; returns its id.
-    int restore(const QString& path, const OpenOptions& options, std::vector<RunWish> runs);
-    void closeRecording(int id);  // and its runs; a step of undo, which reads the file again
-    void setCurrentRecording(int id) { recordings_.setCurrent(id); }
+    void reopen(RecordingId id, const OpenOptions& options);
+    // Opens a recording of a session and computes its analyses; returns its id.
+    RecordingId restore(const QString& path, const OpenOptions& options,
+                        std::vector<AnalysisWish> analyses);
+    void closeRecording(
+        RecordingId id);  // and its analyses; a step of undo, which reads the file again
+    void setCurrentRecording(RecordingId id) { recordings_.setCurrent(id); }
     const std::vector<RecordingEntry>& recordings() const { return recordings_.all(); }
-    const RecordingEntry* recording(int id) const { return recordings_.find(id); }
+    const RecordingEntry* recording(RecordingId id) const { return recordings_.find(id); }
     const RecordingEntry* currentRecording() const { return recordings_.current(); }
-    bool isCurrent(int recording_id) const {
+    bool isCurrent(RecordingId recording_id) const {
         return currentRecording() && currentRecording()->id == recording_id;
     }
     std::optional<double> carrier() const { return recordings_.carrier(); }
@@ -54,7 +57,7 @@ public:
     void startWith(const Settings& settings, const Tolerance& tolerance = {}) {
         settings_.startWith(settings, tolerance);
     }
-    // Steps of undo: settings, tolerances, runs, sets, closed recordings.
+    // Steps of undo: settings, tolerances, analyses, sets, closed recordings.
     UndoSteps& undoSteps() { return steps_; }
     const UndoSteps& undoSteps() const { return steps_; }
     QUndoStack& undoStack() { return steps_.stack(); }
@@ -62,9 +65,9 @@ public:
 
     // Analyses, in the background.
     void analyse();
-    void rerun(int run_id);
-    void rerunSnapped(int run_id);  // with the window moved to whole half-periods
-    // One run of the current recording per window length; comparisonReady() when all are done.
+    void analyseAgain(AnalysisId analysis_id);
+    void analyseSnapped(AnalysisId analysis_id);  // with the window moved to whole half-periods
+    // One analysis of the current recording per window length; comparisonReady() when all are done.
     void compareWindows(const std::vector<std::int64_t>& lengths);
     void setLive(bool live) { live_.setOn(live); }
     bool live() const { return live_.on(); }
@@ -74,14 +77,14 @@ public:
     double progress() const { return queue_.progress(); }
     std::optional<double> secondsLeft() const { return queue_.secondsLeft(); }
 
-    // Runs (run_store.h).
-    const std::vector<RunEntry>& runs() const { return runs_.all(); }
-    const RunEntry* run(int id) const { return runs_.find(id); }
-    std::vector<Run> plottedRuns() const { return runs_.plotted(live()); }
-    void setRunVisible(int id, bool visible) { runs_.setVisible(id, visible); }
-    void renameRun(int id, const QString& name) { runs_.rename(id, name); }
-    void removeRun(int id);
-    void exportTrack(int id, const QString& path, std::function<void(const Status&)> done);
+    // Analyses (analysis_store.h).
+    const std::vector<AnalysisEntry>& analyses() const { return analyses_.all(); }
+    const AnalysisEntry* analysis(AnalysisId id) const { return analyses_.find(id); }
+    std::vector<ShownAnalysis> plottedAnalyses() const { return analyses_.plotted(live()); }
+    void setAnalysisVisible(AnalysisId id, bool visible) { analyses_.setVisible(id, visible); }
+    void renameAnalysis(AnalysisId id, const QString& name) { analyses_.rename(id, name); }
+    void removeAnalysis(AnalysisId id);
+    void exportTrack(AnalysisId id, const QString& path, std::function<void(const Status&)> done);
 
     // The gyro and its limits.
     DossierModel& dossier() { return dossier_; }
@@ -93,42 +96,42 @@ public:
     void report(const Message& message) { emit reported(message); }
 
 signals:
-    void recordingsChanged();       // the list
-    void recordingChanged(int id);  // something became known about one
-    void envelopeGrown(int id);     // it covers more
+    void recordingsChanged();               // the list
+    void recordingChanged(RecordingId id);  // something became known about one
+    void envelopeGrown(RecordingId id);     // it covers more
     void currentRecordingChanged();
     void settingsChanged();  // and the tolerances
     void carrierChanged();
     void liveChanged();
-    void runsChanged();
-    void runAdded(int id);
+    void analysesChanged();
+    void analysisAdded(AnalysisId id);
     void busyChanged();
     void progressChanged();
-    void finished(int run_id, double seconds);
+    void finished(AnalysisId analysis_id, double seconds);
     void opened(const QString& path);
-    void comparisonReady(const QList<int>& run_ids);
+    void comparisonReady(const QList<AnalysisId>& analysis_ids);
     void reported(const Message& message);
     void settled(Topic topic);  // messages of this topic hold no more
 
 private:
     // A recording that was closed: read again from its file, under the id that other steps know.
     struct Closed {
-        int id = 0;
+        RecordingId id = RecordingId::none;
         std::size_t place = 0;
         QString path;
         OpenOptions options;
-        std::optional<std::vector<RunWish>> runs;  // none: those of a new recording
-        std::vector<int> sets;
+        std::optional<std::vector<AnalysisWish>> analyses;  // none: those of a new recording
+        std::vector<SetId> sets;
     };
-    Closed whatCloses(int id);
+    Closed whatCloses(RecordingId id);
     void bringBack(const Closed& closed);
     void connectStores();
-    void close(int id);
-    void whenOpened(int id);
+    void close(RecordingId id);
+    void whenOpened(RecordingId id);
     void whenSettingsChanged(const Settings& before);
-    void restoreRuns(int id, const std::vector<RunWish>& runs);
+    void restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& analyses);
     void ask(const Request& request);
-    void runAgain(int recording_id, const Settings& requested);
+    void computeAgain(RecordingId recording_id, const Settings& requested);
     void whenAnalysed(int key, Result<AnalysisOutcome> result);
 
     BackgroundJobs job_;
@@ -137,11 +140,11 @@ private:
     SettingsModel settings_{steps_};
     DossierModel dossier_{steps_};
     RecordingStore recordings_{job_, settings_, ids_};
-    RunStore runs_{job_, recordings_, ids_, steps_};
+    AnalysisStore analyses_{job_, recordings_, ids_, steps_};
     RequestQueue queue_{job_};
-    LiveFollower live_{job_, settings_, recordings_, runs_, queue_};
+    LiveFollower live_{job_, settings_, recordings_, analyses_, queue_};
     SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
-    std::map<int, std::vector<RunWish>> restored_;  // by recording, until it is open
+    std::map<RecordingId, std::vector<AnalysisWish>> restored_;  // by recording, until it is open
 };
 
 }  // namespace vybeg::ui

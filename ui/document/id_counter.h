@@ -2,10 +2,13 @@
 
 namespace vybeg::ui {
 
-// Recordings, runs, sets and requests of a document are told apart by numbers from one counter.
+// Recordings, analyses, sets and requests of a document are told apart by numbers from one counter.
 class IdCounter {
 public:
-    int next() { return ++last_; }
+    template <class Id = int>
+    Id next() {
+        return static_cast<Id>(++last_);
+    }
 
 private:
     int last_ = 0;

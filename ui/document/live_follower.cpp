@@ -6,13 +6,13 @@
 namespace vybeg::ui {
 
 LiveFollower::LiveFollower(BackgroundJobs& job, const SettingsModel& settings,
-                           RecordingStore& recordings, RunStore& runs, RequestQueue& queue,
+                           RecordingStore& recordings, AnalysisStore& analyses, RequestQueue& queue,
                            QObject* parent)
     : QObject(parent),
       job_(job),
       settings_(settings),
       recordings_(recordings),
-      runs_(runs),
+      analyses_(analyses),
       queue_(queue) {}
 
 void LiveFollower::setOn(bool on) {
@@ -26,8 +26,8 @@ void LiveFollower::setOn(bool on) {
     }
 }
 
-void LiveFollower::catchUp(int recording_id) {
-    const bool shown = std::ranges::any_of(runs_.all(), [&](const RunEntry& entry) {
+void LiveFollower::catchUp(RecordingId recording_id) {
+    const bool shown = std::ranges::any_of(analyses_.all(), [&](const AnalysisEntry& entry) {
         return entry.recording_id == recording_id && entry.requested == settings_.settings() &&
                !entry.partial();
     });
@@ -36,19 +36,21 @@ void LiveFollower::catchUp(int recording_id) {
     }
 }
 
-void LiveFollower::follow(int recording_id, const Settings& wanted) {
+void LiveFollower::follow(RecordingId recording_id, const Settings& wanted) {
     const RecordingEntry* entry = recordings_.find(recording_id);
     if (!entry || !entry->recording) {
         return;
     }
     // The key of a live request is its recording: the newer one stops the one before.
-    const Request* asked = queue_.find(recording_id);
+    const Request* asked = queue_.find(number(recording_id));
     if (asked && asked->settings == wanted) {
         return;
     }
-    queue_.enter(recording_id, {.recording_id = recording_id, .settings = wanted, .live = true});
+    queue_.enter(number(recording_id),
+                 {.recording_id = recording_id, .settings = wanted, .live = true});
     job_.analyseLive(
-        recording_id, *entry->recording, RecordingStore::withKnownCarrier(*entry, wanted), visible_,
+        number(recording_id), *entry->recording, RecordingStore::withKnownCarrier(*entry, wanted),
+        visible_,
         [this, recording_id, wanted](AnalysisOutcome outcome) {
             show(recording_id, wanted, std::move(outcome));
         },
@@ -57,14 +59,15 @@ void LiveFollower::follow(int recording_id, const Settings& wanted) {
         });
 }
 
-int LiveFollower::show(int recording_id, const Settings& requested, AnalysisOutcome outcome) {
+AnalysisId LiveFollower::show(RecordingId recording_id, const Settings& requested,
+                              AnalysisOutcome outcome) {
     recordings_.learnCarrier(recording_id, requested, outcome.analysis->settings);
     emit settled(Topic::live);
-    return runs_.showLive(recording_id, requested, std::move(outcome));
+    return analyses_.showLive(recording_id, requested, std::move(outcome));
 }
 
-void LiveFollower::whenDone(int recording_id, Result<AnalysisOutcome> result) {
-    const Settings requested = queue_.find(recording_id)->settings;
+void LiveFollower::whenDone(RecordingId recording_id, Result<AnalysisOutcome> result) {
+    const Settings requested = queue_.find(number(recording_id))->settings;
     if (result) {
         const double seconds = result->analysis->timing.estimate_s;
         emit finished(show(recording_id, requested, std::move(*result)), seconds);
@@ -76,7 +79,7 @@ void LiveFollower::whenDone(int recording_id, Result<AnalysisOutcome> result) {
             recordings_.searchCarrier(recording_id);  // the fields of the window show it
         }
     }
-    queue_.done(recording_id);
+    queue_.done(number(recording_id));
 }
 
 }  // namespace vybeg::ui

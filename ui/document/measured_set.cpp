@@ -23,7 +23,7 @@ ListedRecording rowOf(const RecordingEntry& entry) {
 
 // Ids of the recordings of all sets in their order; those that are not open yet are opened
 // together.
-std::vector<int> openEachOnce(const MeasurementList& list, RecordingStore& recordings) {
+std::vector<RecordingId> openEachOnce(const MeasurementList& list, RecordingStore& recordings) {
     std::vector<RecordingToOpen> wanted;
     for (const MeasurementSet& set : list.sets) {
         for (const ListedRecording& row : set.recordings) {
@@ -43,7 +43,7 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
     measured.settings = set.listed ? set.listed->settings : settingsOfPanel(settings);
     measured.settings.model = set.model;
     std::vector<SignalSettings> of_each;
-    for (const int id : set.recordings) {
+    for (const RecordingId id : set.recordings) {
         const ListedMember* listed = nullptr;
         if (set.listed) {
             const auto found = set.listed->members.find(id);
@@ -74,7 +74,7 @@ QStringList absentFiles(const RecordingSet& set) {
     return files;
 }
 
-ListedSet withRowFor(const ListedSet& listed, const QString& path, int id) {
+ListedSet withRowFor(const ListedSet& listed, const QString& path, RecordingId id) {
     ListedSet other = listed;
     const auto row = std::ranges::find_if(other.members, [&path](const auto& each) {
         return QString::fromStdU16String(each.second.row.path.u16string()) == path;
@@ -104,7 +104,7 @@ QStringList namedTwice(const MeasurementSet& set) {
 }
 
 std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& recordings) {
-    const std::vector<int> ids = openEachOnce(list, recordings);
+    const std::vector<RecordingId> ids = openEachOnce(list, recordings);
     std::size_t next = 0;
     std::vector<RecordingSet> sets;
     for (const MeasurementSet& measured : list.sets) {
@@ -114,7 +114,7 @@ std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& 
         ListedSet listed{measured.settings, list.other_columns, {}};
         listed.settings.of_recordings.clear();
         for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
-            const int id = ids[next++];
+            const auto id = ids[next++];
             listed.members.insert_or_assign(
                 id, ListedMember{measured.recordings[k], measured.settings.signal_of(k)});
             if (std::ranges::find(set.recordings, id) == set.recordings.end()) {

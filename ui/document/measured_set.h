@@ -2,6 +2,7 @@
 
 #include "ui/document/recording_store.h"
 #include "ui/document/settings_model.h"
+#include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
 
 #include <QStringList>
@@ -20,7 +21,7 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
 QStringList absentFiles(const RecordingSet& set);
 
 // The same list with the row of that file for the recording `id`.
-ListedSet withRowFor(const ListedSet& listed, const QString& path, int id);
+ListedSet withRowFor(const ListedSet& listed, const QString& path, RecordingId id);
 
 // Files that a set of a list names more than once.
 QStringList namedTwice(const MeasurementSet& set);

@@ -35,12 +35,12 @@ RecordingStore::RecordingStore(BackgroundJobs& job, const SettingsModel& setting
                                QObject* parent)
     : QObject(parent), job_(job), settings_(settings), ids_(ids) {}
 
-const RecordingEntry* RecordingStore::find(int id) const {
+const RecordingEntry* RecordingStore::find(RecordingId id) const {
     const auto found = std::ranges::find(recordings_, id, &RecordingEntry::id);
     return found == recordings_.end() ? nullptr : &*found;
 }
 
-RecordingEntry* RecordingStore::entry(int id) {
+RecordingEntry* RecordingStore::entry(RecordingId id) {
     return const_cast<RecordingEntry*>(std::as_const(*this).find(id));
 }
 
@@ -49,12 +49,12 @@ const RecordingEntry* RecordingStore::findPath(const QString& absolute_path) con
     return found == recordings_.end() ? nullptr : &*found;
 }
 
-std::size_t RecordingStore::place(int id) const {
+std::size_t RecordingStore::place(RecordingId id) const {
     const auto found = std::ranges::find(recordings_, id, &RecordingEntry::id);
     return static_cast<std::size_t>(found - recordings_.begin());
 }
 
-void RecordingStore::setCurrent(int id) {
+void RecordingStore::setCurrent(RecordingId id) {
     if (id != current_ && find(id)) {
         current_ = id;
         emit currentChanged();
@@ -64,15 +64,15 @@ void RecordingStore::setCurrent(int id) {
 
 void RecordingStore::open(const QStringList& paths, const OpenOptions& options) {
     for (const QString& path : paths) {
-        begin(ids_.next(), recordings_.size(), path, options);
+        begin(ids_.next<RecordingId>(), recordings_.size(), path, options);
     }
     if (!paths.isEmpty()) {
         emit listChanged();
     }
 }
 
-std::vector<int> RecordingStore::openOnce(const std::vector<RecordingToOpen>& wanted) {
-    std::vector<int> ids;
+std::vector<RecordingId> RecordingStore::openOnce(const std::vector<RecordingToOpen>& wanted) {
+    std::vector<RecordingId> ids;
     const std::size_t before = recordings_.size();
     for (const RecordingToOpen& each : wanted) {
         const auto open = std::ranges::find_if(recordings_, [&each](const RecordingEntry& entry) {
@@ -81,7 +81,7 @@ std::vector<int> RecordingStore::openOnce(const std::vector<RecordingToOpen>& wa
         if (open != recordings_.end()) {
             ids.push_back(open->id);
         } else {
-            ids.push_back(ids_.next());
+            ids.push_back(ids_.next<RecordingId>());
             begin(ids.back(), recordings_.size(), each.path, each.options);
         }
     }
@@ -91,13 +91,13 @@ std::vector<int> RecordingStore::openOnce(const std::vector<RecordingToOpen>& wa
     return ids;
 }
 
-void RecordingStore::openAs(int id, std::size_t place, const QString& path,
+void RecordingStore::openAs(RecordingId id, std::size_t place, const QString& path,
                             const OpenOptions& options) {
     begin(id, std::min(place, recordings_.size()), path, options);
     emit listChanged();
 }
 
-void RecordingStore::begin(int id, std::size_t place, const QString& path,
+void RecordingStore::begin(RecordingId id, std::size_t place, const QString& path,
                            const OpenOptions& options) {
     RecordingEntry entry;
     entry.id = id;
@@ -106,16 +106,17 @@ void RecordingStore::begin(int id, std::size_t place, const QString& path,
     entry.options = options;
     recordings_.insert(recordings_.begin() + static_cast<std::ptrdiff_t>(place), std::move(entry));
     job_.open(
-        id, path, options, [this, id](const QuickOverview& look) { whenLookedAt(id, look); },
+        number(id), path, options,
+        [this, id](const QuickOverview& look) { whenLookedAt(id, look); },
         [this, id](Result<Recording> result) { whenOpened(id, std::move(result)); });
 }
 
-void RecordingStore::close(int id) {
-    job_.forget(id);
+void RecordingStore::close(RecordingId id) {
+    job_.forget(number(id));
     std::erase_if(recordings_, [id](const RecordingEntry& entry) { return entry.id == id; });
     const bool was_current = current_ == id;
     if (was_current) {
-        current_ = recordings_.empty() ? 0 : recordings_.back().id;
+        current_ = recordings_.empty() ? RecordingId::none : recordings_.back().id;
     }
     emit listChanged();
     if (was_current) {
@@ -126,16 +127,16 @@ void RecordingStore::close(int id) {
 
 // Of many that are opened at once the first and the last ones are shown: each costs the window a
 // redraw of all that shows a recording.
-void RecordingStore::showOpened(int id) {
+void RecordingStore::showOpened(RecordingId id) {
     constexpr std::ptrdiff_t few = 4;
     const auto opening = std::ranges::count_if(
         recordings_, [](const RecordingEntry& entry) { return !entry.recording; });
-    if (current_ == 0 || opening <= few) {
+    if (current_ == RecordingId::none || opening <= few) {
         setCurrent(id);
     }
 }
 
-void RecordingStore::whenLookedAt(int id, const QuickOverview& look) {
+void RecordingStore::whenLookedAt(RecordingId id, const QuickOverview& look) {
     RecordingEntry& looked_at = *entry(id);
     looked_at.envelope = look.envelope;
     looked_at.envelope_rate_hz = look.rate_hz;
@@ -143,7 +144,7 @@ void RecordingStore::whenLookedAt(int id, const QuickOverview& look) {
     emit changed(id);
 }
 
-void RecordingStore::whenOpened(int id, Result<Recording> result) {
+void RecordingStore::whenOpened(RecordingId id, Result<Recording> result) {
     RecordingEntry& loaded = *entry(id);
     if (!result) {
         Message message = errorMessage(result.error());
@@ -173,7 +174,7 @@ void RecordingStore::reportWarnings(const RecordingEntry& entry) {
     }
 }
 
-void RecordingStore::readEnvelope(int id) {
+void RecordingStore::readEnvelope(RecordingId id) {
     using Picture = std::shared_ptr<const Envelope>;
     const auto show = [this, id](const Picture& picture) {
         RecordingEntry& shown = *entry(id);
@@ -181,20 +182,22 @@ void RecordingStore::readEnvelope(int id) {
         shown.envelope_rate_hz = shown.recording->rate_hz;
         emit envelopeGrown(id);
     };
-    job_.buildEnvelope(id, *find(id)->recording, show, [this, id, show](Result<Picture> whole) {
-        if (whole) {
-            show(*whole);
-        } else {
-            emit reported(errorMessage(whole.error()));
-        }
-        // After what is seen first; the file then is in memory as far as it fits.
-        checkSamples(id);
-        hashFile(id);
-    });
+    job_.buildEnvelope(number(id), *find(id)->recording, show,
+                       [this, id, show](Result<Picture> whole) {
+                           if (whole) {
+                               show(*whole);
+                           } else {
+                               emit reported(errorMessage(whole.error()));
+                           }
+                           // After what is seen first; the file then is in memory as far as it
+                           // fits.
+                           checkSamples(id);
+                           hashFile(id);
+                       });
 }
 
-void RecordingStore::hashFile(int id) {
-    job_.hash(id, *find(id)->recording, [this, id](Result<std::string> hash) {
+void RecordingStore::hashFile(RecordingId id) {
+    job_.hash(number(id), *find(id)->recording, [this, id](Result<std::string> hash) {
         if (hash) {
             entry(id)->sha256 = QString::fromStdString(*hash);
             emit changed(id);
@@ -202,20 +205,20 @@ void RecordingStore::hashFile(int id) {
     });
 }
 
-void RecordingStore::checkSamples(int id) {
+void RecordingStore::checkSamples(RecordingId id) {
     const RecordingEntry& checked = *find(id);
     Settings settings = settings_.settings();
     if (!settings.f0_hz) {
         settings.f0_hz = checked.f0_hz;  // most often it has been found by now
     }
-    job_.inspect(id, *checked.recording, settings, [this, id](Result<SampleFaults> faults) {
+    job_.inspect(number(id), *checked.recording, settings, [this, id](Result<SampleFaults> faults) {
         if (faults) {  // otherwise the envelope reports the unreadable file
             whenChecked(id, std::move(*faults));
         }
     });
 }
 
-void RecordingStore::whenChecked(int id, SampleFaults faults) {
+void RecordingStore::whenChecked(RecordingId id, SampleFaults faults) {
     RecordingEntry& checked = *entry(id);
     checked.faults = std::make_shared<const SampleFaults>(std::move(faults));
     emit changed(id);
@@ -241,17 +244,18 @@ std::optional<double> RecordingStore::carrier() const {
     return shown ? shown->f0_hz : std::nullopt;
 }
 
-void RecordingStore::searchCarrier(int id) {
+void RecordingStore::searchCarrier(RecordingId id) {
     RecordingEntry& searched = *entry(id);
     searched.f0_hz.reset();
     const Settings& search = settings_.settings();
-    job_.findCarrier(id, *searched.recording, search, [this, id, search](Result<double> f0) {
-        if (f0) {
-            Settings used = search;
-            used.f0_hz = *f0;
-            learnCarrier(id, search, used);
-        }
-    });
+    job_.findCarrier(number(id), *searched.recording, search,
+                     [this, id, search](Result<double> f0) {
+                         if (f0) {
+                             Settings used = search;
+                             used.f0_hz = *f0;
+                             learnCarrier(id, search, used);
+                         }
+                     });
 }
 
 Settings RecordingStore::withKnownCarrier(const RecordingEntry& entry, Settings settings) {
@@ -265,7 +269,7 @@ Settings RecordingStore::withKnownCarrier(const RecordingEntry& entry, Settings 
     return settings;
 }
 
-void RecordingStore::learnCarrier(int id, const Settings& requested, const Settings& used) {
+void RecordingStore::learnCarrier(RecordingId id, const Settings& requested, const Settings& used) {
     RecordingEntry* learnt = entry(id);
     if (!learnt || requested.f0_hz || !same_carrier_search(requested, settings_.settings())) {
         return;

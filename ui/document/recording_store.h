@@ -4,6 +4,7 @@
 #include "ui/document/id_counter.h"
 #include "ui/document/message.h"
 #include "ui/document/settings_model.h"
+#include "ui/values/ids.h"
 
 #include <QObject>
 #include <QString>
@@ -24,7 +25,7 @@ struct RecordingToOpen {
 // A recording in the window's list. `recording` is empty while the file is being opened; an
 // envelope exists earlier where opening takes long.
 struct RecordingEntry {
-    int id = 0;
+    RecordingId id = RecordingId::none;
     QString path;
     QString name;
     OpenOptions options;
@@ -48,56 +49,56 @@ public:
                    QObject* parent = nullptr);
 
     const std::vector<RecordingEntry>& all() const { return recordings_; }
-    const RecordingEntry* find(int id) const;
+    const RecordingEntry* find(RecordingId id) const;
     const RecordingEntry* findPath(const QString& absolute_path) const;
     // Its place in the list; the size of the list for one that is not open.
-    std::size_t place(int id) const;
+    std::size_t place(RecordingId id) const;
     const RecordingEntry* current() const { return find(current_); }
-    void setCurrent(int id);
+    void setCurrent(RecordingId id);
 
     void open(const QStringList& paths, const OpenOptions& options);
     // Ids in the order of `wanted`; a recording that is open in the same way is taken as it is.
-    std::vector<int> openOnce(const std::vector<RecordingToOpen>& wanted);
+    std::vector<RecordingId> openOnce(const std::vector<RecordingToOpen>& wanted);
     // Under the id and at the place of one that was closed.
-    void openAs(int id, std::size_t place, const QString& path, const OpenOptions& options);
-    void close(int id);
+    void openAs(RecordingId id, std::size_t place, const QString& path, const OpenOptions& options);
+    void close(RecordingId id);
 
     // The carrier that counts windows: the setting, else that of the current recording.
     std::optional<double> carrier() const;
-    void searchCarrier(int id);
+    void searchCarrier(RecordingId id);
     // The settings with the recording's carrier and offsets where a search with these settings has
     // found them: the search always gives the same and is the longest part of a short analysis.
     static Settings withKnownCarrier(const RecordingEntry& entry, Settings settings);
     // Takes the carrier from an analysis with the present settings.
-    void learnCarrier(int id, const Settings& requested, const Settings& used);
+    void learnCarrier(RecordingId id, const Settings& requested, const Settings& used);
 
 signals:
     void listChanged();
-    void changed(int id);        // something became known about one
-    void envelopeGrown(int id);  // it covers more
+    void changed(RecordingId id);        // something became known about one
+    void envelopeGrown(RecordingId id);  // it covers more
     void currentChanged();
     void carrierChanged();
-    void opened(int id);
-    void openFailed(int id, const Message& message);
+    void opened(RecordingId id);
+    void openFailed(RecordingId id, const Message& message);
     void reported(const Message& message);
 
 private:
-    void begin(int id, std::size_t place, const QString& path, const OpenOptions& options);
-    RecordingEntry* entry(int id);
-    void showOpened(int id);
-    void whenLookedAt(int id, const QuickOverview& look);
-    void whenOpened(int id, Result<Recording> result);
+    void begin(RecordingId id, std::size_t place, const QString& path, const OpenOptions& options);
+    RecordingEntry* entry(RecordingId id);
+    void showOpened(RecordingId id);
+    void whenLookedAt(RecordingId id, const QuickOverview& look);
+    void whenOpened(RecordingId id, Result<Recording> result);
     void reportWarnings(const RecordingEntry& entry);
-    void readEnvelope(int id);
-    void checkSamples(int id);
-    void whenChecked(int id, SampleFaults faults);
-    void hashFile(int id);
+    void readEnvelope(RecordingId id);
+    void checkSamples(RecordingId id);
+    void whenChecked(RecordingId id, SampleFaults faults);
+    void hashFile(RecordingId id);
 
     BackgroundJobs& job_;
     const SettingsModel& settings_;
     IdCounter& ids_;
     std::vector<RecordingEntry> recordings_;
-    int current_ = 0;
+    RecordingId current_ = RecordingId::none;
 };
 
 }  // namespace vybeg::ui

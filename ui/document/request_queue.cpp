@@ -47,18 +47,18 @@ const Request* RequestQueue::find(int key) const {
     return found == requests_.end() ? nullptr : &found->second;
 }
 
-int RequestQueue::keyOfRun(int recording_id) const {
+int RequestQueue::keyOfAnalysis(RecordingId recording_id) const {
     return firstKey(requests_, [&](const Request& request) {
         return request.recording_id == recording_id && request.batch == 0 && !request.live &&
                !request.restored;
     });
 }
 
-int RequestQueue::keyOfSet(int set_id) const {
+int RequestQueue::keyOfSet(SetId set_id) const {
     return firstKey(requests_, [&](const Request& request) { return request.set_id == set_id; });
 }
 
-std::vector<int> RequestQueue::keysOfRecording(int recording_id) const {
+std::vector<int> RequestQueue::keysOfRecording(RecordingId recording_id) const {
     std::vector<int> keys;
     for (const auto& [key, request] : requests_) {
         if (request.recording_id == recording_id) {
@@ -76,10 +76,10 @@ void RequestQueue::done(int key) {
                                               return request.batch == batch;
                                           }) == 0;
     if (batch_done) {
-        const QList<int> run_ids = batches_[batch];
+        const QList<AnalysisId> analysis_ids = batches_[batch];
         batches_.erase(batch);
-        if (!run_ids.isEmpty()) {
-            emit batchDone(run_ids);
+        if (!analysis_ids.isEmpty()) {
+            emit batchDone(analysis_ids);
         }
     }
     emit busyChanged();

@@ -2,6 +2,7 @@
 
 #include "core/analysis/settings.h"
 #include "ui/document/background_jobs.h"
+#include "ui/values/ids.h"
 
 #include <QElapsedTimer>
 #include <QList>
@@ -15,12 +16,12 @@ namespace vybeg::ui {
 
 // An analysis or identification that is asked for.
 struct Request {
-    int recording_id = 0;
+    RecordingId recording_id = RecordingId::none;
     Settings settings;
-    int batch = 0;  // of a comparison of windows; 0: a run of its own
+    int batch = 0;  // of a comparison of windows; 0: an analysis of its own
     bool live = false;
-    int set_id = 0;         // not 0: an identification
-    bool restored = false;  // of a session: no later one replaces it
+    SetId set_id = SetId::none;  // not 0: an identification
+    bool restored = false;       // of a session: no later one replaces it
 };
 
 // The requests that are not done yet, and their progress.
@@ -35,18 +36,18 @@ public:
     const Request* find(int key) const;
     // An analysis of that recording that a new one replaces: neither live nor of a batch or
     // session; 0: none.
-    int keyOfRun(int recording_id) const;
-    int keyOfSet(int set_id) const;  // its identification; 0: none
-    std::vector<int> keysOfRecording(int recording_id) const;
+    int keyOfAnalysis(RecordingId recording_id) const;
+    int keyOfSet(SetId set_id) const;  // its identification; 0: none
+    std::vector<int> keysOfRecording(RecordingId recording_id) const;
     void done(int key);
     // Stops a request whose successor follows at once: no signal.
     void replace(int key);
     // Stops a request.
     void forget(int key);
 
-    // A comparison: batchDone() with its runs when its last request is done.
+    // A comparison: batchDone() with its analyses when its last request is done.
     void beginBatch(int batch) { batches_[batch] = {}; }
-    void addToBatch(int batch, int run_id) { batches_[batch].push_back(run_id); }
+    void addToBatch(int batch, AnalysisId analysis_id) { batches_[batch].push_back(analysis_id); }
     void forgetBatches() { batches_.clear(); }
 
     bool busy() const { return !requests_.empty(); }
@@ -56,12 +57,12 @@ public:
 signals:
     void busyChanged();
     void progressChanged();
-    void batchDone(const QList<int>& run_ids);
+    void batchDone(const QList<AnalysisId>& analysis_ids);
 
 private:
     BackgroundJobs& job_;
     std::map<int, Request> requests_;  // by key, in the order of asking
-    std::map<int, QList<int>> batches_;
+    std::map<int, QList<AnalysisId>> batches_;
     int asked_ = 0;        // since the window was last idle
     double fraction_ = 0;  // of the analysis that computes now
     QElapsedTimer busy_since_;

@@ -12,11 +12,11 @@ namespace vybeg::ui {
 namespace {
 
 // In any order: the resonator is the same.
-bool sameRecordings(const std::vector<int>& a, const std::vector<int>& b) {
+bool sameRecordings(const std::vector<RecordingId>& a, const std::vector<RecordingId>& b) {
     return std::ranges::is_permutation(a, b);
 }
 
-bool contains(const std::vector<int>& ids, int id) {
+bool contains(const std::vector<RecordingId>& ids, RecordingId id) {
     return std::ranges::find(ids, id) != ids.end();
 }
 
@@ -36,16 +36,16 @@ SetStore::SetStore(BackgroundJobs& job, const SettingsModel& settings, Recording
     connect(&settings_, &SettingsModel::toleranceChanged, this, &SetStore::changed);
 }
 
-const RecordingSet* SetStore::find(int id) const {
+const RecordingSet* SetStore::find(SetId id) const {
     const auto found = std::ranges::find(sets_, id, &RecordingSet::id);
     return found == sets_.end() ? nullptr : &*found;
 }
 
-RecordingSet* SetStore::entry(int id) {
+RecordingSet* SetStore::entry(SetId id) {
     return const_cast<RecordingSet*>(std::as_const(*this).find(id));
 }
 
-void SetStore::setCurrent(int id) {
+void SetStore::setCurrent(SetId id) {
     if (id != current_ && find(id)) {
         current_ = id;
         emit changed();
@@ -64,7 +64,7 @@ void SetStore::step(UndoSteps::Words words, const std::function<void()>& edit) {
 void SetStore::restore(const State& state) {
     std::vector<RecordingSet> sets = state.sets;
     for (RecordingSet& set : sets) {
-        std::erase_if(set.recordings, [this](int id) { return !recordings_.find(id); });
+        std::erase_if(set.recordings, [this](RecordingId id) { return !recordings_.find(id); });
         if (const RecordingSet* now = find(set.id);
             now && sameRecordings(now->recordings, set.recordings)) {
             set.outcomes = now->outcomes;
@@ -79,15 +79,15 @@ void SetStore::restore(const State& state) {
         }
     }
     sets_ = std::move(sets);
-    current_ = find(state.current) ? state.current : sets_.empty() ? 0 : sets_.back().id;
+    current_ = find(state.current) ? state.current : sets_.empty() ? SetId::none : sets_.back().id;
     emit changed();
 }
 
-int SetStore::add(const std::vector<int>& recording_ids) {
+SetId SetStore::add(const std::vector<RecordingId>& recording_ids) {
     step([] { return tr("new set"); },
          [&] {
              RecordingSet set;
-             set.id = ids_.next();
+             set.id = ids_.next<SetId>();
              set.number = ++made_;
              set.recordings = recording_ids;
              current_ = set.id;
@@ -97,26 +97,26 @@ int SetStore::add(const std::vector<int>& recording_ids) {
     return current_;
 }
 
-void SetStore::remove(int id) {
+void SetStore::remove(SetId id) {
     queue_.forget(queue_.keyOfSet(id));
     step([] { return tr("remove the set"); },
          [&] {
              std::erase_if(sets_, [id](const RecordingSet& set) { return set.id == id; });
              if (!find(current_)) {
-                 current_ = sets_.empty() ? 0 : sets_.back().id;
+                 current_ = sets_.empty() ? SetId::none : sets_.back().id;
              }
          });
     emit changed();
 }
 
-void SetStore::rename(int id, const QString& name) {
+void SetStore::rename(SetId id, const QString& name) {
     if (RecordingSet* set = entry(id); set && set->name != name.trimmed()) {
         step([] { return tr("rename the set"); }, [&] { set->name = name.trimmed(); });
         emit changed();
     }
 }
 
-void SetStore::setModel(int id, FitOptions::Model model) {
+void SetStore::setModel(SetId id, FitOptions::Model model) {
     if (RecordingSet* set = entry(id); set && set->model != model) {
         queue_.forget(queue_.keyOfSet(id));
         step([] { return tr("model of the set"); }, [&] { set->model = model; });
@@ -124,14 +124,14 @@ void SetStore::setModel(int id, FitOptions::Model model) {
     }
 }
 
-void SetStore::setListed(int id, ListedSet listed) {
+void SetStore::setListed(SetId id, ListedSet listed) {
     if (RecordingSet* set = entry(id)) {
         set->listed = std::make_shared<const ListedSet>(std::move(listed));
         emit changed();
     }
 }
 
-void SetStore::setKept(int id, KeptResult kept) {
+void SetStore::setKept(SetId id, KeptResult kept) {
     entry(id)->kept = std::move(kept);
     emit changed();
 }
@@ -144,10 +144,10 @@ void SetStore::edited(RecordingSet& set) {
     emit changed();
 }
 
-void SetStore::insertInto(int id, const std::vector<int>& recording_ids) {
+void SetStore::insertInto(SetId id, const std::vector<RecordingId>& recording_ids) {
     RecordingSet& set = *entry(id);
     const std::size_t before = set.recordings.size();
-    for (const int recording : recording_ids) {
+    for (const auto recording : recording_ids) {
         if (recordings_.find(recording) && !contains(set.recordings, recording)) {
             set.recordings.push_back(recording);
         }
@@ -157,23 +157,23 @@ void SetStore::insertInto(int id, const std::vector<int>& recording_ids) {
     }
 }
 
-void SetStore::eraseFrom(int id, const std::vector<int>& recording_ids) {
+void SetStore::eraseFrom(SetId id, const std::vector<RecordingId>& recording_ids) {
     RecordingSet* set = entry(id);
-    const auto gone = [&](int recording) { return contains(recording_ids, recording); };
+    const auto gone = [&](RecordingId recording) { return contains(recording_ids, recording); };
     if (set && std::erase_if(set->recordings, gone) > 0) {
         edited(*set);
     }
 }
 
-void SetStore::addTo(int id, const std::vector<int>& recording_ids) {
+void SetStore::addTo(SetId id, const std::vector<RecordingId>& recording_ids) {
     const RecordingSet& set = *entry(id);
-    const auto is_new = [&](int recording) { return !contains(set.recordings, recording); };
+    const auto is_new = [&](RecordingId recording) { return !contains(set.recordings, recording); };
     if (std::ranges::any_of(recording_ids, is_new)) {
         step([] { return tr("recordings of the set"); }, [&] { insertInto(id, recording_ids); });
     }
 }
 
-void SetStore::addToCurrent(const std::vector<int>& recording_ids) {
+void SetStore::addToCurrent(const std::vector<RecordingId>& recording_ids) {
     if (current()) {
         addTo(current_, recording_ids);
     } else {
@@ -181,30 +181,32 @@ void SetStore::addToCurrent(const std::vector<int>& recording_ids) {
     }
 }
 
-void SetStore::removeFrom(int id, const std::vector<int>& recording_ids) {
+void SetStore::removeFrom(SetId id, const std::vector<RecordingId>& recording_ids) {
     const RecordingSet* set = find(id);
-    const auto is_there = [&](int recording) { return contains(set->recordings, recording); };
+    const auto is_there = [&](RecordingId recording) {
+        return contains(set->recordings, recording);
+    };
     if (set && std::ranges::any_of(recording_ids, is_there)) {
         step([] { return tr("recordings of the set"); }, [&] { eraseFrom(id, recording_ids); });
     }
 }
 
-void SetStore::removeFromAll(int recording_id) {
-    for (const int id : holding(recording_id)) {
+void SetStore::removeFromAll(RecordingId recording_id) {
+    for (const SetId id : holding(recording_id)) {
         eraseFrom(id, {recording_id});
     }
 }
 
-void SetStore::putInto(const std::vector<int>& set_ids, int recording_id) {
-    for (const int id : set_ids) {
+void SetStore::putInto(const std::vector<SetId>& set_ids, RecordingId recording_id) {
+    for (const SetId id : set_ids) {
         if (find(id)) {
             insertInto(id, {recording_id});
         }
     }
 }
 
-std::vector<int> SetStore::holding(int recording_id) const {
-    std::vector<int> ids;
+std::vector<SetId> SetStore::holding(RecordingId recording_id) const {
+    std::vector<SetId> ids;
     for (const RecordingSet& set : sets_) {
         if (contains(set.recordings, recording_id)) {
             ids.push_back(set.id);
@@ -214,7 +216,7 @@ std::vector<int> SetStore::holding(int recording_id) const {
 }
 
 void SetStore::openIntoCurrent(const QStringList& paths) {
-    std::vector<int> ids;
+    std::vector<RecordingId> ids;
     for (const QString& path : paths) {
         if (is_measurement_list(path.toStdU16String())) {
             openList(path, {});
@@ -260,15 +262,15 @@ void SetStore::open(const MeasurementList& list) {
             }));
         }
     }
-    const int first = ids_.next();
+    const auto first = ids_.next<SetId>();
     step([] { return tr("sets of the list"); },
          [&] {
-             int id = first;
+             SetId id = first;
              for (RecordingSet& set : sets) {
                  set.id = id;
                  set.number = ++made_;
                  sets_.push_back(std::move(set));
-                 id = ids_.next();
+                 id = ids_.next<SetId>();
              }
              current_ = first;
          });
@@ -284,8 +286,9 @@ bool SetStore::canIdentify() const {
     if (!set || set->recordings.empty()) {
         return recordings_.current() && recordings_.current()->recording;
     }
-    return std::ranges::all_of(
-        set->recordings, [this](int id) { return recordings_.find(id)->recording.has_value(); });
+    return std::ranges::all_of(set->recordings, [this](RecordingId id) {
+        return recordings_.find(id)->recording.has_value();
+    });
 }
 
 void SetStore::identify() {
@@ -298,7 +301,7 @@ void SetStore::identify() {
     identifySet(current_);
 }
 
-void SetStore::identifySet(int id) {
+void SetStore::identifySet(SetId id) {
     const RecordingSet& set = *find(id);
     queue_.forget(queue_.keyOfSet(set.id));
     const MeasurementSet wanted = measured(set);
@@ -308,7 +311,7 @@ void SetStore::identifySet(int id) {
     }
     std::vector<Recording> recordings;
     std::vector<IdentifiedInput> inputs;
-    for (const int recording : set.recordings) {
+    for (const auto recording : set.recordings) {
         const RecordingEntry& entry = *recordings_.find(recording);
         recordings.push_back(*entry.recording);
         inputs.push_back({entry.name.toStdString(), entry.sha256.toStdString(),
@@ -329,7 +332,7 @@ void SetStore::identifySet(int id) {
 }
 
 void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
-    const int id = queue_.find(key)->set_id;
+    const auto id = queue_.find(key)->set_id;
     if (result) {
         RecordingSet& set = *entry(id);
         // Older ones of other recordings, or of the same settings, have no use any more.

@@ -3,6 +3,7 @@
 #include "core/resonator/results/passport.h"
 #include "ui/document/recording_store.h"
 #include "ui/document/request_queue.h"
+#include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
 
 #include <QObject>
@@ -26,27 +27,27 @@ public:
              RequestQueue& queue, IdCounter& ids, UndoSteps& steps, QObject* parent = nullptr);
 
     const std::vector<RecordingSet>& all() const { return sets_; }
-    const RecordingSet* find(int id) const;
+    const RecordingSet* find(SetId id) const;
     const RecordingSet* current() const { return find(current_); }
-    void setCurrent(int id);
+    void setCurrent(SetId id);
     // Steps of undo, up to removeFrom().
-    int add(const std::vector<int>& recording_ids = {});  // becomes the current one
-    void remove(int id);
-    void rename(int id, const QString& name);
-    void setModel(int id, FitOptions::Model model);
+    SetId add(const std::vector<RecordingId>& recording_ids = {});  // becomes the current one
+    void remove(SetId id);
+    void rename(SetId id, const QString& name);
+    void setModel(SetId id, FitOptions::Model model);
     // No step: of a session, whose sets are made.
-    void setListed(int id, ListedSet listed);
-    void setKept(int id, KeptResult kept);
+    void setListed(SetId id, ListedSet listed);
+    void setKept(SetId id, KeptResult kept);
     // Recordings into a set, each once.
-    void addTo(int id, const std::vector<int>& recording_ids);
+    void addTo(SetId id, const std::vector<RecordingId>& recording_ids);
     // Into the current set; without one, into a new one.
-    void addToCurrent(const std::vector<int>& recording_ids);
-    void removeFrom(int id, const std::vector<int>& recording_ids);
+    void addToCurrent(const std::vector<RecordingId>& recording_ids);
+    void removeFrom(SetId id, const std::vector<RecordingId>& recording_ids);
     // No step: the recording is gone.
-    void removeFromAll(int recording_id);
+    void removeFromAll(RecordingId recording_id);
     // The reverse, for the undo of that.
-    void putInto(const std::vector<int>& set_ids, int recording_id);
-    std::vector<int> holding(int recording_id) const;
+    void putInto(const std::vector<SetId>& set_ids, RecordingId recording_id);
+    std::vector<SetId> holding(RecordingId recording_id) const;
     // Files from outside into the current set; those that are not open yet are opened.
     void openIntoCurrent(const QStringList& paths);
     // A measurement list: its recordings, and a set for each of its sets, in one step of undo.
@@ -60,7 +61,7 @@ public:
     // The current set, in the background; where it is empty, the current recording as a set of one.
     void identify();
     // Precondition: all its recordings are open.
-    void identifySet(int id);
+    void identifySet(SetId id);
     bool canIdentify() const;
     // The newest of a set: with its present recordings and settings where there is one.
     std::shared_ptr<const ResonatorOutcome> outcome(const RecordingSet& set) const;
@@ -82,7 +83,7 @@ public:
 signals:
     void changed();          // the sets, their recordings and outcomes
     void passportChanged();  // also its limits
-    void identified(int set_id);
+    void identified(SetId set_id);
     void listOpened(const QString& path);
     void reported(const Message& message);
 
@@ -90,14 +91,14 @@ private:
     // What a step of undo brings back.
     struct State {
         std::vector<RecordingSet> sets;
-        int current = 0;
+        SetId current = SetId::none;
     };
     // Makes an edit a step.
     void step(UndoSteps::Words words, const std::function<void()>& edit);
     void restore(const State& state);
-    void insertInto(int id, const std::vector<int>& recording_ids);
-    void eraseFrom(int id, const std::vector<int>& recording_ids);
-    RecordingSet* entry(int id);
+    void insertInto(SetId id, const std::vector<RecordingId>& recording_ids);
+    void eraseFrom(SetId id, const std::vector<RecordingId>& recording_ids);
+    RecordingSet* entry(SetId id);
     void edited(RecordingSet& set);
     void whenIdentified(int key, Result<ResonatorOutcome> result);
 
@@ -108,7 +109,7 @@ private:
     IdCounter& ids_;
     UndoSteps& steps_;
     std::vector<RecordingSet> sets_;
-    int current_ = 0;
+    SetId current_ = SetId::none;
     int made_ = 0;
     std::optional<OpenPassport> passport_;
     CompareOptions compare_;

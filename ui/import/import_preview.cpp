@@ -1,6 +1,7 @@
 #include "ui/import/import_preview.h"
 
 #include "ui/words/error_text.h"
+#include "ui/words/format_text.h"
 
 #include <QEvent>
 #include <QHeaderView>

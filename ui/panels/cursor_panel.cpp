@@ -1,7 +1,7 @@
 #include "ui/panels/cursor_panel.h"
 
+#include "ui/panels/analysis_list.h"
 #include "ui/panels/reading.h"
-#include "ui/panels/run_list.h"
 #include "ui/values/covered_time.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
@@ -24,10 +24,10 @@ namespace {
 
 constexpr int shown_count = static_cast<int>(shown_slow_variables.size());
 
-std::vector<const RunEntry*> visibleRuns(const Document& document) {
-    std::vector<const RunEntry*> visible;
-    for (const RunEntry& entry : document.runs()) {
-        if (entry.run.visible && entry.run.analysis->track.rows() > 0) {
+std::vector<const AnalysisEntry*> visibleAnalyses(const Document& document) {
+    std::vector<const AnalysisEntry*> visible;
+    for (const AnalysisEntry& entry : document.analyses()) {
+        if (entry.shown.visible && entry.shown.analysis->track.rows() > 0) {
             visible.push_back(&entry);
         }
     }
@@ -61,7 +61,7 @@ CursorPanel::CursorPanel(Document& document, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(time_);
     layout->addWidget(table_, 1);
-    connect(&document_, &Document::runsChanged, this, &CursorPanel::refresh);
+    connect(&document_, &Document::analysesChanged, this, &CursorPanel::refresh);
     retranslate();
 }
 
@@ -75,27 +75,27 @@ void CursorPanel::setUnits(const DisplayUnits& units) {
     retranslate();
 }
 
-double CursorPanel::shownTime(const Run& first) const {
+double CursorPanel::shownTime(const ShownAnalysis& first) const {
     return time_s_.value_or(first.analysis->track.time_s().front());
 }
 
 void CursorPanel::refresh() {
-    const auto runs = visibleRuns(document_);
-    table_->setVisible(!runs.empty());
-    if (runs.empty()) {
-        time_->setText(tr("The values of every shown run at the mouse appear here."));
+    const auto analyses = visibleAnalyses(document_);
+    table_->setVisible(!analyses.empty());
+    if (analyses.empty()) {
+        time_->setText(tr("The values of every shown analysis at the mouse appear here."));
         return;
     }
-    const double time_s = shownTime(runs.front()->run);
+    const double time_s = shownTime(analyses.front()->shown);
     time_->setText(tr("t = %1 s").arg(QLocale().toString(time_s, 'f', 5)));
-    table_->setColumnCount(static_cast<int>(runs.size()) + 1);
+    table_->setColumnCount(static_cast<int>(analyses.size()) + 1);
     bool any_flag = false;
     for (int column = 1; column < table_->columnCount(); ++column) {
-        const RunEntry& entry = *runs[static_cast<std::size_t>(column - 1)];
-        const Analysis& analysis = *entry.run.analysis;
+        const AnalysisEntry& entry = *analyses[static_cast<std::size_t>(column - 1)];
+        const Analysis& analysis = *entry.shown.analysis;
         const std::size_t row = nearestRow(analysis.track, time_s);
-        auto* header = new QTableWidgetItem(runIcon(entry.run), entry.run.name);
-        header->setToolTip(entry.run.recording);
+        auto* header = new QTableWidgetItem(curveIcon(entry.shown), entry.shown.name);
+        header->setToolTip(entry.shown.recording);
         table_->setHorizontalHeaderItem(column, header);
         const auto set = [this, column](int line, const QString& text) {
             auto* item = new QTableWidgetItem(text);
@@ -108,7 +108,7 @@ void CursorPanel::refresh() {
             const Reading reading =
                 covered ? readingAt(analysis, variable, row, units_) : Reading();
             QString text = valueText(reading.value, reading.sd);
-            if (runs.size() > 1) {
+            if (analyses.size() > 1) {
                 text.replace(QStringLiteral(" ± "), QStringLiteral("\n± "));  // narrower columns
             }
             set(line, text);
@@ -124,23 +124,23 @@ void CursorPanel::refresh() {
 }
 
 QString CursorPanel::tableText() const {
-    const auto runs = visibleRuns(document_);
-    if (runs.empty()) {
+    const auto analyses = visibleAnalyses(document_);
+    if (analyses.empty()) {
         return {};
     }
-    const double time_s = shownTime(runs.front()->run);
+    const double time_s = shownTime(analyses.front()->shown);
     QStringList lines;
     QStringList head{tr("t = %1 s").arg(spreadsheetNumber(time_s))};
-    for (const RunEntry* entry : runs) {
-        head << entry->run.name << tr("sd");
+    for (const AnalysisEntry* entry : analyses) {
+        head << entry->shown.name << tr("sd");
     }
     lines << head.join(QLatin1Char('\t'));
     for (const SlowVariable variable : shown_slow_variables) {
         const QString unit = displayUnit(variable, units_);
         const QString symbol = displaySymbol(variable, units_);
         QStringList cells{unit.isEmpty() ? symbol : QStringLiteral("%1, %2").arg(symbol, unit)};
-        for (const RunEntry* entry : runs) {
-            const Analysis& analysis = *entry->run.analysis;
+        for (const AnalysisEntry* entry : analyses) {
+            const Analysis& analysis = *entry->shown.analysis;
             const Reading reading =
                 covers(analysis, time_s)
                     ? readingAt(analysis, variable, nearestRow(analysis.track, time_s), units_)

@@ -12,7 +12,7 @@ class QTableWidget;
 
 namespace vybeg::ui {
 
-// The values of every visible run at the tracker, with their standard deviations.
+// The values of every visible analysis at the tracker, with their standard deviations.
 class CursorPanel : public QWidget {
     Q_OBJECT
 
@@ -21,8 +21,8 @@ public:
 
     void setTime(std::optional<double> time_s);
     void setUnits(const DisplayUnits& units);
-    // The table as tab-separated text: value and standard deviation of a run in separate columns,
-    // in displayed units, with the decimal sign of the interface's language.
+    // The table as tab-separated text: value and standard deviation of an analysis in separate
+    // columns, in displayed units, with the decimal sign of the interface's language.
     QString tableText() const;
 
     QSize sizeHint() const override { return {260, 300}; }
@@ -33,7 +33,7 @@ protected:
 private:
     void refresh();
     // Time of the tracker, or of the first window before the mouse enters the plots.
-    double shownTime(const Run& first) const;
+    double shownTime(const ShownAnalysis& first) const;
     void retranslate();
 
     Document& document_;

@@ -44,39 +44,39 @@ EventsPanel::EventsPanel(Document& document, QWidget* parent)
     retranslate();
 }
 
-void EventsPanel::setRun(int run_id) {
-    run_id_ = run_id;
+void EventsPanel::setAnalysis(AnalysisId analysis_id) {
+    analysis_id_ = analysis_id;
     refresh();
 }
 
 void EventsPanel::refresh() {
-    const RunEntry* entry = document_.run(run_id_);
-    if (listed_ != (entry ? entry->run.analysis : nullptr)) {
+    const AnalysisEntry* entry = document_.analysis(analysis_id_);
+    if (listed_ != (entry ? entry->shown.analysis : nullptr)) {
         fillList(entry);
     }
     list_->setVisible(entry && !entry->events.empty());
     if (!entry) {
         title_->setText(
-            tr("Axis crossings, gaps and windows without convergence of the chosen "
-               "run appear here."));
+            tr("Axis crossings, gaps and windows without convergence of the chosen analysis appear "
+               "here."));
     } else if (entry->partial()) {
         title_->setText(
-            tr("%1: events are looked for when all windows are there.").arg(entry->run.name));
+            tr("%1: events are looked for when all windows are there.").arg(entry->shown.name));
     } else if (entry->events.empty()) {
-        title_->setText(tr("%1: no axis crossings, no gaps.").arg(entry->run.name));
+        title_->setText(tr("%1: no axis crossings, no gaps.").arg(entry->shown.name));
     } else {
         title_->setText(tr("%1: %n event(s)", nullptr, static_cast<int>(entry->events.size()))
-                            .arg(entry->run.name));
+                            .arg(entry->shown.name));
     }
 }
 
-void EventsPanel::fillList(const RunEntry* entry) {
+void EventsPanel::fillList(const AnalysisEntry* entry) {
     list_->clear();
     listed_.reset();
     if (!entry) {
         return;
     }
-    listed_ = entry->run.analysis;
+    listed_ = entry->shown.analysis;
     const QLocale locale;
     QList<QTreeWidgetItem*> items;
     for (std::size_t i = 0; i < std::min(entry->events.size(), most_rows); ++i) {
@@ -101,7 +101,7 @@ void EventsPanel::changeEvent(QEvent* event) {
 void EventsPanel::retranslate() {
     list_->setAccessibleName(tr("Events"));
     list_->setHeaderLabels({tr("t, s"), tr("What")});
-    fillList(document_.run(run_id_));
+    fillList(document_.analysis(analysis_id_));
     refresh();
 }
 

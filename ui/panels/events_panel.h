@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/values/ids.h"
 
 #include <QWidget>
 
@@ -9,15 +10,15 @@ class QTreeWidget;
 
 namespace vybeg::ui {
 
-// The events of one run in the order of time. A click emits eventChosen().
+// The events of one analysis in the order of time. A click emits eventChosen().
 class EventsPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit EventsPanel(Document& document, QWidget* parent = nullptr);
 
-    void setRun(int run_id);
-    int run() const { return run_id_; }
+    void setAnalysis(AnalysisId analysis_id);
+    AnalysisId analysis() const { return analysis_id_; }
 
 signals:
     void eventChosen(double time_s, double seconds);
@@ -27,13 +28,13 @@ protected:
 
 private:
     void refresh();
-    void fillList(const RunEntry* entry);
+    void fillList(const AnalysisEntry* entry);
     void retranslate();
 
     Document& document_;
     QLabel* title_;
     QTreeWidget* list_;
-    int run_id_ = 0;
+    AnalysisId analysis_id_ = AnalysisId::none;
     std::shared_ptr<const Analysis> listed_;  // analysis of the listed events
 };
 

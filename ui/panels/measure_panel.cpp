@@ -97,13 +97,13 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     layout->addWidget(scroll, 1);
-    connect(&document_, &Document::runsChanged, this, &MeasurePanel::refresh);
+    connect(&document_, &Document::analysesChanged, this, &MeasurePanel::refresh);
     retranslate();
 }
 
-void MeasurePanel::setRun(int id) {
-    if (id != run_) {
-        run_ = id;
+void MeasurePanel::setAnalysis(AnalysisId id) {
+    if (id != analysis_id_) {
+        analysis_id_ = id;
         refresh();
     }
 }
@@ -120,9 +120,9 @@ void MeasurePanel::setUnits(const DisplayUnits& units) {
 }
 
 const Analysis* MeasurePanel::analysis() const {
-    const RunEntry* entry = document_.run(run_);
-    const bool usable = entry && entry->run.visible && entry->run.analysis->track.rows() > 0;
-    return usable ? entry->run.analysis.get() : nullptr;
+    const AnalysisEntry* entry = document_.analysis(analysis_id_);
+    const bool usable = entry && entry->shown.visible && entry->shown.analysis->track.rows() > 0;
+    return usable ? entry->shown.analysis.get() : nullptr;
 }
 
 TrendKind MeasurePanel::trendKind() const {
@@ -135,7 +135,7 @@ void MeasurePanel::setTrendKind(TrendKind kind) {
 }
 
 bool MeasurePanel::isInside(const std::optional<double>& time_s) const {
-    return time_s && covers(*document_.run(run_)->run.analysis, *time_s);
+    return time_s && covers(*document_.analysis(analysis_id_)->shown.analysis, *time_s);
 }
 
 void MeasurePanel::retranslate() {
@@ -196,7 +196,7 @@ void MeasurePanel::showTimes() {
     const bool apart = a_s_ && b_s_ && *a_s_ != *b_s_;
     const bool outside = (a_s_ && !isInside(a_s_)) || (b_s_ && !isInside(b_s_));
     difference_->setText(
-        outside ? tr("A cursor stands where the run has no windows.")
+        outside ? tr("A cursor stands where the analysis has no windows.")
         : apart
             ? tr("B − A = %1 s, 1/|B − A| = %2 Hz")
                   .arg(QLocale().toString(*b_s_ - *a_s_, 'g', 8).replace('-', QChar(0x2212)),
@@ -279,8 +279,8 @@ QString MeasurePanel::tableText() const {
     const std::size_t row_b = nearestRow(shown->track, *b_s_);
     const QString sd = tr("sd");
     QStringList text{QStringList{
-        document_.run(run_)->run.name, tr("A = %1 s").arg(spreadsheetNumber(*a_s_)), sd,
-        tr("B = %1 s").arg(spreadsheetNumber(*b_s_)), sd, tr("B − A"), sd, trendHeader(), sd}
+        document_.analysis(analysis_id_)->shown.name, tr("A = %1 s").arg(spreadsheetNumber(*a_s_)),
+        sd, tr("B = %1 s").arg(spreadsheetNumber(*b_s_)), sd, tr("B − A"), sd, trendHeader(), sd}
                          .join(QLatin1Char('\t'))};
     for (const SlowVariable variable : main_slow_variables) {
         QStringList cells{nameOf(variable, units_)};

@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/panels/fitted_trend.h"
+#include "ui/values/ids.h"
 #include "ui/values/trend_curve.h"
 #include "ui/words/display_units.h"
 
@@ -19,15 +20,15 @@ namespace vybeg::ui {
 
 class NumberField;
 
-// Readings of one run at the cursors A and B: values, their difference, the trend between them,
-// decay time and drift. The times can be typed. Hidden without a run.
+// Readings of one analysis at the cursors A and B: values, their difference, the trend between
+// them, decay time and drift. The times can be typed. Hidden without an analysis.
 class MeasurePanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit MeasurePanel(Document& document, QWidget* parent = nullptr);
 
-    void setRun(int id);
+    void setAnalysis(AnalysisId id);
     void setCursors(std::optional<double> a_s, std::optional<double> b_s);
     void setUnits(const DisplayUnits& units);
     TrendKind trendKind() const;
@@ -46,7 +47,7 @@ protected:
 
 private:
     const Analysis* analysis() const;
-    // Whether a cursor stands where the run has windows.
+    // Whether a cursor stands where the analysis has windows.
     bool isInside(const std::optional<double>& time_s) const;
     void retranslate();
     void refresh();
@@ -67,7 +68,7 @@ private:
     QComboBox* kind_;
     QTableWidget* table_;
     QLabel* sentences_;
-    int run_ = 0;
+    AnalysisId analysis_id_ = AnalysisId::none;
     std::optional<double> a_s_;
     std::optional<double> b_s_;
     DisplayUnits units_;

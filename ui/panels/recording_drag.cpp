@@ -18,10 +18,10 @@ QString recordingType() {
         .arg(QCoreApplication::applicationPid());
 }
 
-std::vector<int> idsOf(const QList<QListWidgetItem*>& items) {
-    std::vector<int> ids;
+std::vector<RecordingId> idsOf(const QList<QListWidgetItem*>& items) {
+    std::vector<RecordingId> ids;
     for (const QListWidgetItem* item : items) {
-        ids.push_back(item->data(Qt::UserRole).toInt());
+        ids.push_back(static_cast<RecordingId>(item->data(Qt::UserRole).toInt()));
     }
     return ids;
 }
@@ -35,18 +35,18 @@ RecordingDragList::RecordingDragList(QWidget* parent) : QListWidget(parent) {
 
 void RecordingDragList::setRecordings(const std::vector<RecordingEntry>& recordings) {
     for (int row = count() - 1; row >= 0; --row) {
-        const int id = item(row)->data(Qt::UserRole).toInt();
+        const auto id = static_cast<RecordingId>(item(row)->data(Qt::UserRole).toInt());
         if (std::ranges::find(recordings, id, &RecordingEntry::id) == recordings.end()) {
             delete takeItem(row);
         }
     }
     // New recordings are always at the end.
     for (std::size_t k = static_cast<std::size_t>(count()); k < recordings.size(); ++k) {
-        (new QListWidgetItem(this))->setData(Qt::UserRole, recordings[k].id);
+        (new QListWidgetItem(this))->setData(Qt::UserRole, number(recordings[k].id));
     }
 }
 
-std::vector<int> RecordingDragList::selectedRecordings() const {
+std::vector<RecordingId> RecordingDragList::selectedRecordings() const {
     return idsOf(selectedItems());
 }
 
@@ -58,18 +58,18 @@ QMimeData* RecordingDragList::mimeData(const QList<QListWidgetItem*>& items) con
     return recordingMimeData(idsOf(items));
 }
 
-QMimeData* recordingMimeData(const std::vector<int>& recording_ids) {
+QMimeData* recordingMimeData(const std::vector<RecordingId>& recording_ids) {
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
-    stream << QList<int>(recording_ids.begin(), recording_ids.end());
+    stream << QList<RecordingId>(recording_ids.begin(), recording_ids.end());
     auto* data = new QMimeData;
     data->setData(recordingType(), bytes);
     return data;
 }
 
-std::vector<int> draggedRecordings(const QMimeData& data) {
+std::vector<RecordingId> draggedRecordings(const QMimeData& data) {
     QDataStream stream(data.data(recordingType()));
-    QList<int> ids;
+    QList<RecordingId> ids;
     stream >> ids;
     return {ids.begin(), ids.end()};
 }

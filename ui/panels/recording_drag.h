@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/values/ids.h"
 
 #include <QListWidget>
 
@@ -10,7 +11,7 @@ class QMimeData;
 
 namespace vybeg::ui {
 
-// The open recordings as a list whose items can be dragged into a set of runs. An item's
+// The open recordings as a list whose items can be dragged into a set of recordings. An item's
 // Qt::UserRole is the recording's id.
 class RecordingDragList : public QListWidget {
     Q_OBJECT
@@ -20,7 +21,7 @@ public:
 
     // One item per recording; existing items remain.
     void setRecordings(const std::vector<RecordingEntry>& recordings);
-    std::vector<int> selectedRecordings() const;
+    std::vector<RecordingId> selectedRecordings() const;
 
 protected:
     QStringList mimeTypes() const override;
@@ -28,8 +29,8 @@ protected:
 };
 
 // Data of a drag: recordings of this window, or files.
-QMimeData* recordingMimeData(const std::vector<int>& recording_ids);
-std::vector<int> draggedRecordings(const QMimeData& data);
+QMimeData* recordingMimeData(const std::vector<RecordingId>& recording_ids);
+std::vector<RecordingId> draggedRecordings(const QMimeData& data);
 QStringList localFiles(const QMimeData& data);
 
 }  // namespace vybeg::ui

@@ -2,7 +2,7 @@
 
 #include "ui/panels/recording_drag.h"
 #include "ui/widgets/check_list.h"
-#include "ui/words/error_text.h"
+#include "ui/words/format_text.h"
 
 #include <QAction>
 #include <QDir>
@@ -116,12 +116,13 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
 
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
         if (row >= 0) {
-            document_.setCurrentRecording(list_->item(row)->data(Qt::UserRole).toInt());
+            document_.setCurrentRecording(
+                static_cast<RecordingId>(list_->item(row)->data(Qt::UserRole).toInt()));
         }
     });
     connect(close_, &QAction::triggered, this, [this] {
         if (const QListWidgetItem* item = list_->currentItem()) {
-            document_.closeRecording(item->data(Qt::UserRole).toInt());
+            document_.closeRecording(static_cast<RecordingId>(item->data(Qt::UserRole).toInt()));
         }
     });
     connect(add_to_set_, &QAction::triggered, this,
@@ -170,7 +171,7 @@ void RecordingPanel::showRow(QListWidgetItem& item, const RecordingEntry& entry)
     item.setIcon(doubtful ? style()->standardIcon(QStyle::SP_MessageBoxWarning) : QIcon());
 }
 
-void RecordingPanel::refreshRow(int id) {
+void RecordingPanel::refreshRow(RecordingId id) {
     const auto& recordings = document_.recordings();
     const auto entry = std::ranges::find(recordings, id, &RecordingEntry::id);
     QListWidgetItem* item = list_->item(static_cast<int>(entry - recordings.begin()));

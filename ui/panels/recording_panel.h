@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/values/ids.h"
 
 #include <QWidget>
 
@@ -39,7 +40,7 @@ private:
 
     void rebuildList();
     void showRow(QListWidgetItem& item, const RecordingEntry& entry);
-    void refreshRow(int id);
+    void refreshRow(RecordingId id);
     void refreshInfo();
     void retranslate();
 

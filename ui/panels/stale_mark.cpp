@@ -16,8 +16,8 @@ namespace {
 QStringList staleness(const Document& document) {
     const RecordingEntry* current = document.currentRecording();
     QStringList newest;
-    for (const RunEntry& entry : document.runs()) {
-        if (current && entry.recording_id == current->id && entry.run.visible) {
+    for (const AnalysisEntry& entry : document.analyses()) {
+        if (current && entry.recording_id == current->id && entry.shown.visible) {
             newest = changedGroups(entry.requested, document.settings());
             if (newest.isEmpty()) {
                 return {};
@@ -30,18 +30,21 @@ QStringList staleness(const Document& document) {
 }  // namespace
 
 StaleMark::StaleMark(const Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), text_(new QLabel(this)), run_(new QPushButton(this)) {
+    : QWidget(parent),
+      document_(document),
+      text_(new QLabel(this)),
+      analyse_(new QPushButton(this)) {
     text_->setWordWrap(true);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 0);
     layout->addWidget(text_, 1);
-    layout->addWidget(run_);
-    connect(run_, &QPushButton::clicked, this, &StaleMark::runWanted);
+    layout->addWidget(analyse_);
+    connect(analyse_, &QPushButton::clicked, this, &StaleMark::analyseWanted);
     // Queued, because a live analysis begins right after the change, and the mark would appear for
     // an instant.
     for (const auto changed :
-         {&Document::settingsChanged, &Document::runsChanged, &Document::currentRecordingChanged,
-          &Document::busyChanged, &Document::liveChanged}) {
+         {&Document::settingsChanged, &Document::analysesChanged,
+          &Document::currentRecordingChanged, &Document::busyChanged, &Document::liveChanged}) {
         connect(&document_, changed, this, &StaleMark::refresh, Qt::QueuedConnection);
     }
     refresh();
@@ -64,8 +67,8 @@ void StaleMark::refresh() {
     setVisible(!differences.isEmpty());
     text_->setText(tr("The plots are older than the Analysis panel. Changed since: %1.")
                        .arg(differences.join(QStringLiteral(", "))));
-    run_->setText(tr("Run"));
-    run_->setToolTip(tr("Analyse the current recording with the settings of the panel (F5)"));
+    analyse_->setText(tr("Analyse"));
+    analyse_->setToolTip(tr("Analyse the current recording with the settings of the panel (F5)"));
 }
 
 }  // namespace vybeg::ui

@@ -21,7 +21,7 @@ public:
     QString text() const;
 
 signals:
-    void runWanted();
+    void analyseWanted();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -31,7 +31,7 @@ private:
 
     const Document& document_;
     QLabel* text_;
-    QPushButton* run_;
+    QPushButton* analyse_;
 };
 
 }  // namespace vybeg::ui

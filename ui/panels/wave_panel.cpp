@@ -22,10 +22,10 @@ constexpr int steps = 180;
 constexpr std::size_t most_waves = 6;  // more would hide each other
 constexpr double degree = std::numbers::pi / 180;
 
-RoundSeries curveOf(const Run& run, ClosedCurve curve, double x_factor) {
+RoundSeries curveOf(const ShownAnalysis& shown, ClosedCurve curve, double x_factor) {
     RoundSeries series;
-    series.name = run.name;
-    series.color = run.color;
+    series.name = shown.name;
+    series.color = shown.color;
     series.x = std::move(curve.x);
     series.y = std::move(curve.y);
     for (double& x : series.x) {
@@ -64,7 +64,7 @@ WavePanel::WavePanel(Document& document, QWidget* parent)
     layout->addWidget(ellipse_, 1);
     connect(pattern_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
     connect(ellipse_, &RoundView::exportWanted, this, &WavePanel::exportWanted);
-    connect(&document_, &Document::runsChanged, this, &WavePanel::refresh);
+    connect(&document_, &Document::analysesChanged, this, &WavePanel::refresh);
     retranslate();
 }
 
@@ -91,9 +91,9 @@ void WavePanel::refresh() {
     pattern.empty = ellipse.empty = tr("No wave here");
     double largest = 0;
     std::optional<double> shown_s = time_s_;
-    for (const RunEntry& entry : document_.runs()) {
-        const Track& track = entry.run.analysis->track;
-        if (!entry.run.visible || track.rows() == 0 || pattern.series.size() == most_waves) {
+    for (const AnalysisEntry& entry : document_.analyses()) {
+        const Track& track = entry.shown.analysis->track;
+        if (!entry.shown.visible || track.rows() == 0 || pattern.series.size() == most_waves) {
             continue;
         }
         shown_s = shown_s.value_or(track.time_s().front());
@@ -105,8 +105,8 @@ void WavePanel::refresh() {
             continue;
         }
         largest = std::max({largest, wave.a_A, std::abs(wave.a_B)});
-        pattern.series.push_back(curveOf(entry.run, polar_pattern(wave, steps), 1 / degree));
-        ellipse.series.push_back(curveOf(entry.run, channel_ellipse(wave, steps), 1));
+        pattern.series.push_back(curveOf(entry.shown, polar_pattern(wave, steps), 1 / degree));
+        ellipse.series.push_back(curveOf(entry.shown, channel_ellipse(wave, steps), 1));
     }
     if (pattern.series.size() == 1) {  // a single wave needs no legend
         pattern.series.front().name.clear();

@@ -14,8 +14,8 @@ namespace vybeg::ui {
 
 class RoundView;
 
-// The waves of every visible run at the tracker as figures: amplitude against the angle on the rim,
-// and D against C over one period.
+// The waves of every visible analysis at the tracker as figures: amplitude against the angle on the
+// rim, and D against C over one period.
 class WavePanel : public QWidget {
     Q_OBJECT
 

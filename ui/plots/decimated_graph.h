@@ -9,7 +9,7 @@
 
 namespace vybeg::ui {
 
-// The curve of one run in one plot: min/max per pixel column, drawn as independent segments
+// The curve of one analysis in one plot: min/max per pixel column, drawn as independent segments
 // (QCustomPlot's own graphs take seconds for dense data unless the pen is one pixel wide). The dash
 // pattern runs along the time axis, so that noise does not blur it. Missing windows leave a gap and
 // a mark at the foot of the plot, however narrow the gap is; values outside the axis leave a mark
@@ -51,7 +51,7 @@ private:
     void drawBand(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
     void drawLine(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
     void drawMarks(QCPPainter& painter, const std::vector<CurveColumn>& columns) const;
-    // Adds a segment, cut into the run's dashes.
+    // Adds a segment, cut into the analysis's dashes.
     void addDashed(QVector<QLineF>& lines, const QLineF& segment, double origin) const;
 
     std::shared_ptr<const CurveData> data_;

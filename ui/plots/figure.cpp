@@ -14,11 +14,11 @@ using Stacks = std::vector<std::unique_ptr<PlotStack>>;
 
 // One time axis for all columns.
 AxisRange commonTime(const Columns& columns) {
-    std::vector<Run> runs;
+    std::vector<ShownAnalysis> analyses;
     for (const FigureColumn& column : columns) {
-        runs.push_back(column.run);
+        analyses.push_back(column.shown);
     }
-    return coveredTime(runs).value_or(AxisRange{0, 1});
+    return coveredTime(analyses).value_or(AxisRange{0, 1});
 }
 
 // The value axes that show every column of a row.
@@ -62,11 +62,11 @@ void drawFigure(const Columns& columns, const FigureOptions& options, QCPPainter
         stacks.push_back(
             std::make_unique<PlotStack>(plot, static_cast<int>(i), PlotStack::Head::title));
         PlotContent content;
-        content.runs = {columns[i].run};
-        // A column has one run, so no legend is needed.
-        content.runs.front().visible = true;
-        content.runs.front().color = runStyle(0).color;
-        content.runs.front().dash = Qt::SolidLine;
+        content.analyses = {columns[i].shown};
+        // A column has one analysis, so no legend is needed.
+        content.analyses.front().visible = true;
+        content.analyses.front().color = curveStyle(0).color;
+        content.analyses.front().dash = Qt::SolidLine;
         content.variables = options.variables;
         content.units = options.units;
         content.zoom = zoom;

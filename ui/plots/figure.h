@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/plots/plot_file.h"
-#include "ui/values/run.h"
+#include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
 #include <QSize>
@@ -14,7 +14,7 @@ namespace vybeg::ui {
 // One column of the article's figure: one window length.
 struct FigureColumn {
     QString title;  // e.g. "n = 6"
-    Run run;
+    ShownAnalysis shown;
 };
 
 struct FigureOptions {

@@ -5,17 +5,17 @@
 
 namespace vybeg::ui {
 
-std::optional<AxisRange> coveredTime(const std::vector<Run>& runs) {
+std::optional<AxisRange> coveredTime(const std::vector<ShownAnalysis>& analyses) {
     std::optional<AxisRange> covered;
-    for (const Run& run : runs) {
-        if (!run.visible || !run.analysis || run.analysis->track.rows() == 0) {
+    for (const ShownAnalysis& shown : analyses) {
+        if (!shown.visible || !shown.analysis || shown.analysis->track.rows() == 0) {
             continue;
         }
-        const auto times = run.analysis->track.time_s();
+        const auto times = shown.analysis->track.time_s();
         // From the first window's first sample to the last one's last.
         const double half =
-            run.rate_hz > 0
-                ? 0.5 * static_cast<double>(run.analysis->settings.window - 1) / run.rate_hz
+            shown.rate_hz > 0
+                ? 0.5 * static_cast<double>(shown.analysis->settings.window - 1) / shown.rate_hz
                 : 0;
         const AxisRange own{times.front() - half, times.back() + half};
         covered = covered ? AxisRange{std::min(covered->lower, own.lower),
@@ -28,8 +28,9 @@ std::optional<AxisRange> coveredTime(const std::vector<Run>& runs) {
     return covered;
 }
 
-ZoomState clipped(ZoomState state, const std::vector<Run>& runs, const RecordedTime& recorded) {
-    const AxisRange full = coveredTime(runs).value_or(recorded.range);
+ZoomState clipped(ZoomState state, const std::vector<ShownAnalysis>& analyses,
+                  const RecordedTime& recorded) {
+    const AxisRange full = coveredTime(analyses).value_or(recorded.range);
     AxisRange& time = state.time;
     // Least span of four samples, the resolution of a track.
     double least = 1e-6 * full.span();
@@ -39,8 +40,8 @@ ZoomState clipped(ZoomState state, const std::vector<Run>& runs, const RecordedT
         }
     };
     resolve(recorded.rate_hz);
-    for (const Run& run : runs) {
-        resolve(run.rate_hz);
+    for (const ShownAnalysis& shown : analyses) {
+        resolve(shown.rate_hz);
     }
     const double span = std::clamp(time.span(), std::min(least, full.span()), full.span());
     const double centre = 0.5 * (time.lower + time.upper);
@@ -61,11 +62,12 @@ ZoomState clipped(ZoomState state, const std::vector<Run>& runs, const RecordedT
     return state;
 }
 
-double referenceFrequency(const std::vector<Run>& runs) {
-    const auto first = std::find_if(runs.begin(), runs.end(), [](const Run& run) {
-        return run.visible && run.analysis && run.analysis->settings.f0_hz;
-    });
-    return first == runs.end() ? 0 : first->analysis->f0_hz();
+double referenceFrequency(const std::vector<ShownAnalysis>& analyses) {
+    const auto first =
+        std::find_if(analyses.begin(), analyses.end(), [](const ShownAnalysis& shown) {
+            return shown.visible && shown.analysis && shown.analysis->settings.f0_hz;
+        });
+    return first == analyses.end() ? 0 : first->analysis->f0_hz();
 }
 
 }  // namespace vybeg::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/values/run.h"
+#include "ui/values/shown_analysis.h"
 #include "ui/values/trend_curve.h"
 #include "ui/values/zoom_stack.h"
 #include "ui/widgets/theme.h"
@@ -13,7 +13,7 @@ namespace vybeg::ui {
 
 // Content of a stack of plots, common to screen, exported image and figure.
 struct PlotContent {
-    std::vector<Run> runs;
+    std::vector<ShownAnalysis> analyses;
     std::vector<SlowVariable> variables{main_slow_variables.begin(), main_slow_variables.end()};
     DisplayUnits units;
     Theme theme = lightTheme();
@@ -22,11 +22,11 @@ struct PlotContent {
     std::vector<TrendCurve> trends;
 };
 
-// Time range of the visible runs, from the first to the last sample of their windows; empty without
-// a visible window.
-std::optional<AxisRange> coveredTime(const std::vector<Run>& runs);
+// Time range of the visible analyses, from the first to the last sample of their windows; empty
+// without a visible window.
+std::optional<AxisRange> coveredTime(const std::vector<ShownAnalysis>& analyses);
 
-// Time of a recording, which is shown where there is no run.
+// Time of a recording, which is shown where there is no analysis.
 struct RecordedTime {
     AxisRange range;
     double rate_hz = 0;  // 0: not known
@@ -34,11 +34,12 @@ struct RecordedTime {
     friend bool operator==(const RecordedTime&, const RecordedTime&) = default;
 };
 
-// A view with its time range inside that of the visible runs, or without any inside the recording,
-// and with valid value ranges.
-ZoomState clipped(ZoomState state, const std::vector<Run>& runs, const RecordedTime& recorded = {});
+// A view with its time range inside that of the visible analyses, or without any inside the
+// recording, and with valid value ranges.
+ZoomState clipped(ZoomState state, const std::vector<ShownAnalysis>& analyses,
+                  const RecordedTime& recorded = {});
 
-// Reference of frequency deviations: the carrier of the first visible run, or 0.
-double referenceFrequency(const std::vector<Run>& runs);
+// Reference of frequency deviations: the carrier of the first visible analysis, or 0.
+double referenceFrequency(const std::vector<ShownAnalysis>& analyses);
 
 }  // namespace vybeg::ui

@@ -23,7 +23,7 @@ struct Reading {
     double width = 0;
 };
 
-// Values of all runs at the tracker, as many as fit; deviations are omitted before runs.
+// Values of all analyses at the tracker, as many as fit; deviations are omitted before values.
 std::vector<Reading> readings(const PlotPanel& panel, double time_s, const QFontMetricsF& metrics) {
     for (const bool with_sd : {true, false}) {
         std::vector<Reading> list;

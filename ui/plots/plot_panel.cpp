@@ -40,22 +40,23 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     font_ = font;
     tick_font_ = tickFont(font);
     removeGraphs();
-    const DisplayScale scale = displayScale(variable_, units_, referenceFrequency(content.runs));
-    for (const Run& run : content.runs) {
-        if (!run.visible || !run.analysis || run.analysis->track.rows() == 0) {
+    const DisplayScale scale =
+        displayScale(variable_, units_, referenceFrequency(content.analyses));
+    for (const ShownAnalysis& shown : content.analyses) {
+        if (!shown.visible || !shown.analysis || shown.analysis->track.rows() == 0) {
             continue;
         }
-        const auto made = std::ranges::find(run.curves, variable_,
+        const auto made = std::ranges::find(shown.curves, variable_,
                                             [](const auto& curve) { return curve->variable(); });
-        auto* graph = new DecimatedGraph(timeAxis(), valueAxis(),
-                                         made == run.curves.end()
-                                             ? std::make_shared<CurveData>(run.analysis, variable_)
-                                             : *made);
+        auto* graph = new DecimatedGraph(
+            timeAxis(), valueAxis(),
+            made == shown.curves.end() ? std::make_shared<CurveData>(shown.analysis, variable_)
+                                       : *made);
         graph->setScale(scale);
         graph->setBand(units_.sigma_bands && info(variable_).has_sd);
         graph->setPointers(static_cast<double>(graphs_.size()) /
-                           static_cast<double>(content.runs.size()));
-        graph->setLook(readable(run.color, theme_), run.dash, theme_.warning);
+                           static_cast<double>(content.analyses.size()));
+        graph->setLook(readable(shown.color, theme_), shown.dash, theme_.warning);
         graphs_.push_back(graph);
     }
     const auto found = std::ranges::find(content.trends, variable_, &TrendCurve::variable);
@@ -163,11 +164,11 @@ void PlotPanel::update(UpdatePhase phase) {
 }
 
 QString PlotPanel::emptyReason() const {
-    const bool has_runs = !graphs_.empty();
+    const bool has_analyses = !graphs_.empty();
     const bool nothing =
         std::all_of(graphs_.begin(), graphs_.end(),
                     [](const DecimatedGraph* graph) { return graph->data().empty(); });
-    if (!has_runs || !nothing) {
+    if (!has_analyses || !nothing) {
         return {};
     }
     const bool by_design =

@@ -11,7 +11,7 @@ namespace vybeg::ui {
 
 class DecimatedGraph;
 
-// One plot: the curves of one slow variable of all visible runs, and above them a line with its
+// One plot: the curves of one slow variable of all visible analyses, and above them a line with its
 // symbol and unit. The right end of that line is free for the readout (readoutArea()).
 class PlotPanel : public QCPAxisRect {
     Q_OBJECT

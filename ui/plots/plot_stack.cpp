@@ -51,12 +51,12 @@ void PlotStack::setContent(const PlotContent& content) {
     if (head_strip_) {
         head_strip_->setLook(font, content.theme.text);
     }
-    if (head_ == Head::run_names) {
+    if (head_ == Head::analysis_names) {
         std::vector<StripEntry> entries;
-        for (const Run& run : content.runs) {
-            if (run.visible && run.analysis) {
+        for (const ShownAnalysis& shown : content.analyses) {
+            if (shown.visible && shown.analysis) {
                 entries.push_back(
-                    {run.name, true, true, readable(run.color, content.theme), run.dash});
+                    {shown.name, true, true, readable(shown.color, content.theme), shown.dash});
             }
         }
         // A single curve needs no legend.

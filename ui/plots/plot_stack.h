@@ -16,7 +16,7 @@ class PlotStrip;
 // stack the caller clears its layout.
 class PlotStack {
 public:
-    enum class Head { none, run_names, title };
+    enum class Head { none, analysis_names, title };
 
     // `head`: kind of the row above the plots, the same for all columns of a figure.
     PlotStack(QCustomPlot& plot, int column, Head head);

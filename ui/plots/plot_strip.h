@@ -15,9 +15,9 @@ struct StripEntry {
     Qt::PenStyle dash = Qt::SolidLine;
 };
 
-// A row of texts of fixed height among the plots: the names of the runs, the title of a column, the
-// name of the time axis. Literal texts are shortened to fit; entries without room are replaced by
-// an ellipsis.
+// A row of texts of fixed height among the plots: the names of the analyses, the title of a column,
+// the name of the time axis. Literal texts are shortened to fit; entries without room are replaced
+// by an ellipsis.
 class PlotStrip : public QCPLayoutElement {
     Q_OBJECT
 

@@ -16,16 +16,18 @@ namespace {
 // Heights, pixels.
 constexpr int least_plot = 80;
 constexpr int plot_head = 22;     // its name and values
-constexpr int around_plots = 66;  // names of the runs, time axis
+constexpr int around_plots = 66;  // names of the analyses, time axis
 
 bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& b) {
     return displayScale(variable, a, 1) == displayScale(variable, b, 1);
 }
 
-// Whether a run belongs to a recording without a run in `before`.
-bool hasOtherRecording(const std::vector<Run>& runs, const std::vector<Run>& before) {
-    return std::ranges::any_of(runs, [&](const Run& run) {
-        return std::ranges::find(before, run.recording, &Run::recording) == before.end();
+// Whether an analysis belongs to a recording without an analysis in `before`.
+bool hasOtherRecording(const std::vector<ShownAnalysis>& analyses,
+                       const std::vector<ShownAnalysis>& before) {
+    return std::ranges::any_of(analyses, [&](const ShownAnalysis& shown) {
+        return std::ranges::find(before, shown.recording, &ShownAnalysis::recording) ==
+               before.end();
     });
 }
 
@@ -33,8 +35,9 @@ bool hasOtherRecording(const std::vector<Run>& runs, const std::vector<Run>& bef
 
 TrackView::TrackView(QWidget* parent)
     : QWidget(parent),
-      zoom_(
-          [this](ZoomState state) { return clipped(std::move(state), content_.runs, recorded_); }),
+      zoom_([this](ZoomState state) {
+          return clipped(std::move(state), content_.analyses, recorded_);
+      }),
       plot_(new QCustomPlot(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -46,7 +49,7 @@ TrackView::TrackView(QWidget* parent)
     setFocusPolicy(Qt::ClickFocus);
     setAccessibleName(tr("Slow variables over time"));
     preparePlot(*plot_, content_.theme);
-    stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::run_names);
+    stack_ = std::make_unique<PlotStack>(*plot_, 0, PlotStack::Head::analysis_names);
     overlay_ = new PlotOverlay(plot_, stack_.get());
     connect(plot_, &QCustomPlot::afterLayout, this, &TrackView::followLayout);
     connect(&zoom_, &ZoomNavigator::moved, this, [this] {
@@ -62,18 +65,18 @@ TrackView::~TrackView() {
     delete plot_;
 }
 
-void TrackView::setRuns(std::vector<Run> runs) {
-    const auto before = coveredTime(content_.runs);
+void TrackView::setAnalyses(std::vector<ShownAnalysis> analyses) {
+    const auto before = coveredTime(content_.analyses);
     const bool fitted = timeRange() == fullTimeRange();
-    // A zoom into a recording without runs stays when the first one arrives.
-    const bool joined = before && hasOtherRecording(runs, content_.runs);
-    content_.runs = std::move(runs);
+    // A zoom into a recording without analyses stays when the first one arrives.
+    const bool joined = before && hasOtherRecording(analyses, content_.analyses);
+    content_.analyses = std::move(analyses);
     const AxisRange full = fullTimeRange();
     const AxisRange shown = timeRange();
     rebuild();
     if ((!before && fitted) || shown.lower >= full.upper || shown.upper <= full.lower) {
         zoom_.restart({full, {}});
-    } else if ((fitted || joined) && coveredTime(content_.runs)) {
+    } else if ((fitted || joined) && coveredTime(content_.analyses)) {
         zoom_.goTo({full, zoom_.current().fixed}, fitted);
     }
 }
@@ -176,12 +179,12 @@ void TrackView::rebuild() {
     stack_->prepare(plot_->size());
     stack_->setContent(content);
     overlay_->setTheme(content_.theme);
-    overlay_->setHint(coveredTime(content_.runs)
+    overlay_->setHint(coveredTime(content_.analyses)
                           ? QString()
-                          : tr("No analysis yet.\nOpen a recording and press Run."));
-    const bool has_runs = coveredTime(content_.runs).has_value();
+                          : tr("No analysis yet.\nOpen a recording and press Analyse."));
+    const bool has_analyses = coveredTime(content_.analyses).has_value();
     for (const char* name : {"background", "grid", "main", "axes"}) {
-        plot_->layer(QString::fromLatin1(name))->setVisible(has_runs);
+        plot_->layer(QString::fromLatin1(name))->setVisible(has_analyses);
     }
     focus_.match(content_);
     updateGeometry();

@@ -3,7 +3,7 @@
 #include "ui/plots/plot_content.h"
 #include "ui/plots/plot_focus.h"
 #include "ui/plots/zoom_navigator.h"
-#include "ui/values/run.h"
+#include "ui/values/shown_analysis.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 
@@ -24,7 +24,7 @@ class PlotStack;
 // The two measuring cursors of the view.
 enum class Cursor { a, b };
 
-// The stacked plots of the slow variables of all visible runs over one time axis.
+// The stacked plots of the slow variables of all visible analyses over one time axis.
 //
 // Wheel: time about the mouse; Ctrl+wheel: value axis of the plot under the mouse; drag: pan;
 // Shift+drag: zoom into a rectangle; double click or Home: fit; R or Alt+Left, Alt+Right: zoom
@@ -41,10 +41,10 @@ public:
     ~TrackView() override;
 
     // Keeps the visible time range. Shows everything if everything was visible before, if the range
-    // lies outside the new runs or if a new recording joins.
-    void setRuns(std::vector<Run> runs);
-    const std::vector<Run>& runs() const { return content_.runs; }
-    // Time that the zoom of other pages covers while there is no run.
+    // lies outside the new analyses or if a new recording joins.
+    void setAnalyses(std::vector<ShownAnalysis> analyses);
+    const std::vector<ShownAnalysis>& analyses() const { return content_.analyses; }
+    // Time that the zoom of other pages covers while there is no analysis.
     void setRecorded(const RecordedTime& recorded);
     void setShownVariables(std::vector<SlowVariable> variables);
     const std::vector<SlowVariable>& shownVariables() const { return content_.variables; }
@@ -54,10 +54,12 @@ public:
     void setTheme(const Theme& theme);
 
     AxisRange timeRange() const { return zoom_.current().time; }
-    // Clips the range to that of the runs; adds it to the zoom history.
+    // Clips the range to that of the analyses; adds it to the zoom history.
     void setTimeRange(AxisRange range);
-    // Time range of the visible runs; without any, that of the recording, otherwise {0, 1}.
-    AxisRange fullTimeRange() const { return coveredTime(content_.runs).value_or(recorded_.range); }
+    // Time range of the visible analyses; without any, that of the recording, otherwise {0, 1}.
+    AxisRange fullTimeRange() const {
+        return coveredTime(content_.analyses).value_or(recorded_.range);
+    }
     // Time range and fixed value ranges at once, one step of the zoom history.
     void setZoom(ZoomState state) { zoom_.visit(std::move(state), Gesture::none); }
     // A fixed value axis in displayed units, or one that follows the data.

@@ -103,7 +103,7 @@ void TrackView::moveCursor(Cursor which, std::optional<double> time_s) {
 
 void TrackView::mousePressEvent(QMouseEvent* event) {
     const PlotPanel* panel = stack_->panelAt(event->position());
-    if (event->button() != Qt::LeftButton || !panel || !coveredTime(content_.runs)) {
+    if (event->button() != Qt::LeftButton || !panel || !coveredTime(content_.analyses)) {
         QWidget::mousePressEvent(event);
         return;
     }
@@ -154,7 +154,7 @@ void TrackView::mouseMoveEvent(QMouseEvent* event) {
     }
     const PlotPanel* panel = stack_->panelAt(position);
     const double time = timeAt(position);
-    const bool inside = panel && timeRange().contains(time) && coveredTime(content_.runs);
+    const bool inside = panel && timeRange().contains(time) && coveredTime(content_.analyses);
     moveTracker(inside ? std::optional(time) : std::nullopt);
 }
 
@@ -189,7 +189,7 @@ void TrackView::wheelEvent(QWheelEvent* event) {
     // Alt turns a wheel sideways on some desktops; touch pads report fractions of a notch.
     const double notches = event->angleDelta().y() / 120.;
     const PlotPanel* panel = stack_->panelAt(event->position());
-    if (notches == 0 || !panel || !coveredTime(content_.runs)) {
+    if (notches == 0 || !panel || !coveredTime(content_.analyses)) {
         event->ignore();
         return;
     }
@@ -242,7 +242,7 @@ void TrackView::keyPressEvent(QKeyEvent* event) {
         refreshOverlay();
         return;
     }
-    if (content_.variables.empty() || !coveredTime(content_.runs) || !keyMoves(event)) {
+    if (content_.variables.empty() || !coveredTime(content_.analyses) || !keyMoves(event)) {
         QWidget::keyPressEvent(event);
     }
 }

@@ -17,7 +17,7 @@ namespace vybeg::ui {
 // Points with their standard deviations, or a line with its band; as many sd as points, or none.
 struct XYSeries {
     QString name;   // in the legend; empty: not in it
-    int style = 0;  // of runStyle(): colour, dash, and the shape of points
+    int style = 0;  // of curveStyle(): colour, dash, and the shape of points
     Ink ink = Ink::style;
     bool points = false;
     bool steps = false;  // a line of steps centred at the values

@@ -14,17 +14,17 @@ namespace vybeg::ui {
 
 namespace {
 
-bool isReported(const RunEntry& entry) {
-    return entry.run.visible && !entry.partial();
+bool isReported(const AnalysisEntry& entry) {
+    return entry.shown.visible && !entry.partial();
 }
 
 // Ids of the recordings that are open and have an analysis.
-std::vector<int> analysed(const Document& document, const std::vector<int>& ids) {
-    std::vector<int> found;
-    std::ranges::copy_if(ids, std::back_inserter(found), [&](int id) {
+std::vector<RecordingId> analysed(const Document& document, const std::vector<RecordingId>& ids) {
+    std::vector<RecordingId> found;
+    std::ranges::copy_if(ids, std::back_inserter(found), [&](RecordingId id) {
         const RecordingEntry* recording = document.recording(id);
         return recording && recording->recording &&
-               std::ranges::any_of(document.runs(), [id](const RunEntry& entry) {
+               std::ranges::any_of(document.analyses(), [id](const AnalysisEntry& entry) {
                    return entry.recording_id == id && isReported(entry);
                });
     });
@@ -33,7 +33,7 @@ std::vector<int> analysed(const Document& document, const std::vector<int>& ids)
 
 // The set whose identification a report shows.
 const RecordingSet* identifiedSet(const Document& document, const ReportSubject& subject) {
-    if (subject.set != 0) {
+    if (subject.set != SetId::none) {
         return document.sets().find(subject.set);
     }
     const auto& sets = document.sets().all();
@@ -48,7 +48,7 @@ const RecordingSet* identifiedSet(const Document& document, const ReportSubject&
 std::vector<ReportSubject> reportSubjects(const Document& document) {
     std::vector<ReportSubject> subjects;
     const auto add_set = [&](const RecordingSet& set) {
-        const std::vector<int> recordings = analysed(document, set.recordings);
+        const std::vector<RecordingId> recordings = analysed(document, set.recordings);
         if (!recordings.empty()) {
             subjects.push_back({setName(document, set), recordings, set.id, false});
         }
@@ -62,7 +62,7 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
         add_set(*current);
     }
     if (recording && !analysed(document, {recording->id}).empty()) {
-        subjects.push_back({recording->name, {recording->id}, 0, false});
+        subjects.push_back({recording->name, {recording->id}, SetId::none, false});
     }
     for (const RecordingSet& set : document.sets().all()) {
         if (!holds_it || set.id != current->id) {
@@ -71,9 +71,10 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
     }
     std::vector<ReportSubject> sets;
     std::ranges::copy_if(subjects, std::back_inserter(sets),
-                         [](const ReportSubject& each) { return each.set != 0; });
+                         [](const ReportSubject& each) { return each.set != SetId::none; });
     if (sets.size() > 1) {
-        ReportSubject all{reportText(QT_TRANSLATE_NOOP("Report", "All sets")), {}, 0, true};
+        ReportSubject all{
+            reportText(QT_TRANSLATE_NOOP("Report", "All sets")), {}, SetId::none, true};
         for (const ReportSubject& each : sets) {
             all.recordings.insert(all.recordings.end(), each.recordings.begin(),
                                   each.recordings.end());
@@ -90,7 +91,7 @@ std::vector<ReportContent> reportContentsOf(const Document& document,
     }
     std::vector<ReportContent> contents;
     for (const RecordingSet& set : document.sets().all()) {
-        const std::vector<int> recordings = analysed(document, set.recordings);
+        const std::vector<RecordingId> recordings = analysed(document, set.recordings);
         if (!recordings.empty()) {
             const QString name = setName(document, set);
             contents.push_back(reportContentOf(document, {name, recordings, set.id, false}));
@@ -105,7 +106,7 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
     ReportContent content;
     const RecordingSet* set = identifiedSet(document, subject);
     const ListedSet* listed = set ? set->listed.get() : nullptr;
-    for (const int id : subject.recordings) {
+    for (const RecordingId id : subject.recordings) {
         const RecordingEntry& entry = *document.recording(id);
         ReportRecording told = reportRecording(*entry.recording, entry.sha256);
         if (entry.faults) {
@@ -116,10 +117,10 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
                 told.conditions = conditionsText(row->second.row, listed->other_columns);
             }
         }
-        for (const RunEntry& run : document.runs()) {
-            if (run.recording_id == id && isReported(run)) {
-                content.runs.push_back(
-                    {run.run, content.recordings.size(), run.summary, run.events});
+        for (const AnalysisEntry& analysis : document.analyses()) {
+            if (analysis.recording_id == id && isReported(analysis)) {
+                content.analyses.push_back(
+                    {analysis.shown, content.recordings.size(), analysis.summary, analysis.events});
             }
         }
         content.recordings.push_back(std::move(told));

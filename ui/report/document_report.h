@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/report/report_content.h"
+#include "ui/values/ids.h"
 
 #include <QString>
 
@@ -12,8 +13,8 @@ namespace vybeg::ui {
 // What a report can be about: a set of recordings, one recording, or all sets.
 struct ReportSubject {
     QString name;
-    std::vector<int> recordings;  // ids, those that are open
-    int set = 0;                  // id; 0: one recording, or all sets
+    std::vector<RecordingId> recordings;  // those that are open
+    SetId set = SetId::none;              // none: one recording, or all sets
     bool all_sets = false;
 
     friend bool operator==(const ReportSubject&, const ReportSubject&) = default;

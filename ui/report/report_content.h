@@ -8,7 +8,7 @@
 #include "core/track/track_summary.h"
 #include "ui/values/dossier.h"
 #include "ui/values/recording_set.h"
-#include "ui/values/run.h"
+#include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
 #include <QString>
@@ -56,8 +56,8 @@ ReportTitle completed(const ReportTitle& title, const ReportTitle& otherwise);
 // none does.
 QString measuredOn(const std::vector<ReportRecording>& recordings);
 
-struct ReportRun {
-    Run run;
+struct ReportAnalysis {
+    ShownAnalysis shown;
     std::size_t recording = 0;  // index
     TrackSummary means;
     std::vector<Event> events;
@@ -70,7 +70,7 @@ struct ReportContent {
     int chapter = 0;  // its number there, from 1; 0: the only one
     ReportTitle title;
     std::vector<ReportRecording> recordings;
-    std::vector<ReportRun> runs;  // of the recordings, in their order
+    std::vector<ReportAnalysis> analyses;  // of the recordings, in their order
     std::shared_ptr<const ResonatorOutcome> outcome;
     QStringList absent;        // recordings of the set's list that are not in it
     bool out_of_date = false;  // the outcome is of other settings than the present ones

@@ -19,13 +19,13 @@ PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
     PlotContent plots;
     plots.variables = content.variables;
     plots.units = content.units;
-    for (const ReportRun& each : content.runs) {
+    for (const ReportAnalysis& each : content.analyses) {
         if (each.recording == recording) {
-            plots.runs.push_back(each.run);
-            plots.runs.back().visible = true;
+            plots.analyses.push_back(each.shown);
+            plots.analyses.back().visible = true;
         }
     }
-    plots.zoom.time = coveredTime(plots.runs).value_or(AxisRange{0, 1});
+    plots.zoom.time = coveredTime(plots.analyses).value_or(AxisRange{0, 1});
     return plots;
 }
 
@@ -46,7 +46,7 @@ std::vector<ReportFigure> reportFigures(const ReportContent& content) {
     std::vector<ReportFigure> figures;
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
         const PlotContent plots = plotsOf(content, k);
-        if (!plots.runs.empty()) {
+        if (!plots.analyses.empty()) {
             figures.push_back(figure(plotsName(content, k), plotsDrawing(plots),
                                      {report_page.width(), report_page.height() - heading}));
         }

@@ -31,8 +31,8 @@ inline constexpr const char* balance_figure = "balance";
 QString figureName(const ReportContent& content, const char* figure);
 QString plotsName(const ReportContent& content, std::size_t recording);
 
-// All figures of a report: for each recording with a run the slow variables, then those of the
-// resonator. Drawing one needs the thread of the window (QCustomPlot is a widget).
+// All figures of a report: for each recording with an analysis the slow variables, then those of
+// the resonator. Drawing one needs the thread of the window (QCustomPlot is a widget).
 std::vector<ReportFigure> reportFigures(const ReportContent& content);
 
 // A figure as vectors, which any thread can play.

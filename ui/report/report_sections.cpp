@@ -19,7 +19,7 @@ namespace vybeg::ui {
 
 namespace {
 
-// Events of a run that are listed; of the rest the number.
+// Events of an analysis that are listed; of the rest the number.
 constexpr std::size_t most_events = 60;
 
 const QString none = QStringLiteral("—");
@@ -89,7 +89,7 @@ QString recordingsSection(const ReportContent& content) {
 }
 
 QString settingsSection(const ReportContent& content) {
-    if (content.runs.empty()) {
+    if (content.analyses.empty()) {
         return {};
     }
     const auto head = [](const char* text, const char* unit = "") {
@@ -103,8 +103,8 @@ QString settingsSection(const ReportContent& content) {
                      head(QT_TRANSLATE_NOOP("Report", "Noise σ"))},
                     {},
                     {20, 20, 15, 11, 22, 12}};
-    for (const ReportRun& each : content.runs) {
-        const Analysis& analysis = *each.run.analysis;
+    for (const ReportAnalysis& each : content.analyses) {
+        const Analysis& analysis = *each.shown.analysis;
         const QLocale locale;
         table.rows.push_back({content.recordings[each.recording].name.toHtmlEscaped(),
                               algorithmText(analysis.settings.algorithm).toHtmlEscaped(),
@@ -125,8 +125,8 @@ QString settingsSection(const ReportContent& content) {
 QString plotsSection(const ReportContent& content) {
     QString text;
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
-        const auto is_of = [k](const ReportRun& run) { return run.recording == k; };
-        if (std::ranges::any_of(content.runs, is_of)) {
+        const auto is_of = [k](const ReportAnalysis& analysis) { return analysis.recording == k; };
+        if (std::ranges::any_of(content.analyses, is_of)) {
             text += heading(reportText(QT_TRANSLATE_NOOP("Report", "Slow variables: %1"))
                                 .arg(content.recordings[k].name),
                             true) +
@@ -137,12 +137,12 @@ QString plotsSection(const ReportContent& content) {
 }
 
 QString eventsSection(const ReportContent& content) {
-    if (content.runs.empty()) {
+    if (content.analyses.empty()) {
         return {};
     }
     QString text = heading(reportText(QT_TRANSLATE_NOOP("Report", "Events")));
     bool any = false;
-    for (const ReportRun& each : content.runs) {
+    for (const ReportAnalysis& each : content.analyses) {
         if (each.events.empty()) {
             continue;
         }
@@ -160,7 +160,7 @@ QString eventsSection(const ReportContent& content) {
                                       .arg(static_cast<qint64>(each.events.size() - most_events))});
         }
         text += smallHeading(QStringLiteral("%1, %2").arg(content.recordings[each.recording].name,
-                                                          each.run.name)) +
+                                                          each.shown.name)) +
                 html(table);
     }
     return any ? text
@@ -171,10 +171,10 @@ QString eventsSection(const ReportContent& content) {
 // Each warning once; those of the recording check stand with the recordings.
 QString warningsSection(const ReportContent& content) {
     QStringList warnings;
-    for (const ReportRun& each : content.runs) {
+    for (const ReportAnalysis& each : content.analyses) {
         const ReportRecording& recording = content.recordings[each.recording];
         const QStringList known = recording.check ? sentences(*recording.check) : QStringList();
-        for (const QString& text : sentences(each.run.analysis->diagnostics)) {
+        for (const QString& text : sentences(each.shown.analysis->diagnostics)) {
             if (!known.contains(text)) {
                 warnings << QStringLiteral("%1: %2").arg(recording.name, text);
             }

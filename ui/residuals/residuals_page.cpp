@@ -84,8 +84,8 @@ ResidualsPage::ResidualsPage(Document& document, QWidget* parent)
     connect(range_, &QComboBox::currentIndexChanged, this, &ResidualsPage::refresh);
     connect(time_, &NumberField::valueEdited, this,
             [this](std::optional<double> time_s) { setCursor(time_s.value_or(cursor_s_)); });
-    connect(stale_, &StaleMark::runWanted, this, &ResidualsPage::runWanted);
-    connect(&document_, &Document::runsChanged, this, &ResidualsPage::refresh);
+    connect(stale_, &StaleMark::analyseWanted, this, &ResidualsPage::analyseWanted);
+    connect(&document_, &Document::analysesChanged, this, &ResidualsPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResidualsPage::refresh);
     retranslate();
 }
@@ -147,7 +147,7 @@ XYPlotView* ResidualsPage::addPlot(const char* name) {
 }
 
 FigureSource ResidualsPage::figures() const {
-    const QString title = entry() ? entry()->run.recording : QString();
+    const QString title = entry() ? entry()->shown.recording : QString();
     return figuresOf({spectrum_, histogram_, correlation_}, QStringLiteral("residuals"), title);
 }
 
@@ -155,12 +155,12 @@ ResidualsPage::Range ResidualsPage::range() const {
     return static_cast<Range>(range_->currentIndex());
 }
 
-const RunEntry* ResidualsPage::entry() const {
-    return document_.run(run_id_);
+const AnalysisEntry* ResidualsPage::entry() const {
+    return document_.analysis(analysis_id_);
 }
 
-void ResidualsPage::setRun(int id) {
-    run_id_ = id;
+void ResidualsPage::setAnalysis(AnalysisId id) {
+    analysis_id_ = id;
     refresh();
 }
 
@@ -183,15 +183,15 @@ void ResidualsPage::setTheme(const Theme& theme) {
 }
 
 std::optional<ResidualsPage::Request> ResidualsPage::wanted() const {
-    const RunEntry* run = entry();
-    if (run == nullptr || run->partial() || run->run.analysis->track.rows() == 0) {
+    const AnalysisEntry* chosen = entry();
+    if (chosen == nullptr || chosen->partial() || chosen->shown.analysis->track.rows() == 0) {
         return std::nullopt;
     }
-    Request request{run->run.analysis, {}};
+    Request request{chosen->shown.analysis, {}};
     switch (range()) {
         case Range::window:
             request.range.window =
-                static_cast<std::int64_t>(nearestRow(run->run.analysis->track, cursor_s_));
+                static_cast<std::int64_t>(nearestRow(chosen->shown.analysis->track, cursor_s_));
             break;
         case Range::visible: request.range.time = {visible_.lower, visible_.upper}; break;
         case Range::whole: break;
@@ -200,8 +200,8 @@ std::optional<ResidualsPage::Request> ResidualsPage::wanted() const {
 }
 
 QString ResidualsPage::unit() const {
-    const RunEntry* run = entry();
-    const RecordingEntry* recording = run ? document_.recording(run->recording_id) : nullptr;
+    const AnalysisEntry* chosen = entry();
+    const RecordingEntry* recording = chosen ? document_.recording(chosen->recording_id) : nullptr;
     return recording && recording->recording ? channelUnit(*recording->recording) : QString();
 }
 
@@ -231,8 +231,8 @@ void ResidualsPage::refresh() {
 }
 
 void ResidualsPage::compute() {
-    const RunEntry* run = entry();
-    const RecordingEntry* recording = run ? document_.recording(run->recording_id) : nullptr;
+    const AnalysisEntry* chosen = entry();
+    const RecordingEntry* recording = chosen ? document_.recording(chosen->recording_id) : nullptr;
     if (asked_ && recording && recording->recording) {
         job_.findResiduals(job_key, *recording->recording, asked_->analysis, asked_->range,
                            [this](Result<Residuals> result) { take(std::move(result)); });
@@ -248,17 +248,17 @@ void ResidualsPage::take(Result<Residuals> result) {
 }
 
 QString ResidualsPage::stateText() const {
-    const RunEntry* run = entry();
-    if (!run) {
+    const AnalysisEntry* chosen = entry();
+    if (!chosen) {
         return tr(
-            "No run is chosen. Run (F5) analyses the current recording; a row of the list "
-            "Runs chooses one.");
+            "No analysis is chosen. Analyse (F5) adds one of the current recording; a row of the "
+            "list Analyses chooses one.");
     }
     const QString name =
         QStringLiteral("<b>%1, %2.</b> ")
-            .arg(run->run.recording.toHtmlEscaped(), run->run.name.toHtmlEscaped());
+            .arg(chosen->shown.recording.toHtmlEscaped(), chosen->shown.name.toHtmlEscaped());
     if (!asked_) {
-        return name + tr("The residual appears when all windows of the run are there.");
+        return name + tr("The residual appears when all windows of the analysis are there.");
     }
     if (computing_) {
         return name + tr("The residual is being computed…");
@@ -333,9 +333,9 @@ void ResidualsPage::showLine() {
 }
 
 void ResidualsPage::putFilter() {
-    const RunEntry* run = document_.run(run_id_);
-    if (run && chosen_ && found_->lines[*chosen_].filter) {
-        document_.setCurrentRecording(run->recording_id);
+    const AnalysisEntry* chosen = document_.analysis(analysis_id_);
+    if (chosen && chosen_ && found_->lines[*chosen_].filter) {
+        document_.setCurrentRecording(chosen->recording_id);
         Settings settings = document_.settings();
         settings.filter = found_->lines[*chosen_].filter;
         document_.setSettings(settings);
@@ -368,7 +368,7 @@ void ResidualsPage::retranslate() {
     range_label_->setText(tr("Residual of"));
     range_->setItemText(static_cast<int>(Range::window), tr("the window at the cursor"));
     range_->setItemText(static_cast<int>(Range::visible), tr("the visible part"));
-    range_->setItemText(static_cast<int>(Range::whole), tr("the whole run"));
+    range_->setItemText(static_cast<int>(Range::whole), tr("the whole analysis"));
     range_->setAccessibleName(tr("Range of the residual"));
     range_->setToolTip(
         tr("Samples less the wave of their window: of one window, of what the plots "

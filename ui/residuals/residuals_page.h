@@ -4,6 +4,7 @@
 #include "ui/document/background_jobs.h"
 #include "ui/plots/figure_source.h"
 #include "ui/plots/xy_plot.h"
+#include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 
 #include <QTimer>
@@ -23,11 +24,11 @@ class NumberField;
 class QuantityTable;
 class StaleMark;
 class XYPlotView;
-struct RunEntry;
+struct AnalysisEntry;
 
-// The residual of the chosen run: its spectrum with the lines above the noise, its distribution and
-// its autocorrelation, of the window at the cursor, the visible part or the whole. Computed in the
-// background while the page is shown; a newer request replaces the one before.
+// The residual of the chosen analysis: its spectrum with the lines above the noise, its
+// distribution and its autocorrelation, of the window at the cursor, the visible part or the whole.
+// Computed in the background while the page is shown; a newer request replaces the one before.
 class ResidualsPage : public QWidget {
     Q_OBJECT
 
@@ -36,7 +37,7 @@ public:
 
     explicit ResidualsPage(Document& document, QWidget* parent = nullptr);
 
-    void setRun(int id);
+    void setAnalysis(AnalysisId id);
     void setVisibleRange(const AxisRange& visible);
     // Time of the cursor whose window is meant.
     void setCursor(double time_s);
@@ -48,7 +49,7 @@ public:
     FigureSource figures() const;
 
 signals:
-    void runWanted();
+    void analyseWanted();
     void exportWanted(const Figure& figure);
     void figuresChanged();  // figures() are others, or there are some now
 
@@ -69,7 +70,7 @@ private:
     QWidget* buildContent();
     XYPlotView* addPlot(const char* name);
     Range range() const;
-    const RunEntry* entry() const;
+    const AnalysisEntry* entry() const;
     std::optional<Request> wanted() const;
     QString unit() const;
     void refresh();
@@ -100,7 +101,7 @@ private:
     XYPlotView* correlation_ = nullptr;
     QuantityTable* numbers_ = nullptr;
     Theme theme_;
-    int run_id_ = 0;
+    AnalysisId analysis_id_ = AnalysisId::none;
     AxisRange visible_;
     double cursor_s_ = 0;
     std::optional<Request> asked_;  // shown or under way

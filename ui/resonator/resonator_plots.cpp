@@ -81,7 +81,7 @@ RoundSeries axes(const QString& name, Ink ink, const Estimate& angle) {
 RoundSeries wave(const QString& name, int style, double two_theta_A) {
     RoundSeries curve;
     curve.name = name;
-    curve.color = runStyle(style).color;
+    curve.color = curveStyle(style).color;
     for (int angle = 0; angle <= 360; angle += 2) {
         curve.x.push_back(angle);
         curve.y.push_back(0.72 + 0.16 * std::cos(2 * angle * degree - two_theta_A));

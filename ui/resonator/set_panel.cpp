@@ -137,8 +137,9 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     layout->addLayout(choices);
     layout->addLayout(buttons);
 
-    connect(sets_, &QComboBox::activated, this,
-            [this](int row) { document_.sets().setCurrent(sets_->itemData(row).toInt()); });
+    connect(sets_, &QComboBox::activated, this, [this](int row) {
+        document_.sets().setCurrent(static_cast<SetId>(sets_->itemData(row).toInt()));
+    });
     connect(sets_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
         const RecordingSet* set = document_.sets().current();
         if (set && sets_->lineEdit()->isModified()) {
@@ -150,9 +151,9 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.sets().remove(document_.sets().current()->id); });
     connect(remove_member_, &QAction::triggered, this, [this] {
-        std::vector<int> ids;
+        std::vector<RecordingId> ids;
         for (const QListWidgetItem* item : members_->selectedItems()) {
-            ids.push_back(item->data(Qt::UserRole).toInt());
+            ids.push_back(static_cast<RecordingId>(item->data(Qt::UserRole).toInt()));
         }
         if (const RecordingSet* set = document_.sets().current()) {
             document_.sets().removeFrom(set->id, ids);
@@ -196,9 +197,9 @@ void SetPanel::refresh() {
         const QSignalBlocker blocker(sets_);
         sets_->clear();
         for (const RecordingSet& each : document_.sets().all()) {
-            sets_->addItem(setName(document_, each), each.id);
+            sets_->addItem(setName(document_, each), number(each.id));
         }
-        sets_->setCurrentIndex(set ? sets_->findData(set->id) : -1);
+        sets_->setCurrentIndex(set ? sets_->findData(number(set->id)) : -1);
     }
     sets_->setEnabled(set != nullptr);
     remove_->setEnabled(set != nullptr);
@@ -210,16 +211,16 @@ void SetPanel::refresh() {
 }
 
 void SetPanel::refreshMembers(const RecordingSet* set) {
-    std::vector<int> selected;
+    std::vector<RecordingId> selected;
     for (const QListWidgetItem* item : members_->selectedItems()) {
-        selected.push_back(item->data(Qt::UserRole).toInt());
+        selected.push_back(static_cast<RecordingId>(item->data(Qt::UserRole).toInt()));
     }
     members_->clear();
     const auto* listed = set && set->listed ? &*set->listed : nullptr;
-    for (const int id : set ? set->recordings : std::vector<int>()) {
+    for (const RecordingId id : set ? set->recordings : std::vector<RecordingId>()) {
         const RecordingEntry& entry = *document_.recording(id);
         auto* item = new QListWidgetItem(entry.name, members_);
-        item->setData(Qt::UserRole, id);
+        item->setData(Qt::UserRole, number(id));
         QStringList told{QDir::toNativeSeparators(entry.path)};
         if (listed && listed->members.contains(id)) {
             const ListedMember& member = listed->members.at(id);
@@ -240,7 +241,7 @@ void SetPanel::changeEvent(QEvent* event) {
 }
 
 void SetPanel::retranslate() {
-    sets_->setAccessibleName(tr("Set of runs"));
+    sets_->setAccessibleName(tr("Set of recordings"));
     sets_->setToolTip(
         tr("Recordings of one resonator that are identified together; type here to name them"));
     add_->setAccessibleName(tr("New set"));

@@ -115,7 +115,7 @@ QString storedPath(const QString& path, const QDir& folder) {
     return relative.startsWith(QLatin1String("..")) ? path : relative;
 }
 
-QJsonObject listedToJson(const ListedSet& listed, const QDir& folder) {
+QJsonObject listedToJson(const ListedSetBy<int>& listed, const QDir& folder) {
     QJsonArray members;
     for (const auto& [place, member] : listed.members) {
         members.append(memberToJson(place, member, folder));
@@ -125,13 +125,13 @@ QJsonObject listedToJson(const ListedSet& listed, const QDir& folder) {
             {members_key, members}};
 }
 
-Result<ListedSet> listedFromJson(const QJsonObject& json, const QDir& folder) {
+Result<ListedSetBy<int>> listedFromJson(const QJsonObject& json, const QDir& folder) {
     Result<IdentifySettings> settings =
         settingsFromJson(identify_settings(), json[settings_key].toObject());
     if (!settings) {
         return settings.error();
     }
-    ListedSet listed{std::move(*settings), textsFromJson(json[columns_key]), {}};
+    ListedSetBy<int> listed{std::move(*settings), textsFromJson(json[columns_key]), {}};
     for (const auto& value : json[members_key].toArray()) {
         Result<ListedMember> member = memberFromJson(value.toObject(), folder);
         if (!member) {
@@ -140,17 +140,6 @@ Result<ListedSet> listedFromJson(const QJsonObject& json, const QDir& folder) {
         listed.members.insert_or_assign(value.toObject()[place_key].toInt(-1), std::move(*member));
     }
     return listed;
-}
-
-ListedSet renumbered(const ListedSet& listed,
-                     const std::function<std::optional<int>(int)>& number) {
-    ListedSet other{listed.settings, listed.other_columns, {}};
-    int without = 0;
-    for (const auto& [before, member] : listed.members) {
-        const auto now = number(before);
-        other.members.emplace(now ? *now : --without, member);
-    }
-    return other;
 }
 
 }  // namespace vybeg::ui

@@ -3,7 +3,7 @@
 #include "core/analysis/settings.h"
 #include "core/analysis/tolerance.h"
 #include "core/recording/samples/open_options.h"
-#include "ui/document/run_store.h"
+#include "ui/document/analysis_store.h"
 #include "ui/panels/fitted_trend.h"
 #include "ui/plots/track_view.h"
 #include "ui/values/dossier.h"
@@ -21,12 +21,12 @@
 
 namespace vybeg::ui {
 
-// A recording of a session and the runs of it.
+// A recording of a session and the analyses of it.
 struct SessionRecording {
     QString path;    // absolute
     QString sha256;  // empty: not known yet
     OpenOptions options;
-    std::vector<RunWish> runs;
+    std::vector<AnalysisWish> analyses;
     QJsonObject unknown;  // as Session::unknown
 };
 
@@ -34,7 +34,7 @@ struct SessionSet {
     QString name;                 // empty: default name
     std::vector<int> recordings;  // places in Session::recordings
     FitOptions::Model model = FitOptions::Model::automatic;
-    std::optional<ListedSet> listed;  // its members by places in Session::recordings
+    std::optional<ListedSetBy<int>> listed;  // by places in Session::recordings
     KeptResult result;
     QJsonObject unknown;  // as Session::unknown
 };
@@ -60,7 +60,7 @@ struct Session {
     int current = -1;  // place in `recordings`; -1: none
     std::vector<SessionSet> sets;
     int current_set = -1;
-    int current_run = -1;  // place among all runs
+    int current_analysis = -1;  // place among all analyses
     SessionView view;
     // Keys of the file that this program does not know, written again.
     QJsonObject unknown;

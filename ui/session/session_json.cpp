@@ -25,7 +25,7 @@ const QString recordings_key = QStringLiteral("recordings");
 const QString current_key = QStringLiteral("current");
 const QString sets_key = QStringLiteral("sets");
 const QString current_set_key = QStringLiteral("current_set");
-const QString current_run_key = QStringLiteral("current_run");
+const QString current_analysis_key = QStringLiteral("current_run");
 const QString listed_key = QStringLiteral("listed");
 const QString result_key = QStringLiteral("result");
 const QString up_to_date_key = QStringLiteral("result_up_to_date");
@@ -39,7 +39,7 @@ const QString comment_key = QStringLiteral("comment");
 const QString path_key = QStringLiteral("path");
 const QString sha256_key = QStringLiteral("sha256");
 const QString options_key = QStringLiteral("options");
-const QString runs_key = QStringLiteral("runs");
+const QString analyses_key = QStringLiteral("runs");
 const QString name_key = QStringLiteral("name");
 const QString model_key = QStringLiteral("model");
 
@@ -54,7 +54,7 @@ QJsonObject without(QJsonObject json, const QStringList& keys) {
     return json;
 }
 
-Result<Settings> analysisFromJson(const QJsonObject& json) {
+Result<Settings> analysisSettingsFromJson(const QJsonObject& json) {
     Result<Settings> settings = settingsFromJson(analysis_settings(), json);
     if (settings) {
         if (const Status valid = validate(*settings); !valid) {
@@ -69,44 +69,44 @@ const SettingRow<IdentifySettings>& identifyRow(const std::string& name) {
     return *std::ranges::find(identify_settings(), name, &SettingRow<IdentifySettings>::name);
 }
 
-QJsonObject runToJson(const RunWish& run) {
-    return {{QStringLiteral("name"), run.name},
-            {QStringLiteral("place"), run.place},
-            {QStringLiteral("color"), run.color.name()},
-            {QStringLiteral("dash"), static_cast<int>(run.dash)},
-            {QStringLiteral("visible"), run.visible},
-            {QStringLiteral("live"), run.live},
-            {settings_key, settingsToJson(analysis_settings(), run.settings)}};
+QJsonObject wishToJson(const AnalysisWish& analysis) {
+    return {{QStringLiteral("name"), analysis.name},
+            {QStringLiteral("place"), analysis.place},
+            {QStringLiteral("color"), analysis.color.name()},
+            {QStringLiteral("dash"), static_cast<int>(analysis.dash)},
+            {QStringLiteral("visible"), analysis.visible},
+            {QStringLiteral("live"), analysis.live},
+            {settings_key, settingsToJson(analysis_settings(), analysis.settings)}};
 }
 
-Result<RunWish> runFromJson(const QJsonObject& json) {
-    const Result<Settings> settings = analysisFromJson(json[settings_key].toObject());
+Result<AnalysisWish> wishFromJson(const QJsonObject& json) {
+    const Result<Settings> settings = analysisSettingsFromJson(json[settings_key].toObject());
     if (!settings) {
         return settings.error();
     }
-    RunWish run;
-    run.settings = *settings;
-    run.name = json[QStringLiteral("name")].toString();
-    run.place = json[QStringLiteral("place")].toInt();
-    run.color = QColor(json[QStringLiteral("color")].toString());
-    run.dash =
+    AnalysisWish analysis;
+    analysis.settings = *settings;
+    analysis.name = json[QStringLiteral("name")].toString();
+    analysis.place = json[QStringLiteral("place")].toInt();
+    analysis.color = QColor(json[QStringLiteral("color")].toString());
+    analysis.dash =
         static_cast<Qt::PenStyle>(std::clamp(json[QStringLiteral("dash")].toInt(Qt::SolidLine),
                                              int{Qt::SolidLine}, int{Qt::DashDotDotLine}));
-    run.visible = json[QStringLiteral("visible")].toBool(true);
-    run.live = json[live_key].toBool();
-    return run;
+    analysis.visible = json[QStringLiteral("visible")].toBool(true);
+    analysis.live = json[live_key].toBool();
+    return analysis;
 }
 
 QJsonObject recordingToJson(const SessionRecording& recording, const QDir& folder) {
-    QJsonArray runs;
-    for (const RunWish& run : recording.runs) {
-        runs.append(runToJson(run));
+    QJsonArray analyses;
+    for (const AnalysisWish& analysis : recording.analyses) {
+        analyses.append(wishToJson(analysis));
     }
     QJsonObject json = recording.unknown;
     json[path_key] = storedPath(recording.path, folder);
     json[sha256_key] = recording.sha256;
     json[options_key] = optionsToJson(recording.options);
-    json[runs_key] = runs;
+    json[analyses_key] = analyses;
     return json;
 }
 
@@ -115,14 +115,14 @@ Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& 
     recording.path = QDir::cleanPath(folder.absoluteFilePath(json[path_key].toString()));
     recording.sha256 = json[sha256_key].toString();
     recording.options = optionsFromJson(json[options_key].toObject());
-    for (const auto& value : json[runs_key].toArray()) {
-        Result<RunWish> run = runFromJson(value.toObject());
-        if (!run) {
-            return run.error();
+    for (const auto& value : json[analyses_key].toArray()) {
+        Result<AnalysisWish> analysis = wishFromJson(value.toObject());
+        if (!analysis) {
+            return analysis.error();
         }
-        recording.runs.push_back(std::move(*run));
+        recording.analyses.push_back(std::move(*analysis));
     }
-    recording.unknown = without(json, {path_key, sha256_key, options_key, runs_key});
+    recording.unknown = without(json, {path_key, sha256_key, options_key, analyses_key});
     return recording;
 }
 
@@ -163,7 +163,7 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
     }
     set.model = model.model;
     if (const QJsonValue listed = json[listed_key]; listed.isObject()) {
-        Result<ListedSet> read = listedFromJson(listed.toObject(), folder);
+        Result<ListedSetBy<int>> read = listedFromJson(listed.toObject(), folder);
         if (!read) {
             return read.error();
         }
@@ -245,7 +245,7 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     json[current_key] = session.current;
     json[sets_key] = sets;
     json[current_set_key] = session.current_set;
-    json[current_run_key] = session.current_run;
+    json[current_analysis_key] = session.current_analysis;
     json[gyro_key] = gyroToJson(session.dossier.gyro, json[gyro_key].toObject());
     json[limits_key] = limitsToJson(session.dossier.limits);
     json[view_key] = viewToJson(session.view);
@@ -271,7 +271,7 @@ QString misplacedKey(const QJsonObject& json) {
 
 Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     Session session;
-    const Result<Settings> settings = analysisFromJson(json[settings_key].toObject());
+    const Result<Settings> settings = analysisSettingsFromJson(json[settings_key].toObject());
     if (!settings) {
         return settings.error();
     }
@@ -302,13 +302,13 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     }
     session.current = placeFromJson(json[current_key], session.recordings.size());
     session.current_set = placeFromJson(json[current_set_key], session.sets.size());
-    session.current_run = json[current_run_key].toInt(-1);
+    session.current_analysis = json[current_analysis_key].toInt(-1);
     session.dossier = {gyroFromJson(json[gyro_key].toObject()),
                        limitsFromJson(json[limits_key].toObject())};
     session.view = viewFromJson(json[view_key].toObject());
     session.unknown = without(
         json, {schema_key, program_key, settings_key, tolerance_key, live_key, recordings_key,
-               current_key, sets_key, current_set_key, current_run_key, limits_key, view_key});
+               current_key, sets_key, current_set_key, current_analysis_key, limits_key, view_key});
     session.unknown[gyro_key] =
         without(json[gyro_key].toObject(), {serial_key, type_key, operator_key, comment_key});
     return session;

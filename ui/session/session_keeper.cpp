@@ -24,7 +24,8 @@ namespace {
 const QString backup_key = QStringLiteral("backup_of");
 const QString schema_key = QStringLiteral("vybeg_session");
 
-QJsonObject valueOf(const std::map<int, QJsonObject>& values, int id) {
+template <class Id>
+QJsonObject valueOf(const std::map<Id, QJsonObject>& values, Id id) {
     const auto found = values.find(id);
     return found == values.end() ? QJsonObject() : found->second;
 }
@@ -151,7 +152,7 @@ void SessionKeeper::begin(Session session) {
         }
     }
     for (std::size_t k = 0; k < wanted_ids_.size(); ++k) {
-        if (wanted_ids_[k] != 0) {
+        if (wanted_ids_[k] != RecordingId::none) {
             hashes_[wanted_ids_[k]] = session.recordings[k].sha256;
             unknown_of_recordings_[wanted_ids_[k]] = session.recordings[k].unknown;
         }
@@ -196,10 +197,10 @@ void SessionKeeper::supply(std::size_t absent, const QString& path) {
     }
     Absent& found = absent_[absent];
     found.supplied = true;
-    const int id = document_.restore(path, found.recording.options, found.recording.runs);
+    const auto id = document_.restore(path, found.recording.options, found.recording.analyses);
     hashes_[id] = found.recording.sha256;
     unknown_of_recordings_[id] = found.recording.unknown;
-    for (const int set_id : found.sets) {
+    for (const SetId set_id : found.sets) {
         if (const RecordingSet* set = document_.sets().find(set_id)) {
             if (set->listed) {
                 document_.sets().setListed(set_id,
@@ -211,7 +212,7 @@ void SessionKeeper::supply(std::size_t absent, const QString& path) {
 }
 
 void SessionKeeper::finishWhenComputed() {
-    const bool opens = std::ranges::any_of(wanted_ids_, [this](int id) {
+    const bool opens = std::ranges::any_of(wanted_ids_, [this](RecordingId id) {
         const RecordingEntry* entry = document_.recording(id);
         return entry && !entry->recording;
     });
@@ -226,16 +227,19 @@ void SessionKeeper::finishWhenComputed() {
     restoreView(wanted_.view, tracks_);
     saved_ = content();
     identifyAgain();
-    if (wanted_.current_run >= 0 &&
-        wanted_.current_run < static_cast<int>(document_.runs().size())) {
-        emit runWanted(document_.runs()[static_cast<std::size_t>(wanted_.current_run)].run.id);
+    if (wanted_.current_analysis >= 0 &&
+        wanted_.current_analysis < static_cast<int>(document_.analyses().size())) {
+        emit analysisWanted(
+            document_.analyses()[static_cast<std::size_t>(wanted_.current_analysis)].shown.id);
     }
     emit viewRestored(wanted_.view);
 }
 
 // The waves, plots and reports of an identification are not kept.
 void SessionKeeper::identifyAgain() {
-    const auto is_open = [this](int id) { return document_.recording(id)->recording.has_value(); };
+    const auto is_open = [this](RecordingId id) {
+        return document_.recording(id)->recording.has_value();
+    };
     for (const RecordingSet& set : document_.sets().all()) {
         const bool complete = std::ranges::none_of(absent_, [&set](const Absent& absent) {
             return std::ranges::count(absent.sets, set.id) > 0;
@@ -247,7 +251,7 @@ void SessionKeeper::identifyAgain() {
     }
 }
 
-void SessionKeeper::compareHash(int recording_id) {
+void SessionKeeper::compareHash(RecordingId recording_id) {
     const auto stated = hashes_.find(recording_id);
     const RecordingEntry* entry = document_.recording(recording_id);
     if (stated == hashes_.end() || !entry || entry->sha256.isEmpty()) {
@@ -255,8 +259,8 @@ void SessionKeeper::compareHash(int recording_id) {
     }
     if (!stated->second.isEmpty() && stated->second != entry->sha256) {
         warn([path = entry->path] {
-            return tr("%1 is another file than that of the session: its SHA-256 differs. The runs "
-                      "are computed from the present file.")
+            return tr("%1 is another file than that of the session: its SHA-256 differs. The "
+                      "analyses are computed from the present file.")
                 .arg(path);
         });
     }
@@ -267,10 +271,11 @@ Session SessionKeeper::present() const {
     Session session = sessionOf(document_, tracks_);
     session.unknown = unknown_;
     add_to_view_(session.view);
-    const auto run = std::ranges::find_if(
-        document_.runs(), [this](const RunEntry& entry) { return entry.run.id == current_run_; });
-    if (run != document_.runs().end()) {
-        session.current_run = static_cast<int>(run - document_.runs().begin());
+    const auto shown = std::ranges::find_if(
+        document_.analyses(),
+        [this](const AnalysisEntry& entry) { return entry.shown.id == current_analysis_; });
+    if (shown != document_.analyses().end()) {
+        session.current_analysis = static_cast<int>(shown - document_.analyses().begin());
     }
     const std::vector<RecordingSet>& sets = document_.sets().all();
     for (std::size_t k = 0; k < session.recordings.size(); ++k) {
@@ -298,7 +303,7 @@ Session SessionKeeper::present() const {
 QJsonObject SessionKeeper::content() const {
     Session session = present();
     session.view = {};
-    session.current_run = -1;
+    session.current_analysis = -1;
     for (SessionRecording& recording : session.recordings) {
         recording.sha256.clear();
     }

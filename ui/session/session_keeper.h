@@ -4,6 +4,7 @@
 #include "ui/document/document.h"
 #include "ui/session/session.h"
 #include "ui/session/session_backup.h"
+#include "ui/values/ids.h"
 
 #include <QJsonObject>
 #include <QObject>
@@ -33,8 +34,8 @@ public:
     QString path() const { return path_; }
     // Whether the session's file is not as it was opened or saved here.
     bool isChangedElsewhere() const;
-    // The run that the window's panels show.
-    void setCurrentRun(int id) { current_run_ = id; }
+    // The analysis that the window's panels show.
+    void setCurrentAnalysis(AnalysisId id) { current_analysis_ = id; }
     // Adds to a view what the window alone knows of it: page and trend.
     void setViewSource(std::function<void(SessionView&)> add) { add_to_view_ = std::move(add); }
     // Whether closing loses something: changes of a saved session; without a file, changed settings
@@ -53,15 +54,15 @@ signals:
     void pathChanged();
     void unitsWanted(const DisplayUnits& units);
     void viewRestored(const SessionView& view);
-    void runWanted(int id);
+    void analysisWanted(AnalysisId id);
     void fileWanted(std::size_t absent, const QString& name);
 
 private:
     // A recording of the session that is not where it was, with the sets that hold it.
     struct Absent {
         SessionRecording recording;
-        std::vector<int> sets;  // ids in the document
-        int place = 0;          // in the session
+        std::vector<SetId> sets;  // ids in the document
+        int place = 0;            // in the session
         bool supplied = false;
     };
 
@@ -74,7 +75,7 @@ private:
     void keepAbsent(Session& session);
     void finishWhenComputed();
     void identifyAgain();
-    void compareHash(int recording_id);
+    void compareHash(RecordingId recording_id);
     void warn(std::function<QString()> text);
     void fail(std::function<QString()> text);
 
@@ -84,18 +85,18 @@ private:
     QString path_;
     QJsonObject unknown_;
     // As Session::unknown, by the recording's and the set's id.
-    std::map<int, QJsonObject> unknown_of_recordings_;
-    std::map<int, QJsonObject> unknown_of_sets_;
+    std::map<RecordingId, QJsonObject> unknown_of_recordings_;
+    std::map<SetId, QJsonObject> unknown_of_sets_;
     QByteArray in_file_;  // digest of the file as it was opened or saved here
-    int current_run_ = 0;
+    AnalysisId current_analysis_ = AnalysisId::none;
     std::function<void(SessionView&)> add_to_view_ = [](SessionView&) {};
     QJsonObject saved_;  // content() when it was saved or opened
     std::vector<Absent> absent_;
-    std::map<int, QString> hashes_;  // that the session states, by recording
+    std::map<RecordingId, QString> hashes_;  // that the session states, by recording
     // Until the session that is being opened is computed.
     bool opening_ = false;
     Session wanted_;
-    std::vector<int> wanted_ids_;
+    std::vector<RecordingId> wanted_ids_;
     bool recovered_ = false;  // from a copy, and not saved since
 };
 

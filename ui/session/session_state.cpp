@@ -4,14 +4,28 @@
 #include "ui/session/listed_json.h"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 
 namespace vybeg::ui {
 
 namespace {
 
-int placeOf(const std::vector<RecordingEntry>& recordings, int id) {
+int placeOf(const std::vector<RecordingEntry>& recordings, RecordingId id) {
     const auto found = std::ranges::find(recordings, id, &RecordingEntry::id);
     return found == recordings.end() ? -1 : static_cast<int>(found - recordings.begin());
+}
+
+// The same by other keys of the members: `key` of each; negative ones for those without.
+template <class Key, class Before>
+ListedSetBy<Key> renamed(const ListedSetBy<Before>& listed,
+                         const std::function<std::optional<Key>(Before)>& key) {
+    ListedSetBy<Key> other{listed.settings, listed.other_columns, {}};
+    int without = 0;
+    for (const auto& [before, member] : listed.members) {
+        other.members.emplace(key(before).value_or(static_cast<Key>(--without)), member);
+    }
+    return other;
 }
 
 }  // namespace
@@ -24,10 +38,10 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
     session.live = document.live();
     for (const RecordingEntry& entry : document.recordings()) {
         SessionRecording recording{entry.path, entry.sha256, entry.options, {}, {}};
-        for (std::size_t place = 0; place < document.runs().size(); ++place) {
-            const RunEntry& run = document.runs()[place];
-            if (run.recording_id == entry.id) {
-                recording.runs.push_back(wishOf(run, static_cast<int>(place)));
+        for (std::size_t place = 0; place < document.analyses().size(); ++place) {
+            const AnalysisEntry& analysis = document.analyses()[place];
+            if (analysis.recording_id == entry.id) {
+                recording.analyses.push_back(wishOf(analysis, static_cast<int>(place)));
             }
         }
         session.recordings.push_back(std::move(recording));
@@ -37,11 +51,11 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
     }
     for (const RecordingSet& set : document.sets().all()) {
         SessionSet stored{set.name, {}, set.model, {}, document.sets().kept(set), {}};
-        for (const int id : set.recordings) {
+        for (const RecordingId id : set.recordings) {
             stored.recordings.push_back(placeOf(document.recordings(), id));
         }
         if (set.listed) {
-            stored.listed = renumbered(*set.listed, [&](int id) {
+            stored.listed = renamed<int, RecordingId>(*set.listed, [&](RecordingId id) {
                 const int place = placeOf(document.recordings(), id);
                 return place < 0 ? std::nullopt : std::optional(place);
             });
@@ -59,7 +73,7 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
     return session;
 }
 
-std::vector<int> restoreSession(const Session& session, Document& document) {
+std::vector<RecordingId> restoreSession(const Session& session, Document& document) {
     while (!document.recordings().empty()) {
         document.closeRecording(document.recordings().back().id);
     }
@@ -70,17 +84,17 @@ std::vector<int> restoreSession(const Session& session, Document& document) {
     document.setLive(false);
     document.startWith(session.settings, session.tolerance);
     document.dossier().startWith(session.dossier);
-    std::vector<int> ids;
+    std::vector<RecordingId> ids;
     for (const SessionRecording& recording : session.recordings) {
-        ids.push_back(recording.path.isEmpty()
-                          ? 0
-                          : document.restore(recording.path, recording.options, recording.runs));
+        ids.push_back(recording.path.isEmpty() ? RecordingId::none
+                                               : document.restore(recording.path, recording.options,
+                                                                  recording.analyses));
     }
-    std::vector<int> set_ids;
+    std::vector<SetId> set_ids;
     for (const SessionSet& set : session.sets) {
-        std::vector<int> members;
+        std::vector<RecordingId> members;
         for (const int place : set.recordings) {
-            if (const int id = ids[static_cast<std::size_t>(place)]; id != 0) {
+            if (const auto id = ids[static_cast<std::size_t>(place)]; id != RecordingId::none) {
                 members.push_back(id);
             }
         }
@@ -88,13 +102,13 @@ std::vector<int> restoreSession(const Session& session, Document& document) {
         document.sets().rename(set_ids.back(), set.name);
         document.sets().setModel(set_ids.back(), set.model);
         if (set.listed) {
-            ListedSet listed = renumbered(*set.listed, [&](int place) {
+            ListedSet listed = renamed<RecordingId, int>(*set.listed, [&](int place) {
                 const auto known = place >= 0 && place < static_cast<int>(ids.size());
-                const int id = known ? ids[static_cast<std::size_t>(place)] : 0;
-                return id == 0 ? std::nullopt : std::optional(id);
+                const auto id = known ? ids[static_cast<std::size_t>(place)] : RecordingId::none;
+                return id == RecordingId::none ? std::nullopt : std::optional(id);
             });
             // A recording that was missing when the session was saved is there again.
-            for (const int id : members) {
+            for (const RecordingId id : members) {
                 if (!listed.members.contains(id)) {
                     listed = withRowFor(listed, document.recording(id)->path, id);
                 }

@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/session/session.h"
+#include "ui/values/ids.h"
 
 #include <vector>
 
@@ -11,9 +12,9 @@ namespace vybeg::ui {
 Session sessionOf(const Document& document, const TrackView& tracks);
 
 // Puts a session in the place of all recordings and sets of the document, and begins to compute its
-// runs. Recordings with an empty path are left out. Returns the ids of the recordings in their
+// analyses. Recordings with an empty path are left out. Returns the ids of the recordings in their
 // order, 0 for those left out.
-std::vector<int> restoreSession(const Session& session, Document& document);
+std::vector<RecordingId> restoreSession(const Session& session, Document& document);
 
 // What the plots of a session show; for the end of the computations, because plots begin with the
 // whole range of each recording that joins.

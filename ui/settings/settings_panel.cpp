@@ -62,16 +62,16 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
 
     live_ = new QCheckBox(this);
     live_->setObjectName(QStringLiteral("live"));
-    run_ = new QPushButton(this);
-    run_->setObjectName(QStringLiteral("run"));
-    run_->setDefault(true);
+    analyse_ = new QPushButton(this);
+    analyse_->setObjectName(QStringLiteral("analyse"));
+    analyse_->setDefault(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 4);
     layout->addWidget(scroll, 1);
     auto* start = new QHBoxLayout;
     start->setContentsMargins(8, 0, 4, 0);
     start->addWidget(live_);
-    start->addWidget(run_, 1);
+    start->addWidget(analyse_, 1);
     layout->addLayout(start);
 
     connect(algorithm_, &QComboBox::activated, this, [this](int index) {
@@ -81,7 +81,7 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     });
     connect(range, &RangeFields::visibleRangeWanted, this, &SettingsPanel::visibleRangeWanted);
     connect(calibration, &CalibrationFields::toleranceEdited, &document_, &Document::setTolerance);
-    connect(run_, &QPushButton::clicked, this, &SettingsPanel::run);
+    connect(analyse_, &QPushButton::clicked, this, &SettingsPanel::analyse);
     connect(live_, &QCheckBox::toggled, &document_, &Document::setLive);
     connect(&document_, &Document::liveChanged, live_,
             [this] { live_->setChecked(document_.live()); });
@@ -101,7 +101,7 @@ void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {
             [this](const Settings& settings) { document_.setSettings(settings); });
 }
 
-void SettingsPanel::run() {
+void SettingsPanel::analyse() {
     // F5 does not move the focus, so the edited field is committed here.
     if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget())) {
         field->commit();
@@ -132,7 +132,7 @@ void SettingsPanel::refresh() {
     for (const Group& group : groups_) {
         group.fields->setState(state);
     }
-    run_->setEnabled(state.rate_hz.has_value());
+    analyse_->setEnabled(state.rate_hz.has_value());
 }
 
 void SettingsPanel::changeEvent(QEvent* event) {
@@ -156,13 +156,14 @@ void SettingsPanel::retranslate() {
     // The panel grows instead of cutting its fields.
     scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
                              scroll_->verticalScrollBar()->sizeHint().width());
-    run_->setText(tr("Run"));
-    run_->setToolTip(tr("Analyse the current recording with these settings and keep the run (F5)"));
+    analyse_->setText(tr("Analyse"));
+    analyse_->setToolTip(
+        tr("Analyse the current recording with these settings and keep the analysis (F5)"));
     live_->setText(tr("Live"));
-    live_->setToolTip(richTip(
-        tr("Every change of a setting shows at once: first in the visible part of the plots, then "
-           "in the rest, always in the same run. What is to stay for comparison is kept by Run "
-           "(Ctrl+L)")));
+    live_->setToolTip(
+        richTip(tr("Every change of a setting shows at once: first in the visible part of the "
+                   "plots, then in the rest, always in the same analysis. What is to stay for "
+                   "comparison is kept by Analyse (Ctrl+L)")));
     refresh();
 }
 

@@ -27,7 +27,7 @@ public:
     QSize sizeHint() const override { return {310, 420}; }
 
     // Analyses with the values of the fields. A field with a fault gets the focus instead.
-    void run();
+    void analyse();
 
 signals:
     void visibleRangeWanted();
@@ -50,7 +50,7 @@ private:
     QLabel* algorithm_label_;
     QComboBox* algorithm_;
     QCheckBox* live_;
-    QPushButton* run_;
+    QPushButton* analyse_;
     std::vector<Group> groups_;
     QVBoxLayout* sections_;
     QScrollArea* scroll_;

@@ -69,7 +69,7 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     pause_.setInterval(pause_ms);
     connect(&pause_, &QTimer::timeout, this, &SignalsPage::request);
     connect(wave_, &QCheckBox::toggled, this, &SignalsPage::refresh);
-    connect(stale_, &StaleMark::runWanted, this, &SignalsPage::runWanted);
+    connect(stale_, &StaleMark::analyseWanted, this, &SignalsPage::analyseWanted);
     connect(view_, &SignalsView::resized, this, &SignalsPage::refresh);
     connect(&tracks_, &TrackView::timeRangeChanged, this, &SignalsPage::refresh);
     connect(&tracks_, &TrackView::cursorsChanged, this, &SignalsPage::showCursors);
@@ -77,7 +77,7 @@ SignalsPage::SignalsPage(Document& document, TrackView& tracks, QWidget* parent)
     connect(&document_, &Document::recordingChanged, this, &SignalsPage::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SignalsPage::refresh);
     connect(&document_, &Document::envelopeGrown, this, &SignalsPage::refresh);
-    connect(&document_, &Document::runsChanged, this, &SignalsPage::refresh);
+    connect(&document_, &Document::analysesChanged, this, &SignalsPage::refresh);
     retranslate();
 }
 
@@ -85,16 +85,16 @@ const RecordingEntry* SignalsPage::recording() const {
     return document_.currentRecording();
 }
 
-const RunEntry* SignalsPage::fitted() const {
-    const RunEntry* run = document_.run(run_id_);
+const AnalysisEntry* SignalsPage::fitted() const {
+    const AnalysisEntry* chosen = document_.analysis(analysis_id_);
     const RecordingEntry* entry = recording();
-    const bool whole = run && entry && run->recording_id == entry->id && !run->partial() &&
-                       run->run.analysis->track.rows() > 0;
-    return whole ? run : nullptr;
+    const bool whole = chosen && entry && chosen->recording_id == entry->id && !chosen->partial() &&
+                       chosen->shown.analysis->track.rows() > 0;
+    return whole ? chosen : nullptr;
 }
 
-void SignalsPage::setRun(int id) {
-    run_id_ = id;
+void SignalsPage::setAnalysis(AnalysisId id) {
+    analysis_id_ = id;
     refresh();
 }
 
@@ -124,17 +124,17 @@ SignalContent SignalsPage::content() const {
             content.frames = source_->samples->frames();
         }
     }
-    if (const RunEntry* run = fitted()) {
-        content.analysis = run->run.analysis;
-        content.calibration = run->run.analysis->settings.calibration;
-        const auto rms = std::ranges::find(run->run.curves, SlowVariable::rms,
+    if (const AnalysisEntry* chosen = fitted()) {
+        content.analysis = chosen->shown.analysis;
+        content.calibration = chosen->shown.analysis->settings.calibration;
+        const auto rms = std::ranges::find(chosen->shown.curves, SlowVariable::rms,
                                            [](const auto& curve) { return curve->variable(); });
-        content.rms = rms == run->run.curves.end()
-                          ? std::make_shared<CurveData>(run->run.analysis, SlowVariable::rms)
+        content.rms = rms == chosen->shown.curves.end()
+                          ? std::make_shared<CurveData>(chosen->shown.analysis, SlowVariable::rms)
                           : *rms;
     }
     content.wave = wave_->isChecked();
-    content.no_residual = tr("The residual is what a run leaves of the samples.");
+    content.no_residual = tr("The residual is what an analysis leaves of the samples.");
     content.theme = theme_;
     content.time = tracks_.timeRange();
     return content;
@@ -146,7 +146,7 @@ void SignalsPage::refresh() {
     const auto samples = entry && entry->recording ? entry->recording->source : nullptr;
     if (!entry || entry->id != source_recording_ || samples != source_samples_) {
         // Of another recording nothing is kept.
-        source_recording_ = entry ? entry->id : 0;
+        source_recording_ = entry ? entry->id : RecordingId::none;
         source_samples_ = samples;
         source_.reset();
         excerpt_.reset();
@@ -174,8 +174,8 @@ void SignalsPage::request() {
     if (!fewSamples(time, recording.rate_hz, view_->timeWidth())) {
         return;
     }
-    const RunEntry* run = fitted();
-    const auto analysis = run ? run->run.analysis : nullptr;
+    const AnalysisEntry* chosen = fitted();
+    const auto analysis = chosen ? chosen->shown.analysis : nullptr;
     const bool same = source_ && source_->analysis == analysis;
     if (same && (failure_ || (excerpt_ && covers(*excerpt_, beyond(time, least_reach),
                                                  source_->samples->frames())))) {
@@ -217,19 +217,19 @@ QString SignalsPage::stateText() const {
     if (failure_) {
         return errorText(*failure_);
     }
-    const RunEntry* run = document_.run(run_id_);
-    if (!run) {
-        return tr("%1, samples as recorded. Run (F5) fits the wave.").arg(entry->name);
+    const AnalysisEntry* chosen = document_.analysis(analysis_id_);
+    if (!chosen) {
+        return tr("%1, samples as recorded. Analyse (F5) fits the wave.").arg(entry->name);
     }
-    if (run->recording_id != entry->id) {
-        return tr("%1, samples as recorded: the chosen run is one of %2.")
-            .arg(entry->name, run->run.recording);
+    if (chosen->recording_id != entry->id) {
+        return tr("%1, samples as recorded: the chosen analysis is one of %2.")
+            .arg(entry->name, chosen->shown.recording);
     }
-    const QString name = QStringLiteral("%1, %2").arg(entry->name, run->run.name);
+    const QString name = QStringLiteral("%1, %2").arg(entry->name, chosen->shown.name);
     if (!fitted()) {
-        return tr("%1: the wave appears when all windows of the run are there.").arg(name);
+        return tr("%1: the wave appears when all windows of the analysis are there.").arg(name);
     }
-    const Settings& settings = run->run.analysis->settings;
+    const Settings& settings = chosen->shown.analysis->settings;
     const bool changed =
         settings.filter || settings.repair_lost || settings.calibration.delay_d_s != 0;
     if (changed && !view_->picture().samples) {
@@ -286,7 +286,7 @@ void SignalsPage::changeEvent(QEvent* event) {
 void SignalsPage::retranslate() {
     wave_->setText(tr("Fitted &wave"));
     wave_->setToolTip(
-        tr("Shows the wave of the chosen run over the samples: zoomed out its amplitude, "
+        tr("Shows the wave of the chosen analysis over the samples: zoomed out its amplitude, "
            "zoomed in the wave itself"));
     view_->setAccessibleName(tr("Signals over time"));
     refresh();

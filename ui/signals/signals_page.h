@@ -3,6 +3,7 @@
 #include "ui/document/background_jobs.h"
 #include "ui/plots/figure_source.h"
 #include "ui/signals/signal_picture.h"
+#include "ui/values/ids.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -20,11 +21,11 @@ class SignalsView;
 class StaleMark;
 class TrackView;
 struct RecordingEntry;
-struct RunEntry;
+struct AnalysisEntry;
 
-// The signals of the current recording as samples, with the wave that the chosen run fitted to them
-// and what it leaves. Few samples are read in the background; what was read before is shown until
-// they are there. Time range, zoom history and cursors are those of the tracks.
+// The signals of the current recording as samples, with the wave that the chosen analysis fitted to
+// them and what it leaves. Few samples are read in the background; what was read before is shown
+// until they are there. Time range, zoom history and cursors are those of the tracks.
 class SignalsPage : public QWidget {
     Q_OBJECT
 
@@ -32,7 +33,7 @@ public:
     // `tracks` outlives the page's work.
     SignalsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
-    void setRun(int id);
+    void setAnalysis(AnalysisId id);
     void setTheme(const Theme& theme);
     // Draws the cursors again.
     void showCursors();
@@ -41,7 +42,7 @@ public:
     FigureSource figures() const;
 
 signals:
-    void runWanted();
+    void analyseWanted();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -50,8 +51,8 @@ protected:
 
 private:
     const RecordingEntry* recording() const;
-    // The chosen run, if it is one of the current recording and has all its windows.
-    const RunEntry* fitted() const;
+    // The chosen analysis, if it is one of the current recording and has all its windows.
+    const AnalysisEntry* fitted() const;
     void refresh();
     void request();
     void take(Result<ExcerptOutcome> result);
@@ -68,10 +69,10 @@ private:
     StaleMark* stale_;
     SignalsView* view_;
     Theme theme_;
-    int run_id_ = 0;
+    AnalysisId analysis_id_ = AnalysisId::none;
     // Of the excerpt that is shown, and of the next one.
     std::optional<SignalSource> source_;
-    int source_recording_ = 0;
+    RecordingId source_recording_ = RecordingId::none;
     std::shared_ptr<const SampleSource> source_samples_;  // as recorded
     std::shared_ptr<const SignalExcerpt> excerpt_;
     bool reading_ = false;

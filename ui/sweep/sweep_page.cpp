@@ -38,7 +38,7 @@ SweepPage::SweepPage(Document& document, QWidget* parent)
       snap_(new QCheckBox(this)),
       lengths_label_(new QLabel(this)),
       lengths_(new LengthField(this)),
-      run_(new QPushButton(this)),
+      compute_(new QPushButton(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QPushButton(this)),
       state_(new QLabel(this)),
@@ -121,7 +121,7 @@ void SweepPage::followSettings() {
 
 // Results and failures of recordings that are closed or have other samples now.
 void SweepPage::dropOldResults() {
-    const auto entry = [this](int id) -> const Recording* {
+    const auto entry = [this](RecordingId id) -> const Recording* {
         const RecordingEntry* recording = document_.recording(id);
         return recording && recording->recording ? &*recording->recording : nullptr;
     };
@@ -130,7 +130,7 @@ void SweepPage::dropOldResults() {
         return !recording || recording->source != result.second.source.lock();
     });
     std::erase_if(failures_, [&](const auto& failure) { return !entry(failure.first); });
-    if (running_ != 0 && !entry(running_)) {
+    if (running_ != RecordingId::none && !entry(running_)) {
         cancel();
     }
     if (dropped > 0) {
@@ -141,7 +141,7 @@ void SweepPage::dropOldResults() {
     }
 }
 
-void SweepPage::run() {
+void SweepPage::compute() {
     const RecordingEntry* entry = current();
     const LengthList list = lengths_->list();
     if (running() || !entry || !entry->recording || !list.refusal.isEmpty()) {
@@ -159,12 +159,12 @@ void SweepPage::run() {
 
 void SweepPage::cancel() {
     job_.forget(job_key);
-    running_ = 0;
+    running_ = RecordingId::none;
     refresh();
 }
 
-void SweepPage::take(int recording, const Settings& asked, Result<WindowSweep> result) {
-    running_ = 0;
+void SweepPage::take(RecordingId recording, const Settings& asked, Result<WindowSweep> result) {
+    running_ = RecordingId::none;
     const RecordingEntry* entry = document_.recording(recording);
     if (entry && entry->recording) {
         results_.erase(recording);
@@ -195,7 +195,7 @@ void SweepPage::useWindow() {
     }
 }
 
-QString SweepPage::runHint() const {
+QString SweepPage::missing() const {
     if (!current()) {
         return tr("No recording is open.");
     }
@@ -209,7 +209,7 @@ QString SweepPage::stateText() const {
     if (running()) {
         return tr("The windows are being estimated…");
     }
-    if (const QString hint = runHint(); !hint.isEmpty()) {
+    if (const QString hint = missing(); !hint.isEmpty()) {
         return hint;
     }
     if (const auto failure = failures_.find(current()->id); failure != failures_.end()) {
@@ -217,23 +217,23 @@ QString SweepPage::stateText() const {
     }
     if (!found()) {
         return tr(
-            "Run estimates this recording once for each length: it shows how much the values "
+            "Compute estimates this recording once for each length: it shows how much the values "
             "scatter and which window the recording deserves.");
     }
     const QString refused = refusedText(found()->sweep);
     return found()->asked == wanted()
                ? refused
-               : tr("The result is older than the settings: Run computes it anew.");
+               : tr("The result is older than the settings: Compute does it anew.");
 }
 
 void SweepPage::refresh() {
-    const bool ready = !running() && runHint().isEmpty();
+    const bool ready = !running() && missing().isEmpty();
     recording_->setText(current() ? current()->name : QString());
     recording_->setToolTip(current() ? current()->path : QString());
-    run_->setEnabled(ready);
-    run_->setToolTip(richTip(ready ? tr("Estimates adjacent windows of each length with the "
-                                        "settings of the panel Analysis")
-                                   : stateText()));
+    compute_->setEnabled(ready);
+    compute_->setToolTip(richTip(ready ? tr("Estimates adjacent windows of each length with the "
+                                            "settings of the panel Analysis")
+                                       : stateText()));
     progress_->setVisible(running());
     cancel_->setVisible(running());
     const QString state = stateText();

@@ -4,6 +4,7 @@
 #include "ui/document/background_jobs.h"
 #include "ui/plots/figure_source.h"
 #include "ui/sweep/sweep_plots.h"
+#include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 
@@ -41,7 +42,7 @@ public:
     void setUnits(const DisplayUnits& units);
     // What is shown; null without a result.
     const WindowSweep* sweep() const;
-    bool running() const { return running_ != 0; }
+    bool running() const { return running_ != RecordingId::none; }
 
     FigureSource figures() const;
 
@@ -73,13 +74,13 @@ private:
     std::optional<std::size_t> offered() const;
     void followSettings();
     void dropOldResults();
-    void run();
+    void compute();
     void cancel();
-    void take(int recording, const Settings& asked, Result<WindowSweep> result);
+    void take(RecordingId recording, const Settings& asked, Result<WindowSweep> result);
     void choose(std::optional<std::size_t> length);
     void useWindow();
     QString stateText() const;
-    QString runHint() const;
+    QString missing() const;
     void refresh();
     void showFound();
     void retranslate();
@@ -92,7 +93,7 @@ private:
     QCheckBox* snap_;
     QLabel* lengths_label_;
     LengthField* lengths_;
-    QPushButton* run_;
+    QPushButton* compute_;
     QProgressBar* progress_;
     QPushButton* cancel_;
     QLabel* state_;
@@ -110,9 +111,9 @@ private:
     DisplayUnits units_;
     std::optional<Algorithm> followed_;  // of the panel
     bool followed_snap_ = false;
-    int running_ = 0;  // recording; 0: none
-    std::map<int, Found> results_;
-    std::map<int, Error> failures_;
+    RecordingId running_ = RecordingId::none;
+    std::map<RecordingId, Found> results_;
+    std::map<RecordingId, Error> failures_;
     std::optional<std::size_t> chosen_;
 };
 

@@ -49,11 +49,11 @@ QLayout* SweepPage::buildHead() {
     snap_->setObjectName(QStringLiteral("sweepSnap"));
     lengths_->setObjectName(QStringLiteral("sweepLengths"));
     lengths_label_->setBuddy(lengths_);
-    run_->setObjectName(QStringLiteral("sweepRun"));
+    compute_->setObjectName(QStringLiteral("computeSweep"));
     cancel_->setObjectName(QStringLiteral("sweepCancel"));
     makeSentence(state_, "sweepState");
     progress_->setRange(0, progress_steps);
-    progress_->setMaximumHeight(run_->sizeHint().height());
+    progress_->setMaximumHeight(compute_->sizeHint().height());
     auto* first = new QHBoxLayout;
     first->addWidget(recording_, 1);
     first->addWidget(algorithm_label_);
@@ -62,7 +62,7 @@ QLayout* SweepPage::buildHead() {
     auto* second = new QHBoxLayout;
     second->addWidget(lengths_label_);
     second->addWidget(lengths_, 2);
-    second->addWidget(run_);
+    second->addWidget(compute_);
     second->addWidget(progress_, 1);
     second->addWidget(cancel_);
     auto* rows = new QVBoxLayout;
@@ -140,11 +140,11 @@ XYPlotView* SweepPage::addPlot(const char* name) {
 }
 
 void SweepPage::connectWidgets() {
-    connect(run_, &QPushButton::clicked, this, &SweepPage::run);
+    connect(compute_, &QPushButton::clicked, this, &SweepPage::compute);
     connect(cancel_, &QPushButton::clicked, this, &SweepPage::cancel);
     connect(use_, &QPushButton::clicked, this, &SweepPage::useWindow);
     connect(lengths_, &QLineEdit::textChanged, this, &SweepPage::refresh);
-    connect(lengths_, &QLineEdit::returnPressed, this, &SweepPage::run);
+    connect(lengths_, &QLineEdit::returnPressed, this, &SweepPage::compute);
     connect(algorithm_, &QComboBox::currentIndexChanged, this, &SweepPage::refresh);
     connect(snap_, &QCheckBox::toggled, this, &SweepPage::refresh);
     connect(variable_, &QComboBox::currentIndexChanged, this, &SweepPage::showFound);
@@ -185,8 +185,8 @@ void SweepPage::retranslate() {
     snap_->setToolTip(richTip(tr("Moves every length to whole half-periods of the carrier")));
     lengths_label_->setText(tr("Lengths"));
     lengths_->retranslate();
-    run_->setText(tr("Run"));
-    run_->setAccessibleName(tr("Run the sweep"));
+    compute_->setText(tr("Compute"));
+    compute_->setAccessibleName(tr("Compute the sweep"));
     cancel_->setText(tr("Cancel"));
     cancel_->setAccessibleName(tr("Cancel the sweep"));
     progress_->setAccessibleName(tr("Progress of the sweep"));

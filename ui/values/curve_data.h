@@ -30,7 +30,7 @@ struct CurveColumn {
     bool empty() const { return !(min <= max); }
 };
 
-// One variable of one run for drawing: least and greatest value of every pixel column without
+// One variable of one analysis for drawing: least and greatest value of every pixel column without
 // reading each window, from summaries of 64, 64 times 64, ... windows. Immutable; keeps the
 // analysis with its track alive.
 class CurveData {

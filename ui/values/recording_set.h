@@ -3,6 +3,7 @@
 #include "core/analysis/identify.h"
 #include "core/analysis/measurement_list.h"
 #include "core/resonator/results/passport.h"
+#include "ui/values/ids.h"
 
 #include <QJsonObject>
 #include <QString>
@@ -18,7 +19,7 @@ namespace vybeg::ui {
 struct ResonatorOutcome {
     Identification identification;        // with the requested settings
     std::vector<IdentifiedInput> inputs;  // as identification.runs
-    std::vector<int> recordings;          // ids in the document, in that order
+    std::vector<RecordingId> recordings;  // ids in the document, in that order
     double seconds = 0;                   // duration
     QJsonObject kept;                     // as a session keeps it, kept_result.h
 };
@@ -36,22 +37,26 @@ struct ListedMember {
 };
 
 // What a measurement list says of a set. Recordings that come to the set later have the signal
-// settings of `settings`.
-struct ListedSet {
+// settings of `settings`. `Key`: what names a recording, an id in the document or a place in a
+// session.
+template <class Key>
+struct ListedSetBy {
     IdentifySettings settings;
     std::vector<std::string> other_columns;  // of the list
-    // By id in the document; negative or of no member of the set: a row whose recording is not in
-    // it.
-    std::map<int, ListedMember> members;
+    // Negative or of no member of the set: a row whose recording is not in it.
+    std::map<Key, ListedMember> members;
 };
+
+using ListedSet = ListedSetBy<RecordingId>;
 
 // Recordings of one resonator, started at different angles, that are identified together. A single
 // recording is a set of one.
 struct RecordingSet {
-    int id = 0;
-    int number = 0;               // for the default name
-    QString name;                 // empty: default name
-    std::vector<int> recordings;  // ids in the document, in the order in which they were added
+    SetId id = SetId::none;
+    int number = 0;  // for the default name
+    QString name;    // empty: default name
+    std::vector<RecordingId>
+        recordings;  // ids in the document, in the order in which they were added
     FitOptions::Model model = FitOptions::Model::automatic;
     std::shared_ptr<const ListedSet> listed;  // null: the settings of the panel hold
     // The newest last. All have the present recordings of the set; otherwise only the last one

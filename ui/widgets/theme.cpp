@@ -132,7 +132,7 @@ Theme applyTheme(QApplication& app, ThemeMode mode) {
     return theme;
 }
 
-RunStyle runStyle(int index) {
+CurveStyle curveStyle(int index) {
     // Okabe and Ito, without black (no good on dark) and yellow (no good on light), in an order
     // that separates neighbours for every kind of colour blindness.
     static constexpr std::array<const char*, 6> colors{"#0072b2", "#d55e00", "#009e73",
@@ -167,7 +167,7 @@ double contrast(const QColor& a, const QColor& b) {
 
 QColor inkColor(Ink ink, int style, const Theme& theme) {
     switch (ink) {
-        case Ink::style: return readable(runStyle(style).color, theme);
+        case Ink::style: return readable(curveStyle(style).color, theme);
         case Ink::text: return theme.text;
         case Ink::muted: return theme.mutedText;
         case Ink::channel_c: return theme.signalC;

@@ -31,8 +31,8 @@ struct Theme {
     QColor signalD;
 };
 
-// Style of the curve of a run: an Okabe-Ito colour and a dash.
-struct RunStyle {
+// Style of the curve of an analysis: an Okabe-Ito colour and a dash.
+struct CurveStyle {
     QColor color;
     Qt::PenStyle dash = Qt::SolidLine;
 };
@@ -50,14 +50,15 @@ bool isDark(const QPalette& palette);
 // theme for views. Call it again on QEvent::ThemeChange to follow the desktop.
 Theme applyTheme(QApplication& app, ThemeMode mode);
 
-// Style of the index-th run of a document (any index >= 0): colours change fastest, then dashes.
-RunStyle runStyle(int index);
+// Style of the index-th analysis of a document (any index >= 0): colours change fastest, then
+// dashes.
+CurveStyle curveStyle(int index);
 
-// The run's colour with its lightness changed until it is readable on the theme's panels: contrast
-// 3.2 in the light, 4.5 in the dark theme.
+// The analysis's colour with its lightness changed until it is readable on the theme's panels:
+// contrast 3.2 in the light, 4.5 in the dark theme.
 QColor readable(const QColor& color, const Theme& theme);
 
-// The colour of an ink; `style`: number of runStyle() for Ink::style.
+// The colour of an ink; `style`: number of curveStyle() for Ink::style.
 QColor inkColor(Ink ink, int style, const Theme& theme);
 
 // Contrast of two opaque colours after WCAG 2, 1 to 21.

@@ -35,9 +35,9 @@ QString diagnosticsOf(const Document& document, const QString& language, bool da
           << QStringLiteral("Language %1, theme %2, scale %3")
                  .arg(language, dark ? QStringLiteral("dark") : QStringLiteral("light"))
                  .arg(scale)
-          << QStringLiteral("Recordings: %1, runs: %2")
+          << QStringLiteral("Recordings: %1, analyses: %2")
                  .arg(document.recordings().size())
-                 .arg(document.runs().size());
+                 .arg(document.analyses().size());
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 

@@ -9,8 +9,8 @@ namespace vybeg::ui {
 
 class Document;
 
-// Program, libraries, platform and numbers of recordings and runs, for a report of a fault: English
-// whatever the interface's language, as those who mend the program read it.
+// Program, libraries, platform and numbers of recordings and analyses, for a report of a fault:
+// English whatever the interface's language, as those who mend the program read it.
 QString diagnosticsOf(const Document& document, const QString& language, bool dark, double scale);
 
 // `copy_diagnostics` has a button in it.

@@ -45,7 +45,7 @@ enum class Command {
     zoom_forward,
     sigma_bands,
     log_a_A,
-    run,
+    analyse,
     live,
     cancel,
     compare,

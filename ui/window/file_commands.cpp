@@ -2,7 +2,7 @@
 
 #include "core/output/same_file.h"
 #include "ui/import/import_dialog.h"
-#include "ui/panels/run_list.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/plots/track_view.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/compare_dialog.h"
@@ -33,24 +33,24 @@ Status stayAsTheyAre(const Document& document, const QString& path) {
     return {};
 }
 
-// "rec_maximum-likelihood_60" for the track of a run: recording, algorithm and window.
-QString trackName(const Run& run) {
-    const std::string_view algorithm = algorithm_name(run.analysis->settings.algorithm);
+// "rec_maximum-likelihood_60" for the track of an analysis: recording, algorithm and window.
+QString trackName(const ShownAnalysis& shown) {
+    const std::string_view algorithm = algorithm_name(shown.analysis->settings.algorithm);
     return QStringLiteral("%1_%2_%3")
-        .arg(QFileInfo(run.recording).completeBaseName(),
+        .arg(QFileInfo(shown.recording).completeBaseName(),
              QString::fromUtf8(algorithm.data(), std::ssize(algorithm)),
-             QString::number(run.analysis->plan.length));
+             QString::number(shown.analysis->plan.length));
 }
 
 }  // namespace
 
 FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView& tracks,
-                           RunList& runs, QWidget* window)
+                           AnalysisList& analyses, QWidget* window)
     : QObject(window),
       document_(document),
       session_(session),
       tracks_(tracks),
-      runs_(runs),
+      analyses_(analyses),
       ask_(*new FileQuestions(window)),
       window_(window) {
     connect(&session_, &SessionKeeper::fileWanted, this,
@@ -167,8 +167,8 @@ void FileCommands::askForNewDatabase() {
 }
 
 void FileCommands::askWhereToPutTrack() {
-    if (const RunEntry* entry = document_.run(runs_.currentRun())) {
-        ask_.trackTarget(trackName(entry->run),
+    if (const AnalysisEntry* entry = document_.analysis(analyses_.currentAnalysis())) {
+        ask_.trackTarget(trackName(entry->shown),
                          [this](const QString& path) { exportTrackTo(path); });
     }
 }
@@ -266,7 +266,7 @@ void FileCommands::exportTrackTo(const QString& path) {
         reportSaved(possible, path);
         return;
     }
-    document_.exportTrack(runs_.currentRun(), path,
+    document_.exportTrack(analyses_.currentAnalysis(), path,
                           [this, path](const Status& status) { reportSaved(status, path); });
 }
 
@@ -304,12 +304,12 @@ void FileCommands::openCompare() {
     compare_->activateWindow();
 }
 
-void FileCommands::showComparison(const QList<int>& run_ids) {
+void FileCommands::showComparison(const QList<AnalysisId>& analysis_ids) {
     std::vector<FigureColumn> columns;
-    for (const int id : run_ids) {
-        if (const RunEntry* entry = document_.run(id)) {
+    for (const AnalysisId id : analysis_ids) {
+        if (const AnalysisEntry* entry = document_.analysis(id)) {
             columns.push_back(
-                {QStringLiteral("n = %1").arg(entry->run.analysis->plan.length), entry->run});
+                {QStringLiteral("n = %1").arg(entry->shown.analysis->plan.length), entry->shown});
         }
     }
     openCompare();

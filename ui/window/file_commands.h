@@ -3,6 +3,7 @@
 #include "ui/document/document.h"
 #include "ui/plots/figure_source.h"
 #include "ui/report/report_writer.h"
+#include "ui/values/ids.h"
 
 #include <QObject>
 #include <QPointer>
@@ -14,7 +15,7 @@ namespace vybeg::ui {
 class CompareDialog;
 class FileQuestions;
 class ImportDialog;
-class RunList;
+class AnalysisList;
 class SessionKeeper;
 class TrackView;
 
@@ -24,8 +25,8 @@ class FileCommands : public QObject {
     Q_OBJECT
 
 public:
-    FileCommands(Document& document, SessionKeeper& session, TrackView& tracks, RunList& runs,
-                 QWidget* window);
+    FileCommands(Document& document, SessionKeeper& session, TrackView& tracks,
+                 AnalysisList& analyses, QWidget* window);
 
     // Recordings, measurement lists and sessions. Before a session takes the place of one with
     // changes, it asks.
@@ -72,12 +73,12 @@ private:
     // Before the session's file loses what another program wrote into it.
     void askToReplaceAndThen(const std::function<void()>& then);
     void reportSaved(const Status& status, const QString& path);
-    void showComparison(const QList<int>& run_ids);
+    void showComparison(const QList<AnalysisId>& analysis_ids);
 
     Document& document_;
     SessionKeeper& session_;
     TrackView& tracks_;
-    RunList& runs_;
+    AnalysisList& analyses_;
     FileQuestions& ask_;
     QWidget* window_;
     QPointer<CompareDialog> compare_;

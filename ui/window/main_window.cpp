@@ -1,13 +1,13 @@
 #include "ui/window/main_window.h"
 
 #include "ui/history/history_page.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/panels/cursor_panel.h"
 #include "ui/panels/events_panel.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/recording_drag.h"
 #include "ui/panels/recording_panel.h"
-#include "ui/panels/run_list.h"
 #include "ui/panels/wave_panel.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
@@ -54,12 +54,12 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     buildPages();
     buildDocks();
     session_ = new SessionKeeper(document_, *tracks_, this);
-    files_ = new FileCommands(document_, *session_, *tracks_, *runs_, this);
+    files_ = new FileCommands(document_, *session_, *tracks_, *analyses_, this);
     batch_ = new BatchCommands(document_, this);
     status_ = new StatusLine(document_, this);
     statusBar()->addWidget(status_, 1);
     commands_ = new Commands(
-        windowCommands({document_, *tracks_, *cursor_, *measure_, *runs_, *settings_, *status_,
+        windowCommands({document_, *tracks_, *cursor_, *measure_, *analyses_, *settings_, *status_,
                         *files_, *batch_, [this](const DisplayUnits& units) { setUnits(units); },
                         [this](Page page) { pages_->showPage(page); },
                         [this] { return pages_->page(); }, [this] { return figures(); },
@@ -79,7 +79,7 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     restoreState();
     retranslate();
     showCurrentRecording();
-    showRuns();
+    showAnalyses();
     tracks_->setFocus();
 }
 
@@ -117,7 +117,7 @@ void MainWindow::buildDocks() {
     measure_ = new MeasurePanel(document_, this);
     wave_ = new WavePanel(document_, this);
     events_ = new EventsPanel(document_, this);
-    runs_ = new RunList(document_, this);
+    analyses_ = new AnalysisList(document_, this);
     const auto dock = [this](QWidget* panel, const char* name, const char* title,
                              Qt::DockWidgetArea area) {
         auto* widget = new QDockWidget(this);
@@ -144,10 +144,10 @@ void MainWindow::buildDocks() {
         dock(readings_, "readings", QT_TR_NOOP("Values and events"), Qt::RightDockWidgetArea);
     // The tabs say what the title bar would say.
     readings->setTitleBarWidget(new QWidget(readings));
-    auto* runs = dock(runs_, "runs", QT_TR_NOOP("Runs"), Qt::BottomDockWidgetArea);
+    auto* analyses = dock(analyses_, "runs", QT_TR_NOOP("Analyses"), Qt::BottomDockWidgetArea);
     resizeDocks({recordings, settings}, {340, 420}, Qt::Vertical);
     resizeDocks({settings, readings}, {300, 390}, Qt::Horizontal);
-    resizeDocks({runs}, {130}, Qt::Vertical);
+    resizeDocks({analyses}, {130}, Qt::Vertical);
 }
 
 void MainWindow::buildToolBar() {
@@ -156,8 +156,8 @@ void MainWindow::buildToolBar() {
     tools_->setMovable(false);
     tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     tools_->setIconSize({20, 20});
-    for (const Command command :
-         {Command::open, Command::run, Command::compare, Command::export_plots, Command::report}) {
+    for (const Command command : {Command::open, Command::analyse, Command::compare,
+                                  Command::export_plots, Command::report}) {
         tools_->addAction(action(command));
     }
     tools_->addSeparator();
@@ -174,20 +174,20 @@ void MainWindow::buildToolBar() {
 
 void MainWindow::connectDocument() {
     connect(&document_, &Document::recordingsChanged, this, &MainWindow::showCurrentRecording);
-    connect(&document_, &Document::recordingChanged, this, [this](int id) {
+    connect(&document_, &Document::recordingChanged, this, [this](RecordingId id) {
         if (document_.isCurrent(id)) {
             showCurrentRecording();
         }
     });
     connect(&document_, &Document::currentRecordingChanged, this,
             &MainWindow::showCurrentRecording);
-    connect(&document_, &Document::runsChanged, this, &MainWindow::showRuns);
+    connect(&document_, &Document::analysesChanged, this, &MainWindow::showAnalyses);
     connect(&document_, &Document::busyChanged, commands_, &Commands::refresh);
     connect(&document_, &Document::opened, menus_->recentFiles(), &RecentFiles::add);
     connect(&document_, &Document::liveChanged, this, [this] {
         action(Command::live)->setChecked(document_.live());
         storeLive(document_.live());
-        showRuns();
+        showAnalyses();
     });
     connect(&document_, &Document::settled, messages_, &MessageBar::withdraw);
     connect(&document_, &Document::reported, messages_, &MessageBar::add);
@@ -214,7 +214,7 @@ void MainWindow::connectSession() {
         }
     });
     connect(session_, &SessionKeeper::unitsWanted, this, &MainWindow::setUnits);
-    connect(session_, &SessionKeeper::runWanted, runs_, &RunList::setCurrentRun);
+    connect(session_, &SessionKeeper::analysisWanted, analyses_, &AnalysisList::setCurrentAnalysis);
     session_->setViewSource([this](SessionView& view) {
         view.trend = measure_->trendKind();
         view.page = pageWord(pages_->page());
@@ -245,11 +245,11 @@ void MainWindow::connectPanels() {
     connect(menus_, &WindowMenus::languageChosen, this, &MainWindow::setLanguage);
     connect(recordings_, &RecordingPanel::placeChosen, this, &MainWindow::goToEvent);
     connect(recordings_, &RecordingPanel::reopenWanted, files_, &FileCommands::openImport);
-    connect(tracks_page_, &TracksPage::runWanted, settings_, &SettingsPanel::run);
+    connect(tracks_page_, &TracksPage::analyseWanted, settings_, &SettingsPanel::analyse);
     connect(settings_, &SettingsPanel::visibleRangeWanted, tracks_page_,
             &TracksPage::analyseVisibleRange);
-    connect(signals_, &SignalsPage::runWanted, settings_, &SettingsPanel::run);
-    connect(residuals_, &ResidualsPage::runWanted, settings_, &SettingsPanel::run);
+    connect(signals_, &SignalsPage::analyseWanted, settings_, &SettingsPanel::analyse);
+    connect(residuals_, &ResidualsPage::analyseWanted, settings_, &SettingsPanel::analyse);
     connect(residuals_, &ResidualsPage::figuresChanged, commands_, &Commands::refresh);
     connect(resonator_, &ResonatorPage::figuresChanged, commands_, &Commands::refresh);
     connect(sweep_, &SweepPage::figuresChanged, commands_, &Commands::refresh);
@@ -288,7 +288,7 @@ void MainWindow::connectPanels() {
                 signals_->showCursors();
             });
     connect(tracks_, &TrackView::zoomHistoryChanged, commands_, &Commands::refresh);
-    connect(runs_, &RunList::currentRunChanged, this, &MainWindow::showRun);
+    connect(analyses_, &AnalysisList::currentAnalysisChanged, this, &MainWindow::showAnalysis);
     connect(events_, &EventsPanel::eventChosen, this, &MainWindow::goToEvent);
     connect(resonator_, &ResonatorPage::exportWanted, files_, &FileCommands::exportPlot);
     connect(wave_, &WavePanel::exportWanted, files_, &FileCommands::exportPlot);
@@ -310,19 +310,19 @@ void MainWindow::showTitle() {
     setWindowTitle(titleOf(document_, session_->path()));
 }
 
-void MainWindow::showRuns() {
-    showRun(runs_->currentRun());
+void MainWindow::showAnalyses() {
+    showAnalysis(analyses_->currentAnalysis());
     commands_->refresh();
 }
 
-void MainWindow::showRun(int id) {
-    session_->setCurrentRun(id);
-    events_->setRun(id);
-    measure_->setRun(id);
-    tracks_page_->markRun(id);
-    signals_->setRun(id);
+void MainWindow::showAnalysis(AnalysisId id) {
+    session_->setCurrentAnalysis(id);
+    events_->setAnalysis(id);
+    measure_->setAnalysis(id);
+    tracks_page_->markAnalysis(id);
+    signals_->setAnalysis(id);
     residuals_->setVisibleRange(tracks_->timeRange());
-    residuals_->setRun(id);
+    residuals_->setAnalysis(id);
 }
 
 void MainWindow::goToEvent(double time_s, double seconds) {

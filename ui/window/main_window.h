@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/plots/figure_source.h"
+#include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/commands.h"
 #include "ui/words/display_units.h"
@@ -31,7 +32,7 @@ class RecordingPanel;
 class ResidualsPage;
 class ResonatorPage;
 class SweepPage;
-class RunList;
+class AnalysisList;
 class SessionKeeper;
 class SettingsPanel;
 class SignalsPage;
@@ -76,8 +77,8 @@ private:
     void connectPanels();
     void showTitle();
     void showCurrentRecording();
-    void showRuns();
-    void showRun(int id);
+    void showAnalyses();
+    void showAnalysis(AnalysisId id);
     void goToEvent(double time_s, double seconds);
     void setUnits(const DisplayUnits& units);
     // Of the page that is shown.
@@ -121,7 +122,7 @@ private:
     ResonatorPage* resonator_ = nullptr;
     WavePanel* wave_ = nullptr;
     EventsPanel* events_ = nullptr;
-    RunList* runs_ = nullptr;
+    AnalysisList* analyses_ = nullptr;
     QTabWidget* readings_ = nullptr;
     StatusLine* status_ = nullptr;
     QPointer<HelpView> help_;

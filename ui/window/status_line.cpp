@@ -45,7 +45,7 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
     connect(cancel_, &QPushButton::clicked, this, &StatusLine::cancel);
     connect(&document_, &Document::busyChanged, this, &StatusLine::whenBusyChanged);
     connect(&document_, &Document::progressChanged, this, &StatusLine::refresh);
-    connect(&document_.sets(), &SetStore::identified, this, [this](int set_id) {
+    connect(&document_.sets(), &SetStore::identified, this, [this](SetId set_id) {
         const auto found = document_.sets().outcome(*document_.sets().find(set_id));
         const auto count = static_cast<int>(found->inputs.size());
         tell([count, seconds = found->seconds] {
@@ -53,8 +53,8 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
                 .arg(QLocale().toString(seconds, 'g', 2));
         });
     });
-    connect(&document_, &Document::finished, this, [this](int run_id, double seconds) {
-        const auto windows = static_cast<int>(document_.run(run_id)->summary.windows);
+    connect(&document_, &Document::finished, this, [this](AnalysisId analysis_id, double seconds) {
+        const auto windows = static_cast<int>(document_.analysis(analysis_id)->summary.windows);
         tell([windows, seconds] {
             return tr("%n window(s) in %1 s", nullptr, windows)
                 .arg(QLocale().toString(seconds, 'g', 2));

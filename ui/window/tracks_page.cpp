@@ -23,10 +23,10 @@ namespace {
 constexpr qint64 one_gesture_ms = 700;
 
 // "2θ_A" as "2θA", for texts without indices.
-QString settingsText(const RunEntry& entry) {
-    const Analysis& analysis = *entry.run.analysis;
+QString settingsText(const AnalysisEntry& entry) {
+    const Analysis& analysis = *entry.shown.analysis;
     QString text = TracksPage::tr("%1: %2; window %3, hop %4 samples; f0 = %5 Hz")
-                       .arg(entry.run.recording, algorithmText(analysis.settings.algorithm))
+                       .arg(entry.shown.recording, algorithmText(analysis.settings.algorithm))
                        .arg(analysis.plan.length)
                        .arg(analysis.plan.hop)
                        .arg(QLocale().toString(analysis.f0_hz(), 'f', 3));
@@ -59,7 +59,7 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
     layout->addWidget(scroll_, 1);
 
     connect(&document_, &Document::recordingsChanged, this, &TracksPage::showRecording);
-    connect(&document_, &Document::recordingChanged, this, [this](int id) {
+    connect(&document_, &Document::recordingChanged, this, [this](RecordingId id) {
         if (document_.isCurrent(id)) {
             showRecording();
         }
@@ -67,12 +67,12 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
     connect(&document_, &Document::currentRecordingChanged, this, &TracksPage::showRecording);
     connect(&document_, &Document::envelopeGrown, this, &TracksPage::showEnvelope);
     connect(&document_, &Document::settingsChanged, this, &TracksPage::showAnalysedRange);
-    connect(&document_, &Document::runsChanged, this, &TracksPage::showRuns);
-    connect(&document_, &Document::liveChanged, this, &TracksPage::showRuns);
-    connect(stale_, &StaleMark::runWanted, this, &TracksPage::runWanted);
+    connect(&document_, &Document::analysesChanged, this, &TracksPage::showAnalyses);
+    connect(&document_, &Document::liveChanged, this, &TracksPage::showAnalyses);
+    connect(stale_, &StaleMark::analyseWanted, this, &TracksPage::analyseWanted);
     connect(signal_, &SignalView::visibleRangeEdited, this, [this](double from_s, double to_s) {
         tracks_->setTimeRange({from_s, to_s});
-        // The plots show no more than their runs cover, and say nothing where that is what they
+        // The plots show no more than their analyses cover, and say nothing where that is what they
         // have shown before.
         signal_->setVisibleRange(tracks_->timeRange());
     });
@@ -80,14 +80,15 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
     connect(tracks_, &TrackView::timeRangeChanged, this, [this](double from_s, double to_s) {
         signal_->setVisibleRange({from_s, to_s});
         // Empty plots show nothing of the recording that is about to come.
-        document_.setVisibleRange(document_.runs().empty() ? TimeRange() : TimeRange{from_s, to_s});
+        document_.setVisibleRange(document_.analyses().empty() ? TimeRange()
+                                                               : TimeRange{from_s, to_s});
     });
     connect(tracks_, &TrackView::timeAxisPlaced, this, [this](int left, int right) {
         signal_->setMargins(left, right + scroll_->width() - tracks_->width());
     });
     retranslate();
     showRecording();
-    showRuns();
+    showAnalyses();
 }
 
 void TracksPage::showRecording() {
@@ -97,7 +98,7 @@ void TracksPage::showRecording() {
         tracks_->setRecorded({{0, entry->recording->seconds()}, entry->recording->rate_hz});
         showEnvelope();
         signal_->setFaults(entry->faults);
-        if (!document_.runs().empty()) {
+        if (!document_.analyses().empty()) {
             signal_->setVisibleRange(tracks_->timeRange());
         }
         showAnalysedRange();
@@ -129,17 +130,17 @@ void TracksPage::showAnalysedRange() {
     }
 }
 
-void TracksPage::showRuns() {
-    tracks_->setRuns(document_.plottedRuns());
-    if (!document_.runs().empty()) {
+void TracksPage::showAnalyses() {
+    tracks_->setAnalyses(document_.plottedAnalyses());
+    if (!document_.analyses().empty()) {
         signal_->setVisibleRange(tracks_->timeRange());
     }
 }
 
-void TracksPage::markRun(int id) {
+void TracksPage::markAnalysis(AnalysisId id) {
     std::vector<double> crossings;
-    const RunEntry* entry = document_.run(id);
-    if (entry && entry->run.visible) {
+    const AnalysisEntry* entry = document_.analysis(id);
+    if (entry && entry->shown.visible) {
         for (const Event& event : entry->events) {
             if (event.kind == EventKind::axis_crossing) {
                 crossings.push_back(event.time_s);
@@ -181,9 +182,9 @@ FigureSource TracksPage::figures() const {
     FigureSource source;
     QStringList recordings;
     QStringList settings;
-    for (const RunEntry& entry : document_.runs()) {
-        if (entry.run.visible) {
-            recordings << entry.run.recording;
+    for (const AnalysisEntry& entry : document_.analyses()) {
+        if (entry.shown.visible) {
+            recordings << entry.shown.recording;
             settings << settingsText(entry);
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/plots/figure_source.h"
+#include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 
 #include <QElapsedTimer>
@@ -15,8 +16,8 @@ class SignalView;
 class StaleMark;
 class TrackView;
 
-// The overview of the current recording over the plots of all shown runs. It follows the document,
-// and keeps the ranges that both views show the same.
+// The overview of the current recording over the plots of all shown analyses. It follows the
+// document, and keeps the ranges that both views show the same.
 class TracksPage : public QWidget {
     Q_OBJECT
 
@@ -24,8 +25,8 @@ public:
     explicit TracksPage(Document& document, QWidget* parent = nullptr);
 
     TrackView& tracks() const { return *tracks_; }
-    // Marks the axis crossings of a run.
-    void markRun(int id);
+    // Marks the axis crossings of an analysis.
+    void markAnalysis(AnalysisId id);
     // Centres the present zoom on an event, wide enough to see it from both sides.
     void goToEvent(double time_s, double seconds);
     // Analyses from now on what the plots show.
@@ -34,7 +35,7 @@ public:
     FigureSource figures() const;
 
 signals:
-    void runWanted();
+    void analyseWanted();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -43,7 +44,7 @@ private:
     void showRecording();
     void showEnvelope();
     void showAnalysedRange();
-    void showRuns();
+    void showAnalyses();
     void editAnalysedRange(double from_s, double to_s);
     void retranslate();
 

@@ -1,9 +1,9 @@
 #include "ui/window/window_commands.h"
 
 #include "ui/document/document.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/panels/cursor_panel.h"
 #include "ui/panels/measure_panel.h"
-#include "ui/panels/run_list.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/document_report.h"
@@ -25,7 +25,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
         const RecordingEntry* entry = to.document.currentRecording();
         return entry != nullptr && entry->recording.has_value();
     };
-    const auto plots = [to] { return !to.document.runs().empty(); };
+    const auto plots = [to] { return !to.document.analyses().empty(); };
     const auto figures = [to] { return !to.figures().plots.isEmpty(); };
     return {
         {.id = Command::open,
@@ -48,14 +48,14 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .act = [to] { to.files.askForDatabase(); }},
         {.id = Command::close_recording,
          .text = QT_TRANSLATE_NOOP("Command", "&Close recording"),
-         .tip = QT_TRANSLATE_NOOP("Command", "Close the current recording and its runs"),
+         .tip = QT_TRANSLATE_NOOP("Command", "Close the current recording and its analyses"),
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_W)},
          .enabled = any,
          .act = [to] { to.document.closeRecording(to.document.currentRecording()->id); }},
         {.id = Command::save_session,
          .text = QT_TRANSLATE_NOOP("Command", "&Save session"),
-         .tip = QT_TRANSLATE_NOOP("Command",
-                                  "Recordings, settings, runs, sets and view, to go on with later"),
+         .tip = QT_TRANSLATE_NOOP(
+             "Command", "Recordings, settings, analyses, sets and view, to go on with later"),
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_S)},
          .enabled = any,
          .act = [to] { to.files.saveSession(); }},
@@ -73,11 +73,12 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .act = [to] { to.files.exportPlots(to.figures()); }},
         {.id = Command::export_track,
          .text = QT_TRANSLATE_NOOP("Command", "Export &track…"),
-         .tip = QT_TRANSLATE_NOOP("Command", "Save the slow variables of the chosen run as CSV"),
+         .tip =
+             QT_TRANSLATE_NOOP("Command", "Save the slow variables of the chosen analysis as CSV"),
          .keys = {QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key_E)},
          .enabled =
              [to] {
-                 const RunEntry* chosen = to.document.run(to.runs.currentRun());
+                 const AnalysisEntry* chosen = to.document.analysis(to.analyses.currentAnalysis());
                  return chosen && !chosen->partial();
              },
          .act = [to] { to.files.askWhereToPutTrack(); }},
@@ -112,7 +113,8 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
          .act = [to] { to.close(); }},
         {.id = Command::undo,
          .text = QT_TRANSLATE_NOOP("Command", "&Undo"),
-         .tip = QT_TRANSLATE_NOOP("Command", "Take back the last change of settings, runs or sets"),
+         .tip = QT_TRANSLATE_NOOP("Command",
+                                  "Take back the last change of settings, analyses or sets"),
          .icon = "undo",
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_Z)},
          .enabled = [to] { return to.document.undoStack().canUndo(); },
@@ -239,20 +241,20 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                  units.log_a_A = on_now;
                  to.set_units(units);
              }},
-        {.id = Command::run,
-         .text = QT_TRANSLATE_NOOP("Command", "&Run"),
+        {.id = Command::analyse,
+         .text = QT_TRANSLATE_NOOP("Command", "&Analyse"),
          .tip = QT_TRANSLATE_NOOP(
              "Command",
-             "Analyse the current recording with the settings of the panel, as a run "
-             "that is kept"),
+             "Analyse the current recording with the settings of the panel and keep the analysis"),
          .icon = "run",
          .keys = {QKeySequence(Qt::Key_F5)},
          .enabled = open,
-         .act = [to] { to.settings.run(); }},
+         .act = [to] { to.settings.analyse(); }},
         {.id = Command::live,
          .text = QT_TRANSLATE_NOOP("Command", "&Live"),
          .tip = QT_TRANSLATE_NOOP(
-             "Command", "Every change of a setting shows at once, in a run that follows the panel"),
+             "Command",
+             "Every change of a setting shows at once, in an analysis that follows the panel"),
          .keys = {QKeyCombination(Qt::CTRL, Qt::Key_L)},
          .switched = [to](bool on_now) { to.document.setLive(on_now); }},
         {.id = Command::cancel,
@@ -290,7 +292,7 @@ std::vector<CommandRow> windowCommands(const CommandTargets& to) {
                  to.document.sets().identify();
              }},
         {.id = Command::new_set,
-         .text = QT_TRANSLATE_NOOP("Command", "&New set of runs"),
+         .text = QT_TRANSLATE_NOOP("Command", "&New set of recordings"),
          .tip = QT_TRANSLATE_NOOP("Command",
                                   "Recordings of another resonator, to be identified together"),
          .act =

@@ -15,7 +15,7 @@ class CursorPanel;
 class Document;
 class FileCommands;
 class MeasurePanel;
-class RunList;
+class AnalysisList;
 class SettingsPanel;
 class StatusLine;
 class TrackView;
@@ -26,7 +26,7 @@ struct CommandTargets {
     TrackView& tracks;
     CursorPanel& cursor;
     MeasurePanel& measure;
-    RunList& runs;
+    AnalysisList& analyses;
     SettingsPanel& settings;
     StatusLine& status;
     FileCommands& files;

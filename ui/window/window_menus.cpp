@@ -30,7 +30,7 @@ WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks,
     add(edit, {Command::copy_plot, Command::copy_table});
     addView(docks, theme);
     QMenu* analysis = top(QT_TR_NOOP("&Analysis"));
-    add(analysis, {Command::run, Command::live, Command::cancel, Command::compare});
+    add(analysis, {Command::analyse, Command::live, Command::cancel, Command::compare});
     QMenu* gyro = top(QT_TR_NOOP("&Gyro"));
     add(gyro, {Command::gyro_data, Command::limits});
     gyro->addSeparator();

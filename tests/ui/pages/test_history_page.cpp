@@ -249,7 +249,7 @@ private slots:
                        });
             },
             30000));
-        std::vector<int> ids;
+        std::vector<RecordingId> ids;
         for (const RecordingEntry& entry : document().recordings()) {
             ids.push_back(entry.id);
         }

@@ -100,8 +100,8 @@ class TestLongSignals : public QObject {
         options.rate_hz = rate;
         window_ = shownWindow();
         document().open({written(samples)}, options);
-        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && !document().runs().empty(); },
-                                600000));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return !document().busy() && !document().analyses().empty(); }, 600000));
         QVERIFY(QTest::qWaitFor([&] { return document().currentRecording()->envelope->whole(); },
                                 600000));
         QTest::keyClick(window_.get(), Qt::Key_2, Qt::ControlModifier);

@@ -170,7 +170,7 @@ private slots:
         window_->files().open({list("reported.csv")});
         waitUntilOpen(2);
         document().dossier().setGyro({"session", {}, "Ivanova", "bench 2"});
-        QTRY_COMPARE_WITH_TIMEOUT(document().runs().size(), std::size_t(2), 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(document().analyses().size(), std::size_t(2), 30000);
         for (const RecordingSet& set : sets().all()) {
             sets().identifySet(set.id);
         }

@@ -3,7 +3,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
-#include "ui/panels/run_list.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/panels/stale_mark.h"
 #include "ui/plots/track_view.h"
 #include "ui/plots/xy_plot_view.h"
@@ -62,7 +62,7 @@ class TestResidualsPage : public QObject {
 
     bool idle(std::size_t runs) {
         return QTest::qWaitFor(
-            [&] { return !document().busy() && document().runs().size() == runs; }, 20000);
+            [&] { return !document().busy() && document().analyses().size() == runs; }, 20000);
     }
 
     void open(const QString& path) {
@@ -219,13 +219,13 @@ private slots:
         open(disturbed("first.wav"));
         goToResiduals();
         QVERIFY(computed(533 * 60));
-        const int first = document().currentRecording()->id;
+        const auto first = document().currentRecording()->id;
         document().open({home_.recording("second.wav")});
         QVERIFY(idle(2));
-        const int second = document().currentRecording()->id;
+        const auto second = document().currentRecording()->id;
         QVERIFY(second != first);
-        auto& runs = the<RunList>();
-        runs.setCurrentRun(document().runs().front().run.id);
+        auto& runs = the<AnalysisList>();
+        runs.setCurrentAnalysis(document().analyses().front().shown.id);
         document().setCurrentRecording(second);
         QVERIFY(computed(533 * 60));
         clickLine(2345);
@@ -260,9 +260,9 @@ private slots:
 
     void what_is_missing_is_said() {
         open(home_.recording("demo.wav"));
-        document().removeRun(document().runs().front().run.id);
+        document().removeAnalysis(document().analyses().front().shown.id);
         goToResiduals();
-        QVERIFY(the<QLabel>("residualState").text().contains("No run is chosen"));
+        QVERIFY(the<QLabel>("residualState").text().contains("No analysis is chosen"));
         QVERIFY(!the<QTableWidget>("residualNumbers").isVisible());
         QTest::keyClick(window_.get(), Qt::Key_F5);
         QVERIFY(idle(1));

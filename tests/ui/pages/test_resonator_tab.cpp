@@ -50,8 +50,8 @@ class TestResonatorTab : public QObject {
                                    [](const auto& entry) { return entry.recording.has_value(); });
     }
 
-    std::vector<int> ids() {
-        std::vector<int> found;
+    std::vector<RecordingId> ids() {
+        std::vector<RecordingId> found;
         for (const RecordingEntry& entry : document().recordings()) {
             found.push_back(entry.id);
         }
@@ -117,7 +117,7 @@ private slots:
         QVERIFY(setStore().canIdentify());
         // The list follows the current recording with one row, however many were dragged.
         QCOMPARE(the<RecordingDragList>().selectedRecordings(),
-                 std::vector<int>{document().currentRecording()->id});
+                 std::vector<RecordingId>{document().currentRecording()->id});
     }
 
     void a_set_is_edited_by_keyboard_and_menu() {
@@ -322,7 +322,7 @@ private slots:
         openSet();
         identify();
         const auto structured = outcome();
-        const int id = setStore().current()->id;
+        const auto id = setStore().current()->id;
         setStore().setModel(id, FitOptions::Model::free);
         QVERIFY(setStore().outOfDate(*setStore().current(), *outcome()));
         identify();

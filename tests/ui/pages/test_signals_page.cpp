@@ -3,7 +3,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/ui/gui_test.h"
-#include "ui/panels/run_list.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/plots/track_view.h"
 #include "ui/signals/signals_page.h"
 #include "ui/signals/signals_view.h"
@@ -43,8 +43,8 @@ class TestSignalsPage : public QObject {
 
     void open(const QString& path) {
         document().open({path});
-        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && document().runs().size() == 1; },
-                                20000));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return !document().busy() && document().analyses().size() == 1; }, 20000));
         QVERIFY(QTest::qWaitFor([&] {
             const RecordingEntry* entry = document().currentRecording();
             return entry->envelope && entry->envelope->whole();
@@ -209,7 +209,7 @@ private slots:
         open(home_.recording("demo.wav"));
         goToSignals();
         QVERIFY2(state().contains("demo.wav") && !state().contains("F5"), qPrintable(state()));
-        document().removeRun(document().runs().front().run.id);
+        document().removeAnalysis(document().analyses().front().shown.id);
         QVERIFY2(state().contains("F5"), qPrintable(state()));
         QVERIFY(!view().content().analysis);
         // The zoom goes on in the time of the recording.
@@ -246,18 +246,18 @@ private slots:
         settings.window = 200;
         document().setSettings(settings);
         document().analyse();
-        QVERIFY(QTest::qWaitFor([&] { return document().runs().size() == 2; }, 20000));
+        QVERIFY(QTest::qWaitFor([&] { return document().analyses().size() == 2; }, 20000));
         goToSignals();
-        for (const RunEntry& entry : document().runs()) {
-            the<RunList>().setCurrentRun(entry.run.id);
-            QVERIFY(view().content().analysis == entry.run.analysis);
+        for (const AnalysisEntry& entry : document().analyses()) {
+            the<AnalysisList>().setCurrentAnalysis(entry.shown.id);
+            QVERIFY(view().content().analysis == entry.shown.analysis);
         }
         // Of another recording nothing is fitted to this one.
-        const int first = document().currentRecording()->id;
+        const auto first = document().currentRecording()->id;
         document().open({home_.recording("other.wav", 1)});
-        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && document().runs().size() == 3; },
-                                20000));
-        the<RunList>().setCurrentRun(document().runs().front().run.id);
+        QVERIFY(QTest::qWaitFor(
+            [&] { return !document().busy() && document().analyses().size() == 3; }, 20000));
+        the<AnalysisList>().setCurrentAnalysis(document().analyses().front().shown.id);
         QVERIFY(document().currentRecording()->id != first);
         QVERIFY2(state().contains("demo.wav") && state().contains("other.wav"),
                  qPrintable(state()));

@@ -38,8 +38,8 @@ class TestSweepPage : public QObject {
 
     void open(const QString& path) {
         document().open({path});
-        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && !document().runs().empty(); },
-                                20000));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return !document().busy() && !document().analyses().empty(); }, 20000));
     }
 
     void goToSweep() {
@@ -60,7 +60,7 @@ class TestSweepPage : public QObject {
     // Runs the list and waits for its result.
     void sweep(const char* lengths, std::size_t count) {
         type(lengths);
-        QTest::mouseClick(&button("sweepRun"), Qt::LeftButton);
+        QTest::mouseClick(&button("computeSweep"), Qt::LeftButton);
         QVERIFY(page().running());
         QVERIFY(QTest::qWaitFor([&] { return !page().running(); }, 30000));
         QVERIFY(page().sweep());
@@ -98,7 +98,7 @@ private slots:
         QCOMPARE(the<QTabBar>("pages").tabText(4), QString("Windows"));
         QVERIFY(!page().sweep());
         QVERIFY(!the<QTableWidget>("sweepTable").isVisible());
-        QVERIFY(text("sweepState").contains("Run estimates"));
+        QVERIFY(text("sweepState").contains("Compute estimates"));
         sweep("6..600", 15);
         const WindowSweep& found = *page().sweep();
         auto& plot = the<XYPlotView>("sweepScatter");
@@ -154,7 +154,7 @@ private slots:
         open(home_.recording("wrong.wav"));
         goToSweep();
         type("6, sixty");
-        QVERIFY(!button("sweepRun").isEnabled());
+        QVERIFY(!button("computeSweep").isEnabled());
         QVERIFY2(text("sweepState").contains("sixty"), qPrintable(text("sweepState")));
         QTest::keyClick(&the<LengthField>(), Qt::Key_Return);
         QVERIFY(!page().running());
@@ -201,7 +201,7 @@ private slots:
         QTest::mouseClick(&button("sweepUse"), Qt::LeftButton);
         QCOMPARE(document().settings().algorithm, Algorithm::moving_axes);
 
-        const int first = document().currentRecording()->id;
+        const auto first = document().currentRecording()->id;
         document().open({home_.recording("second.wav")});
         QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 2; }));
         document().setCurrentRecording(document().recordings()[1].id);
@@ -217,10 +217,10 @@ private slots:
         goToSweep();
         type("5..10, 6..600, 7..700");
         Heartbeat heartbeat;
-        QTest::mouseClick(&button("sweepRun"), Qt::LeftButton);
-        QVERIFY(button("sweepCancel").isVisible() && !button("sweepRun").isEnabled());
+        QTest::mouseClick(&button("computeSweep"), Qt::LeftButton);
+        QVERIFY(button("sweepCancel").isVisible() && !button("computeSweep").isEnabled());
         QTest::mouseClick(&button("sweepCancel"), Qt::LeftButton);
-        QVERIFY(!page().running() && button("sweepRun").isEnabled());
+        QVERIFY(!page().running() && button("computeSweep").isEnabled());
         QVERIFY(!button("sweepCancel").isVisible());
         QVERIFY(!page().sweep());
         sweep("8..600", 15);

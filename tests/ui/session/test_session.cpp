@@ -37,9 +37,9 @@ class TestSession : public QObject {
     SessionKeeper& session() { return window_->session(); }
 
     void wait(std::size_t runs) {
-        QTRY_VERIFY_WITH_TIMEOUT(!document().busy() && document().runs().size() == runs, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(!document().busy() && document().analyses().size() == runs, 20000);
         for (const RecordingEntry& entry : document().recordings()) {
-            const int id = entry.id;
+            const auto id = entry.id;
             QTRY_VERIFY(!document().recording(id)->sha256.isEmpty());
         }
     }
@@ -100,9 +100,9 @@ class TestSession : public QObject {
         document().setSettings(settings);
         document().analyse();
         wait(4);
-        document().renameRun(document().runs()[1].run.id, "second");
-        document().setRunVisible(document().runs()[2].run.id, false);
-        const int set =
+        document().renameAnalysis(document().analyses()[1].shown.id, "second");
+        document().setAnalysisVisible(document().analyses()[2].shown.id, false);
+        const auto set =
             document().sets().add({document().recordings()[1].id, document().recordings()[0].id});
         document().sets().rename(set, "gyro 17");
         document().sets().setModel(set, FitOptions::Model::free);
@@ -141,9 +141,9 @@ private slots:
         QVERIFY(!before.isNull());
         const QString table = the<MeasurePanel>().tableText();
         const Settings settings = document().settings();
-        std::vector<Run> runs;
-        for (const RunEntry& entry : document().runs()) {
-            runs.push_back(entry.run);
+        std::vector<ShownAnalysis> runs;
+        for (const AnalysisEntry& entry : document().analyses()) {
+            runs.push_back(entry.shown);
         }
         session().end();
 
@@ -152,22 +152,22 @@ private slots:
         QTRY_COMPARE(the<TrackView>().cursor(Cursor::b), std::optional(1.25));
         QCOMPARE(document().settings(), settings);
         for (std::size_t k = 0; k < runs.size(); ++k) {
-            const RunEntry& entry = document().runs()[k];
-            QCOMPARE(entry.run.name, runs[k].name);
-            QCOMPARE(entry.run.color, runs[k].color);
-            QCOMPARE(entry.run.visible, runs[k].visible);
+            const AnalysisEntry& entry = document().analyses()[k];
+            QCOMPARE(entry.shown.name, runs[k].name);
+            QCOMPARE(entry.shown.color, runs[k].color);
+            QCOMPARE(entry.shown.visible, runs[k].visible);
             const auto same = [](double x, double y) {  // the filter's transient is NaN
                 return x == y || (std::isnan(x) && std::isnan(y));
             };
-            QVERIFY(std::ranges::equal(entry.run.analysis->track.values(SlowVariable::a_A),
+            QVERIFY(std::ranges::equal(entry.shown.analysis->track.values(SlowVariable::a_A),
                                        runs[k].analysis->track.values(SlowVariable::a_A), same));
         }
         const RecordingSet* set = document().sets().current();
         QVERIFY(set);
         QCOMPARE(set->name, "gyro 17");
         QVERIFY(set->model == FitOptions::Model::free);
-        QCOMPARE(set->recordings,
-                 (std::vector<int>{document().recordings()[1].id, document().recordings()[0].id}));
+        QCOMPARE(set->recordings, (std::vector<RecordingId>{document().recordings()[1].id,
+                                                            document().recordings()[0].id}));
         QCOMPARE(the<MeasurePanel>().tableText(), table);
         QCOMPARE(picture(), before);
         QVERIFY(!session().isModified());
@@ -217,8 +217,8 @@ private slots:
         window_ = shownWindow();
         openSession(path, 1);
         QTRY_VERIFY(document().live());
-        QVERIFY(document().runs().front().live);
-        QCOMPARE(document().runs().front().run.analysis->plan.length, 123);
+        QVERIFY(document().analyses().front().live);
+        QCOMPARE(document().analyses().front().shown.analysis->plan.length, 123);
         QVERIFY(!session().isModified());
     }
 
@@ -278,7 +278,7 @@ private slots:
         QVERIFY(session().save(path));
         QVERIFY(QFile::rename(home_.path("gone/b.wav"), home_.path("elsewhere.wav")));
         window_->files().open({path});
-        QTRY_VERIFY(!document().busy() && document().runs().size() == 1);
+        QTRY_VERIFY(!document().busy() && document().analyses().size() == 1);
         QVERIFY(messages().contains("b.wav is not there"));
         // Saved without it, the session still has its runs and its place in the set.
         QTRY_COMPARE(the<TrackView>().cursor(Cursor::b), std::optional(1.25));
@@ -294,7 +294,7 @@ private slots:
         dialog->close();
         wait(4);
         QCOMPARE(document().sets().current()->recordings.size(), std::size_t{2});
-        QCOMPARE(document().runs().back().run.name, document().runs()[3].run.name);
+        QCOMPARE(document().analyses().back().shown.name, document().analyses()[3].shown.name);
         QCOMPARE(messages(), QString());
     }
 
@@ -323,7 +323,7 @@ private slots:
         the<MessageBar>().clear();
         window_->files().open({home_.path("none.vybeg")});
         QVERIFY(messages().contains("none.vybeg"));
-        QCOMPARE(document().runs().size(), std::size_t{1});
+        QCOMPARE(document().analyses().size(), std::size_t{1});
     }
 
     void closing_asks_where_changes_would_be_lost() {

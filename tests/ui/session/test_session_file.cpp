@@ -36,7 +36,7 @@ class TestSessionFile : public QObject {
     // A session of one recording and one set, saved.
     QString saved(const QString& name) {
         window_->files().open({home_.recording(name + ".wav")});
-        [&] { QTRY_COMPARE_WITH_TIMEOUT(document().runs().size(), std::size_t(1), 20000); }();
+        [&] { QTRY_COMPARE_WITH_TIMEOUT(document().analyses().size(), std::size_t(1), 20000); }();
         document().sets().addToCurrent({document().recordings()[0].id});
         const QString path = home_.path(name + ".vybeg");
         return session().save(path) ? path : QString();
@@ -45,7 +45,7 @@ class TestSessionFile : public QObject {
     void opened(const QString& path) {
         window_ = shownWindow();
         window_->files().open({path});
-        QTRY_VERIFY_WITH_TIMEOUT(!document().runs().empty() && !session().isOpening(), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(!document().analyses().empty() && !session().isOpening(), 20000);
     }
 
     QMessageBox& question() { return childOf<QMessageBox>(*window_); }

@@ -100,8 +100,8 @@ private slots:
         auto& bar = childOf<MessageBar>(*window);
         QVERIFY(bar.texts().join('\n').contains("can be recovered"));
         QTest::mouseClick(bar.findChild<QPushButton*>(), Qt::LeftButton);
-        QTRY_VERIFY(!window->document().busy() && window->document().runs().size() == 1);
-        QCOMPARE(window->document().runs().front().run.analysis->plan.length, 77);
+        QTRY_VERIFY(!window->document().busy() && window->document().analyses().size() == 1);
+        QCOMPARE(window->document().analyses().front().shown.analysis->plan.length, 77);
         QTRY_VERIFY(window->session().isModified());  // until it is saved
         QVERIFY(SessionBackup::abandoned().isEmpty());
         window->session().end();

@@ -48,7 +48,7 @@ class TestSessionResults : public QObject {
                        });
             },
             60000));
-        std::vector<int> ids;
+        std::vector<RecordingId> ids;
         for (const RecordingEntry& entry : document().recordings()) {
             ids.push_back(entry.id);
         }

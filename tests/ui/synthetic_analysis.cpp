@@ -1,4 +1,4 @@
-#include "tests/ui/synthetic_run.h"
+#include "tests/ui/synthetic_analysis.h"
 
 #include "core/numerics/phase.h"
 #include "ui/widgets/theme.h"
@@ -9,7 +9,7 @@
 
 namespace vybeg::ui {
 
-Run syntheticRun(int index, const SyntheticRun& what) {
+ShownAnalysis syntheticAnalysis(int index, const SyntheticAnalysis& what) {
     constexpr double rate = 33333;
     constexpr double f0 = 5300;
     const auto rows = static_cast<std::size_t>(what.seconds * rate / what.window);
@@ -56,16 +56,16 @@ Run syntheticRun(int index, const SyntheticRun& what) {
         put(SlowVariable::rms, row, std::numbers::sqrt2 * what.noise, 0.1 * what.noise);
         put(SlowVariable::orthogonality, row, 0, 0.5 * sd / a_A);
     }
-    const RunStyle style = runStyle(index);
-    Run run;
-    run.id = index;
-    run.name = QStringLiteral("maximum-likelihood, n = %1").arg(what.window);
-    run.recording = QStringLiteral("demo_%1.wav").arg(index);
-    run.color = style.color;
-    run.dash = style.dash;
-    run.rate_hz = rate;
-    run.analysis = analysis;
-    return run;
+    const CurveStyle style = curveStyle(index);
+    ShownAnalysis shown;
+    shown.id = static_cast<AnalysisId>(index);
+    shown.name = QStringLiteral("maximum-likelihood, n = %1").arg(what.window);
+    shown.recording = QStringLiteral("demo_%1.wav").arg(index);
+    shown.color = style.color;
+    shown.dash = style.dash;
+    shown.rate_hz = rate;
+    shown.analysis = analysis;
+    return shown;
 }
 
 }  // namespace vybeg::ui

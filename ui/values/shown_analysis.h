@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysis.h"
 #include "ui/values/curve_data.h"
+#include "ui/values/ids.h"
 
 #include <QColor>
 #include <QString>
@@ -10,10 +11,10 @@
 
 namespace vybeg::ui {
 
-// One analysis for display: a row of the run list, a curve in every plot. A value; copies share the
-// analysis.
-struct Run {
-    int id = 0;  // unique in a document
+// One analysis for display: a row of the analysis list, a curve in every plot. A value; copies
+// share the analysis.
+struct ShownAnalysis {
+    AnalysisId id = AnalysisId::none;  // unique in a document
     QString name;
     QString recording;  // name of the file
     QColor color;       // Okabe-Ito, see theme.h

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "ui/values/run.h"
+#include "ui/values/shown_analysis.h"
 
 namespace vybeg::ui {
 
 // A free decay as an analysis of `window` samples would see it, without an analysis: smooth slow
 // variables with noise and standard deviations that follow the window. 33333 Hz, 5300 Hz.
-struct SyntheticRun {
+struct SyntheticAnalysis {
     double seconds = 28;
     int window = 60;
     double noise = 1e-3;
@@ -16,6 +16,6 @@ struct SyntheticRun {
     double gap_to_s = 0;
 };
 
-Run syntheticRun(int index, const SyntheticRun& what);
+ShownAnalysis syntheticAnalysis(int index, const SyntheticAnalysis& what);
 
 }  // namespace vybeg::ui

@@ -1,4 +1,4 @@
-#include "ui/panels/run_list.h"
+#include "ui/panels/analysis_list.h"
 
 #include "ui/widgets/theme.h"
 #include "ui/words/algorithm_text.h"
@@ -19,7 +19,7 @@
 
 namespace vybeg::ui {
 
-QIcon runIcon(const Run& run) {
+QIcon curveIcon(const ShownAnalysis& shown) {
     constexpr int width = 28;
     constexpr int height = 14;
     constexpr int scale = 2;
@@ -29,7 +29,7 @@ QIcon runIcon(const Run& run) {
     pixmap.fill(QGuiApplication::palette().color(QPalette::Base));
     QPainter painter(&pixmap);
     const Theme theme = isDark(QGuiApplication::palette()) ? darkTheme() : lightTheme();
-    painter.setPen(QPen(readable(run.color, theme), 2.5, run.dash, Qt::FlatCap));
+    painter.setPen(QPen(readable(shown.color, theme), 2.5, shown.dash, Qt::FlatCap));
     painter.drawLine(QPointF(2, height / 2.0), QPointF(width - 2, height / 2.0));
     painter.end();
     QIcon icon(pixmap);
@@ -37,7 +37,8 @@ QIcon runIcon(const Run& run) {
     return icon;
 }
 
-RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
+AnalysisList::AnalysisList(Document& document, QWidget* parent)
+    : QTreeWidget(parent), document_(document) {
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAlternatingRowColors(true);
@@ -51,11 +52,11 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
 
     rename_ = new QAction(this);
     rename_->setShortcut(Qt::Key_F2);
-    rerun_ = new QAction(this);
-    rerun_->setShortcut(QKeyCombination(Qt::CTRL, Qt::Key_R));
+    again_ = new QAction(this);
+    again_->setShortcut(QKeyCombination(Qt::CTRL, Qt::Key_R));
     remove_ = new QAction(this);
     remove_->setShortcut(QKeySequence::Delete);
-    for (QAction* action : {rename_, rerun_, remove_}) {
+    for (QAction* action : {rename_, again_, remove_}) {
         action->setShortcutContext(Qt::WidgetShortcut);
         addAction(action);
     }
@@ -64,8 +65,10 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
             editItem(currentItem(), name);
         }
     });
-    connect(rerun_, &QAction::triggered, this, [this] { document_.rerun(currentRun()); });
-    connect(remove_, &QAction::triggered, this, [this] { document_.removeRun(currentRun()); });
+    connect(again_, &QAction::triggered, this,
+            [this] { document_.analyseAgain(currentAnalysis()); });
+    connect(remove_, &QAction::triggered, this,
+            [this] { document_.removeAnalysis(currentAnalysis()); });
     connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
         if (column == name) {
             editItem(item, name);
@@ -73,26 +76,27 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
     });
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
         if (column == name) {
-            const int id = item->data(name, Qt::UserRole).toInt();
+            const auto id = static_cast<AnalysisId>(item->data(name, Qt::UserRole).toInt());
             const bool visible = item->checkState(name) == Qt::Checked;
             const QString text = item->text(name);
             // Queued, because the response of the document rebuilds this list and deletes the item.
             QMetaObject::invokeMethod(
                 this,
                 [this, id, visible, text] {
-                    document_.setRunVisible(id, visible);
-                    document_.renameRun(id, text);
+                    document_.setAnalysisVisible(id, visible);
+                    document_.renameAnalysis(id, text);
                 },
                 Qt::QueuedConnection);
         }
     });
     connect(this, &QTreeWidget::currentItemChanged, this,
-            [this] { emit currentRunChanged(currentRun()); });
-    connect(&document_, &Document::runsChanged, this, &RunList::rebuild);
-    connect(&document_, &Document::liveChanged, this, &RunList::rebuild);
-    connect(&document_, &Document::runAdded, this, [this](int id) {
+            [this] { emit currentAnalysisChanged(currentAnalysis()); });
+    connect(&document_, &Document::analysesChanged, this, &AnalysisList::rebuild);
+    connect(&document_, &Document::liveChanged, this, &AnalysisList::rebuild);
+    connect(&document_, &Document::analysisAdded, this, [this](AnalysisId id) {
         for (int row = 0; row < topLevelItemCount(); ++row) {
-            if (topLevelItem(row)->data(name, Qt::UserRole).toInt() == id) {
+            if (static_cast<AnalysisId>(topLevelItem(row)->data(name, Qt::UserRole).toInt()) ==
+                id) {
                 setCurrentItem(topLevelItem(row));
             }
         }
@@ -105,28 +109,29 @@ RunList::RunList(Document& document, QWidget* parent) : QTreeWidget(parent), doc
     }
 }
 
-void RunList::setCurrentRun(int id) {
+void AnalysisList::setCurrentAnalysis(AnalysisId id) {
     for (int row = 0; row < topLevelItemCount(); ++row) {
-        if (topLevelItem(row)->data(name, Qt::UserRole).toInt() == id) {
+        if (static_cast<AnalysisId>(topLevelItem(row)->data(name, Qt::UserRole).toInt()) == id) {
             setCurrentItem(topLevelItem(row));
         }
     }
 }
 
-int RunList::currentRun() const {
-    return currentItem() ? currentItem()->data(name, Qt::UserRole).toInt() : 0;
+AnalysisId AnalysisList::currentAnalysis() const {
+    return currentItem() ? static_cast<AnalysisId>(currentItem()->data(name, Qt::UserRole).toInt())
+                         : AnalysisId::none;
 }
 
-void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) {
+void AnalysisList::fill(QTreeWidgetItem& item, const AnalysisEntry& entry) {
     const QLocale locale;
-    const Analysis& analysis = *entry.run.analysis;
-    item.setData(name, Qt::UserRole, entry.run.id);
+    const Analysis& analysis = *entry.shown.analysis;
+    item.setData(name, Qt::UserRole, number(entry.shown.id));
     item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable |
                   Qt::ItemIsEditable);
-    item.setCheckState(name, entry.run.visible ? Qt::Checked : Qt::Unchecked);
-    item.setIcon(name, runIcon(entry.run));
-    item.setText(name, entry.run.name);
-    item.setText(recording, entry.run.recording);
+    item.setCheckState(name, entry.shown.visible ? Qt::Checked : Qt::Unchecked);
+    item.setIcon(name, curveIcon(entry.shown));
+    item.setText(name, entry.shown.name);
+    item.setText(recording, entry.shown.recording);
     item.setText(algorithm, algorithmText(analysis.settings.algorithm));
     item.setText(window, locale.toString(static_cast<qint64>(analysis.plan.length)));
     const QString count = locale.toString(static_cast<qint64>(entry.summary.windows));
@@ -140,7 +145,7 @@ void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) {
             : flagged);
     item.setText(frequency, valueText(entry.summary.mean_f_hz, entry.summary.sd_mean_f_hz));
     item.setText(noise, locale.toString(entry.summary.noise, 'g', 4));
-    const double ms = 1e3 * entry.run.seconds_taken;
+    const double ms = 1e3 * entry.shown.seconds_taken;
     item.setText(time, entry.partial() ? QString() : locale.toString(ms, 'f', ms < 10 ? 2 : 0));
     for (int column = 0; column < column_count; ++column) {
         item.setToolTip(column, item.text(column));
@@ -149,13 +154,13 @@ void RunList::fill(QTreeWidgetItem& item, const RunEntry& entry) {
         QFont font = this->font();
         font.setItalic(true);
         item.setFont(name, font);
-        item.setToolTip(name,
-                        tr("Follows the settings while Live is on; Run keeps a run as it is"));
+        item.setToolTip(
+            name, tr("Follows the settings while Live is on; Analyse keeps an analysis as it is"));
     }
     fillNotes(item, entry);
 }
 
-void RunList::fillNotes(QTreeWidgetItem& item, const RunEntry& entry) {
+void AnalysisList::fillNotes(QTreeWidgetItem& item, const AnalysisEntry& entry) {
     QStringList sentences;
     const bool snaps = entry.summary.leakage_limits() && !entry.requested.snap;
     if (entry.summary.leakage_limits()) {
@@ -168,7 +173,7 @@ void RunList::fillNotes(QTreeWidgetItem& item, const RunEntry& entry) {
             "deviation allows for them.",
             nullptr, static_cast<int>(entry.summary.at_bound));
     }
-    for (const Diagnostic& diagnostic : entry.run.analysis->diagnostics) {
+    for (const Diagnostic& diagnostic : entry.shown.analysis->diagnostics) {
         sentences << diagnosticText(diagnostic);
     }
     if (sentences.isEmpty()) {
@@ -186,7 +191,7 @@ void RunList::fillNotes(QTreeWidgetItem& item, const RunEntry& entry) {
     sign->setPixmap(mark.pixmap(fontMetrics().height()));
     auto* cell = new QWidget(this);
     auto* snap = new QPushButton(tr("Snap"), cell);
-    snap->setObjectName(QStringLiteral("snapRun"));
+    snap->setObjectName(QStringLiteral("snapAnalysis"));
     snap->setToolTip(tr("Analyse again with a window of whole half-periods, which leaks least"));
     snap->setFixedHeight(fontMetrics().height() + 2);
     auto* layout = new QHBoxLayout(cell);
@@ -199,21 +204,21 @@ void RunList::fillNotes(QTreeWidgetItem& item, const RunEntry& entry) {
     layout->addStretch(1);
     setItemWidget(&item, notes, cell);
     item.setSizeHint(notes, {cell->sizeHint().width(), fontMetrics().height() + 4});
-    // Queued, because the new run rebuilds this list and deletes the button.
+    // Queued, because the new analysis rebuilds this list and deletes the button.
     connect(
         snap, &QPushButton::clicked, &document_,
-        [this, id = entry.run.id] { document_.rerunSnapped(id); }, Qt::QueuedConnection);
+        [this, id = entry.shown.id] { document_.analyseSnapped(id); }, Qt::QueuedConnection);
 }
 
-void RunList::rebuild() {
-    const int current = currentRun();
+void AnalysisList::rebuild() {
+    const AnalysisId current = currentAnalysis();
     {
         const QSignalBlocker blocker(this);
         clear();
-        for (const RunEntry& entry : document_.runs()) {
+        for (const AnalysisEntry& entry : document_.analyses()) {
             auto* item = new QTreeWidgetItem(this);
             fill(*item, entry);
-            if (entry.run.id == current) {
+            if (entry.shown.id == current) {
                 setCurrentItem(item);
             }
         }
@@ -223,13 +228,13 @@ void RunList::rebuild() {
     }
     resizeColumnToContents(time);
     resizeColumnToContents(notes);
-    for (QAction* action : {rename_, rerun_, remove_}) {
+    for (QAction* action : {rename_, again_, remove_}) {
         action->setEnabled(currentItem() != nullptr);
     }
-    emit currentRunChanged(currentRun());
+    emit currentAnalysisChanged(currentAnalysis());
 }
 
-void RunList::changeEvent(QEvent* event) {
+void AnalysisList::changeEvent(QEvent* event) {
     QTreeWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
@@ -238,12 +243,12 @@ void RunList::changeEvent(QEvent* event) {
     }
 }
 
-void RunList::retranslate() {
-    setAccessibleName(tr("Runs"));
+void AnalysisList::retranslate() {
+    setAccessibleName(tr("Analyses"));
     setToolTip(
-        tr("The chosen run is what cursors, events and residuals show. Space hides, Delete "
+        tr("The chosen analysis is what cursors, events and residuals show. Space hides, Delete "
            "removes, F2 renames"));
-    setHeaderLabels({tr("Run"), tr("Recording"), tr("Algorithm"), tr("n"), tr("Windows"),
+    setHeaderLabels({tr("Analysis"), tr("Recording"), tr("Algorithm"), tr("n"), tr("Windows"),
                      tr("Mean f, Hz"), tr("Noise"), tr("Time, ms"), tr("Notes")});
     headerItem()->setToolTip(
         frequency,
@@ -254,7 +259,7 @@ void RunList::retranslate() {
     headerItem()->setToolTip(time, tr("Time in the estimators alone"));
     headerItem()->setToolTip(window, tr("Window, samples"));
     rename_->setText(tr("Rename"));
-    rerun_->setText(tr("Run again with its settings"));
+    again_->setText(tr("Analyse again with its settings"));
     remove_->setText(tr("Remove"));
     rebuild();
 }

@@ -1,0 +1,308 @@
+#include "ui/document/analysis_store.h"
+
+#include "ui/widgets/theme.h"
+#include "ui/words/program_name.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <utility>
+
+namespace vybeg::ui {
+namespace {
+
+// A name that no analysis has: "demo", "demo (2)", ...
+QString freeName(const std::vector<AnalysisEntry>& analyses, const QString& wish) {
+    const auto taken = [&](const QString& name) {
+        return std::ranges::any_of(
+            analyses, [&](const AnalysisEntry& entry) { return entry.shown.name == name; });
+    };
+    QString name = wish;
+    for (int count = 2; taken(name); ++count) {
+        name = QStringLiteral("%1 (%2)").arg(wish).arg(count);
+    }
+    return name;
+}
+
+// The style wished for, or the first that no analysis has.
+int freeStyle(const std::vector<AnalysisEntry>& analyses, int wish) {
+    const auto taken = [&](int candidate) {
+        const CurveStyle style = curveStyle(candidate);
+        return std::ranges::any_of(analyses, [&](const AnalysisEntry& entry) {
+            return entry.shown.color == style.color && entry.shown.dash == style.dash;
+        });
+    };
+    if (!taken(wish)) {
+        return wish;
+    }
+    // Styles repeat after a while; with more analyses than styles the first free index is as good.
+    int index = 0;
+    while (index < static_cast<int>(analyses.size()) && taken(index)) {
+        ++index;
+    }
+    return index;
+}
+
+void setOutcome(AnalysisEntry& entry, const Settings& requested, AnalysisOutcome outcome) {
+    entry.requested = requested;
+    entry.summary = outcome.summary;
+    entry.events = std::move(outcome.events);
+    entry.shown.seconds_taken = outcome.analysis->timing.estimate_s;
+    entry.shown.analysis = std::move(outcome.analysis);
+    entry.shown.curves = std::move(outcome.curves);
+}
+
+}  // namespace
+
+AnalysisWish wishOf(const AnalysisEntry& entry, int place) {
+    return {.settings = entry.requested,
+            .name = entry.shown.name,
+            .color = entry.shown.color,
+            .dash = entry.shown.dash,
+            .visible = entry.shown.visible,
+            .live = entry.live,
+            .place = place};
+}
+
+AnalysisStore::AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
+                             UndoSteps& steps, QObject* parent)
+    : QObject(parent), job_(job), recordings_(recordings), ids_(ids), steps_(steps) {}
+
+const AnalysisEntry* AnalysisStore::find(AnalysisId id) const {
+    const auto found = std::ranges::find_if(
+        analyses_, [id](const AnalysisEntry& entry) { return entry.shown.id == id; });
+    return found == analyses_.end() ? nullptr : &*found;
+}
+
+const AnalysisEntry* AnalysisStore::liveOf(RecordingId recording_id) const {
+    const auto found = std::ranges::find_if(analyses_, [recording_id](const AnalysisEntry& entry) {
+        return entry.live && entry.recording_id == recording_id;
+    });
+    return found == analyses_.end() ? nullptr : &*found;
+}
+
+std::vector<ShownAnalysis> AnalysisStore::plotted(bool live_on_top) const {
+    std::vector<ShownAnalysis> plotted;
+    plotted.reserve(analyses_.size());
+    for (const bool on_top : {false, true}) {
+        for (const AnalysisEntry& entry : analyses_) {
+            if ((entry.live && live_on_top) == on_top) {
+                plotted.push_back(entry.shown);
+            }
+        }
+    }
+    return plotted;
+}
+
+AnalysisId AnalysisStore::show(RecordingId recording_id, const Settings& requested,
+                               AnalysisOutcome outcome) {
+    const RecordingEntry& recording = *recordings_.find(recording_id);
+    const auto same = std::ranges::find_if(analyses_, [&](const AnalysisEntry& other) {
+        return !other.live && other.recording_id == recording_id && other.requested == requested;
+    });
+    AnalysisEntry* entry = nullptr;
+    if (same != analyses_.end()) {
+        entry = &*same;
+        entry->shown.visible = true;
+    } else if (entry = addExpected(recording_id, requested, false); !entry) {
+        entry = &add(newAnalysis(recording,
+                                 QStringLiteral("%1, n = %2")
+                                     .arg(QFileInfo(recording.path).completeBaseName())
+                                     .arg(outcome.analysis->plan.length),
+                                 styleWish(recording_id)));
+    }
+    setOutcome(*entry, requested, std::move(outcome));
+    const auto id = entry->shown.id;
+    emit changed();
+    emit added(id);
+    return id;
+}
+
+AnalysisId AnalysisStore::showLive(RecordingId recording_id, const Settings& requested,
+                                   AnalysisOutcome outcome) {
+    auto live = std::ranges::find_if(analyses_, [&](const AnalysisEntry& entry) {
+        return entry.live && entry.recording_id == recording_id;
+    });
+    const bool is_new = live == analyses_.end();
+    AnalysisEntry* expected = is_new ? addExpected(recording_id, requested, true) : nullptr;
+    AnalysisEntry& entry = expected ? *expected : is_new ? addLive(recording_id) : *live;
+    setOutcome(entry, requested, std::move(outcome));
+    const auto id = entry.shown.id;
+    emit changed();
+    if (is_new) {
+        emit added(id);
+    }
+    return id;
+}
+
+// The first analysis of a recording has the colour of the recording's place.
+int AnalysisStore::styleWish(RecordingId recording_id) const {
+    const bool first =
+        std::ranges::find(analyses_, recording_id, &AnalysisEntry::recording_id) == analyses_.end();
+    return first ? static_cast<int>(recordings_.place(recording_id)) : 0;
+}
+
+// The first analysis of each recording stands in the order of the recordings, whichever analysis
+// ends first; later ones at the end.
+AnalysisEntry& AnalysisStore::add(AnalysisEntry entry) {
+    const auto is_first = [this](auto place) {
+        return std::ranges::find(analyses_.begin(), place, place->recording_id,
+                                 &AnalysisEntry::recording_id) == place;
+    };
+    auto next = analyses_.end();
+    if (std::ranges::find(analyses_, entry.recording_id, &AnalysisEntry::recording_id) ==
+        analyses_.end()) {
+        const std::size_t own = recordings_.place(entry.recording_id);
+        for (next = analyses_.begin(); next != analyses_.end(); ++next) {
+            if (is_first(next) && recordings_.place(next->recording_id) > own) {
+                break;
+            }
+        }
+    }
+    return *analyses_.insert(next, std::move(entry));
+}
+
+AnalysisEntry& AnalysisStore::addLive(RecordingId recording_id) {
+    const RecordingEntry& recording = *recordings_.find(recording_id);
+    // Its settings change, so they are in its row and not in its name.
+    AnalysisEntry added = newAnalysis(recording, QFileInfo(recording.path).completeBaseName(),
+                                      static_cast<int>(recordings_.place(recording_id)));
+    added.live = true;
+    return add(std::move(added));
+}
+
+void AnalysisStore::expect(RecordingId recording_id, const AnalysisWish& wish) {
+    expected_.emplace(recording_id, wish);
+}
+
+AnalysisEntry* AnalysisStore::addExpected(RecordingId recording_id, const Settings& requested,
+                                          bool live) {
+    const auto [first, last] = expected_.equal_range(recording_id);
+    const auto wish = std::find_if(first, last, [&](const auto& expected) {
+        return expected.second.live == live && expected.second.settings == requested;
+    });
+    if (wish == last) {
+        return nullptr;
+    }
+    const AnalysisWish& wanted = wish->second;
+    AnalysisEntry entry = newAnalysis(*recordings_.find(recording_id), wanted.name);
+    entry.shown.color = wanted.color;
+    entry.shown.dash = wanted.dash;
+    entry.shown.visible = wanted.visible;
+    entry.live = live;
+    entry.place = wanted.place;
+    const auto next = std::ranges::upper_bound(analyses_, entry.place, {}, &AnalysisEntry::place);
+    expected_.erase(wish);
+    return &*analyses_.insert(next, std::move(entry));
+}
+
+AnalysisEntry AnalysisStore::newAnalysis(const RecordingEntry& recording, const QString& name,
+                                         int wish) {
+    const CurveStyle style = curveStyle(freeStyle(analyses_, wish));
+    AnalysisEntry entry;
+    entry.recording_id = recording.id;
+    entry.shown.id = ids_.next<AnalysisId>();
+    entry.shown.name = freeName(analyses_, name);
+    entry.shown.recording = recording.name;
+    entry.shown.color = style.color;
+    entry.shown.dash = style.dash;
+    entry.shown.rate_hz = recording.recording->rate_hz;
+    return entry;
+}
+
+void AnalysisStore::change(AnalysisId id, const std::function<void(ShownAnalysis&)>& edit) {
+    for (AnalysisEntry& entry : analyses_) {
+        if (entry.shown.id == id) {
+            edit(entry.shown);
+            emit changed();
+        }
+    }
+}
+
+void AnalysisStore::setVisible(AnalysisId id, bool visible) {
+    const AnalysisEntry* entry = find(id);
+    if (!entry || entry->shown.visible == visible) {
+        return;
+    }
+    const auto set = [this, id](bool to) {
+        change(id, [to](ShownAnalysis& shown) { shown.visible = to; });
+    };
+    steps_.add(
+        [visible, name = entry->shown.name] {
+            return (visible ? tr("show %1") : tr("hide %1")).arg(name);
+        },
+        [set, visible] { set(!visible); }, [set, visible] { set(visible); });
+    set(visible);
+}
+
+void AnalysisStore::rename(AnalysisId id, const QString& name) {
+    const AnalysisEntry* entry = find(id);
+    const QString wanted = name.trimmed();
+    if (!entry || wanted.isEmpty() || entry->shown.name == wanted) {
+        return;
+    }
+    const QString before = entry->shown.name;
+    const auto set = [this, id](const QString& text) {
+        change(id, [text](ShownAnalysis& shown) { shown.name = text; });
+    };
+    steps_.add([before] { return tr("rename %1").arg(before); }, [set, before] { set(before); },
+               [set, wanted] { set(wanted); });
+    set(wanted);
+}
+
+void AnalysisStore::remove(AnalysisId id) {
+    const AnalysisEntry* found = find(id);
+    if (!found) {
+        return;
+    }
+    const auto place = static_cast<std::size_t>(found - analyses_.data());
+    steps_.add([name = found->shown.name] { return tr("remove %1").arg(name); },
+               [this, entry = *found, place] { putBack(entry, place); },
+               [this, id] { takeOut(id); });
+    takeOut(id);
+}
+
+// A live analysis that has come meanwhile stays; the recording may be closed.
+void AnalysisStore::putBack(const AnalysisEntry& entry, std::size_t place) {
+    const bool replaced = entry.live && liveOf(entry.recording_id);
+    if (recordings_.find(entry.recording_id) && !replaced) {
+        analyses_.insert(
+            analyses_.begin() + static_cast<std::ptrdiff_t>(std::min(place, analyses_.size())),
+            entry);
+        emit changed();
+    }
+}
+
+void AnalysisStore::takeOut(AnalysisId id) {
+    if (std::erase_if(analyses_,
+                      [id](const AnalysisEntry& entry) { return entry.shown.id == id; }) > 0) {
+        emit changed();
+    }
+}
+
+void AnalysisStore::keepPlaces() {
+    for (std::size_t place = 0; place < analyses_.size(); ++place) {
+        analyses_[place].place = static_cast<int>(place);
+    }
+}
+
+void AnalysisStore::removeOf(RecordingId recording_id) {
+    expected_.erase(recording_id);
+    const auto gone = std::erase_if(analyses_, [recording_id](const AnalysisEntry& entry) {
+        return entry.recording_id == recording_id;
+    });
+    if (gone > 0) {
+        emit changed();
+    }
+}
+
+void AnalysisStore::exportTrack(AnalysisId id, const QString& path,
+                                std::function<void(const Status&)> done) {
+    const AnalysisEntry* entry = find(id);
+    if (entry && !entry->partial()) {
+        job_.writeTrack(number(id), *recordings_.find(entry->recording_id)->recording,
+                        entry->shown.analysis, programName(), path, std::move(done));
+    }
+}
+
+}  // namespace vybeg::ui

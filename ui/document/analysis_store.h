@@ -1,0 +1,108 @@
+#pragma once
+
+#include "core/base/error.h"
+#include "ui/document/background_jobs.h"
+#include "ui/document/id_counter.h"
+#include "ui/document/recording_store.h"
+#include "ui/values/ids.h"
+#include "ui/values/shown_analysis.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace vybeg::ui {
+
+// An analysis, its recording and settings, and what the background derived from its track.
+struct AnalysisEntry {
+    ShownAnalysis shown;
+    RecordingId recording_id = RecordingId::none;
+    Settings requested;  // as asked for; shown.analysis->settings is as used
+    TrackSummary summary;
+    std::vector<Event> events;
+    bool live = false;                            // follows the settings, see LiveFollower
+    int place = std::numeric_limits<int>::max();  // in the order of a session's analyses
+
+    // Has only some of its windows yet.
+    bool partial() const {
+        return static_cast<std::int64_t>(shown.analysis->track.rows()) < shown.analysis->plan.count;
+    }
+};
+
+// An analysis that a session asks for: the settings to compute it with, and its look and place
+// among the others.
+struct AnalysisWish {
+    Settings settings;
+    QString name;
+    QColor color;
+    Qt::PenStyle dash = Qt::SolidLine;
+    bool visible = true;
+    bool live = false;
+    int place = 0;
+};
+
+// The wish that gives an equal analysis.
+AnalysisWish wishOf(const AnalysisEntry& entry, int place);
+
+// The analyses of the open recordings, with names, colours and dashes of their own.
+class AnalysisStore : public QObject {
+    Q_OBJECT
+
+public:
+    AnalysisStore(BackgroundJobs& job, const RecordingStore& recordings, IdCounter& ids,
+                  UndoSteps& steps, QObject* parent = nullptr);
+
+    const std::vector<AnalysisEntry>& all() const { return analyses_; }
+    const AnalysisEntry* find(AnalysisId id) const;
+    const AnalysisEntry* liveOf(RecordingId recording_id) const;
+    // In the order of drawing: with `live_on_top` the live analyses last.
+    std::vector<ShownAnalysis> plotted(bool live_on_top) const;
+
+    // Returns the analysis's id. An analysis of the same recording and settings gets the new
+    // outcome.
+    AnalysisId show(RecordingId recording_id, const Settings& requested, AnalysisOutcome outcome);
+    // The same for the live analysis of a recording.
+    AnalysisId showLive(RecordingId recording_id, const Settings& requested,
+                        AnalysisOutcome outcome);
+    // The next analysis of that recording with these settings gets the look and place of the wish.
+    void expect(RecordingId recording_id, const AnalysisWish& wish);
+    // Steps of undo.
+    void setVisible(AnalysisId id, bool visible);
+    void rename(AnalysisId id, const QString& name);
+    void remove(AnalysisId id);
+    // From now on every analysis keeps its place, also among those that come back.
+    void keepPlaces();
+    void removeOf(RecordingId recording_id);
+
+    // Track CSV in the background; `done` gets the result. A partial analysis is not written.
+    void exportTrack(AnalysisId id, const QString& path, std::function<void(const Status&)> done);
+
+signals:
+    void changed();
+    void added(AnalysisId id);
+
+private:
+    void change(AnalysisId id, const std::function<void(ShownAnalysis&)>& edit);
+    void putBack(const AnalysisEntry& entry, std::size_t place);
+    void takeOut(AnalysisId id);
+    // `wish`: its style, where no other analysis has it.
+    AnalysisEntry newAnalysis(const RecordingEntry& recording, const QString& name, int wish = 0);
+    int styleWish(RecordingId recording_id) const;
+    AnalysisEntry& add(AnalysisEntry entry);
+    AnalysisEntry& addLive(RecordingId recording_id);
+    // The analysis that is expected, in its place; null where none is.
+    AnalysisEntry* addExpected(RecordingId recording_id, const Settings& requested, bool live);
+
+    BackgroundJobs& job_;
+    const RecordingStore& recordings_;
+    IdCounter& ids_;
+    UndoSteps& steps_;
+    std::vector<AnalysisEntry> analyses_;
+    std::multimap<RecordingId, AnalysisWish> expected_;  // by recording
+};
+
+}  // namespace vybeg::ui

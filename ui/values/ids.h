@@ -1,0 +1,17 @@
+#pragma once
+
+namespace vybeg::ui {
+
+// What tells the recordings, analyses and sets of a document apart. All numbers come from one
+// counter (IdCounter).
+enum class RecordingId : int { none = 0 };
+enum class AnalysisId : int { none = 0 };
+enum class SetId : int { none = 0 };
+
+// The number of an id: of its background jobs (BackgroundJobs), in item data, in dragged data.
+template <class Id>
+constexpr int number(Id id) {
+    return static_cast<int>(id);
+}
+
+}  // namespace vybeg::ui
