@@ -20,8 +20,8 @@ using NamedWarnings = std::pair<std::string, std::vector<Diagnostic>>;
 struct FinishedRow {
     std::size_t set = 0;  // its place in the list
     std::string text;     // as batch_csv.h writes it
-    bool kept = false;    // of an earlier run
-    // Of a row of this run.
+    bool kept = false;    // of an earlier batch
+    // Of a row of this batch.
     std::vector<NamedWarnings> warnings;
     std::optional<Error> error;  // why the set has no result
 };
@@ -30,7 +30,7 @@ struct FinishedRow {
 // receives nothing.
 struct BatchEvents {
     std::function<void(const std::vector<Diagnostic>&)> warned;  // about the list
-    // Everything has been checked; the rows come next, those of an earlier run first.
+    // Everything has been checked; the rows come next, those of an earlier batch first.
     std::function<void(const MeasurementList&)> begun;
     std::function<void(const FinishedRow&)> finished;
 };

@@ -104,7 +104,7 @@ Result<std::vector<std::string>> header_of(const BatchRequest& request, const Jo
     return lines;
 }
 
-// The rows of an earlier run.
+// The rows of an earlier batch.
 Status tell_kept_rows(const std::vector<SetTask>& tasks, const RowJournal& journal,
                       const BatchEvents& events) {
     for (std::size_t k = 0; k < tasks.size() && events.finished; ++k) {

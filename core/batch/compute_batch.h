@@ -12,7 +12,7 @@ namespace vybeg {
 // when its last row is there. The rows until then are in a journal beside it, and each is on the
 // disk when its event comes. A set without a result has a row, too. Errors: those of a list and
 // of settings; output_failed; out_of_memory and out_of_threads; interrupted, interrupted_midway
-// where the journal holds rows, which `resume` of a later run keeps.
+// where the journal holds rows, which `resume` of a later batch keeps.
 Status compute_batch(const BatchRequest& request, const BatchEvents& events, std::stop_token stop);
 
 }  // namespace vybeg

@@ -15,12 +15,12 @@ constexpr std::size_t longest_segment = std::size_t{1} << 15;  // 1 Hz at 33333 
 constexpr std::size_t least_segment = 16;
 constexpr std::size_t most_lags = 1000;
 
-// A segment of which there are about eight in all samples and two in the longest run, but no less
+// A segment of which there are about eight in all samples and two in the longest part, but no less
 // than 256 bins where the samples suffice.
 std::size_t segment_of(const ResidualSamples& samples) {
     std::size_t longest = 0;
-    for (std::size_t run = 0; run < samples.runs(); ++run) {
-        longest = std::max(longest, samples.run_c(run).size());
+    for (std::size_t part = 0; part < samples.parts(); ++part) {
+        longest = std::max(longest, samples.c_of(part).size());
     }
     const std::size_t wished =
         std::clamp(std::min(samples.c.size() / 8, longest / 2), std::size_t{512}, longest_segment);
@@ -53,14 +53,14 @@ Result<ResidualSpectrum> spectrum_of(const ResidualSamples& samples, double rate
     }
     SpectralDensity density(size, rate_hz);
     spectrum.bin_hz = density.bin_hz();
-    for (std::size_t run = 0; run < samples.runs(); ++run) {
-        const auto c = samples.run_c(run);
-        const auto d = samples.run_d(run);
+    for (std::size_t part = 0; part < samples.parts(); ++part) {
+        const auto c = samples.c_of(part);
+        const auto d = samples.d_of(part);
         for (const std::size_t begin : segments_of(c.size(), size)) {
             if (job.cancelled()) {
                 return Error{ErrorCode::interrupted, "", {}};
             }
-            const std::size_t middle = samples.run_begins[run] + begin + size / 2;
+            const std::size_t middle = samples.part_begins[part] + begin + size / 2;
             const std::size_t half = 2 * middle < samples.c.size() ? 0 : 1;
             density.add_to(spectrum.halves[half], c.subspan(begin, size), d.subspan(begin, size));
             ++spectrum.segments_of_half[half];
@@ -130,11 +130,11 @@ Result<Residuals> find_residuals(const Recording& recording, const Analysis& ana
         return spectrum.error();
     }
     LaggedProducts products(std::min(most_lags, samples->c.size() / 4));
-    for (std::size_t run = 0; run < samples->runs(); ++run) {
+    for (std::size_t part = 0; part < samples->parts(); ++part) {
         if (job.cancelled()) {
             return Error{ErrorCode::interrupted, "", {}};
         }
-        products.add(samples->run_c(run), samples->run_d(run));
+        products.add(samples->c_of(part), samples->d_of(part));
     }
     found.lines = residual_lines(*spectrum, recording, analysis);
     found.bin_hz = spectrum->bin_hz;

@@ -65,7 +65,7 @@ private:
             }
             const SignalPair fitted = wave.at(static_cast<double>(frame));
             if (!in_run_) {
-                found_.run_begins.push_back(found_.c.size());
+                found_.part_begins.push_back(found_.c.size());
                 in_run_ = true;
             }
             found_.c.push_back(c - fitted.c);
@@ -81,7 +81,7 @@ private:
     std::vector<double> c_;
     std::vector<double> d_;
     bool in_run_ = false;
-    std::int64_t next_ = -1;  // frame that continues the run
+    std::int64_t next_ = -1;  // frame that continues the part
 };
 
 Frames frames_of(const ResidualRange& range, const WindowPlan& plan, double rate_hz) {

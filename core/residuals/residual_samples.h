@@ -13,23 +13,23 @@
 
 namespace vybeg {
 
-// Residuals of both channels, run after run of consecutive frames.
+// Residuals of both channels, part after part of consecutive frames.
 struct ResidualSamples {
     std::vector<double> c;
     std::vector<double> d;
-    std::vector<std::size_t> run_begins;  // in c and d
-    std::int64_t frames = 0;              // as of Residuals
+    std::vector<std::size_t> part_begins;  // in c and d
+    std::int64_t frames = 0;               // as of Residuals
     std::int64_t examined = 0;
     std::int64_t without = 0;
 
-    std::size_t runs() const { return run_begins.size(); }
-    std::span<const double> run_c(std::size_t run) const { return part(c, run); }
-    std::span<const double> run_d(std::size_t run) const { return part(d, run); }
+    std::size_t parts() const { return part_begins.size(); }
+    std::span<const double> c_of(std::size_t part) const { return cut(c, part); }
+    std::span<const double> d_of(std::size_t part) const { return cut(d, part); }
 
 private:
-    std::span<const double> part(const std::vector<double>& all, std::size_t run) const {
-        const std::size_t end = run + 1 < runs() ? run_begins[run + 1] : all.size();
-        return std::span(all).subspan(run_begins[run], end - run_begins[run]);
+    std::span<const double> cut(const std::vector<double>& all, std::size_t part) const {
+        const std::size_t end = part + 1 < parts() ? part_begins[part + 1] : all.size();
+        return std::span(all).subspan(part_begins[part], end - part_begins[part]);
     }
 };
 

@@ -56,7 +56,7 @@ struct ResidualChannel {
     double noise_sd = std::numeric_limits<double>::quiet_NaN();
     Histogram histogram;
     // One-sided power spectral density, squared units per Hz, bin k at k * bin_hz; the mean of the
-    // residual is taken off. Empty where no run of samples is long enough.
+    // residual is taken off. Empty where no part of the samples is long enough.
     std::vector<double> density;
     std::vector<double> autocorrelation;  // by lags of one sample, 1 at lag 0
 

@@ -1,6 +1,6 @@
-// The real window, offscreen: from the click on Analyse to the redrawn plots, from a live change of the
-// window's length to them, and a frame of panning and zooming. `bin/window_benchmarks` prints the
-// table; its status tells whether all is fast enough. With a long recording in the environment
+// The real window, offscreen: from the click on Analyse to the redrawn plots, from a live change of
+// the window's length to them, and a frame of panning and zooming. `bin/window_benchmarks` prints
+// the table; its status tells whether all is fast enough. With a long recording in the environment
 // variable VYBEG_LONG_RECORDING it also tells when a live change of it shows what.
 #include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
@@ -243,11 +243,11 @@ int main(int argc, char** argv) {
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
 
     Bench bench(write_demo(folder));
-    Series run;
+    Series analysis;
     for (int i = 0; i < clicks; ++i) {
-        run.add(bench.click_ms(with(Algorithm::maximum_likelihood)));
+        analysis.add(bench.click_ms(with(Algorithm::maximum_likelihood)));
     }
-    // The live run, in the place of the others.
+    // The live analysis, in the place of the others.
     Series live;
     bench.document().removeAnalysis(bench.document().analyses().front().shown.id);
     bench.document().setLive(true);
@@ -264,7 +264,7 @@ int main(int argc, char** argv) {
     }
     if (bench.document().analyses().size() != 3 ||
         bench.document().analyses().front().summary.windows != 155554) {
-        qFatal("there should be three runs of 155,554 windows");
+        qFatal("there should be three analyses of 155,554 windows");
     }
 
     // From all to a hundredth and back, then panned through at three zooms.
@@ -304,12 +304,12 @@ int main(int argc, char** argv) {
     }
     std::printf("\n%-38s %8s %8s %8s %10s %6s\n", "milliseconds", "median", "99 %", "most",
                 "target", "99 %");
-    bool enough = run.print("Run to plots, 155,554 windows", 60, 250);
+    bool enough = analysis.print("Analyse to plots, 155,554 windows", 60, 250);
     enough = live.print("live change, 133,332 windows or more", 250, 250) && enough;
-    enough = zoom.print("zooming, 3 runs in 5 plots", 16, 33) && enough;
-    enough = pan.print("panning, 3 runs in 5 plots", 16, 33) && enough;
+    enough = zoom.print("zooming, 3 analyses in 5 plots", 16, 33) && enough;
+    enough = pan.print("panning, 3 analyses in 5 plots", 16, 33) && enough;
     enough = page.print("another page", 50, 100) && enough;
-    enough = exported.print("export, 3 runs in 5 plots, 300 dpi", 200, 400) && enough;
+    enough = exported.print("export, 3 analyses in 5 plots, 300 dpi", 200, 400) && enough;
     const QString long_recording = qEnvironmentVariable("VYBEG_LONG_RECORDING");
     if (!long_recording.isEmpty()) {
         print_live_steps(long_recording);

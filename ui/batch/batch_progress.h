@@ -8,15 +8,15 @@
 
 namespace vybeg::ui {
 
-// How far a batch is, and how long it still takes: as long for each set as for those of this run.
+// How far a batch is, and how long it still takes: as long for each set as for those of this batch.
 class BatchProgress {
 public:
     void begin(std::size_t sets);
-    // `kept`: a row of an earlier run, which took no time.
+    // `kept`: a row of an earlier batch, which took no time.
     void add(bool kept);
 
     std::size_t sets() const { return sets_; }
-    // Nothing before the first row of this run, and at the end.
+    // Nothing before the first row of this batch, and at the end.
     std::optional<double> secondsLeft() const;
 
 private:

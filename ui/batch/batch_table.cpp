@@ -112,7 +112,7 @@ double BatchTable::number(const Row& row, std::size_t field) const {
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-// Of a row of an earlier run there is only the English sentence of its file.
+// Of a row of an earlier batch there is only the English sentence of its file.
 QString BatchTable::reasonText(const Row& row) const {
     const auto reason = std::ranges::find(columns_, BatchColumnKind::reason, &BatchColumn::kind);
     return row.error ? errorText(*row.error) : field(row, reason->field);

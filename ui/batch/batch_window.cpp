@@ -94,12 +94,12 @@ BatchWindow::BatchWindow(QWidget* parent)
     connect(form_, &BatchForm::changed, this, &BatchWindow::refresh);
     connect(start_, &QPushButton::clicked, this, &BatchWindow::askAndStart);
     connect(stop_, &QPushButton::clicked, this, &BatchWindow::stop);
-    connect(&run_, &BatchRun::begun, this, &BatchWindow::whenBegun);
-    connect(&run_, &BatchRun::ended, this, &BatchWindow::whenEnded);
-    connect(&run_, &BatchRun::warned, this, [this](const Diagnostic& diagnostic) {
+    connect(&job_, &BatchJob::begun, this, &BatchWindow::whenBegun);
+    connect(&job_, &BatchJob::ended, this, &BatchWindow::whenEnded);
+    connect(&job_, &BatchJob::warned, this, [this](const Diagnostic& diagnostic) {
         message_->warn([diagnostic] { return diagnosticText(diagnostic); });
     });
-    connect(&run_, &BatchRun::rowFinished, this, [this](const FinishedRow& finished) {
+    connect(&job_, &BatchJob::rowFinished, this, [this](const FinishedRow& finished) {
         model_.add(finished);
         progress_.add(finished.kept);
         widenFor(static_cast<int>(finished.set));
@@ -182,7 +182,7 @@ void BatchWindow::askAndStart() {
 }
 
 void BatchWindow::start() {
-    if (run_.running()) {
+    if (job_.running()) {
         return;
     }
     BatchRequest request = form_->request();
@@ -197,14 +197,14 @@ void BatchWindow::start() {
     message_->begin();
     model_.begin(std::make_shared<const MeasurementList>());  // the table of the batch before goes
     progress_.begin(0);
-    run_.start(request);
+    job_.start(request);
     refresh();
 }
 
 void BatchWindow::stop() {
-    if (run_.running()) {
+    if (job_.running()) {
         stopping_ = true;
-        run_.stop();
+        job_.stop();
         refresh();
     }
 }
@@ -252,9 +252,9 @@ void BatchWindow::showProgress() {
         parts << tr("%n without a result", nullptr, model_.failed());
     }
     const auto left = progress_.secondsLeft();
-    if (run_.running() && stopping_) {
+    if (job_.running() && stopping_) {
         parts << tr("stopping…");
-    } else if (run_.running() && left) {
+    } else if (job_.running() && left) {
         parts << tr("%1 left").arg(durationText(*left));
     }
     told_->setText(parts.join(QStringLiteral("; ")));
@@ -308,7 +308,7 @@ void BatchWindow::showDetails() {
 }
 
 void BatchWindow::refresh() {
-    const bool running = run_.running();
+    const bool running = job_.running();
     form_->setEnabled(!running);
     start_->setEnabled(!running && form_->isComplete());
     stop_->setEnabled(running && !stopping_);
@@ -343,7 +343,7 @@ void BatchWindow::copyRows() const {
 }
 
 void BatchWindow::closeEvent(QCloseEvent* event) {
-    if (!run_.running() || leaving_) {  // then the run stops where this object goes
+    if (!job_.running() || leaving_) {  // then the batch stops where this object goes
         QWidget::closeEvent(event);
         return;
     }

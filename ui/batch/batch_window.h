@@ -2,8 +2,8 @@
 
 #include "core/analysis/identify_settings.h"
 #include "ui/batch/batch_form.h"
+#include "ui/batch/batch_job.h"
 #include "ui/batch/batch_progress.h"
-#include "ui/batch/batch_run.h"
 #include "ui/batch/batch_table.h"
 
 #include <QTimer>
@@ -36,7 +36,7 @@ public:
     // Settings for what the list leaves open, asked for when the engineer wants those of the panel.
     void setPanelSource(std::function<IdentifySettings()> source) { panel_ = std::move(source); }
     void setUnits(const DisplayUnits& units);
-    bool running() const { return run_.running(); }
+    bool running() const { return job_.running(); }
     // Of the program: stops what is running, and closes without a question.
     void leave();
 
@@ -87,7 +87,7 @@ private:
     QPlainTextEdit* details_;
     QAction* open_;
     QAction* copy_;
-    BatchRun run_;
+    BatchJob job_;
 };
 
 }  // namespace vybeg::ui

@@ -274,16 +274,16 @@ SampleColumn npy_column(const NpyArray& array, std::shared_ptr<const ByteSource>
     // Whether the samples of a channel are contiguous, one channel after the other.
     const bool apart =
         array.shape.size() < 2 || (channel_axis(array.shape) == 0) != array.fortran_order;
-    StridedRange run;
-    run.stride = apart ? size : array.channels() * size;
-    run.offset = array.data_offset + channel * (apart ? array.frames() * size : size);
-    const std::int64_t room = bytes->size() - run.offset - size;
-    run.count =
-        room < 0 || array.channels() == 0 ? 0 : std::min(array.frames(), room / run.stride + 1);
-    run.per_chunk = std::max<std::int64_t>(run.count, 1);
-    run.chunk_stride = run.per_chunk * run.stride;
-    run.big_endian = array.big_endian;
-    return {std::move(bytes), array.type, {run}};
+    StridedRange range;
+    range.stride = apart ? size : array.channels() * size;
+    range.offset = array.data_offset + channel * (apart ? array.frames() * size : size);
+    const std::int64_t room = bytes->size() - range.offset - size;
+    range.count =
+        room < 0 || array.channels() == 0 ? 0 : std::min(array.frames(), room / range.stride + 1);
+    range.per_chunk = std::max<std::int64_t>(range.count, 1);
+    range.chunk_stride = range.per_chunk * range.stride;
+    range.big_endian = array.big_endian;
+    return {std::move(bytes), array.type, {range}};
 }
 
 }  // namespace vybeg

@@ -132,13 +132,13 @@ std::optional<const char*> TdmsRanges::take(const TdmsSegment& segment,
     if (chunk.count == 0) {
         return std::nullopt;
     }
-    StridedRange run;
-    run.count = whole * chunk.count;
-    run.per_chunk = chunk.count;
-    run.offset = segment.offset + chunk.offset;
-    run.stride = chunk.stride;
-    run.chunk_stride = chunk.size;
-    run.big_endian = segment.big_endian;
+    StridedRange range;
+    range.count = whole * chunk.count;
+    range.per_chunk = chunk.count;
+    range.offset = segment.offset + chunk.offset;
+    range.stride = chunk.stride;
+    range.chunk_stride = chunk.size;
+    range.big_endian = segment.big_endian;
 
     // The number of values of an unclosed segment is that of its whole chunks.
     const std::int64_t bytes = segment.promised.value_or(segment.size);
@@ -146,8 +146,8 @@ std::optional<const char*> TdmsRanges::take(const TdmsSegment& segment,
     promised_ += bytes / chunk.size * chunk.count;
     if (!segment.promised || last == 0 || chunk.by_rows) {
         promised_ += last == 0 ? 0 : segment.promised ? values_in(chunk, last) : chunk.count;
-        run.count += values_in(chunk, rest);
-        append(run);
+        range.count += values_in(chunk, rest);
+        append(range);
         return std::nullopt;
     }
     const auto share = shared_out(chunk, object_, last, indices);
@@ -156,13 +156,13 @@ std::optional<const char*> TdmsRanges::take(const TdmsSegment& segment,
     }
     promised_ += share->count;
     if (whole < bytes / chunk.size) {  // cut before its last chunk
-        run.count += values_in(chunk, rest);
-        append(run);
+        range.count += values_in(chunk, rest);
+        append(range);
         return std::nullopt;
     }
-    append(run);
+    append(range);
     // The number of text bytes in a shorter chunk is unknown.
-    StridedRange end = run;
+    StridedRange end = range;
     end.count = has_texts(indices) ? 0 : values_in(*share, rest);
     end.per_chunk = std::max<std::int64_t>(share->count, 1);
     end.offset = segment.offset + whole * chunk.size + share->offset;
@@ -171,26 +171,26 @@ std::optional<const char*> TdmsRanges::take(const TdmsSegment& segment,
     return std::nullopt;
 }
 
-void TdmsRanges::append(StridedRange run) {
-    if (run.count == 0) {
+void TdmsRanges::append(StridedRange range) {
+    if (range.count == 0) {
         return;
     }
-    run.first = runs_.empty() ? 0 : runs_.back().end();
-    if (!runs_.empty()) {
-        StridedRange& before = runs_.back();
+    range.first = ranges_.empty() ? 0 : ranges_.back().end();
+    if (!ranges_.empty()) {
+        StridedRange& before = ranges_.back();
         const std::int64_t chunks = before.count / before.per_chunk;
-        const std::int64_t step = run.offset - before.offset - (chunks - 1) * before.chunk_stride;
-        const bool alike = before.per_chunk == run.per_chunk && before.stride == run.stride &&
-                           before.big_endian == run.big_endian &&
+        const std::int64_t step = range.offset - before.offset - (chunks - 1) * before.chunk_stride;
+        const bool alike = before.per_chunk == range.per_chunk && before.stride == range.stride &&
+                           before.big_endian == range.big_endian &&
                            before.count % before.per_chunk == 0;
         if (alike && (chunks == 1 || before.chunk_stride == step) &&
-            (run.count <= run.per_chunk || run.chunk_stride == step)) {
+            (range.count <= range.per_chunk || range.chunk_stride == step)) {
             before.chunk_stride = step;
-            before.count += run.count;
+            before.count += range.count;
             return;
         }
     }
-    runs_.push_back(run);
+    ranges_.push_back(range);
 }
 
 }  // namespace vybeg

@@ -25,19 +25,19 @@ public:
     std::optional<const char*> take(const TdmsSegment& segment,
                                     const std::vector<TdmsRawIndex>& chunk);
 
-    const std::vector<StridedRange>& runs() const { return runs_; }
-    std::vector<StridedRange> take_runs() { return std::move(runs_); }
+    const std::vector<StridedRange>& ranges() const { return ranges_; }
+    std::vector<StridedRange> take_ranges() { return std::move(ranges_); }
     // Number of values by the lead-ins of the segments; of an unclosed segment, whole chunks.
     std::int64_t promised() const { return promised_; }
-    std::int64_t present() const { return runs_.empty() ? 0 : runs_.back().end(); }
+    std::int64_t present() const { return ranges_.empty() ? 0 : ranges_.back().end(); }
 
 private:
-    void append(StridedRange run);
+    void append(StridedRange range);
 
     std::size_t object_;
     std::uint32_t scaler_;
     std::int64_t promised_ = 0;
-    std::vector<StridedRange> runs_;
+    std::vector<StridedRange> ranges_;
 };
 
 }  // namespace vybeg

@@ -144,31 +144,31 @@ public:
 
     // Both columns, from a second pass, because only the first pass determines the channels.
     Result<Columns> columns(const ChosenChannel& c, const ChosenChannel& d) const {
-        TdmsRanges runs_c(c.object, c.scaler());
-        TdmsRanges runs_d(d.object, d.scaler());
+        TdmsRanges ranges_c(c.object, c.scaler());
+        TdmsRanges ranges_d(d.object, d.scaler());
         TdmsFile tdms(file_, job_);
-        const auto most_runs =
+        const auto most_ranges =
             static_cast<std::size_t>((file_->size() + held_bytes) / held_bytes_of_run);
         const Status status = tdms.walk(
             [&](const TdmsSegment& segment, const std::vector<TdmsRawIndex>& chunk) -> Status {
-                for (TdmsRanges* runs : {&runs_c, &runs_d}) {
-                    if (const auto wrong = runs->take(segment, chunk)) {
+                for (TdmsRanges* ranges : {&ranges_c, &ranges_d}) {
+                    if (const auto wrong = ranges->take(segment, chunk)) {
                         return file_->error(ErrorCode::format_damaged, {"TDMS", words(*wrong)});
                     }
                 }
-                return runs_c.runs().size() + runs_d.runs().size() <= most_runs
+                return ranges_c.ranges().size() + ranges_d.ranges().size() <= most_ranges
                            ? Status{}
                            : unsupported(
                                  VYBEG_MESSAGE("Words", "samples in more than %1 separate pieces"),
-                                 {count_arg(static_cast<std::int64_t>(most_runs))});
+                                 {count_arg(static_cast<std::int64_t>(most_ranges))});
             });
         if (!status) {
             return status.error();
         }
         const auto bytes = file_part(file_, 0, file_->size());
-        Columns both{{}, {}, runs_c.promised(), runs_d.promised()};
-        both.c = {bytes, c.type, runs_c.take_runs(), c.scaling.linear};
-        both.d = {bytes, d.type, runs_d.take_runs(), d.scaling.linear};
+        Columns both{{}, {}, ranges_c.promised(), ranges_d.promised()};
+        both.c = {bytes, c.type, ranges_c.take_ranges(), c.scaling.linear};
+        both.d = {bytes, d.type, ranges_d.take_ranges(), d.scaling.linear};
         return both;
     }
 

@@ -36,46 +36,47 @@ struct ByteRange {
 };
 
 // Precondition: the column has the frame.
-const StridedRange& run_at(const SampleColumn& column, std::int64_t frame) {
+const StridedRange& range_at(const SampleColumn& column, std::int64_t frame) {
     const auto behind =
-        std::upper_bound(column.runs.begin(), column.runs.end(), frame,
-                         [](std::int64_t f, const StridedRange& run) { return f < run.first; });
+        std::upper_bound(column.ranges.begin(), column.ranges.end(), frame,
+                         [](std::int64_t f, const StridedRange& range) { return f < range.first; });
     return *std::prev(behind);
 }
 
-std::int64_t place(const StridedRange& run, std::int64_t frame) {
-    const std::int64_t at = frame - run.first;
-    return run.offset + at / run.per_chunk * run.chunk_stride + at % run.per_chunk * run.stride;
+std::int64_t place(const StridedRange& range, std::int64_t frame) {
+    const std::int64_t at = frame - range.first;
+    return range.offset + at / range.per_chunk * range.chunk_stride +
+           at % range.per_chunk * range.stride;
 }
 
 // Number of samples from the frame on within one range and, except the first, within a block.
 std::int64_t samples_in_block(const SampleColumn& column, std::int64_t frame) {
-    const StridedRange& run = run_at(column, frame);
-    const std::int64_t left = run.end() - frame;
-    const std::int64_t in_chunk = run.per_chunk - (frame - run.first) % run.per_chunk;
-    if (in_chunk > block_bytes / run.stride) {
-        return std::min(left, std::max<std::int64_t>(block_bytes / run.stride, 1));
+    const StridedRange& range = range_at(column, frame);
+    const std::int64_t left = range.end() - frame;
+    const std::int64_t in_chunk = range.per_chunk - (frame - range.first) % range.per_chunk;
+    if (in_chunk > block_bytes / range.stride) {
+        return std::min(left, std::max<std::int64_t>(block_bytes / range.stride, 1));
     }
-    const std::int64_t rest = block_bytes - in_chunk * run.stride;
-    return std::min(left, in_chunk + rest / run.chunk_stride * run.per_chunk);
+    const std::int64_t rest = block_bytes - in_chunk * range.stride;
+    return std::min(left, in_chunk + rest / range.chunk_stride * range.per_chunk);
 }
 
 // The bytes of `count` samples of one range.
 ByteRange range_of(const SampleColumn& column, std::int64_t frame, std::int64_t count) {
-    const StridedRange& run = run_at(column, frame);
-    return {place(run, frame), place(run, frame + count - 1) + bytes_of(column.type)};
+    const StridedRange& range = range_at(column, frame);
+    return {place(range, frame), place(range, frame + count - 1) + bytes_of(column.type)};
 }
 
 // Decodes samples of one range from bytes that begin at `begin` in the source.
 void decode_block(const SampleColumn& column, std::int64_t frame, const char* bytes,
                   std::int64_t begin, std::span<double> out) {
-    const StridedRange& run = run_at(column, frame);
+    const StridedRange& range = range_at(column, frame);
     const auto length = static_cast<std::int64_t>(out.size());
     for (std::int64_t done = 0; done < length;) {
         const std::int64_t at = frame + done;
-        const std::int64_t in_chunk = run.per_chunk - (at - run.first) % run.per_chunk;
+        const std::int64_t in_chunk = range.per_chunk - (at - range.first) % range.per_chunk;
         const std::int64_t count = std::min(length - done, in_chunk);
-        decode(column.type, run.big_endian, bytes + (place(run, at) - begin), run.stride,
+        decode(column.type, range.big_endian, bytes + (place(range, at) - begin), range.stride,
                column.scale,
                out.subspan(static_cast<std::size_t>(done), static_cast<std::size_t>(count)));
         done += count;
@@ -85,16 +86,16 @@ void decode_block(const SampleColumn& column, std::int64_t frame, const char* by
 // Whether the samples of `left` and `right` from a frame on are interleaved without gaps.
 bool are_pairs(const SampleColumn& left, const SampleColumn& right, std::int64_t frame,
                std::int64_t count) {
-    const StridedRange& run = run_at(left, frame);
-    const StridedRange& next = run_at(right, frame);
+    const StridedRange& range = range_at(left, frame);
+    const StridedRange& next = range_at(right, frame);
     const std::int64_t width = bytes_of(left.type);
     const auto last = frame + count - 1;
     return left.type == right.type && left.scale == right.scale &&
-           run.big_endian == next.big_endian && run.stride == 2 * width &&
+           range.big_endian == next.big_endian && range.stride == 2 * width &&
            next.stride == 2 * width &&
-           place(run, last) - place(run, frame) == (count - 1) * run.stride &&
-           place(next, frame) == place(run, frame) + width &&
-           place(next, last) == place(run, last) + width;
+           place(range, last) - place(range, frame) == (count - 1) * range.stride &&
+           place(next, frame) == place(range, frame) + width &&
+           place(next, last) == place(range, last) + width;
 }
 
 class ColumnSource final : public SampleSource {
@@ -135,7 +136,7 @@ private:
             if (const Status status = fetch(*c_.bytes, both, bytes); !status) {
                 return status;
             }
-            const bool big_endian = run_at(c_, at).big_endian;
+            const bool big_endian = range_at(c_, at).big_endian;
             if (are_pairs(c_, d_, at, count)) {
                 decode_pairs(c_.type, big_endian, bytes.data(), c_.scale, c, d);
             } else if (are_pairs(d_, c_, at, count)) {
@@ -170,14 +171,14 @@ private:
 
 StridedRange even_run(std::int64_t count, std::int64_t offset, std::int64_t stride,
                       bool big_endian) {
-    StridedRange run;
-    run.count = count;
-    run.per_chunk = std::max<std::int64_t>(count, 1);
-    run.offset = offset;
-    run.stride = stride;
-    run.chunk_stride = run.per_chunk * stride;
-    run.big_endian = big_endian;
-    return run;
+    StridedRange range;
+    range.count = count;
+    range.per_chunk = std::max<std::int64_t>(count, 1);
+    range.offset = offset;
+    range.stride = stride;
+    range.chunk_stride = range.per_chunk * stride;
+    range.big_endian = big_endian;
+    return range;
 }
 
 std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d) {

@@ -31,10 +31,10 @@ StridedRange even_run(std::int64_t count, std::int64_t offset, std::int64_t stri
 struct SampleColumn {
     std::shared_ptr<const ByteSource> bytes;
     NumberType type = NumberType::f64;
-    std::vector<StridedRange> runs;  // consecutive, without gaps between their frames
+    std::vector<StridedRange> ranges;  // consecutive, without gaps between their frames
     Scale scale{};
 
-    std::int64_t frames() const { return runs.empty() ? 0 : runs.back().end(); }
+    std::int64_t frames() const { return ranges.empty() ? 0 : ranges.back().end(); }
 };
 
 // Source of two channels, read on demand, with as many frames as the shorter one. Adjacent columns

@@ -46,7 +46,7 @@ public:
         if (!column_c || !column_d) {
             return (column_c ? column_d : column_c).error();
         }
-        const bool side_by_side = column_c->runs[0].stride > bytes_of(column_c->type);
+        const bool side_by_side = column_c->ranges[0].stride > bytes_of(column_c->type);
         if (c.variable == d.variable && side_by_side) {
             column_d->bytes = column_c->bytes;
         }

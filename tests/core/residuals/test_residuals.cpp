@@ -254,7 +254,7 @@ private slots:
             }
             QCOMPARE(found->c.size(), at);
             QCOMPARE(found->without, without);
-            QCOMPARE(found->runs() > 1, hop > length);
+            QCOMPARE(found->parts() > 1, hop > length);
         }
     }
 

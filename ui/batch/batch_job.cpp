@@ -1,4 +1,4 @@
-#include "ui/batch/batch_run.h"
+#include "ui/batch/batch_job.h"
 
 #include "core/batch/compute_batch.h"
 
@@ -12,13 +12,13 @@ constexpr int only_one = 0;
 
 }  // namespace
 
-BatchRun::BatchRun(QObject* parent) : QObject(parent) {}
+BatchJob::BatchJob(QObject* parent) : QObject(parent) {}
 
-BatchRun::~BatchRun() {
+BatchJob::~BatchJob() {
     stop_.request_stop();
 }
 
-void BatchRun::start(const BatchRequest& request) {
+void BatchJob::start(const BatchRequest& request) {
     running_ = true;
     stop_ = std::stop_source();
     job_.write(
@@ -32,11 +32,11 @@ void BatchRun::start(const BatchRequest& request) {
         });
 }
 
-void BatchRun::stop() {
+void BatchJob::stop() {
     stop_.request_stop();
 }
 
-BatchEvents BatchRun::events() {
+BatchEvents BatchJob::events() {
     return {
         [this](const std::vector<Diagnostic>& warnings) {
             for (const Diagnostic& each : warnings) {
@@ -49,7 +49,7 @@ BatchEvents BatchRun::events() {
         [this](const FinishedRow& row) { post([this, row] { emit rowFinished(row); }); }};
 }
 
-void BatchRun::post(std::function<void()> act) {
+void BatchJob::post(std::function<void()> act) {
     QMetaObject::invokeMethod(this, std::move(act), Qt::QueuedConnection);
 }
 

@@ -14,12 +14,12 @@ namespace vybeg::ui {
 
 // The batch of the command line in the background; its rows arrive as signals in this thread.
 // Finished rows stay on the disk when the object goes.
-class BatchRun : public QObject {
+class BatchJob : public QObject {
     Q_OBJECT
 
 public:
-    explicit BatchRun(QObject* parent = nullptr);
-    ~BatchRun() override;
+    explicit BatchJob(QObject* parent = nullptr);
+    ~BatchJob() override;
 
     // Precondition: not running.
     void start(const BatchRequest& request);
