@@ -3,9 +3,9 @@
 #include "core/base/number_text.h"
 #include "core/resonator/fit/unseen_directions.h"
 #include "core/resonator/noise/residual_noise.h"
+#include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/raw_parameters.h"
-#include "core/resonator/results/resonator_estimates.h"
 #include "core/resonator/runs/decay_time.h"
 #include "core/resonator/runs/envelope_decay.h"
 

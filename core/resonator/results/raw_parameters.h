@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/resonator/results/resonator_estimates.h"
+#include "core/resonator/results/given_or_refused.h"
 
 #include <span>
 

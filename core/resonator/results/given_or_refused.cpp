@@ -1,4 +1,4 @@
-#include "core/resonator/results/resonator_estimates.h"
+#include "core/resonator/results/given_or_refused.h"
 
 #include "core/base/number_text.h"
 #include "core/resonator/results/resonator_parameters.h"
