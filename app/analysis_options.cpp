@@ -1,9 +1,9 @@
 #include "app/analysis_options.h"
 
 #include "app/option_values.h"
-#include "core/recording/samples/open_table.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
+#include "core/recording/samples/open_table.h"
 
 #include <algorithm>
 #include <string>

@@ -42,8 +42,9 @@ std::string rate_sd_text(const Recording& recording) {
 std::string described(const Recording& recording, const std::string& sha256,
                       const std::vector<Diagnostic>& findings) {
     std::string text = "file      " + plain_text(recording.path.string()) + "\nformat    " +
-                       english(recording.format) + "\nlength    " + round_trip_text(recording.seconds()) +
-                       " s, " + integer_text(recording.frames()) + " frames\nrate      " +
+                       english(recording.format) + "\nlength    " +
+                       round_trip_text(recording.seconds()) + " s, " +
+                       integer_text(recording.frames()) + " frames\nrate      " +
                        round_trip_text(recording.rate_hz) + " Hz (" +
                        rate_origin_name(recording.rate_from) + rate_sd_text(recording) + ")\n";
     for (std::size_t i = 0; i < recording.channels.size(); ++i) {

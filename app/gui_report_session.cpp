@@ -60,8 +60,8 @@ void identify_the_rest(Document& document) {
 // The set, or all sets, or without one the current recording.
 std::optional<ReportSubject> subject_of(const Document& document) {
     const std::vector<ReportSubject> subjects = reportSubjects(document);
-    const auto sets =
-        std::ranges::count_if(subjects, [](const ReportSubject& each) { return each.set != ui::SetId::none; });
+    const auto sets = std::ranges::count_if(
+        subjects, [](const ReportSubject& each) { return each.set != ui::SetId::none; });
     const auto wanted = std::ranges::find_if(subjects, [sets](const ReportSubject& each) {
         return sets > 1 ? each.all_sets : sets == 1 ? each.set != ui::SetId::none : true;
     });

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/analysis/identify_settings.h"
-#include "core/base/setting_rows.h"
 #include "core/analysis/settings.h"
+#include "core/base/setting_rows.h"
 
 #include <string>
 #include <utility>
