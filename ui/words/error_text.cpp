@@ -50,6 +50,7 @@ QString argText(const MessageArg& arg) {
 QString filled(const char* context, const std::string& text, const std::vector<MessageArg>& args) {
     const QString translated = QCoreApplication::translate(context, text.c_str());
     std::vector<std::string> shown;
+    shown.reserve(args.size());
     for (const MessageArg& arg : args) {
         shown.push_back(argText(arg).toStdString());
     }

@@ -15,7 +15,7 @@ namespace {
 constexpr int most_channels = 4096;
 
 std::int64_t frame_count(const FileBytes& file, const RawLayout& layout) {
-    const std::int64_t stride = bytes_of(number_type(layout.type)) * layout.channels;
+    const std::int64_t stride = std::int64_t{bytes_of(number_type(layout.type))} * layout.channels;
     return std::max<std::int64_t>(file.size() - layout.skip_bytes, 0) / stride;
 }
 
