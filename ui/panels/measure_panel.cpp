@@ -43,6 +43,7 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
       sentences_(new QLabel(this)) {
     auto* grid = new QGridLayout;
     grid->setContentsMargins(6, 2, 6, 2);
+    grid->setHorizontalSpacing(6);
     for (std::size_t which = 0; which < fields_.size(); ++which) {
         auto* field = new NumberField(this);
         field->setOptional(true);

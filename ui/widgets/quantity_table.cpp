@@ -105,7 +105,8 @@ int QuantityTable::leastWidth(int column) const {
                     ? fontMetrics().horizontalAdvance(headers_[column - 1]) + header_margin
                     : 0;
     for (int row = 0; row < rowCount(); ++row) {
-        for (const QString& word : item(row, column)->text().split(QLatin1Char(' '))) {
+        for (const QString& word :
+             WrappingDelegate::unbroken(item(row, column)->text()).split(QLatin1Char(' '))) {
             width = std::max(width, WrappingDelegate::widthFor(word, font()) + 2);
         }
     }

@@ -19,11 +19,15 @@ constexpr int padding = 4;
 void prepare(QTextDocument& document, const QString& text, const QFont& font) {
     document.setDocumentMargin(0);
     document.setDefaultFont(font);
-    // Prevents line breaks within a unit.
-    document.setHtml(richText(QString(text).replace(QLatin1Char('/'), QStringLiteral("/\u2060"))));
+    document.setHtml(richText(WrappingDelegate::unbroken(text)));
 }
 
 }  // namespace
+
+QString WrappingDelegate::unbroken(QString text) {
+    return text.replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
+        .replace(QStringLiteral("± "), QStringLiteral("±\u00a0"));
+}
 
 void WrappingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                              const QModelIndex& index) const {

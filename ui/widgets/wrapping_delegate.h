@@ -18,6 +18,8 @@ public:
     // Size of a cell with a text, pixels: width on one line, height in a column of a given width.
     static int widthFor(const QString& text, const QFont& font);
     static int heightFor(const QString& text, const QFont& font, int width);
+    // The text as it is drawn: no line breaks within a unit or before a deviation.
+    static QString unbroken(QString text);
 };
 
 }  // namespace vybeg::ui
