@@ -18,15 +18,20 @@ QString recordingType() {
         .arg(QCoreApplication::applicationPid());
 }
 
-std::vector<RecordingId> idsOf(const QList<QListWidgetItem*>& items) {
+}  // namespace
+
+RecordingId recordingOf(const QListWidgetItem& item) {
+    return static_cast<RecordingId>(item.data(Qt::UserRole).toInt());
+}
+
+std::vector<RecordingId> recordingsOf(const QList<QListWidgetItem*>& items) {
     std::vector<RecordingId> ids;
+    ids.reserve(static_cast<std::size_t>(items.size()));
     for (const QListWidgetItem* item : items) {
-        ids.push_back(static_cast<RecordingId>(item->data(Qt::UserRole).toInt()));
+        ids.push_back(recordingOf(*item));
     }
     return ids;
 }
-
-}  // namespace
 
 RecordingDragList::RecordingDragList(QWidget* parent) : QListWidget(parent) {
     setDragEnabled(true);
@@ -35,7 +40,7 @@ RecordingDragList::RecordingDragList(QWidget* parent) : QListWidget(parent) {
 
 void RecordingDragList::setRecordings(const std::vector<RecordingEntry>& recordings) {
     for (int row = count() - 1; row >= 0; --row) {
-        const auto id = static_cast<RecordingId>(item(row)->data(Qt::UserRole).toInt());
+        const RecordingId id = recordingOf(*item(row));
         if (std::ranges::find(recordings, id, &RecordingEntry::id) == recordings.end()) {
             delete takeItem(row);
         }
@@ -47,7 +52,7 @@ void RecordingDragList::setRecordings(const std::vector<RecordingEntry>& recordi
 }
 
 std::vector<RecordingId> RecordingDragList::selectedRecordings() const {
-    return idsOf(selectedItems());
+    return recordingsOf(selectedItems());
 }
 
 QStringList RecordingDragList::mimeTypes() const {
@@ -55,7 +60,7 @@ QStringList RecordingDragList::mimeTypes() const {
 }
 
 QMimeData* RecordingDragList::mimeData(const QList<QListWidgetItem*>& items) const {
-    return recordingMimeData(idsOf(items));
+    return recordingMimeData(recordingsOf(items));
 }
 
 QMimeData* recordingMimeData(const std::vector<RecordingId>& recording_ids) {

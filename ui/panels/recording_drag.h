@@ -11,8 +11,11 @@ class QMimeData;
 
 namespace vybeg::ui {
 
-// The open recordings as a list whose items can be dragged into a set of recordings. An item's
-// Qt::UserRole is the recording's id.
+// The recording of an item, whose Qt::UserRole is the number of the id.
+RecordingId recordingOf(const QListWidgetItem& item);
+std::vector<RecordingId> recordingsOf(const QList<QListWidgetItem*>& items);
+
+// The open recordings as a list whose items can be dragged into a set of recordings.
 class RecordingDragList : public QListWidget {
     Q_OBJECT
 

@@ -116,13 +116,12 @@ RecordingPanel::RecordingPanel(Document& document, QWidget* parent)
 
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
         if (row >= 0) {
-            document_.setCurrentRecording(
-                static_cast<RecordingId>(list_->item(row)->data(Qt::UserRole).toInt()));
+            document_.setCurrentRecording(recordingOf(*list_->item(row)));
         }
     });
     connect(close_, &QAction::triggered, this, [this] {
         if (const QListWidgetItem* item = list_->currentItem()) {
-            document_.closeRecording(static_cast<RecordingId>(item->data(Qt::UserRole).toInt()));
+            document_.closeRecording(recordingOf(*item));
         }
     });
     connect(add_to_set_, &QAction::triggered, this,

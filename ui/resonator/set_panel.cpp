@@ -151,12 +151,8 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.sets().remove(document_.sets().current()->id); });
     connect(remove_member_, &QAction::triggered, this, [this] {
-        std::vector<RecordingId> ids;
-        for (const QListWidgetItem* item : members_->selectedItems()) {
-            ids.push_back(static_cast<RecordingId>(item->data(Qt::UserRole).toInt()));
-        }
         if (const RecordingSet* set = document_.sets().current()) {
-            document_.sets().removeFrom(set->id, ids);
+            document_.sets().removeFrom(set->id, recordingsOf(members_->selectedItems()));
         }
     });
     connect(choices_, &QMenu::aboutToShow, this, &SetPanel::fillMenu);
@@ -211,10 +207,7 @@ void SetPanel::refresh() {
 }
 
 void SetPanel::refreshMembers(const RecordingSet* set) {
-    std::vector<RecordingId> selected;
-    for (const QListWidgetItem* item : members_->selectedItems()) {
-        selected.push_back(static_cast<RecordingId>(item->data(Qt::UserRole).toInt()));
-    }
+    const std::vector<RecordingId> selected = recordingsOf(members_->selectedItems());
     members_->clear();
     const auto* listed = set && set->listed ? &*set->listed : nullptr;
     for (const RecordingId id : set ? set->recordings : std::vector<RecordingId>()) {
