@@ -3,9 +3,9 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-# What the program and its tests need from Debian, and why.
+# What the program needs from Debian, and why.
 packages=(
-    build-essential cmake ninja-build ccache pkg-config git # compile
+    build-essential cmake ninja-build ccache pkg-config # compile
     qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev libqcustomplot-dev # window, plots
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n # Russian
     libeigen3-dev libtbb-dev libfftw3-dev   # numerics
@@ -14,6 +14,10 @@ packages=(
     libsqlite3-dev                          # database of results
     libcli11-dev                            # command line
     fonts-dejavu-core                       # text without a display
+)
+# What the tests and benchmarks need besides.
+test_packages=(
+    git                                     # which sources there are
     python3-numpy python3-scipy python3-h5py # write files for the tests of readers
     libmatio-dev                            # reads those of the program in a test
     poppler-utils                           # reads the report in a test
@@ -33,8 +37,12 @@ Usage: ./build.sh COMMAND
 
   run           build, then open the program on a demonstration recording; without a display,
                 write its track (CSV) and its figure (PDF) to build/demo instead
-  test          build, then run all tests without a display; last line "N passed, M failed"
-  test-sanitized
+  test [FOLDER...]
+                build, then run the tests without a display, all but the long ones (label `long`); with
+                folders of tests/ (core/recording, core/recording/text, ui/plots) build and run those
+                alone; last line "N passed, M failed"
+  test-all      the same, the long ones too
+  test-sanitized [FOLDER...]
                 the same under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan,
                 without the long and the statistical tests
   test-threads  the tests that run several threads under ThreadSanitizer, in build/tsan
@@ -97,17 +105,46 @@ install_packages() {
         fail "apt-get could not install: ${missing[*]}. The reason stands above."
 }
 
-# build PRESET [ARGUMENTS...]: configures and builds; the arguments go to the build (--target ...).
+# configure PRESET [ARGUMENTS...]: the arguments go to cmake (-DBUILD_TESTING=OFF ...).
+configure() {
+    local preset=$1
+    shift
+    say "Configuring build/$preset"
+    cmake --preset "$preset" "$@" >build/configure.log || {
+        cat build/configure.log
+        fail "cmake could not configure build/$preset. The reason stands above."
+    }
+}
+
+# build PRESET [ARGUMENTS...]: builds what is configured; the arguments go to the build (--target ...).
 build() {
     local preset=$1
     shift
-    install_packages "${packages[@]}"
     say "Building into build/$preset"
-    cmake --preset "$preset" && cmake --build --preset "$preset" --parallel "$(nproc)" "$@"
+    cmake --build --preset "$preset" --parallel "$(nproc)" "$@"
+}
+
+# build_program [TARGET...]: what is installed, without what the tests need. A folder that is configured
+# for tests stays so.
+build_program() {
+    say "Builds the program: some 4 minutes on two cores when nothing is built yet."
+    install_packages "${packages[@]}"
+    mkdir -p build
+    if [ ! -e build/release/build.ninja ]; then
+        configure release -DBUILD_TESTING=OFF
+    fi
+    build release --target "$@"
+}
+
+# configure_tests PRESET: with what the tests need.
+configure_tests() {
+    install_packages "${packages[@]}" "${test_packages[@]}"
+    mkdir -p build
+    configure "$1" -DBUILD_TESTING=ON
 }
 
 run_program() {
-    build release --target vybeg vybeg-cli
+    build_program vybeg vybeg-cli
     mkdir -p "$demo_folder"
     local recording=$demo_folder/demo.wav
     say "Making the demonstration recording"
@@ -130,17 +167,34 @@ conclude() {
     exit $(($2 > 0))
 }
 
-# run_tests PRESET [ARGUMENTS...]: builds everything and runs ctest; the arguments go to ctest.
+# run_tests PRESET LABELS [FOLDER...]: builds and runs the tests in the folders, all without them, but
+# those whose label fits the expression LABELS.
 run_tests() {
-    local preset=$1 log=build/$1/ctest.log summary failed total
-    shift
-    if ! build "$preset"; then
+    local preset=$1 without=$2 log=build/$1/ctest.log folder summary failed total
+    local targets=() filter=()
+    shift 2
+    configure_tests "$preset"
+    if [ $# -gt 0 ]; then
+        filter=(--tests-regex "^($(IFS='|' && printf '%s' "${*%/}"))/")
+        for folder in "$@"; do
+            mapfile -t -O ${#targets[@]} targets < <(
+                awk -v folder="${folder%/}/" 'index($1, folder) == 1 { print $2 }' \
+                    "build/$preset/test_programs.txt" | sort -u)
+        done
+        if [ ${#targets[@]} -eq 0 ]; then
+            fail "no tests in: $*. Folders of tests/ are: $(cut -d' ' -f1 "build/$preset/test_programs.txt" |
+                xargs -n 1 dirname | sort -u | xargs)"
+        fi
+        targets=(--target "${targets[@]}")
+    fi
+    if ! build "$preset" "${targets[@]}"; then
         say "The build failed: no test was run."
         conclude 0 1
     fi
     say "Testing"
     # A failing test shows in the summary; no summary at all is a failure, too.
-    ctest --preset "$preset" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" || true
+    ctest --preset "$preset" --parallel "$(nproc)" ${without:+--label-exclude "$without"} \
+        "${filter[@]}" 2>&1 | tee "$log" || true
     summary=$(sed -nE 's/^.*tests passed, ([0-9]+) tests failed out of ([0-9]+).*$/\1 \2/p' "$log")
     if [ -z "$summary" ]; then
         say "ctest gave no summary."
@@ -152,10 +206,10 @@ run_tests() {
 
 # One source of core/ at a time, two at once; the headers are reached through them.
 run_tidy() {
-    install_packages "${packages[@]}" "${developer_packages[@]}"
-    cmake --preset release
+    install_packages "${developer_packages[@]}"
+    configure_tests dev
     git ls-files -z 'core/*.cpp' |
-        xargs -0 -n 1 -P 2 clang-tidy --quiet -p build/release
+        xargs -0 -n 1 -P 2 clang-tidy --quiet -p build/dev
 }
 
 # Of MAT 7.3 and HDF5 it is libhdf5 that falls, which vybeg-reader is there for.
@@ -179,7 +233,7 @@ existing_folder() {
 
 run_install() {
     local prefix=$1 run=() tool
-    build release --target vybeg vybeg-cli vybeg-reader man-vybeg man-vybeg-cli
+    build_program vybeg vybeg-cli vybeg-reader man-vybeg man-vybeg-cli
     if [ ! -w "$(existing_folder "$prefix")" ]; then
         run=(as_root)
     fi
@@ -195,7 +249,7 @@ run_install() {
 
 make_package() {
     install_packages dpkg-dev file
-    build release --target vybeg vybeg-cli vybeg-reader man-vybeg man-vybeg-cli
+    build_program vybeg vybeg-cli vybeg-reader man-vybeg man-vybeg-cli
     rm -rf build/release/package
     cpack --config build/release/CPackConfig.cmake
     ls build/release/package/*.deb
@@ -203,10 +257,14 @@ make_package() {
 
 case "${1:-}" in
     run) run_program ;;
-    test) run_tests release ;;
-    test-sanitized) run_tests asan --label-exclude 'statistical|long' ;;
-    test-threads) run_tests tsan ;;
-    build) build release ;;
+    test) run_tests release long "${@:2}" ;;
+    test-all) run_tests release "" ;;
+    test-sanitized) run_tests asan 'statistical|long' "${@:2}" ;;
+    test-threads) run_tests tsan "" ;;
+    build)
+        configure_tests release
+        build release
+        ;;
     install) run_install "$(realpath -m "${2:-/usr/local}")" ;;
     package) make_package ;;
     tidy) run_tidy ;;
@@ -214,7 +272,7 @@ case "${1:-}" in
     install-deps)
         install_packages "${packages[@]}"
         if [ "${2:-}" = --dev ]; then
-            install_packages "${developer_packages[@]}" "${installation_packages[@]}"
+            install_packages "${test_packages[@]}" "${developer_packages[@]}" "${installation_packages[@]}"
         fi
         say "Everything needed is installed."
         ;;

@@ -11,28 +11,28 @@ namespace {
 constexpr int end_of_waiting = SIGUSR1;
 
 sigset_t awaited_signals() {
-    sigset_t signals;
-    sigemptyset(&signals);
+    sigset_t awaited;
+    sigemptyset(&awaited);
     for (const int signal : {SIGINT, SIGTERM, end_of_waiting}) {
-        sigaddset(&signals, signal);
+        sigaddset(&awaited, signal);
     }
     struct sigaction hang_up {};
     sigaction(SIGHUP, nullptr, &hang_up);
     if (hang_up.sa_handler != SIG_IGN) {  // nohup asks to outlive the terminal
-        sigaddset(&signals, SIGHUP);
+        sigaddset(&awaited, SIGHUP);
     }
-    return signals;
+    return awaited;
 }
 
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
     make_write_signals_errors();
-    const sigset_t signals = awaited_signals();
-    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    waiter_ = std::thread([this, signals] {
+    const sigset_t awaited = awaited_signals();
+    pthread_sigmask(SIG_BLOCK, &awaited, nullptr);
+    waiter_ = std::thread([this, awaited] {
         int signal = 0;
-        sigwait(&signals, &signal);
+        sigwait(&awaited, &signal);
         if (signal != end_of_waiting) {
             source_.request_stop();
         }

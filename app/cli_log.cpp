@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_of(const Json& object) {
+std::string json_line(const Json& object) {
     return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -56,7 +56,7 @@ void Log::warnings(std::span<const Diagnostic> diagnostics, const std::string& a
         if (!about.empty()) {
             object["input"] = about;
         }
-        line(text_of(object));
+        line(json_line(object));
     }
 }
 
@@ -78,13 +78,13 @@ int Log::fail(const Error& error, const std::string& about) {
     if (!about.empty()) {
         object["set"] = about;
     }
-    line(text_of(object));
+    line(json_line(object));
     return status;
 }
 
 int Log::fail_usage(const std::string& sentence) {
     const int status = exit_status(ErrorCode::setting_invalid);
-    line(json_ ? text_of({{"level", "error"},
+    line(json_ ? json_line({{"level", "error"},
                           {"code", code_name(ErrorCode::setting_invalid)},
                           {"text", sentence},
                           {"status", status}})
@@ -101,7 +101,7 @@ void Log::progress(double fraction) {
         if (percent / 10 == percent_ / 10 && percent_ >= 0) {
             return;  // ten lines are enough for a log
         }
-        line(text_of({{"level", "progress"},
+        line(json_line({{"level", "progress"},
                       {"code", "progress"},
                       {"text", std::to_string(percent) + " %"},
                       {"percent", percent}}));

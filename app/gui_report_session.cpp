@@ -68,7 +68,7 @@ std::optional<ReportSubject> subject_of(const Document& document) {
     return wanted == subjects.end() ? std::nullopt : std::optional(*wanted);
 }
 
-std::vector<std::string> files_of(const ReportRequest& request, const Document& document) {
+std::vector<std::string> recording_files(const ReportRequest& request, const Document& document) {
     std::vector<std::string> files = request.inputs;
     for (const RecordingEntry& entry : document.recordings()) {
         files.push_back(entry.path.toStdString());
@@ -99,7 +99,7 @@ int write_session_report(const ReportRequest& request, std::stop_token stop) {
         return exit_status(ErrorCode::format_damaged);
     }
     if (const Status possible = check_request("--report", request.report,
-                                              files_of(request, document), request.settings);
+                                              recording_files(request, document), request.settings);
         !possible) {
         return fail(possible.error());
     }

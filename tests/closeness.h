@@ -7,9 +7,10 @@
 #include <complex>
 #include <type_traits>
 
-// Comparisons of numbers whose failure shows both numbers, their difference and the tolerance. NaN,
-// as any of the three, fails. Numbers are real or complex. A text may follow that says where in the
-// data the comparison stands, for a loop over rows.
+// Comparisons of numbers whose failure shows both numbers and, where there is one, their difference
+// and the tolerance. NaN, as any of them, fails. Numbers are real or, where their difference is
+// compared, complex. A text may follow that says where in the data the comparison stands, for a
+// loop over rows.
 
 // |actual - expected| < tolerance
 #define VYBEG_CLOSE(actual, expected, tolerance, ...)               \
@@ -26,11 +27,28 @@
     VYBEG_CLOSENESS(ratio, below, actual, expected, tolerance, \
                     #actual " is relatively close to " #expected __VA_OPT__(, ) __VA_ARGS__)
 
-#define VYBEG_CLOSENESS(measure, bound, actual, expected, tolerance, statement, ...)             \
+// actual < bound, actual <= bound, actual > bound, actual >= bound; actual == bound exactly, where
+// QCOMPARE has no place for a text.
+#define VYBEG_LESS(actual, bound, ...) VYBEG_ORDER(less, actual, <, bound, __VA_ARGS__)
+#define VYBEG_AT_MOST(actual, bound, ...) VYBEG_ORDER(at_most, actual, <=, bound, __VA_ARGS__)
+#define VYBEG_MORE(actual, bound, ...) VYBEG_ORDER(more, actual, >, bound, __VA_ARGS__)
+#define VYBEG_AT_LEAST(actual, bound, ...) VYBEG_ORDER(at_least, actual, >=, bound, __VA_ARGS__)
+#define VYBEG_EQUAL(actual, bound, ...) VYBEG_ORDER(equal, actual, ==, bound, __VA_ARGS__)
+
+#define VYBEG_CLOSENESS(measure, bound, actual, expected, tolerance, statement, ...)               \
+    VYBEG_NO_FAULT(                                                                                \
+        vybeg::test::closeness_fault(vybeg::test::Measure::measure, vybeg::test::Bound::bound,     \
+                                     (actual), (expected), (tolerance)__VA_OPT__(, ) __VA_ARGS__), \
+        statement)
+
+#define VYBEG_ORDER(order, actual, sign, bound, ...)                             \
+    VYBEG_NO_FAULT(vybeg::test::order_fault(vybeg::test::Order::order, (actual), \
+                                            (bound)__VA_OPT__(, ) __VA_ARGS__),  \
+                   #actual " " #sign " " #bound)
+
+#define VYBEG_NO_FAULT(found, statement)                                                         \
     do {                                                                                         \
-        const QString vybeg_fault = vybeg::test::closeness_fault(                                \
-            vybeg::test::Measure::measure, vybeg::test::Bound::bound, (actual), (expected),      \
-            (tolerance)__VA_OPT__(, ) __VA_ARGS__);                                              \
+        const QString vybeg_fault = found;                                                       \
         if (!QTest::qVerify(vybeg_fault.isEmpty(), statement, qPrintable(vybeg_fault), __FILE__, \
                             __LINE__)) {                                                         \
             return;                                                                              \
@@ -41,6 +59,7 @@ namespace vybeg::test {
 
 enum class Measure { difference, ratio };
 enum class Bound { below, reached };
+enum class Order { less, at_most, more, at_least, equal };
 
 // A number in the type in which it is compared: integers and float as double.
 template <class Number>
@@ -82,6 +101,27 @@ QString closeness_fault(Measure measure, Bound bound, const Actual& actual,
                              measure == Measure::ratio ? "relatively" : "off by", number_text(off),
                              number_text(most));
     return *where == '\0' ? fault : fault + ", " + where;
+}
+
+// Empty where two numbers stand in the order, otherwise both and the place.
+template <class Actual, class Limit>
+QString order_fault(Order order, const Actual& actual, const Limit& limit, const char* where = "") {
+    const auto a = compared(actual);
+    const auto b = compared(limit);
+    const auto fault = [&](bool in_order, const char* words) {
+        const QString text =
+            in_order ? QString()
+                     : QString("%1 is not %2 %3").arg(number_text(a), words, number_text(b));
+        return in_order || *where == '\0' ? text : text + ", " + where;
+    };
+    switch (order) {
+        case Order::less: return fault(a < b, "less than");
+        case Order::at_most: return fault(a <= b, "at most");
+        case Order::more: return fault(a > b, "more than");
+        case Order::at_least: return fault(a >= b, "at least");
+        case Order::equal: return fault(a == b, "equal to");
+    }
+    return "no such order";
 }
 
 }  // namespace vybeg::test

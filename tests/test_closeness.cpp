@@ -1,10 +1,13 @@
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <complex>
 #include <limits>
+
+namespace test_closeness {
 
 using namespace vybeg::test;
 
@@ -23,6 +26,9 @@ private slots:
     void numbers_too_far_apart_fail();
     void nan_fails_as_any_of_the_three();
     void the_text_shows_both_numbers_difference_and_tolerance();
+    void numbers_in_order_pass();
+    void numbers_out_of_order_fail();
+    void the_text_shows_both_numbers_out_of_order();
     void the_largest_of_numbers_is_nan_where_one_of_them_is();
 };
 
@@ -85,11 +91,54 @@ void TestCloseness::the_text_shows_both_numbers_difference_and_tolerance() {
              QString("nan for 0.1: off by nan, tolerance 1e-09"));
 }
 
+void TestCloseness::numbers_in_order_pass() {
+    VYBEG_LESS(1, 1.25);
+    VYBEG_LESS(-std::numeric_limits<double>::infinity(), std::int64_t{0}, "in row 3");
+    VYBEG_AT_MOST(1, 1.0F);
+    VYBEG_MORE(std::size_t{2}, -1);
+    VYBEG_MORE(1.25L, 1);
+    VYBEG_AT_LEAST(1, 1);
+    VYBEG_AT_LEAST(infinity, infinity);
+    VYBEG_EQUAL(std::size_t{130}, 130, "in row 3");
+}
+
+void TestCloseness::numbers_out_of_order_fail() {
+    const auto fails = [] { QEXPECT_FAIL("", "It has to fail.", Continue); };
+    fails();
+    VYBEG_LESS(1, 1);
+    fails();
+    VYBEG_AT_MOST(1.25, 1);
+    fails();
+    VYBEG_MORE(1, 1);
+    fails();
+    VYBEG_AT_LEAST(1, 1.25);
+    fails();
+    VYBEG_EQUAL(1, 1.25);
+    for (const Order order :
+         {Order::less, Order::at_most, Order::more, Order::at_least, Order::equal}) {
+        QVERIFY(!order_fault(order, no_number, 1.).isEmpty());
+        QVERIFY(!order_fault(order, 1., no_number).isEmpty());
+        QVERIFY(!order_fault(order, no_number, no_number).isEmpty());
+    }
+}
+
+void TestCloseness::the_text_shows_both_numbers_out_of_order() {
+    QCOMPARE(order_fault(Order::less, 1.25, 1), QString("1.25 is not less than 1"));
+    QCOMPARE(order_fault(Order::at_most, 7, 5.5), QString("7 is not at most 5.5"));
+    QCOMPARE(order_fault(Order::more, no_number, 5.5, "in row 3"),
+             QString("nan is not more than 5.5, in row 3"));
+    QCOMPARE(order_fault(Order::at_least, -1, 0), QString("-1 is not at least 0"));
+    QCOMPARE(order_fault(Order::equal, 5, 0, "no room"), QString("5 is not equal to 0, no room"));
+}
+
 void TestCloseness::the_largest_of_numbers_is_nan_where_one_of_them_is() {
     QCOMPARE(largest_of({1, 3, 2}), 3.0);
     QVERIFY(std::isnan(largest_of({no_number, 1})));
     QVERIFY(std::isnan(largest_of({1, no_number})));
 }
 
-QTEST_GUILESS_MAIN(TestCloseness)
+VYBEG_TEST(TestCloseness)
+
+}  // namespace test_closeness
+
 #include "test_closeness.moc"

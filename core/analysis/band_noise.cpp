@@ -1,6 +1,7 @@
 #include "core/analysis/band_noise.h"
 
 #include "core/numerics/fft.h"
+#include "core/numerics/median.h"
 
 #include <algorithm>
 #include <bit>
@@ -17,14 +18,14 @@ constexpr double pi = std::numbers::pi;
 constexpr std::int64_t most_frames = std::int64_t{1} << 18;
 constexpr std::int64_t read_frames = std::int64_t{1} << 16;
 
-using Segment = std::vector<std::complex<double>>;
+using Analytic = std::vector<std::complex<double>>;
 
 // The longest run of frames without a missing sample, as C + iD, up to most_frames; looked for in
 // no more than four times as many from `first` on.
-Result<Segment> whole_segment(const SampleSource& source, std::int64_t first, std::int64_t end,
+Result<Analytic> whole_segment(const SampleSource& source, std::int64_t first, std::int64_t end,
                               const JobControl& job) {
-    Segment longest;
-    Segment run;
+    Analytic longest;
+    Analytic run;
     std::vector<double> c(static_cast<std::size_t>(read_frames));
     std::vector<double> d(c);
     const std::int64_t last = std::min(end, first + 4 * most_frames);
@@ -99,13 +100,8 @@ Result<double> noise_in_band(const SampleSource& source, std::int64_t first, std
         powers.push_back(std::norm((*segment)[bin]));
         powers.push_back(std::norm((*segment)[size - bin]));
     }
-    if (powers.empty()) {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-    const auto middle = powers.begin() + std::ssize(powers) / 2;
-    std::ranges::nth_element(powers, middle);
     // The median of an exponential distribution is ln 2 of its mean.
-    return std::sqrt(*middle / (std::numbers::ln2 * 2 * squares));
+    return std::sqrt(median(std::move(powers)) / (std::numbers::ln2 * 2 * squares));
 }
 
 EquivalentNoise equivalent_noise(double noise, const Band& band, double f0_hz, std::int64_t n,

@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
+#include "core/numerics/median.h"
 #include "core/recording/checks/start_check.h"
 
 #include <algorithm>
@@ -18,16 +19,10 @@ namespace {
 
 constexpr std::int64_t most_segments = 32;
 constexpr std::size_t longest_segment = std::size_t{1} << 20;
-constexpr std::size_t most_samples = std::size_t{1} << 21;
+constexpr std::size_t most_frames_at_once = std::size_t{1} << 21;
 // Half the main lobe of the window, and the distance from a line beyond which its skirt is gone.
 constexpr std::ptrdiff_t main_lobe = 7;
 constexpr std::ptrdiff_t skirt = 8;
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 // Side lobes of -150 dB: those of -92 dB hold as much as noise 60 dB below the carrier.
 constexpr double kaiser_beta = 20;
@@ -73,7 +68,7 @@ Result<Spectrum> spectrum_of(const ConditionedRecording& prepared, std::size_t s
         return spectrum;
     }
     const std::int64_t segments = std::min({2 * (last - first) / length + 1, most_segments,
-                                            static_cast<std::int64_t>(most_samples / size)});
+                                            static_cast<std::int64_t>(most_frames_at_once / size)});
     const std::int64_t step = prepared.ahead->seeks()
                                   ? (last - first) / std::max<std::int64_t>(segments - 1, 1)
                                   : length / 2;
@@ -143,7 +138,7 @@ std::vector<Line> lines_of(const Spectrum& spectrum) {
     // As in the search for the carrier, 16 dB for one segment; the mean of many scatters less.
     const double over = 1 + 39 / std::sqrt(static_cast<double>(spectrum.segments.size()));
     const double least =
-        std::max(over * median_of(mean), least_of_strongest * *std::ranges::max_element(mean));
+        std::max(over * median(mean), least_of_strongest * *std::ranges::max_element(mean));
     for (std::ptrdiff_t k = 1; k + 1 < std::ssize(mean); ++k) {
         const auto at = static_cast<std::size_t>(k);
         if (mean[at] < least || mean[at] < mean[at - 1] || mean[at] <= mean[at + 1] ||
@@ -179,14 +174,14 @@ void find_noise(const Spectrum& spectrum, const std::vector<Line>& lines, const 
         }
         if (between.size() >= 8) {
             bins += between.size();
-            densities.push_back(median_of(std::move(between)) / median_over_mean);
+            densities.push_back(median(std::move(between)) / median_over_mean);
         }
     }
     if (densities.empty()) {
         return;
     }
     found.segments = static_cast<int>(densities.size());
-    found.noise_power = median_of(densities);
+    found.noise_power = median(densities);
     // Two channels; 2.5 bins of this window to an independent one; a median, twice over, has 1.25
     // times the deviation of a mean each time.
     found.relative_sd = 1.8 / std::sqrt(static_cast<double>(bins));
@@ -214,7 +209,7 @@ Reach within(Reach reach, const SignalSettings& settings, double rate_hz) {
 }
 
 // The line that is the carrier: the strongest one of the main lobe around f0, else the strongest.
-std::optional<Line> carrier_of(const std::vector<Line>& lines, double f0_hz, double lobe_hz) {
+std::optional<Line> strongest_near(const std::vector<Line>& lines, double f0_hz, double lobe_hz) {
     const auto weaker = [&](const Line& a, const Line& b) {
         const bool near_a = std::abs(a.f_hz - f0_hz) <= lobe_hz;
         const bool near_b = std::abs(b.f_hz - f0_hz) <= lobe_hz;
@@ -263,7 +258,7 @@ Result<CarrierLines> carrier_lines(const ConditionedRecording& prepared,
         return spectrum.error();
     }
     std::vector<Line> lines = lines_of(*spectrum);
-    const std::optional<Line> carrier = carrier_of(lines, f0, lobe);
+    const std::optional<Line> carrier = strongest_near(lines, f0, lobe);
     if (!carrier && settings.f0_hz && !spectrum->segments.empty()) {
         return Error{ErrorCode::carrier_not_near, "", {number_arg(f0), number_arg(far, 3)}};
     }

@@ -21,9 +21,6 @@
 namespace vybeg {
 namespace {
 
-// Frames of a chunk: 1 MiB of samples, which stays in the processor's cache on its way, and less
-// than a millisecond of work between two looks at the stop token.
-constexpr std::int64_t chunk_frames = std::int64_t{1} << 16;
 // Frames of the block of windows that one task takes at a time.
 constexpr std::int64_t block_frames = std::int64_t{1} << 13;
 // Windows of it at most: the stop token is looked at between blocks.
@@ -75,7 +72,7 @@ void fill_row(Track& track, std::size_t row, double time_s, const WaveEstimate& 
 }
 
 // A chunk of samples, the windows in it, and their rows once they are estimated.
-struct Chunk {
+struct TrackChunk {
     std::vector<double> c;
     std::vector<double> d;
     std::int64_t first_frame = 0;
@@ -107,7 +104,7 @@ public:
 
     // Reads the chunk that begins with a window, with context on both sides as far as there are
     // samples.
-    Status read(Chunk& chunk, std::int64_t first_window) const {
+    Status read(TrackChunk& chunk, std::int64_t first_window) const {
         chunk.first_window = first_window;
         chunk.windows = std::min(windows_of_chunk(plan_), plan_.count - first_window);
         const std::int64_t last = plan_.start(first_window + chunk.windows - 1) + plan_.length;
@@ -120,7 +117,7 @@ public:
 
     // Fills the rows of the chunk; leaves the rest undone once the job is cancelled. Returns the
     // seconds that the threads spent on it together.
-    double estimate(Chunk& chunk, const JobControl& job) {
+    double estimate(TrackChunk& chunk, const JobControl& job) {
         if (chunk.rows.rows() != static_cast<std::size_t>(chunk.windows)) {
             chunk.rows = Track(static_cast<std::size_t>(chunk.windows));
         }
@@ -154,7 +151,7 @@ public:
 
 private:
     // `first`: from the first window of the chunk.
-    void estimate_block(Chunk& chunk, Estimator& estimator, std::int64_t first,
+    void estimate_block(TrackChunk& chunk, Estimator& estimator, std::int64_t first,
                         std::int64_t count) {
         const std::int64_t first_window = chunk.first_window + first;
         const std::int64_t start = plan_.start(first_window) - chunk.first_frame;
@@ -242,11 +239,11 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
     FirstError error;
     const auto stopped = [&] { return job.cancelled() || error.get(); };
 
-    std::array<Chunk, chunks_at_once> chunks;
+    std::array<TrackChunk, chunks_at_once> chunks;
     std::size_t chunks_read = 0;
     std::int64_t next_window = 0;
-    const auto read = [&](tbb::flow_control& flow) -> Chunk* {
-        Chunk& chunk = chunks[chunks_read++ % chunks_at_once];
+    const auto read = [&](tbb::flow_control& flow) -> TrackChunk* {
+        TrackChunk& chunk = chunks[chunks_read++ % chunks_at_once];
         const double begun = job.now();
         if (next_window >= plan.count || stopped() ||
             !error.take(estimation.read(chunk, next_window))) {
@@ -258,13 +255,13 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
         return &chunk;
     };
     const int workers = estimation.sequential() ? 1 : threads;
-    const auto estimate = [&](Chunk* chunk) {
+    const auto estimate = [&](TrackChunk* chunk) {
         if (!stopped()) {
             summary.estimate_s += estimation.estimate(*chunk, job) / workers;
         }
         return chunk;
     };
-    const auto deliver = [&](Chunk* chunk) {
+    const auto deliver = [&](TrackChunk* chunk) {
         if (stopped()) {
             return;
         }
@@ -281,9 +278,9 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
     constexpr auto in_order = tbb::filter_mode::serial_in_order;
     tbb::task_arena(threads).execute([&] {
         tbb::parallel_pipeline(chunks_at_once,
-                               tbb::make_filter<void, Chunk*>(in_order, read) &
-                                   tbb::make_filter<Chunk*, Chunk*>(in_order, estimate) &
-                                   tbb::make_filter<Chunk*, void>(in_order, deliver));
+                               tbb::make_filter<void, TrackChunk*>(in_order, read) &
+                                   tbb::make_filter<TrackChunk*, TrackChunk*>(in_order, estimate) &
+                                   tbb::make_filter<TrackChunk*, void>(in_order, deliver));
     });
     if (const auto failed = error.get()) {
         return *failed;

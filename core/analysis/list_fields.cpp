@@ -1,6 +1,7 @@
 #include "core/analysis/list_fields.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -19,7 +20,7 @@ std::optional<int> digits(std::string_view& text, std::size_t count) {
     int number = 0;
     const std::string_view front = text.substr(0, count);
     const bool only = front.size() == count &&
-                      std::ranges::all_of(front, [](char c) { return c >= '0' && c <= '9'; });
+                      std::ranges::all_of(front, is_digit);
     if (!only) {
         return {};
     }

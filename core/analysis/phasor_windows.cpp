@@ -5,6 +5,7 @@
 #include "core/analysis/window_faults.h"
 #include "core/analysis/window_mean.h"
 #include "core/base/number_text.h"
+#include "core/numerics/median.h"
 
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -18,13 +19,11 @@
 namespace vybeg {
 namespace {
 
-// Frames of a chunk, about a millisecond of work between two looks at the stop token.
-constexpr std::int64_t chunk_frames = std::int64_t{1} << 16;
 // A window whose noise power stands this many of its deviations above the median is disturbed, and
 // has its own noise; all others have the median, so that weights do not scatter.
 constexpr double disturbed = 6;
 
-struct Chunk {
+struct PhasorChunk {
     std::int64_t first_window = 0;
     std::int64_t windows = 0;
     std::vector<double> c;
@@ -34,7 +33,7 @@ struct Chunk {
 using Estimates = std::vector<WindowMean::Estimate>;
 
 // Estimates the windows of a chunk into their places.
-double estimate_chunk(const Chunk& chunk, const WindowPlan& plan, const WindowMean& mean,
+double estimate_chunk(const PhasorChunk& chunk, const WindowPlan& plan, const WindowMean& mean,
                       Estimates& estimates, const JobControl& job) {
     const double begun = job.now();
     const auto length = static_cast<std::size_t>(plan.length);
@@ -63,7 +62,7 @@ Result<Pass> estimate_all(const ConditionedRecording& prepared, const WindowPlan
     Status status;
     std::int64_t next = 0;
     const auto read = [&](tbb::flow_control& flow) {
-        auto chunk = std::make_shared<Chunk>();
+        auto chunk = std::make_shared<PhasorChunk>();
         if (next >= plan.count || job.cancelled() || !status) {
             flow.stop();
             return chunk;
@@ -83,11 +82,11 @@ Result<Pass> estimate_all(const ConditionedRecording& prepared, const WindowPlan
         job.report(static_cast<double>(next) / static_cast<double>(plan.count));
         return chunk;
     };
-    const auto estimate = [&](const std::shared_ptr<Chunk>& chunk) {
+    const auto estimate = [&](const std::shared_ptr<PhasorChunk>& chunk) {
         seconds[static_cast<std::size_t>(chunk->first_window / per_chunk)] =
             estimate_chunk(*chunk, plan, mean, pass.estimates, job);
     };
-    using ChunkPointer = std::shared_ptr<Chunk>;
+    using ChunkPointer = std::shared_ptr<PhasorChunk>;
     tbb::task_arena(threads).execute([&] {
         tbb::parallel_pipeline(
             static_cast<std::size_t>(threads) + 1,
@@ -186,12 +185,7 @@ double median_power(const Estimates& estimates, double freedom) {
             powers.push_back(estimate.noise_power);
         }
     }
-    if (powers.empty()) {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-    const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
-    std::ranges::nth_element(powers, middle);
-    return *middle / chi2_ratio(0, freedom);
+    return median(std::move(powers)) / chi2_ratio(0, freedom);
 }
 
 // Variance per sample of the white noise that has the density beside the carrier. The residual

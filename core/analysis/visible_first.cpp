@@ -24,7 +24,7 @@ constexpr std::int64_t fewest_spread = 16;
 constexpr std::int64_t most_spread = 512;
 
 // Windows [first, end) of a plan.
-struct Segment {
+struct WindowRange {
     std::int64_t first = 0;
     std::int64_t end = 0;
 
@@ -41,7 +41,7 @@ double about_s(std::int64_t windows, const WindowPlan& plan, Algorithm algorithm
 }
 
 // The windows whose centres are visible.
-Segment visible_windows(const WindowPlan& plan, const TimeRange& visible, double rate_hz) {
+WindowRange visible_windows(const WindowPlan& plan, const TimeRange& visible, double rate_hz) {
     const auto windows = static_cast<double>(plan.count);
     const auto window_at = [&](double time_s) {
         const double hops = (time_s - plan.centre_s(0, rate_hz)) * rate_hz;
@@ -49,9 +49,9 @@ Segment visible_windows(const WindowPlan& plan, const TimeRange& visible, double
     };
     const auto first = static_cast<std::int64_t>(std::ceil(window_at(visible.from_s)));
     const auto last = static_cast<std::int64_t>(std::floor(window_at(visible.to_s)));
-    const Segment shown{std::clamp<std::int64_t>(first, 0, plan.count),
+    const WindowRange shown{std::clamp<std::int64_t>(first, 0, plan.count),
                         std::clamp<std::int64_t>(last + 1, 0, plan.count)};
-    return shown.count() > 0 ? shown : Segment{};
+    return shown.count() > 0 ? shown : WindowRange{};
 }
 
 // Windows of an analysis by themselves, before all of them are made.
@@ -62,7 +62,7 @@ public:
         : prepared_(std::move(prepared)), whole_(whole), rate_hz_(rate_hz), job_(job.silent()) {}
 
     // Single windows at even distances, first and last included, as many as there is time for.
-    Status spread(const Segment& segment) {
+    Status spread(const WindowRange& segment) {
         const double begun = job_.now();
         for (std::int64_t places = fewest_spread; places <= most_spread; places *= 2) {
             for (std::int64_t place = 0; place <= places; ++place) {
@@ -82,7 +82,7 @@ public:
     }
 
     // All of them.
-    Status fill(const Segment& segment) {
+    Status fill(const WindowRange& segment) {
         rows_.erase(rows_.lower_bound(segment.first), rows_.lower_bound(segment.end));
         return estimate(segment, threads_of(whole_.settings.threads));
     }
@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    Status estimate(const Segment& segment, int threads) {
+    Status estimate(const WindowRange& segment, int threads) {
         const WindowPlan part{whole_.plan.start(segment.first), whole_.plan.length, whole_.plan.hop,
                               segment.count()};
         Settings settings = whole_.settings;
@@ -134,7 +134,7 @@ Status show_early(const ConditionedRecording& prepared, const AnalysisSummary& w
     if (const Status made = windows.spread({0, plan.count}); !made) {
         return made;
     }
-    const Segment shown = visible_windows(plan, visible, rate_hz);
+    const WindowRange shown = visible_windows(plan, visible, rate_hz);
     const bool is_part = shown.count() > 0 && 2 * shown.count() <= plan.count;
     const bool is_quick = about_s(shown.count(), plan, whole.settings.algorithm) < at_once_s;
     if (is_part && !is_quick) {

@@ -11,6 +11,11 @@ namespace vybeg {
 // that are no UTF-8. What is plain already is returned as it is.
 std::string plain_text(std::string_view text);
 
+// Whether a character is an ASCII digit, in any locale.
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 // The characters of a text in UTF-8; a byte that is none is U+FFFD.
 std::u32string code_points(std::string_view text);
 

@@ -30,7 +30,8 @@ struct SettingRow {
     std::function<std::string(const S& settings)> text = {};
     // Whether the value lies within its bounds. Errors: setting_invalid.
     std::function<Status(const S& settings)> check = [](const S&) { return Status(); };
-    bool has_part = true;  // in the result: all but the number of threads
+    // In the texts of a result: not the number of threads, nor what a result states on its own.
+    bool has_part = true;
 
     std::string option() const { return "--" + name; }
 };

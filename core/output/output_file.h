@@ -3,6 +3,7 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -10,6 +11,9 @@
 #include <string_view>
 
 namespace vybeg {
+
+// Bytes from which a piece is written without a copy into a buffer.
+inline constexpr std::size_t least_direct = std::size_t{1} << 17;
 
 // A file that appears complete or not at all. It is written beside its target under a temporary
 // name; commit() renames it. Without commit() the temporary is removed and the target unchanged. A

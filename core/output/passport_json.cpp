@@ -57,14 +57,14 @@ Json written(const Estimate& estimate) {
     throw std::runtime_error(reason);
 }
 
-double number(const Json& json) {
+double number_of(const Json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
 
 std::vector<double> numbers(const Json& json) {
     std::vector<double> values;
     for (const Json& value : json) {
-        values.push_back(number(value));
+        values.push_back(number_of(value));
     }
     return values;
 }
@@ -84,7 +84,7 @@ Reason old_reason(const std::string& name, const std::vector<std::string>& args)
         {"kappa-still-wave", ReasonCode::as_given},
         {"kappa-not-seen", ReasonCode::as_given},
         {"not-asked", ReasonCode::as_given},
-        {"channels-one-number", ReasonCode::held},
+        {"channels-one-number_of", ReasonCode::held},
         {"amplitude-like-drift", ReasonCode::rests_on_unseen},
         {"residual-from-elsewhere", ReasonCode::rests_on_unseen},
     }};

@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t most_in_memory = std::size_t{1} << 23;
 constexpr std::size_t piece = std::size_t{1} << 20;  // bytes between two checks of the stop token
-// Longer pieces are written to the file without copying.
-constexpr std::size_t least_direct = std::size_t{1} << 17;
 
 }  // namespace
 

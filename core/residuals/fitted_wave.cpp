@@ -12,7 +12,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int windows_in_column = 8;
 
-void add(SignalCurve& curve, double time_s, const SignalPair& pair) {
+void append(SignalCurve& curve, double time_s, const SignalPair& pair) {
     curve.time_s.push_back(time_s);
     curve.c.push_back(pair.c);
     curve.d.push_back(pair.d);
@@ -67,7 +67,7 @@ SignalCurve wave_curve(const Analysis& analysis, double rate_hz, double from_s, 
             wave.emplace(analysis, *here, rate_hz);
         }
         window = here;
-        add(curve, time, window ? wave->at(frame) : SignalPair{nan, nan});
+        append(curve, time, window ? wave->at(frame) : SignalPair{nan, nan});
     }
     return curve;
 }
@@ -78,7 +78,7 @@ SignalCurve amplitude_curve(const Analysis& analysis, double rate_hz, double fro
     const double width = (to_s - from_s) / count;
     const double first = std::floor(from_s / width);
     for (double column = first; column * width < to_s; ++column) {
-        add(curve, (column + 0.5) * width,
+        append(curve, (column + 0.5) * width,
             mean_amplitudes(analysis, rate_hz, column * width, (column + 1) * width));
     }
     return curve;

@@ -1,5 +1,6 @@
 #include "core/residuals/residual_lines.h"
 
+#include "core/numerics/median.h"
 #include "core/residuals/line_filter.h"
 #include "core/residuals/line_origin.h"
 
@@ -20,12 +21,6 @@ constexpr std::ptrdiff_t guard = 3;      // bins to each side that a line takes 
 // less (the correlation of 1/6 squared, twice), a line's product with the noise for 1.17.
 constexpr double overlap_of_densities = 1.056;
 constexpr double overlap_of_lines = 1.17;
-
-double median_of(std::vector<double>& values) {
-    const auto middle = values.begin() + std::ssize(values) / 2;
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 // The noise around a bin: the higher of the medians on both sides, so that the edge of a band-pass
 // is no line.
@@ -52,7 +47,7 @@ private:
             return 0;
         }
         std::vector<double> values(density_.begin() + first, density_.begin() + end);
-        return median_of(values);
+        return median(std::move(values));
     }
 
     const std::vector<double>& density_;

@@ -49,24 +49,24 @@ private:
     void take_window(const Frames& frames, std::int64_t first, const WindowWave& wave) {
         if (!wave.exists()) {
             found_.without += frames.count();
-            in_run_ = false;
+            in_part_ = false;
             return;
         }
         if (frames.first != next_) {
-            in_run_ = false;
+            in_part_ = false;
         }
         for (std::int64_t frame = frames.first; frame < frames.end; ++frame) {
             const double c = c_[static_cast<std::size_t>(frame - first)];
             const double d = d_[static_cast<std::size_t>(frame - first)];
             if (!std::isfinite(c) || !std::isfinite(d)) {
                 ++found_.without;
-                in_run_ = false;
+                in_part_ = false;
                 continue;
             }
             const SignalPair fitted = wave.at(static_cast<double>(frame));
-            if (!in_run_) {
+            if (!in_part_) {
                 found_.part_begins.push_back(found_.c.size());
-                in_run_ = true;
+                in_part_ = true;
             }
             found_.c.push_back(c - fitted.c);
             found_.d.push_back(d - fitted.d);
@@ -80,7 +80,7 @@ private:
     ResidualSamples& found_;
     std::vector<double> c_;
     std::vector<double> d_;
-    bool in_run_ = false;
+    bool in_part_ = false;
     std::int64_t next_ = -1;  // frame that continues the part
 };
 

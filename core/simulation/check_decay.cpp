@@ -15,10 +15,6 @@ constexpr std::int64_t most_frames = std::int64_t{1} << 36;   // three weeks at 
 constexpr std::int64_t most_doubled = std::int64_t{1} << 20;  // held in memory
 constexpr double longest_delay_s = 0.1;
 
-Error impossible(std::string reason) {
-    return {ErrorCode::simulation_impossible, "simulate", {std::move(reason)}};
-}
-
 double start_power(const FreeDecay& decay) {
     return decay.a_A * decay.a_A + decay.a_B * decay.a_B;
 }

@@ -21,10 +21,6 @@ namespace {
 constexpr std::int64_t most_in_memory = std::int64_t{1} << 28;  // 4 GiB of samples
 constexpr std::int64_t at_once = 16384;                         // frames for the sink
 
-Error impossible(std::string reason) {
-    return {ErrorCode::simulation_impossible, "simulate", {std::move(reason)}};
-}
-
 void clip_and_round(std::vector<double>& samples, double full_scale, int bits) {
     const double steps = std::ldexp(1.0, bits - 1);
     for (double& sample : samples) {

@@ -1,5 +1,7 @@
 #include "core/sweep/form_leakage.h"
 
+#include "core/numerics/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -70,9 +72,7 @@ Errors form_leakage(Algorithm algorithm, std::span<const WaveState> waves, std::
     typical.fill(SweepValue::none);
     for (std::size_t v = 0; v < typical.size(); ++v) {
         if (!of_waves[v].empty()) {
-            const auto middle = of_waves[v].begin() + std::ssize(of_waves[v]) / 2;
-            std::ranges::nth_element(of_waves[v], middle);
-            typical[v] = *middle;
+            typical[v] = median(std::move(of_waves[v]));
         }
     }
     return typical;

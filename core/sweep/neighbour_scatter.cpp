@@ -1,6 +1,7 @@
 #include "core/sweep/neighbour_scatter.h"
 
 #include "core/estimators/wave/precision_bound.h"
+#include "core/numerics/median.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,15 +37,6 @@ bool sound(Flags flags) {
         }
     }
     return true;
-}
-
-double median(std::vector<double> x) {
-    if (x.empty()) {
-        return nan;
-    }
-    const auto centre = x.begin() + std::ssize(x) / 2;
-    std::ranges::nth_element(x, centre);
-    return *centre;
 }
 
 // Above this the absolute value of a number does not count.

@@ -11,7 +11,7 @@
 namespace vybeg {
 namespace {
 
-constexpr std::size_t least_windows = 10;
+constexpr std::size_t least_beat_windows = 10;
 constexpr double least_periods = 1.25;
 constexpr double most_periods = 100;
 constexpr double steps_per_period = 6;        // of the search: frequencies 1/(6 span) apart
@@ -157,7 +157,7 @@ double Beat::at(double time_s) const {
 std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double from_s, double to_s,
                               std::size_t apart) {
     Points points = trend_points(track, variable, from_s, to_s, apart);
-    if (points.size() < least_windows) {
+    if (points.size() < least_beat_windows) {
         return std::nullopt;
     }
     Beat beat;

@@ -8,7 +8,7 @@
 namespace vybeg {
 namespace {
 
-constexpr std::size_t least_windows = 3;
+constexpr std::size_t least_trend_windows = 3;
 constexpr double decays_from = 2;  // standard deviations of the slope
 
 }  // namespace
@@ -16,7 +16,7 @@ constexpr double decays_from = 2;  // standard deviations of the slope
 std::optional<Trend> line_trend(const Track& track, SlowVariable variable, double from_s,
                                 double to_s, std::size_t apart, TrendOf of) {
     const std::vector<TrendPoint> found = trend_points(track, variable, from_s, to_s, apart, of);
-    if (found.size() < least_windows) {
+    if (found.size() < least_trend_windows) {
         return std::nullopt;
     }
     Trend trend;

@@ -2,6 +2,7 @@
 
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
+#include "core/numerics/median.h"
 #include "core/windows/carrier_peak.h"
 #include "core/windows/carrier_zoom.h"
 
@@ -61,9 +62,7 @@ double median_of(const std::vector<double>& power) {
     for (std::size_t k = 1; k < power.size(); k += step) {
         part.push_back(power[k]);
     }
-    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
-    std::nth_element(part.begin(), middle, part.end());
-    return *middle;
+    return median(std::move(part));
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 // batch: a measurement list becomes a table, a row for each set, whatever becomes of the set.
 #include "tests/app/batch_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
+
+namespace test_cli_batch {
 
 using namespace vybeg::test;
 
@@ -14,7 +18,7 @@ private slots:
     void initTestCase() {
         QVERIFY(make_twelve_sets(folder_.path()));
         const Outcome outcome = run({"batch", "list.csv", "-o", "results.csv", "--json", "json"});
-        QVERIFY2(outcome.status == 0, outcome.err);
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
         table_ = file("results.csv");
     }
 
@@ -122,7 +126,7 @@ private slots:
         for (const QByteArray& line : outcome.err_lines()) {
             const QJsonObject entry = object(line);
             QCOMPARE(entry["level"].toString(), QString("error"));
-            QVERIFY(entry["status"].toInt() >= 3);
+            VYBEG_AT_LEAST(entry["status"].toInt(), 3);
             sets << entry["set"].toString();
         }
         sets.sort();
@@ -250,7 +254,7 @@ private slots:
         QFETCH(QString, part);
         const QByteArray recording = file("a.wav");
         const Outcome outcome = run(QStringList{"batch"} + arguments.split(' '));
-        QVERIFY2(outcome.status == status, outcome.err);
+        VYBEG_EQUAL(outcome.status, status, outcome.err);
         QCOMPARE(outcome.err_lines().size(), 1);
         QVERIFY2(outcome.err.contains(part.toUtf8()), outcome.err);
         QVERIFY(!QFile::exists(path("new.csv")) && !QFile::exists(path("new.csv.unfinished")));
@@ -281,5 +285,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliBatch)
+VYBEG_TEST(TestCliBatch)
+
+}  // namespace test_cli_batch
+
 #include "test_cli_batch.moc"

@@ -2,8 +2,11 @@
 // resonator's.
 #include "tests/app/resonator_runs.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
+
+namespace test_cli_compare {
 
 using namespace vybeg::test;
 
@@ -49,22 +52,22 @@ private slots:
             return outcome.status == 0 ? object(outcome.out) : QJsonObject();
         };
         const QJsonObject itself = compared(set);
-        QVERIFY(itself["differences"].toArray().size() > 8);
+        VYBEG_MORE(itself["differences"].toArray().size(), 8);
         QCOMPARE(itself["passport"]["file"].toString(), QString("p.json"));
         for (const QJsonValue& difference : itself["differences"].toArray()) {
             QCOMPARE(difference["verdict"].toString(), QString("unchanged"));
-            QVERIFY(difference["deviations"].toDouble() < 1e-6);
+            VYBEG_LESS(difference["deviations"].toDouble(), 1e-6);
         }
         const QJsonArray changed = compared(set_of("changed"))["differences"].toArray();
         const QJsonObject split = named(changed, "split_hz");
         QCOMPARE(split["verdict"].toString(), QString("changed"));
-        QVERIFY(split["deviations"].toDouble() > 3);
-        QVERIFY(deviations(split["change"], 2e-5) < 4);
+        VYBEG_MORE(split["deviations"].toDouble(), 3);
+        VYBEG_LESS(deviations(split["change"], 2e-5), 4);
         QCOMPARE(named(changed, "tau_s")["verdict"].toString(), QString("unchanged"));
         QCOMPARE(named(changed, "theta_w_rad")["verdict"].toString(), QString("unchanged"));
         const QJsonArray same = compared(set_of("same"))["differences"].toArray();
         QCOMPARE(named(same, "split_hz")["verdict"].toString(), QString("unchanged"));
-        QVERIFY(named(same, "split_hz")["deviations"].toDouble() > 0);
+        VYBEG_MORE(named(same, "split_hz")["deviations"].toDouble(), 0);
 
         // One still recording does not know the split: not comparable, for its reason.
         const QJsonObject single =
@@ -87,7 +90,7 @@ private slots:
         const QJsonObject passport = object(file("kp.json"));
         const QJsonValue kappa = result["resonator"]["kappa"];
         QVERIFY2(kappa["value"].isDouble(), qPrintable(kappa["reason"].toString()));
-        QVERIFY(deviations(kappa, 1) < 4);
+        VYBEG_LESS(deviations(kappa, 1), 4);
         QCOMPARE(passport["resonator"]["kappa"]["value"], kappa["value"]);
         QCOMPARE(passport["resonator"]["kappa"]["sd"], kappa["sd"]);
         const QJsonObject raw = passport["parameters"].toObject();
@@ -115,7 +118,7 @@ private slots:
         QCOMPARE(usual["verdict"].toString(), QString("unchanged"));
         VYBEG_CLOSE_RATIO(usual["limit"].toDouble(), 30e-6 * 5300, 1e-3);
         QVERIFY(usual["relative"].isDouble());
-        QVERIFY(usual["change"]["u"].toDouble() > usual["change"]["sd"].toDouble());
+        VYBEG_MORE(usual["change"]["u"].toDouble(), usual["change"]["sd"].toDouble());
         QVERIFY(!split_of({}, "split_hz").contains("limit"));
         const QJsonObject wide = split_of({"--f-limit", "50"}, "f_mean_hz");
         VYBEG_CLOSE_RATIO(wide["limit"].toDouble(), 50e-6 * 5300, 1e-3);
@@ -150,5 +153,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliCompare)
+VYBEG_TEST(TestCliCompare)
+
+}  // namespace test_cli_compare
+
 #include "test_cli_compare.moc"

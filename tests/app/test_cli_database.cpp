@@ -1,6 +1,8 @@
 // batch --database: several processes on one file, interruption, resuming, and files that cannot
 // be a database.
 #include "tests/app/batch_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -8,6 +10,8 @@
 #include <memory>
 #include <sqlite3.h>
 #include <vector>
+
+namespace test_cli_database {
 
 using namespace vybeg::test;
 
@@ -79,7 +83,8 @@ private slots:
             rows_by_sqlite(path("results.db"),
                            "SELECT value FROM parameter JOIN result ON result = id "
                            "WHERE name = 'tau_s' AND set_name = 's1'");
-        QVERIFY(tau.size() == 1 && !tau[0].isEmpty());
+        VYBEG_EQUAL(tau.size(), 1);
+        QVERIFY(!tau[0].isEmpty());
         QCOMPARE(rows_by_sqlite(path("results.db"),
                                 "SELECT file, json_extract(others, '$[0][1]') FROM recording JOIN "
                                 "result ON result = id WHERE set_name = 's1' ORDER BY position"),
@@ -118,7 +123,7 @@ private slots:
             }
             for (const auto& process : processes) {
                 QVERIFY(process->waitForFinished(120000));
-                QVERIFY2(process->exitCode() == 0, process->readAllStandardError());
+                VYBEG_EQUAL(process->exitCode(), 0, process->readAllStandardError());
             }
             QCOMPARE(sets(), good_sets);
             QVERIFY(sound());
@@ -146,11 +151,11 @@ private slots:
             QVERIFY(sound());
             with_some += left > 0 && left < good_sets.size() ? 1 : 0;
             const Outcome resumed = run(work_ + QStringList{"--resume"});
-            QVERIFY2(resumed.status == 0, resumed.err);
+            VYBEG_EQUAL(resumed.status, 0, resumed.err);
             QCOMPARE(sets(), good_sets);
             QVERIFY(sound());
         }
-        QVERIFY2(with_some >= 2, "too few kills met a database with some of its results");
+        VYBEG_AT_LEAST(with_some, 2, "too few kills met a database with some of its results");
     }
 
     void resuming_without_the_database_fills_a_new_one() {
@@ -226,5 +231,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliDatabase)
+VYBEG_TEST(TestCliDatabase, unsanitized)
+
+}  // namespace test_cli_database
+
 #include "test_cli_database.moc"

@@ -2,10 +2,14 @@
 // behind.
 #include "tests/app/cli_run.h"
 #include "tests/app/track_table.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <unistd.h>
+
+namespace test_cli_failures {
 
 using namespace vybeg::test;
 
@@ -197,7 +201,8 @@ private slots:
                  outcome.err.constData());
         const qsizetype frames = (500001 - 44) / 16;
         const qsizetype rows = TrackTable(content(path("early.csv"))).rows();
-        QVERIFY(rows >= frames / 60 - 2 && rows <= frames / 60);
+        VYBEG_AT_LEAST(rows, frames / 60 - 2);
+        VYBEG_AT_MOST(rows, frames / 60);
     }
 
     void a_disk_that_fills_leaves_the_old_file_data() {
@@ -239,5 +244,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliFailures)
+VYBEG_TEST(TestCliFailures)
+
+}  // namespace test_cli_failures
+
 #include "test_cli_failures.moc"

@@ -4,6 +4,7 @@
 // is held to four of them; seeds are fixed.
 #include "tests/app/resonator_runs.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -12,6 +13,8 @@
 #include <csignal>
 #include <numbers>
 #include <random>
+
+namespace test_cli_identify {
 
 using namespace vybeg::test;
 
@@ -52,37 +55,30 @@ private slots:
         QVERIFY(!text.contains("nan") && !text.contains("inf,"));
         const QJsonObject json = object(text);
         const QJsonObject resonator = json["resonator"].toObject();
-        const auto within = [&](const char* name, double truth, double period = 0) {
-            const double off = deviations(resonator[name], truth, period);
-            if (!(off < 4)) {
-                qWarning("%s: %g deviations", name, off);
-            }
-            return off < 4;
-        };
-        QVERIFY(within("f_mean_hz", 5300.015));
-        QVERIFY(within("split_hz", 1e-3));
-        QVERIFY(within("theta_w_rad", 0.2, pi / 2));
-        QVERIFY(within("tau_s", 400));
-        QVERIFY(within("q", pi * 5300.015 * 400));
-        QVERIFY(within("damping_anisotropy_per_s", 3e-4));
-        QVERIFY(within("theta_tau_rad", -0.3, pi / 2));
-        QVERIFY(within("angle_rate_rad_s", -0.277 * 2e-4));
-        QVERIFY(resonator["split_hz"]["sd"].toDouble() < 3e-6);
+        VYBEG_LESS(deviations(resonator["f_mean_hz"], 5300.015), 4);
+        VYBEG_LESS(deviations(resonator["split_hz"], 1e-3), 4);
+        VYBEG_LESS(deviations(resonator["theta_w_rad"], 0.2, pi / 2), 4);
+        VYBEG_LESS(deviations(resonator["tau_s"], 400), 4);
+        VYBEG_LESS(deviations(resonator["q"], pi * 5300.015 * 400), 4);
+        VYBEG_LESS(deviations(resonator["damping_anisotropy_per_s"], 3e-4), 4);
+        VYBEG_LESS(deviations(resonator["theta_tau_rad"], -0.3, pi / 2), 4);
+        VYBEG_LESS(deviations(resonator["angle_rate_rad_s"], -0.277 * 2e-4), 4);
+        VYBEG_LESS(resonator["split_hz"]["sd"].toDouble(), 3e-6);
         for (int k = 0; k < 4; ++k) {
             const QJsonValue of_run = json["runs"][k];
-            QVERIFY(deviations(of_run["two_theta_A_rad"], k * pi / 4, pi) < 4);
-            QVERIFY(deviations(of_run["a_A"], 1) < 4);
-            QVERIFY(deviations(of_run["f_offset_hz"], 0.01 * k - 0.015) < 4);
-            QVERIFY(deviations(of_run["split_sin_hz"], 1e-3 * std::sin(k * pi / 2 - 0.8)) < 4);
+            VYBEG_LESS(deviations(of_run["two_theta_A_rad"], k * pi / 4, pi), 4);
+            VYBEG_LESS(deviations(of_run["a_A"], 1), 4);
+            VYBEG_LESS(deviations(of_run["f_offset_hz"], 0.01 * k - 0.015), 4);
+            VYBEG_LESS(deviations(of_run["split_sin_hz"], 1e-3 * std::sin(k * pi / 2 - 0.8)), 4);
         }
         // Modes by falling frequency, half a split beside the mean.
-        QVERIFY(deviations(json["modes"][0]["f_hz"], 5300.015 + 0.5e-3) < 4.5);
-        QVERIFY(deviations(json["modes"][1]["f_hz"], 5300.015 - 0.5e-3) < 4.5);
+        VYBEG_LESS(deviations(json["modes"][0]["f_hz"], 5300.015 + 0.5e-3), 4.5);
+        VYBEG_LESS(deviations(json["modes"][1]["f_hz"], 5300.015 - 0.5e-3), 4.5);
         const QJsonValue harmonics = json["drift_function"]["harmonics"];
         QCOMPARE(json["drift_function"]["order"].toInt(), 4);
-        QVERIFY(deviations(harmonics["mean_rad_s"], -0.277 * 2e-4) < 4);
-        QVERIFY(deviations(harmonics["sin4_rad_s"], 0.75e-4 * std::cos(1.2)) < 4);
-        QVERIFY(deviations(harmonics["cos4_rad_s"], 0.75e-4 * std::sin(1.2)) < 4);
+        VYBEG_LESS(deviations(harmonics["mean_rad_s"], -0.277 * 2e-4), 4);
+        VYBEG_LESS(deviations(harmonics["sin4_rad_s"], 0.75e-4 * std::cos(1.2)), 4);
+        VYBEG_LESS(deviations(harmonics["cos4_rad_s"], 0.75e-4 * std::sin(1.2)), 4);
     }
 
     void the_json_has_the_members_of_the_interface() {
@@ -144,7 +140,7 @@ private slots:
         }
         // A gain drift of 1e-4 over ten seconds is a decay rate of 0.5e-5/s of its half of the
         // power, at most: it enters u.
-        QVERIFY(tau["u"].toDouble() > 1.5 * tau["sd"].toDouble());
+        VYBEG_MORE(tau["u"].toDouble(), 1.5 * tau["sd"].toDouble());
         VYBEG_WITHIN(1e-4 * by["gain_drift"].toDouble(), 0, tau["u"].toDouble());
         QVERIFY(!json["resonator"]["frequency_per_power"].toObject().contains("sensitivity"));
         for (int k = 0; k < 4; ++k) {
@@ -174,7 +170,7 @@ private slots:
         const QByteArray text = outcome.out;
         QVERIFY2(text.startsWith("wave of r0.wav, means over the recording\n  f   "),
                  text.left(200).constData());
-        QVERIFY(text.indexOf("wave of r3.wav") < text.indexOf("resonator, structured"));
+        VYBEG_LESS(text.indexOf("wave of r3.wav"), text.indexOf("resonator, structured"));
         QVERIFY(text.contains("  quadrature_rate"));
         const auto line_of = [&](const QByteArray& name, qsizetype from) {
             const qsizetype at = text.indexOf("\n" + name, from) + 1;
@@ -184,12 +180,12 @@ private slots:
         const QByteArray tau = line_of("  tau ", resonator);
         QVERIFY2(tau.contains(" s, u "), tau.constData());
         const qsizetype table = text.indexOf("\nsensitivity:");
-        QVERIFY(table > resonator);
+        VYBEG_MORE(table, resonator);
         QVERIFY(
             text.mid(table).contains("0.1 deg       10 ns    1e-4 rad        1e-4       0.001      "
                                      "10 uHz         1 %       0.1 %"));
-        QVERIFY(line_of("  tau, s", table).simplified().split(' ').size() == 10);
-        QVERIFY(line_of("  theta_w, deg", table).simplified().split(' ').size() == 10);
+        VYBEG_EQUAL(line_of("  tau, s", table).simplified().split(' ').size(), 10);
+        VYBEG_EQUAL(line_of("  theta_w, deg", table).simplified().split(' ').size(), 10);
     }
 
     void any_number_of_threads_gives_the_same_bytes() {
@@ -213,12 +209,12 @@ private slots:
         // What the wave did is given all the same, and so are the numbers of its direction.
         const QJsonValue still = json["runs"][0];
         const QJsonValue growth = still["wave"]["quadrature_rate_per_s"];
-        QVERIFY(deviations(growth, pi * 1e-6 * std::sin(pi / 2 - 0.8)) < 4);
-        QVERIFY(growth["sd"].toDouble() < 3e-7);
+        VYBEG_LESS(deviations(growth, pi * 1e-6 * std::sin(pi / 2 - 0.8)), 4);
+        VYBEG_LESS(growth["sd"].toDouble(), 3e-7);
         const double along = 0.5e-6 * std::cos(pi / 2 - 0.8);
-        QVERIFY(deviations(still["direction"]["f_hz"], 5300 + along) < 4);
-        QVERIFY(still["direction"]["f_hz"]["sd"].toDouble() < 1e-7);
-        QVERIFY(deviations(still["direction"]["tau_s"], 400) < 4);
+        VYBEG_LESS(deviations(still["direction"]["f_hz"], 5300 + along), 4);
+        VYBEG_LESS(still["direction"]["f_hz"]["sd"].toDouble(), 1e-7);
+        VYBEG_LESS(deviations(still["direction"]["tau_s"], 400), 4);
         QVERIFY(json["resonator"]["tau_s"]["value"].isNull());
         QCOMPARE(json["drift_function"]["order"].toInt(), 0);
         QVERIFY(json["drift_function"]["curve"].isNull());
@@ -240,7 +236,7 @@ private slots:
         QVERIFY(reason.endsWith('.'));
         QVERIFY(json["drift_function"]["curve"].isNull());
         QCOMPARE(json["drift_function"]["harmonics"]["mean_rad_s"]["reason"].toString(), reason);
-        QVERIFY(deviations(json["modes"][0]["f_hz"], 5300.015 + 0.5e-3) < 4.5);
+        VYBEG_LESS(deviations(json["modes"][0]["f_hz"], 5300.015 + 0.5e-3), 4.5);
     }
 
     void options_of_the_signals_have_their_part() {
@@ -250,7 +246,7 @@ private slots:
                             "1.0000001", "--window", "700"});
         QCOMPARE(turned.status, 0);
         const QJsonObject json = object(turned.out);
-        QVERIFY(deviations(json["resonator"]["theta_w_rad"], 0.2 - pi / 18, pi / 2) < 4);
+        VYBEG_LESS(deviations(json["resonator"]["theta_w_rad"], 0.2 - pi / 18, pi / 2), 4);
         QVERIFY(json["resonator"]["kappa"]["value"].isNull());
         QCOMPARE(json["settings"]["window"].toString(), QString("700"));
         QCOMPARE(json["runs"][0]["window_samples"].toInt(), 700);
@@ -350,5 +346,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliIdentify)
+VYBEG_TEST(TestCliIdentify)
+
+}  // namespace test_cli_identify
+
 #include "test_cli_identify.moc"

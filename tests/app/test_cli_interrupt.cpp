@@ -1,11 +1,15 @@
 // Ctrl-C and its relatives: exit status 130 within 0.2 s, the old file as it was, nothing left.
 #include "tests/app/cli_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <array>
 #include <csignal>
+
+namespace test_cli_interrupt {
 
 using namespace vybeg::test;
 
@@ -64,9 +68,12 @@ private slots:
         }
         // The median, so that one moment at which a busy machine gave no time does not count.
         std::ranges::sort(elapsed);
-        QVERIFY2(elapsed[2] < 200, qPrintable(QString::number(elapsed[2]) + " ms"));
+        VYBEG_LESS(elapsed[2], 200);
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliInterrupt)
+VYBEG_TEST(TestCliInterrupt)
+
+}  // namespace test_cli_interrupt
+
 #include "test_cli_interrupt.moc"

@@ -1,10 +1,14 @@
 // Too little memory and too few threads: a sentence and a status, and nothing is left.
 #include "tests/app/cli_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <sys/resource.h>
 #include <unistd.h>
+
+namespace test_cli_limits {
 
 using namespace vybeg::test;
 
@@ -48,7 +52,7 @@ private slots:
             done += outcome.status == 0 ? 1 : 0;
             if (outcome.status != 0 && outcome.status != 127) {
                 ++refused;
-                QVERIFY2(outcome.status == 4, about);
+                VYBEG_EQUAL(outcome.status, 4, about);
                 QVERIFY2(outcome.err.startsWith("vybeg-cli: There is not enough memory") ||
                              outcome.err.startsWith("vybeg-cli: The system starts no more"),
                          about);
@@ -58,7 +62,7 @@ private slots:
             QVERIFY2(temporaries().isEmpty(), about);
         }
         QCOMPARE(done, 1);
-        QVERIFY2(refused > 0, "no limit between loading and enough was met");
+        VYBEG_MORE(refused, 0, "no limit between loading and enough was met");
     }
 
     void too_few_threads_have_a_sentence_and_leave_nothing() {
@@ -84,7 +88,7 @@ private slots:
             done = outcome.status == 0;
             if (!done) {
                 ++refused;
-                QVERIFY2(outcome.status == 4, about);
+                VYBEG_EQUAL(outcome.status, 4, about);
                 QVERIFY2(outcome.err.startsWith("vybeg-cli: The system starts no more threads"),
                          about);
                 QCOMPARE(file("threads.csv"), QByteArray("old"));
@@ -94,9 +98,12 @@ private slots:
                 break;  // of a user with other processes
             }
         }
-        QVERIFY(refused > 0);
+        VYBEG_MORE(refused, 0);
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliLimits)
+VYBEG_TEST(TestCliLimits, unsanitized)
+
+}  // namespace test_cli_limits
+
 #include "test_cli_limits.moc"

@@ -1,7 +1,10 @@
 // identify --list: a measurement list gives what the command line gives.
 #include "tests/app/resonator_runs.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
+
+namespace test_cli_list {
 
 using namespace vybeg::test;
 
@@ -143,5 +146,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliList)
+VYBEG_TEST(TestCliList)
+
+}  // namespace test_cli_list
+
 #include "test_cli_list.moc"

@@ -2,6 +2,8 @@
 // every format that simulate writes and the raw reader reads; nor does that of a batch with its
 // list. tests/benchmarks/README.md, "Long recordings", has the same of one hour.
 #include "tests/app/cli_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -9,6 +11,8 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <vector>
+
+namespace test_cli_memory {
 
 using namespace vybeg::test;
 
@@ -84,13 +88,14 @@ private slots:
                         options.split(' ', Qt::SkipEmptyParts)));
             // A row per window of 60 samples, behind the header.
             const qint64 windows = qint64{33333} * QString(seconds).toInt() / 60;
-            QVERIFY(lines_of(track) > windows);
+            VYBEG_MORE(lines_of(track), windows);
         }
         qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
               1e-6 * static_cast<double>(peaks[1]));
-        QVERIFY(peaks[0] > 0 && peaks[1] > 0);
-        QVERIFY(peaks[1] < 150'000'000);            // one hour may take 300 MB
-        QVERIFY(peaks[1] - peaks[0] < 10'000'000);  // the nine minutes more are 288 MB of samples
+        VYBEG_MORE(peaks[0], 0);
+        VYBEG_MORE(peaks[1], 0);
+        VYBEG_LESS(peaks[1], 150'000'000);            // one hour may take 300 MB
+        VYBEG_LESS(peaks[1] - peaks[0], 10'000'000);  // the nine minutes more are 288 MB of samples
     }
 
     void nor_with_the_track_s_format_data() {
@@ -114,13 +119,14 @@ private slots:
             peaks.push_back(
                 peak_of({"analyze", recording, "-o", folder.filePath(track), "--window", "6"}));
             // 13 numbers for each window of 6 samples.
-            QVERIFY(QFileInfo(folder.filePath(track)).size() >
-                    qint64{33333} * QString(seconds).toInt() / 6 * 13 * 8);
+            VYBEG_MORE(QFileInfo(folder.filePath(track)).size(),
+                       qint64{33333} * QString(seconds).toInt() / 6 * 13 * 8);
         }
         qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
               1e-6 * static_cast<double>(peaks[1]));
-        QVERIFY(peaks[0] > 0 && peaks[1] > 0);
-        QVERIFY(peaks[1] - peaks[0] < 20'000'000);  // the track's numbers alone are 104 MB more
+        VYBEG_MORE(peaks[0], 0);
+        VYBEG_MORE(peaks[1], 0);
+        VYBEG_LESS(peaks[1] - peaks[0], 20'000'000);  // the track's numbers alone are 104 MB more
     }
 
     void nor_does_that_of_an_identification() {
@@ -138,9 +144,10 @@ private slots:
         }
         qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
               1e-6 * static_cast<double>(peaks[1]));
-        QVERIFY(peaks[0] > 0 && peaks[1] > 0);
-        QVERIFY(peaks[1] < 150'000'000);
-        QVERIFY(peaks[1] - peaks[0] < 10'000'000);  // the 350 s more are 187 MB of samples
+        VYBEG_MORE(peaks[0], 0);
+        VYBEG_MORE(peaks[1], 0);
+        VYBEG_LESS(peaks[1], 150'000'000);
+        VYBEG_LESS(peaks[1] - peaks[0], 10'000'000);  // the 350 s more are 187 MB of samples
     }
 
     void nor_does_that_of_a_batch_with_its_list() {
@@ -167,15 +174,19 @@ private slots:
             const QString table = folder.filePath("table.csv");
             peaks.push_back(peak_of(
                 {"batch", folder.filePath("list.csv"), "-o", table, "--threads", "1", "--quiet"}));
-            QVERIFY(lines_of(table) > recordings / 4);
+            VYBEG_MORE(lines_of(table), recordings / 4);
             QCOMPARE(content(table).count(",ok,"), recordings / 4);
         }
         qInfo("%.1f MB and %.1f MB", 1e-6 * static_cast<double>(peaks[0]),
               1e-6 * static_cast<double>(peaks[1]));
-        QVERIFY(peaks[0] > 0 && peaks[1] > 0);
-        QVERIFY(static_cast<double>(peaks[1]) < 1.1 * static_cast<double>(peaks[0]));
+        VYBEG_MORE(peaks[0], 0);
+        VYBEG_MORE(peaks[1], 0);
+        VYBEG_LESS(static_cast<double>(peaks[1]), 1.1 * static_cast<double>(peaks[0]));
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliMemory)
+VYBEG_TEST(TestCliMemory, unsanitized)
+
+}  // namespace test_cli_memory
+
 #include "test_cli_memory.moc"

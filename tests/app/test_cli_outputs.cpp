@@ -1,11 +1,15 @@
 // Outputs that would replace something, standard descriptors that are not there, readers that end
 // early, and recordings that change while they are read.
 #include "tests/app/cli_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <csignal>
 #include <unistd.h>
+
+namespace test_cli_outputs {
 
 using namespace vybeg::test;
 
@@ -59,7 +63,7 @@ private slots:
         const QByteArray other = file("b.wav");
         const QByteArray passport = file("passport.json");
         const Outcome outcome = run(command.split(' '));
-        QVERIFY2(outcome.status == 2, outcome.err);
+        VYBEG_EQUAL(outcome.status, 2, outcome.err);
         QVERIFY2(outcome.err.startsWith("vybeg-cli: " + option.toUtf8() + " cannot be"),
                  outcome.err);
         QCOMPARE(outcome.err_lines().size(), 1);
@@ -83,7 +87,7 @@ private slots:
     void two_outputs_to_the_null_device_are_none() {
         const Outcome outcome =
             run({"simulate", "--seconds", "0.01", "-o", "/dev/null", "--truth", "/dev/null"});
-        QVERIFY2(outcome.status == 5, outcome.err);  // of its ending
+        VYBEG_EQUAL(outcome.status, 5, outcome.err);  // of its ending
         QCOMPARE(run({"identify", "a.wav", "b.wav", "-o", "/dev/null", "--passport", "/dev/null"})
                      .status,
                  0);
@@ -116,7 +120,7 @@ private slots:
         for (const char* command : {"analyze a.wav -o -", "info a.wav", "identify a.wav b.wav"}) {
             const Outcome outcome = run_program(
                 "sh", {"-c", QString("exec %1 %2 >&-").arg(VYBEG_CLI, command)}, folder_.path());
-            QVERIFY2(outcome.status == 5, outcome.err);
+            VYBEG_EQUAL(outcome.status, 5, outcome.err);
             QVERIFY2(outcome.err.contains("standard output cannot be written"), outcome.err);
         }
     }
@@ -139,7 +143,7 @@ private slots:
                                  .arg(VYBEG_CLI, command);
         const Outcome outcome = run_program("sh", {"-c", line}, folder_.path());
         QVERIFY(QFile::remove(path("pipe")));
-        QVERIFY2(outcome.status == 5, outcome.err);
+        VYBEG_EQUAL(outcome.status, 5, outcome.err);
         QVERIFY2(outcome.err.contains("standard output cannot be written: Broken pipe."),
                  outcome.err);
     }
@@ -171,12 +175,15 @@ private slots:
         kill(static_cast<pid_t>(process.processId()), SIGCONT);
         QVERIFY(process.waitForFinished(60000));
         const QByteArray err = process.readAllStandardError();
-        QVERIFY2(process.exitCode() == 3, err);
+        VYBEG_EQUAL(process.exitCode(), 3, err);
         QVERIFY2(err.contains("grows.wav changed while it was read"), err);
         QCOMPARE(file("old.csv"), QByteArray("old"));
         QCOMPARE(temporaries(), QStringList());
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliOutputs)
+VYBEG_TEST(TestCliOutputs)
+
+}  // namespace test_cli_outputs
+
 #include "test_cli_outputs.moc"

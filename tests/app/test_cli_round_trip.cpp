@@ -7,10 +7,13 @@
 #include "tests/app/track_table.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
+
+namespace test_cli_round_trip {
 
 using namespace vybeg::test;
 
@@ -73,7 +76,7 @@ private slots:
             }
             const double deviation = std::sqrt(2 / static_cast<double>(values.size()));
             VYBEG_CLOSE(mean_square, 1.018, 4.5 * deviation, qPrintable(column));
-            QVERIFY2(worst < 6, qPrintable(QString("%1: %2").arg(column).arg(worst)));
+            VYBEG_LESS(worst, 6, qPrintable(QString("%1: %2").arg(column).arg(worst)));
         }
     }
 
@@ -222,7 +225,8 @@ private slots:
         QCOMPARE(timing["windows"].toInteger(), TrackTable(file("z.csv")).rows());
         QCOMPARE(timing["threads"].toInt(), 1);
         for (const char* part : {"carrier_s", "estimate_s", "read_s", "write_s"}) {
-            QVERIFY(timing[part].toDouble(-1) > 0 && timing[part].toDouble() < 10);
+            VYBEG_MORE(timing[part].toDouble(-1), 0);
+            VYBEG_LESS(timing[part].toDouble(), 10);
         }
     }
 
@@ -323,5 +327,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliRoundTrip)
+VYBEG_TEST(TestCliRoundTrip)
+
+}  // namespace test_cli_round_trip
+
 #include "test_cli_round_trip.moc"

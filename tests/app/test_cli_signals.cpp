@@ -1,12 +1,15 @@
-// 300 signals at random moments of runs with one and two outputs: all outputs are new, or all are
-// as they were, and the sentence says which.
+// 30 signals, or as many as VYBEG_SIGNALS says, at moments spread over runs with one and two
+// outputs: all outputs are new, or all are as they were, and the sentence says which.
 #include "tests/app/cli_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <array>
 #include <csignal>
-#include <random>
+
+namespace test_cli_signals {
 
 using namespace vybeg::test;
 
@@ -46,7 +49,7 @@ class TestCliSignals : public QObject, private CliFolder {
         finished_ += done ? 1 : 0;
         if (!done && !killed) {
             ++interrupted_;
-            QVERIFY2(process.exitCode() == 130, err);
+            VYBEG_EQUAL(process.exitCode(), 130, err);
             QCOMPARE(err, QByteArray("vybeg-cli: Interrupted; nothing was written.\n"));
         }
         for (const QString& output : work.outputs) {
@@ -62,7 +65,7 @@ class TestCliSignals : public QObject, private CliFolder {
     }
 
 private slots:
-    void signals_at_random_moments_leave_all_outputs_old_or_all_new() {
+    void signals_at_any_moment_leave_all_outputs_old_or_all_new() {
         QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "a.wav"}).status, 0);
         QCOMPARE(
             run({"simulate", "--demo", "--seconds", "2", "--two-theta-A", "1.2", "-o", "b.wav"})
@@ -80,20 +83,25 @@ private slots:
             QCOMPARE(run(work.command.split(' ')).status, 0);
             work.undisturbed_ms = timer.elapsed();
         }
-        std::mt19937_64 random(20);
+        bool given = false;
+        const int wanted = qEnvironmentVariableIntValue("VYBEG_SIGNALS", &given);
+        const std::size_t signals = given ? static_cast<std::size_t>(wanted) : 30;
+        const std::size_t moments = signals / works.size();  // of each work
         const std::array kinds{SIGINT, SIGTERM, SIGHUP};
-        for (std::size_t k = 0; k < 300; ++k) {
+        for (std::size_t k = 0; k < signals; ++k) {
             const Work& work = works[k % works.size()];
-            const auto longest = static_cast<std::uint64_t>(1100 * work.undisturbed_ms);
-            disturb(work, kinds[k / works.size() % kinds.size()],
-                    static_cast<int>(random() % (longest + 1)));
+            const std::size_t moment = k / works.size();
+            const double share = (static_cast<double>(moment) + 0.5) / static_cast<double>(moments);
+            disturb(work, kinds[moment % kinds.size()],
+                    static_cast<int>(1100 * share * static_cast<double>(work.undisturbed_ms)));
             if (QTest::currentTestFailed()) {
                 return;
             }
         }
         qInfo("%d interrupted, %d finished, %d ended before main()", interrupted_, finished_,
               before_main_);
-        QVERIFY2(interrupted_ >= 50, "too few signals met a run at work for the test to mean much");
+        VYBEG_AT_LEAST(interrupted_, static_cast<int>(signals / 6),
+                       "too few signals met a run at work for the test to mean much");
     }
 
     void what_has_gone_out_to_a_pipe_is_not_called_nothing() {
@@ -143,5 +151,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliSignals)
+VYBEG_TEST(TestCliSignals, unsanitized)
+
+}  // namespace test_cli_signals
+
 #include "test_cli_signals.moc"

@@ -2,10 +2,13 @@
 #include "tests/app/cli_run.h"
 #include "tests/app/track_table.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
+
+namespace test_cli_text_options {
 
 using namespace vybeg::test;
 
@@ -51,7 +54,7 @@ private slots:
                  track.left(600).constData());
         QVERIFY(track.contains("\n# rate: 20000 (time column)\n"));
         const TrackTable table(track);
-        QVERIFY(table.rows() > 60);
+        VYBEG_MORE(table.rows(), 60);
         for (const double amplitude : table.column("a_A")) {
             // 500 mV and 200 mV in phase; rounded to 1e-6 mV.
             VYBEG_CLOSE(amplitude, std::hypot(0.5, 0.2), 1e-8);
@@ -107,5 +110,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliTextOptions)
+VYBEG_TEST(TestCliTextOptions)
+
+}  // namespace test_cli_text_options
+
 #include "test_cli_text_options.moc"

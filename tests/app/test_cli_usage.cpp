@@ -1,10 +1,14 @@
 // What is said of a command line: options given twice, without effect, out of bounds; and of
 // recordings by their names.
 #include "tests/app/cli_run.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
+
+namespace test_cli_usage {
 
 using namespace vybeg::test;
 
@@ -92,7 +96,7 @@ private slots:
         QFETCH(int, status);
         QFETCH(QString, part);
         const Outcome outcome = run(command.split(' '));
-        QVERIFY2(outcome.status == status, outcome.err);
+        VYBEG_EQUAL(outcome.status, status, outcome.err);
         // Warnings about the recording may stand before the one sentence.
         QList<QByteArray> sentences = outcome.err_lines();
         sentences.removeIf([](const QByteArray& line) { return line.contains(": warning: "); });
@@ -109,7 +113,7 @@ private slots:
             {"simulate", "--seconds", "0.01", "-o", "x.csv", "--truth", ""}};
         for (const QStringList& command : commands) {
             const Outcome outcome = run(command);
-            QVERIFY2(outcome.status == 2, outcome.err);
+            VYBEG_EQUAL(outcome.status, 2, outcome.err);
             QVERIFY2(outcome.err.contains("needs a value."), outcome.err);
         }
     }
@@ -142,7 +146,7 @@ private slots:
         QFETCH(QString, command);
         QFETCH(QStringList, options);
         const Outcome outcome = run(command.split(' '));
-        QVERIFY2(outcome.status == 0, outcome.err);
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QStringList warned;
         for (const QByteArray& line : outcome.err_lines()) {
             if (line.contains(" has no effect: ")) {
@@ -163,7 +167,7 @@ private slots:
                      .status,
                  0);
         const Outcome outcome = run({"identify", "a.wav", "drifting.wav", "-o", "x.json"});
-        QVERIFY2(outcome.status == 0, outcome.err);
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QVERIFY2(outcome.err.contains("Recording drifting.wav: the frequency drifts"), outcome.err);
         QVERIFY2(!outcome.err.contains("Recording 2"), outcome.err);
         QVERIFY(file("x.json").contains("Recording drifting.wav: the frequency drifts"));
@@ -171,5 +175,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCliUsage)
+VYBEG_TEST(TestCliUsage)
+
+}  // namespace test_cli_usage
+
 #include "test_cli_usage.moc"

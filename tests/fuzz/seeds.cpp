@@ -5,7 +5,9 @@
 #include "tests/core/recording/demo_files.h"
 #include "tests/core/recording/text/uff_file.h"
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 
 namespace vybeg::fuzz {
@@ -257,6 +259,15 @@ with h5py.File('deep', 'w') as f:
                         {"chunked", "latest", "deep", "records", "open"});
 }
 
+Files any_files() {
+    Files files;
+    for (const auto& of_format :
+         {audio_files, text_files, npy_files, npz_files, uff_files, tdms_files, mat_files}) {
+        std::ranges::move(of_format(), std::back_inserter(files));
+    }
+    return files;
+}
+
 // More groups in each other than any recording has: soundly written, and to be refused.
 Files bottomless_files() {
     return python_files(R"(
@@ -273,17 +284,11 @@ with h5py.File('deep', 'w') as f:
 }  // namespace
 
 std::vector<std::string> sound_files(const QString& format) {
-    const std::map<QString, Files (*)()> writers{{"audio", audio_files},
-                                                 {"text", text_files},
-                                                 {"npy", npy_files},
-                                                 {"npz", npz_files},
-                                                 {"uff", uff_files},
-                                                 {"tdms", tdms_files},
-                                                 {"raw", raw_files},
-                                                 {"mat", mat_files},
-                                                 {"mat73", mat73_files},
-                                                 {"hdf5", hdf5_files},
-                                                 {"bottomless", bottomless_files}};
+    const std::map<QString, Files (*)()> writers{
+        {"audio", audio_files}, {"text", text_files}, {"npy", npy_files},
+        {"npz", npz_files},     {"uff", uff_files},   {"tdms", tdms_files},
+        {"raw", raw_files},     {"mat", mat_files},   {"mat73", mat73_files},
+        {"hdf5", hdf5_files},   {"any", any_files},   {"bottomless", bottomless_files}};
     return writers.at(format)();
 }
 

@@ -1,12 +1,16 @@
 // Small files that stand for much: the readers take no more memory than the file's size and 64 MB,
 // and no more than 2 s of processor time.
+#include "tests/closeness.h"
 #include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/fuzz/heap_peak.h"
 #include "tests/fuzz/trial.h"
+#include "tests/test_registry.h"
 
 #include <ctime>
+
+namespace test_bombs {
 
 using namespace vybeg::fuzz;
 using namespace vybeg::test;
@@ -85,8 +89,8 @@ void TestBombs::archives_are_neither_unpacked_nor_believed() {
     qInfo("%s%.1f MB, %.2f s", verdict.fault.c_str(), 1e-6 * static_cast<double>(held_), seconds_);
     QCOMPARE(verdict.fault, std::string());
     QCOMPARE(verdict.outcome == Outcome::read, is_recording);
-    QVERIFY(held_ < 64 << 20);
-    QVERIFY(seconds_ < 2);
+    VYBEG_LESS(held_, 64 << 20);
+    VYBEG_LESS(seconds_, 2);
 }
 
 void TestBombs::a_table_of_segments_stays_smaller_than_the_file() {
@@ -107,7 +111,7 @@ void TestBombs::a_table_of_segments_stays_smaller_than_the_file() {
     const Verdict many = tried(try_tdms, with(400000));
     qInfo("%.1f MB, %.2f s", 1e-6 * static_cast<double>(held_), seconds_);
     QVERIFY(many.outcome == Outcome::refused && many.fault.empty());
-    QVERIFY(held_ < 64 << 20);
+    VYBEG_LESS(held_, 64 << 20);
 }
 
 void TestBombs::a_jump_of_an_uneven_clock_takes_no_memory() {
@@ -121,11 +125,14 @@ void TestBombs::a_jump_of_an_uneven_clock_takes_no_memory() {
     };
     const Verdict plausible = tried(try_text, with_jump(1000));
     QVERIFY(plausible.outcome == Outcome::read && plausible.fault.empty());
-    QVERIFY(held_ < 64 << 20);
+    VYBEG_LESS(held_, 64 << 20);
     const Verdict absurd = tried(try_text, with_jump(5000));
     QVERIFY(absurd.outcome == Outcome::refused && absurd.fault.empty());
-    QVERIFY(held_ < 64 << 20);
+    VYBEG_LESS(held_, 64 << 20);
 }
 
-QTEST_GUILESS_MAIN(TestBombs)
+VYBEG_TEST(TestBombs)
+
+}  // namespace test_bombs
+
 #include "test_bombs.moc"

@@ -6,6 +6,7 @@
 #include "core/recording/arrays/tdms_reader.h"
 #include "core/recording/audio/audio_reader.h"
 #include "core/recording/bytes/byte_order.h"
+#include "core/recording/open/open_recording.h"
 #include "core/recording/text/text_recording.h"
 #include "core/recording/text/uff_reader.h"
 #include "core/recording/variables/mat_reader.h"
@@ -124,6 +125,13 @@ Verdict try_uff(std::string_view bytes) {
 Verdict try_tdms(std::string_view bytes) {
     return try_opening(bytes, static_cast<double>(bytes.size()),
                        [](const File& file) { return open_tdms(file, some_rate(), {}); });
+}
+
+Verdict try_any(std::string_view bytes) {
+    const MemoryFile memory(bytes);
+    // The most of all formats.
+    const double most = 1e7 + 65536.0 * static_cast<double>(bytes.size());
+    return judge(open_recording(memory.path(), some_rate(), {}), most);
 }
 
 Verdict try_raw(std::string_view bytes) {

@@ -32,6 +32,8 @@ Verdict try_mat(std::string_view bytes);
 Verdict try_uff(std::string_view bytes);
 Verdict try_tdms(std::string_view bytes);
 Verdict try_raw(std::string_view bytes);
+// Whatever format the content is recognised as.
+Verdict try_any(std::string_view bytes);
 
 // MAT 7.3 and HDF5 as vybeg-reader reads them, but in this process: where the library falls, so
 // does the caller.

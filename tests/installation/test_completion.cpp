@@ -1,10 +1,14 @@
 // The completion in bash, as bash calls it.
+#include "tests/closeness.h"
 #include "tests/installation/help_pages.h"
+#include "tests/test_registry.h"
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
+
+namespace test_completion {
 
 using namespace vybeg::test;
 
@@ -113,14 +117,14 @@ void TestCompletion::the_program_takes_each_name() {
     QFETCH(QString, command);
     const QString option = QTest::currentDataTag();
     const QStringList names = offered({VYBEG_CLI, command, option, ""});
-    QVERIFY(names.size() > 1);
+    VYBEG_MORE(names.size(), 1);
     for (const QString& name : names) {
         QProcess program;
         program.start(VYBEG_CLI, {command, "/nowhere/recording", "-o", folder_.filePath("x.csv"),
                                   option, name.endsWith('=') ? name + "0.01" : name});
         QVERIFY(program.waitForFinished());
         // The recording is what is missing: wrong usage would be 2.
-        QVERIFY2(program.exitCode() == 3, program.readAllStandardError().constData());
+        VYBEG_EQUAL(program.exitCode(), 3, program.readAllStandardError().constData());
     }
 }
 
@@ -144,5 +148,8 @@ void TestCompletion::files_follow_what_the_option_takes() {
     QCOMPARE(offered({VYBEG_GUI, ""}), all);
 }
 
-QTEST_GUILESS_MAIN(TestCompletion)
+VYBEG_TEST(TestCompletion)
+
+}  // namespace test_completion
+
 #include "test_completion.moc"

@@ -1,12 +1,16 @@
 // `cmake --install` into a folder of its own: the programs run from there, and the tools that look
 // over such files find no fault in what a desktop reads.
 #include "tests/app/cli_run.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/python_script.h"
+#include "tests/test_registry.h"
 
 #include <QDirIterator>
 #include <QMimeDatabase>
 #include <QStandardPaths>
 #include <QtTest>
+
+namespace test_installation {
 
 using namespace vybeg::test;
 
@@ -37,7 +41,7 @@ void TestInstallation::initTestCase() {
     const Outcome outcome = run_program(
         VYBEG_CMAKE, {"--install", VYBEG_BUILD, "--component", "program"}, stage_.path());
     qunsetenv("DESTDIR");
-    QVERIFY2(outcome.status == 0, outcome.err.constData());
+    VYBEG_EQUAL(outcome.status, 0, outcome.err.constData());
 }
 
 void TestInstallation::every_file_has_its_place() {
@@ -81,12 +85,12 @@ void TestInstallation::the_programs_run_from_where_they_are() {
     const QTemporaryDir work;
     Outcome done =
         run_program(cli, {"simulate", "--demo", "--seconds", "2", "-o", "demo.wav"}, work.path());
-    QVERIFY2(done.status == 0, done.err.constData());
+    VYBEG_EQUAL(done.status, 0, done.err.constData());
     done = run_program(cli, {"analyze", "demo.wav", "-o", "track.csv"}, work.path());
-    QVERIFY2(done.status == 0, done.err.constData());
+    VYBEG_EQUAL(done.status, 0, done.err.constData());
     QVERIFY(content(work.filePath("track.csv")).contains("\nt_s,a_A,a_B,"));
     done = run_program(installed("bin/vybeg"), {"demo.wav", "--figure", "figure.pdf"}, work.path());
-    QVERIFY2(done.status == 0, done.err.constData());
+    VYBEG_EQUAL(done.status, 0, done.err.constData());
     QVERIFY(content(work.filePath("figure.pdf")).startsWith("%PDF-"));
 }
 
@@ -100,7 +104,7 @@ void TestInstallation::the_helper_is_found() {
                "    f['rate'] = 33333.0\n");
     const Outcome done =
         run_program(installed("bin/vybeg-cli"), {"info", "decay.h5", "--json"}, work.path());
-    QVERIFY2(done.status == 0, done.err.constData());
+    VYBEG_EQUAL(done.status, 0, done.err.constData());
     QCOMPARE(object(done.out)["frames"].toInt(), 8000);
     QVERIFY(object(done.out)["format"].toString().contains("HDF5"));
 
@@ -154,7 +158,7 @@ void TestInstallation::tools_find_no_fault() {
         QSKIP(qPrintable(tool + " is NOT INSTALLED: " + arguments.last() + " is not checked."));
     }
     const Outcome outcome = run_program(tool, arguments, installed(""));
-    QVERIFY2(outcome.status == 0, (outcome.out + outcome.err).constData());
+    VYBEG_EQUAL(outcome.status, 0, (outcome.out + outcome.err).constData());
     if (tool == "desktop-file-validate") {  // a hint has no status of its own
         QCOMPARE(outcome.out + outcome.err, QByteArray());
     }
@@ -185,7 +189,7 @@ void TestInstallation::names_of_files_have_their_types() {
     qputenv("XDG_DATA_DIRS", installed("share").toUtf8());
     qputenv("XDG_DATA_HOME", stage_.filePath("home").toUtf8());
     const Outcome updated = run_program(tool, {installed("share/mime")}, stage_.path());
-    QVERIFY2(updated.status == 0, updated.err.constData());
+    VYBEG_EQUAL(updated.status, 0, updated.err.constData());
     QCOMPARE(updated.err, QByteArray());
 
     const QMimeDatabase database;
@@ -200,5 +204,8 @@ void TestInstallation::names_of_files_have_their_types() {
     QCOMPARE(type("vybeg-list.csv").name(), QString("text/csv"));
 }
 
-QTEST_GUILESS_MAIN(TestInstallation)
+VYBEG_TEST(TestInstallation)
+
+}  // namespace test_installation
+
 #include "test_installation.moc"

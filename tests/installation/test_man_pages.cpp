@@ -1,10 +1,14 @@
 // The man pages are written at build time from --help; a pattern that no longer fits it would lose
 // options without a word.
+#include "tests/closeness.h"
 #include "tests/installation/help_pages.h"
+#include "tests/test_registry.h"
 
 #include <QFile>
 #include <QStandardPaths>
 #include <QtTest>
+
+namespace test_man_pages {
 
 using namespace vybeg::test;
 
@@ -77,12 +81,12 @@ void TestManPages::options_described_elsewhere_are_described_there() {
             const QString owner = section(text, ".SS " + match.captured(1));
             for (const QString& option : match.captured(2).split(", ")) {
                 const QString entry = "^(?:-\\w, )?" + option + "(?: .*)?\n(.+)$";
-                QVERIFY2(found_in(owner, entry).size() == 1, qPrintable(option));
+                VYBEG_EQUAL(found_in(owner, entry).size(), 1, qPrintable(option));
                 ++shared;
             }
         }
     }
-    QVERIFY(shared > 20);
+    VYBEG_MORE(shared, 20);
 }
 
 void TestManPages::an_option_keeps_its_text() {
@@ -121,5 +125,8 @@ void TestManPages::mandoc_and_groff_find_no_fault() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestManPages)
+VYBEG_TEST(TestManPages)
+
+}  // namespace test_man_pages
+
 #include "test_man_pages.moc"

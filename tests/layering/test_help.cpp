@@ -1,9 +1,13 @@
 #include "core/base/messages.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QDir>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QtTest>
+
+namespace test_help {
 
 using namespace vybeg;
 
@@ -165,7 +169,7 @@ void TestHelp::russianPagesAreInRussian() {
     text.remove(QRegularExpression("<(code|pre|style)>.*?</\\1>|<span class=\"(f|msg)\">.*?</span>",
                                    QRegularExpression::DotMatchesEverythingOption));
     QCOMPARE(captures(withoutTags(text), "\\b([a-z]{2,} [a-z]{2,} [a-z]{2,})\\b"), QStringList{});
-    QVERIFY(captures(text, "([а-я]{3,})").size() > 50);
+    VYBEG_MORE(captures(text, "([а-я]{3,})").size(), 50);
 }
 
 void TestHelp::allNineCorrectionsAreToldInBothLanguages_data() {
@@ -206,7 +210,7 @@ void TestHelp::allNineCorrectionsAreToldInBothLanguages() {
         QVERIFY(withoutTags(cells[1]).startsWith(equation));
         QCOMPARE(withoutTags(cells[2]), printed);
         QCOMPARE(withoutTags(cells[3]), correct);
-        QVERIFY(withoutTags(cells[4]).size() > 10);
+        VYBEG_MORE(withoutTags(cells[4]).size(), 10);
     }
 }
 
@@ -220,7 +224,7 @@ void TestHelp::everyQuotedMessageIsOneOfTheProgram() {
     }
     const QString pattern = "<span class=\"msg\">(.*?)</span>";
     const QStringList quoted = captures(pageText("en/troubleshooting.html"), pattern);
-    QVERIFY(quoted.size() > 15);
+    VYBEG_MORE(quoted.size(), 15);
     QCOMPARE(captures(pageText("ru/troubleshooting.html"), pattern), quoted);
     for (const QString& quote : quoted) {
         // An ellipsis stands for what the message fills in.
@@ -251,5 +255,8 @@ void TestHelp::theOptionsAreThoseOfTheCommandLine() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestHelp)
+VYBEG_TEST(TestHelp)
+
+}  // namespace test_help
+
 #include "test_help.moc"

@@ -1,9 +1,13 @@
+#include "tests/closeness.h"
 #include "tests/layering/class_sizes.h"
 #include "tests/layering/layering.h"
 #include "tests/layering/source_tree.h"
+#include "tests/test_registry.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
+
+namespace test_layering {
 
 using namespace vybeg::test;
 
@@ -91,12 +95,12 @@ void TestLayering::theOrderOfTheFoldersIsReadFromTheBuild() {
     QCOMPARE(core.first(), way.first());
     for (qsizetype i = 1; i < way.size(); ++i) {
         QVERIFY2(core.contains(way[i]), qPrintable(way[i]));
-        QVERIFY2(core.indexOf(way[i - 1]) < core.indexOf(way[i]), qPrintable(way[i]));
+        VYBEG_LESS(core.indexOf(way[i - 1]), core.indexOf(way[i]), qPrintable(way[i]));
     }
     const QStringList ui = foldersInOrder(QDir(VYBEG_ROOT), "ui");
     QCOMPARE(ui.first(), "ui/words");
     QVERIFY(ui.contains("ui/document"));
-    QVERIFY(ui.indexOf("ui/document") < ui.indexOf("ui/plots"));
+    VYBEG_LESS(ui.indexOf("ui/document"), ui.indexOf("ui/plots"));
     QCOMPARE(ui.last(), "ui/window");
 }
 
@@ -304,5 +308,8 @@ void TestLayering::aClassMayHaveFiveHundredLinesOrItsCeiling() {
     QCOMPARE(tree.violations({{a, 599}}), QStringList{a + " has 600 lines, more than 599"});
 }
 
-QTEST_GUILESS_MAIN(TestLayering)
+VYBEG_TEST(TestLayering)
+
+}  // namespace test_layering
+
 #include "test_layering.moc"

@@ -1,9 +1,13 @@
+#include "tests/test_registry.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+
+namespace test_no_qt {
 
 namespace {
 
@@ -84,7 +88,7 @@ private slots:
 
 void TestNoQt::aFileWithoutQtCompilesInCore() {
     const Outcome outcome = compileAsCore(sample(""));
-    QVERIFY2(outcome.status == 0, qPrintable(outcome.messages));
+    VYBEG_EQUAL(outcome.status, 0, qPrintable(outcome.messages));
 }
 
 void TestNoQt::aQtIncludeDoesNotCompileInCore_data() {
@@ -97,11 +101,14 @@ void TestNoQt::aQtIncludeDoesNotCompileInCore_data() {
 void TestNoQt::aQtIncludeDoesNotCompileInCore() {
     QFETCH(QByteArray, header);
     const Outcome outcome = compileAsCore(sample(header));
-    QVERIFY(outcome.status > 0);
+    VYBEG_MORE(outcome.status, 0);
     // For this reason and for no other, such as a header that was not found.
     QVERIFY2(outcome.messages.contains("poisoned"), qPrintable(outcome.messages));
     QVERIFY2(!outcome.messages.contains("No such file"), qPrintable(outcome.messages));
 }
 
-QTEST_GUILESS_MAIN(TestNoQt)
+VYBEG_TEST(TestNoQt)
+
+}  // namespace test_no_qt
+
 #include "test_no_qt.moc"

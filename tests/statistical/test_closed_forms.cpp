@@ -3,12 +3,16 @@
 #include "core/analysis/settings.h"
 #include "core/estimators/wave/estimator.h"
 #include "core/simulation/true_track.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/statistical/track_errors.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <random>
+
+namespace test_closed_forms {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -55,7 +59,7 @@ void count_errors(const Track& track, const Track& truth, Count& count) {
 // signs, from samples: their standard deviations hold what the closed forms leave out. The residual
 // leaves 2n - 5 degrees of freedom, and of values in Student's t a known share lies beyond four
 // deviations.
-class ClosedForms : public QObject {
+class TestClosedForms : public QObject {
     Q_OBJECT
 
 private slots:
@@ -116,8 +120,8 @@ private slots:
                                   .arg(count.unflagged)
                                   .arg(count.windows);
         qInfo("%s", qPrintable(found));
-        QVERIFY2(count.beyond <= most(count.values), qPrintable(found));
-        QVERIFY2(count.flagged_beyond <= most(count.flagged_values), qPrintable(found));
+        VYBEG_AT_MOST(count.beyond, most(count.values), qPrintable(found));
+        VYBEG_AT_MOST(count.flagged_beyond, most(count.flagged_values), qPrintable(found));
     }
 
     void windows_of_whole_half_periods_are_not_flagged() {
@@ -137,13 +141,17 @@ private slots:
             for (const Flags flags : analysis->track.flags()) {
                 leaking += has(flags, Flag::leakage) ? 1 : 0;
             }
-            QVERIFY2(leaking == 0, qPrintable(QString("%1: %2 of %3")
-                                                  .arg(algorithm_name(algorithm).data())
-                                                  .arg(leaking)
-                                                  .arg(analysis->track.rows())));
+            VYBEG_EQUAL(leaking, 0,
+                        qPrintable(QString("%1: %2 of %3")
+                                       .arg(algorithm_name(algorithm).data())
+                                       .arg(leaking)
+                                       .arg(analysis->track.rows())));
         }
     }
 };
 
-QTEST_GUILESS_MAIN(ClosedForms)
+VYBEG_TEST(TestClosedForms)
+
+}  // namespace test_closed_forms
+
 #include "test_closed_forms.moc"

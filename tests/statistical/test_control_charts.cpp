@@ -1,4 +1,6 @@
 #include "core/numerics/control_chart.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -6,6 +8,8 @@
 #include <cmath>
 #include <random>
 #include <vector>
+
+namespace test_control_charts {
 
 using namespace vybeg;
 
@@ -63,21 +67,21 @@ double share_found(std::uint64_t seed, int count, double step) {
 
 }  // namespace
 
-class ControlCharts : public QObject {
+class TestControlCharts : public QObject {
     Q_OBJECT
 
 private slots:
     void a_step_of_one_and_a_half_deviations_is_found_within_ten_results() {
         const double found = share_found(1, 200, 1.5);
         qInfo("found in %.1f %% of 200 series", 100 * found);
-        QVERIFY2(found >= 0.9, qPrintable(QString::number(found)));
+        VYBEG_AT_LEAST(found, 0.9);
     }
 
     // The share above is known to 2 % only; this one to 0.5 %.
     void over_many_series_too() {
         const double found = share_found(2, 3000, 1.5);
         qInfo("found in %.1f %% of 3000 series", 100 * found);
-        QVERIFY2(found >= 0.905, qPrintable(QString::number(found)));
+        VYBEG_AT_LEAST(found, 0.905);
     }
 
     // 200 series of 2000 results after their baseline. Baselines differ in their rate by about its
@@ -95,10 +99,13 @@ private slots:
         }
         const double points_per_alarm = 200.0 * length / alarms;
         qInfo("one false alarm in %.0f results", points_per_alarm);
-        QVERIFY2(points_per_alarm > 370, qPrintable(QString::number(points_per_alarm)));
-        QVERIFY2(points_per_alarm < 600, qPrintable(QString::number(points_per_alarm)));
+        VYBEG_MORE(points_per_alarm, 370);
+        VYBEG_LESS(points_per_alarm, 600);
     }
 };
 
-QTEST_GUILESS_MAIN(ControlCharts)
+VYBEG_TEST(TestControlCharts)
+
+}  // namespace test_control_charts
+
 #include "test_control_charts.moc"

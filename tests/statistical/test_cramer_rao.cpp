@@ -6,10 +6,13 @@
 #include "core/track/track.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
+
+namespace test_cramer_rao {
 
 using namespace vybeg;
 
@@ -56,7 +59,7 @@ std::array<double, 5> exact_bound(const FreeDecay& wave, std::int64_t window) {
 // it: 1.6 % for 2000, 0.8 % for 8000; the bias of a mean is known to 2.2 % of the sd for 2000.
 // The amplitudes' bias is that of any modulus in noise, s^2/2|u| for each of u+ and u-: it grows
 // towards circular waves, and reaches 0.12 sd at n = 6, 20 dB, a_B = -0.5.
-class CramerRao : public QObject {
+class TestCramerRao : public QObject {
     Q_OBJECT
 
 private slots:
@@ -64,7 +67,7 @@ private slots:
     void maximumLikelihoodReachesTheBound();
 };
 
-void CramerRao::maximumLikelihoodReachesTheBound_data() {
+void TestCramerRao::maximumLikelihoodReachesTheBound_data() {
     QTest::addColumn<int>("window");
     QTest::addColumn<double>("decibels");
     QTest::addColumn<double>("carrier");
@@ -88,7 +91,7 @@ void CramerRao::maximumLikelihoodReachesTheBound_data() {
     }
 }
 
-void CramerRao::maximumLikelihoodReachesTheBound() {
+void TestCramerRao::maximumLikelihoodReachesTheBound() {
     QFETCH(int, window);
     QFETCH(double, decibels);
     QFETCH(double, carrier);
@@ -139,7 +142,7 @@ void CramerRao::maximumLikelihoodReachesTheBound() {
             squares += error * error;
             reported += sds[k] * sds[k];
         }
-        QVERIFY(count >= 0.999 * static_cast<double>(windows));
+        VYBEG_AT_LEAST(count, 0.999 * static_cast<double>(windows));
         const double bias = sum / count;
         const double sd = std::sqrt(squares / count - bias * bias);
         const QString where = QString("%1: sd/bound %2, bias/sd %3, chi2 %4")
@@ -154,5 +157,8 @@ void CramerRao::maximumLikelihoodReachesTheBound() {
     }
 }
 
-QTEST_GUILESS_MAIN(CramerRao)
+VYBEG_TEST(TestCramerRao)
+
+}  // namespace test_cramer_rao
+
 #include "test_cramer_rao.moc"

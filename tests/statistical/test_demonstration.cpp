@@ -7,16 +7,19 @@
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
 
+namespace test_demonstration {
+
 using namespace vybeg;
 
 // The article's case: 28 s at 33333 Hz, windows of 6 samples, 155,554 of them, against the
 // simulator's truth.
-class Demonstration : public QObject {
+class TestDemonstration : public QObject {
     Q_OBJECT
 
 private slots:
@@ -30,20 +33,20 @@ private:
     Track truth_;
 };
 
-void Demonstration::initTestCase() {
+void TestDemonstration::initTestCase() {
     recording_ = test::simulated_recording(demo_decay());
     Result<Track> truth = true_track(demo_decay(), 6);
     QVERIFY(truth);
     truth_ = std::move(*truth);
 }
 
-void Demonstration::everyWindowAgreesWithTheTruth_data() {
+void TestDemonstration::everyWindowAgreesWithTheTruth_data() {
     QTest::addColumn<Algorithm>("algorithm");
     QTest::addRow("conjugate gradient") << Algorithm::conjugate_gradient;
     QTest::addRow("maximum likelihood") << Algorithm::maximum_likelihood;
 }
 
-void Demonstration::everyWindowAgreesWithTheTruth() {
+void TestDemonstration::everyWindowAgreesWithTheTruth() {
     QFETCH(Algorithm, algorithm);
     Settings settings;
     settings.algorithm = algorithm;
@@ -89,10 +92,10 @@ void Demonstration::everyWindowAgreesWithTheTruth() {
                                   .arg(farthest);
         VYBEG_CLOSE(scatter, 1, 0.05, qPrintable(where));
     }
-    QVERIFY2(flagged < track.rows() / 1000, qPrintable(QString::number(flagged)));
+    VYBEG_LESS(flagged, track.rows() / 1000);
 }
 
-void Demonstration::theWaveSwingsAndTurnsThroughAnAxis() {
+void TestDemonstration::theWaveSwingsAndTurnsThroughAnAxis() {
     Settings settings;
     settings.window = 60;
     const Result<Analysis> analysis = analyse(recording_, settings, {});
@@ -103,7 +106,7 @@ void Demonstration::theWaveSwingsAndTurnsThroughAnAxis() {
     for (std::size_t k = 0; k < a_A.size(); ++k) {
         largest = test::largest_of({largest, std::abs(a_B[k]) / a_A[k]});
     }
-    QVERIFY2(largest > 0.2, qPrintable(QString::number(largest)));
+    VYBEG_MORE(largest, 0.2);
 
     const std::vector<Event> found = find_events(analysis->track);
     const Result<Track> truth = true_track(demo_decay(), 60);
@@ -120,5 +123,8 @@ void Demonstration::theWaveSwingsAndTurnsThroughAnAxis() {
     }
 }
 
-QTEST_GUILESS_MAIN(Demonstration)
+VYBEG_TEST(TestDemonstration)
+
+}  // namespace test_demonstration
+
 #include "test_demonstration.moc"

@@ -1,15 +1,19 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
+
+namespace test_descent_convergence {
 
 using namespace vybeg;
 
 // The model: a still wave at 40 dB, every quadrant, both signs of a_B; conjugate gradient from the
 // in-phase start values against maximum likelihood on the same windows.
-class DescentConvergence : public QObject {
+class TestDescentConvergence : public QObject {
     Q_OBJECT
 
 private slots:
@@ -19,7 +23,7 @@ private slots:
     void typedStartFarAwayIsFlaggedWhereItDoesNotArrive();
 };
 
-void DescentConvergence::inPhaseStartLeadsToTheSameMinimumAsMaximumLikelihood_data() {
+void TestDescentConvergence::inPhaseStartLeadsToTheSameMinimumAsMaximumLikelihood_data() {
     QTest::addColumn<int>("window");
     for (const int n : {6, 7, 22, 60, 600}) {
         QTest::addRow("n = %d", n) << n;
@@ -69,7 +73,7 @@ FreeDecay still_wave(double a_B, double angle, int window, std::int64_t windows)
 
 }  // namespace
 
-void DescentConvergence::inPhaseStartLeadsToTheSameMinimumAsMaximumLikelihood() {
+void TestDescentConvergence::inPhaseStartLeadsToTheSameMinimumAsMaximumLikelihood() {
     QFETCH(int, window);
     Outcome total;
     for (const double a_B : {-0.8, -0.4, -0.05, 0.0, 0.3, 0.7}) {
@@ -89,35 +93,38 @@ void DescentConvergence::inPhaseStartLeadsToTheSameMinimumAsMaximumLikelihood() 
                               .arg(total.converged)
                               .arg(total.elsewhere);
     qInfo("%s", qPrintable(where));
-    QVERIFY2(static_cast<double>(total.converged) >= 0.999 * static_cast<double>(total.windows),
-             qPrintable(where));
-    QVERIFY2(total.elsewhere == 0, qPrintable(where));
+    VYBEG_AT_LEAST(static_cast<double>(total.converged), 0.999 * static_cast<double>(total.windows),
+                   qPrintable(where));
+    VYBEG_EQUAL(total.elsewhere, 0, qPrintable(where));
 }
 
-void DescentConvergence::startFromPreviousWindowLeadsThereToo() {
+void TestDescentConvergence::startFromPreviousWindowLeadsThereToo() {
     Settings settings;
     settings.window = 22;
     settings.start = StartRule::previous;
     const Outcome outcome =
         compare(test::simulated_recording(still_wave(0.3, 1.2, 22, 3000)), settings);
     QCOMPARE(outcome.elsewhere, 0);
-    QVERIFY(outcome.converged >= 2997);
+    VYBEG_AT_LEAST(outcome.converged, 2997);
 }
 
-void DescentConvergence::typedStartFarAwayIsFlaggedWhereItDoesNotArrive() {
+void TestDescentConvergence::typedStartFarAwayIsFlaggedWhereItDoesNotArrive() {
     Settings settings;
     settings.window = 60;
     for (const double off_hz : {0.0, 100.0, 400.0, 2000.0}) {
         settings.initial = StartValues{{0.2, -0.1, 2.0, -3.0}, 5300 + off_hz};
         const Outcome outcome =
             compare(test::simulated_recording(still_wave(0.3, 1.2, 60, 500)), settings);
-        QVERIFY2(outcome.elsewhere == 0,
-                 qPrintable(QString("%1 Hz off: %2 of %3 converged elsewhere")
-                                .arg(off_hz)
-                                .arg(outcome.elsewhere)
-                                .arg(outcome.converged)));
+        VYBEG_EQUAL(outcome.elsewhere, 0,
+                    qPrintable(QString("%1 Hz off: %2 of %3 converged elsewhere")
+                                   .arg(off_hz)
+                                   .arg(outcome.elsewhere)
+                                   .arg(outcome.converged)));
     }
 }
 
-QTEST_GUILESS_MAIN(DescentConvergence)
+VYBEG_TEST(TestDescentConvergence)
+
+}  // namespace test_descent_convergence
+
 #include "test_descent_convergence.moc"

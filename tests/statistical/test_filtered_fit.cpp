@@ -8,6 +8,7 @@
 #include "tests/closeness.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -18,11 +19,13 @@
 #include <numbers>
 #include <string>
 
+namespace test_filtered_fit {
+
 using namespace vybeg;
 using namespace vybeg::test;
 using std::numbers::pi;
 
-class FilteredFit : public QObject {
+class TestFilteredFit : public QObject {
     Q_OBJECT
 
 private slots:
@@ -96,14 +99,18 @@ private slots:
                                      .arg(rms)
                                      .arg(ratios[ratios.size() / 2]);
             qInfo("%s", qPrintable(text));
-            QVERIFY2(rms > 0.55 && rms < 1.5, qPrintable(text));
+            VYBEG_MORE(rms, 0.55, qPrintable(text));
+            VYBEG_LESS(rms, 1.5, qPrintable(text));
             VYBEG_CLOSE(ratios[ratios.size() / 2], 1, 0.1, qPrintable(text));
             all += squares[name] / static_cast<double>(widening.size());
         }
-        QVERIFY2(std::sqrt(all) > 0.8 && std::sqrt(all) < 1.2,
-                 qPrintable(QString::number(std::sqrt(all))));
+        VYBEG_MORE(std::sqrt(all), 0.8);
+        VYBEG_LESS(std::sqrt(all), 1.2);
     }
 };
 
-QTEST_GUILESS_MAIN(FilteredFit)
+VYBEG_TEST(TestFilteredFit)
+
+}  // namespace test_filtered_fit
+
 #include "test_filtered_fit.moc"

@@ -6,10 +6,13 @@
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/statistical/track_errors.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
+
+namespace test_filtered_windows {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -17,7 +20,7 @@ using namespace vybeg::test;
 // A still wave in white noise behind a band-pass, against the simulator's truth, from samples.
 // Where the band is B wide, about 2 B T values of a recording of T seconds are independent: 2000
 // for 50 Hz and 20 s, and a deviation over them is known to 1.6 %.
-class FilteredWindows : public QObject {
+class TestFilteredWindows : public QObject {
     Q_OBJECT
 
 private slots:
@@ -74,7 +77,7 @@ private slots:
                 }
             }
         }
-        QVERIFY2(count > 0.9 * 60 * 33333 / n, qPrintable(QString::number(count)));
+        VYBEG_MORE(count, 0.9 * 60 * 33333 / n);
         QString found;
         for (std::size_t v = 0; v < variables_with_sd.size(); ++v) {
             found += QString("%1: error/sd %2, mean/sd %3  ")
@@ -117,7 +120,7 @@ private slots:
                 }
                 // Windows of 19 ms behind 50 Hz are all but independent.
                 const double pull = sum / std::sqrt(variance);
-                QVERIFY2(count > 100, qPrintable(QString::number(count)));
+                VYBEG_MORE(count, 100);
                 VYBEG_CLOSE(pull, 0, 5);
             }
         }
@@ -163,5 +166,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FilteredWindows)
+VYBEG_TEST(TestFilteredWindows)
+
+}  // namespace test_filtered_windows
+
 #include "test_filtered_windows.moc"

@@ -7,8 +7,11 @@
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/statistical/track_errors.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
+
+namespace test_mean_frequency {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -22,7 +25,7 @@ TrackSummary summary_of(const Analysis& analysis) {
 
 }  // namespace
 
-class MeanFrequency : public QObject {
+class TestMeanFrequency : public QObject {
     Q_OBJECT
 
 private slots:
@@ -60,12 +63,12 @@ private slots:
                                           .arg(low, 0, 'f', 6)
                                           .arg(high, 0, 'f', 6);
                 qInfo("%s", qPrintable(found));
-                QVERIFY2(off < 4 * summary.sd_mean_f_hz, qPrintable(found));
+                VYBEG_LESS(off, 4 * summary.sd_mean_f_hz, qPrintable(found));
                 // Leakage is a share of the main lobe; without it the noise is what is left.
                 const bool closed = algorithm != Algorithm::conjugate_gradient &&
                                     algorithm != Algorithm::maximum_likelihood;
-                QVERIFY2(summary.sd_mean_f_hz < (closed ? 0.02 * decay.rate_hz / n : 0.02),
-                         qPrintable(found));
+                VYBEG_LESS(summary.sd_mean_f_hz, (closed ? 0.02 * decay.rate_hz / n : 0.02),
+                           qPrintable(found));
             }
         }
     }
@@ -116,8 +119,8 @@ private slots:
         qInfo("rms pull %g", rms);
         // Behind a band-pass the errors of windows shorter than the inverse of its width cancel
         // each other from window to window, which the deviation does not count on.
-        QVERIFY2(rms > (filter ? 0.02 : 0.75) && rms < 1.25,
-                 qPrintable(QString("rms pull %1").arg(rms)));
+        VYBEG_MORE(rms, filter ? 0.02 : 0.75);
+        VYBEG_LESS(rms, 1.25);
     }
 
     // A carrier that is told 400 Hz off: windows of 60 samples search within 555 Hz of it, and many
@@ -164,5 +167,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(MeanFrequency)
+VYBEG_TEST(TestMeanFrequency)
+
+}  // namespace test_mean_frequency
+
 #include "test_mean_frequency.moc"

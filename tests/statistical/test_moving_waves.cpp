@@ -3,13 +3,17 @@
 #include "core/analysis/settings.h"
 #include "core/simulation/true_track.h"
 #include "core/track/events.h"
+#include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/statistical/track_errors.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
+
+namespace test_moving_waves {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -32,7 +36,7 @@ std::vector<double> true_crossings(const Track& truth) {
 }  // namespace
 
 // Waves that move inside their windows, or far from one window to the next, from samples.
-class MovingWaves : public QObject {
+class TestMovingWaves : public QObject {
     Q_OBJECT
 
 private slots:
@@ -112,10 +116,11 @@ private slots:
                                   .arg(windows);
         qInfo("%s", qPrintable(found));
         const double expected = values * student_beyond(4, 2 * n - 5);
-        QVERIFY2(beyond <= expected + 5 * std::sqrt(expected) + 2 && worst < 8, qPrintable(found));
+        VYBEG_AT_MOST(beyond, expected + 5 * std::sqrt(expected) + 2, qPrintable(found));
+        VYBEG_LESS(worst, 8, qPrintable(found));
         // What does not move is not flagged.
         if (split <= 0.05) {
-            QVERIFY2(unflagged > 0.99 * windows, qPrintable(found));
+            VYBEG_MORE(unflagged, 0.99 * windows, qPrintable(found));
         }
     }
 
@@ -164,19 +169,22 @@ private slots:
             const double nearest = std::ranges::min(
                 expected, {}, [&event](double t) { return std::abs(t - event.time_s); });
             const double off = std::abs(nearest - event.time_s) * wave.rate_hz;
-            QVERIFY2(
-                off <= hop,
+            VYBEG_AT_MOST(
+                off, hop,
                 qPrintable(
                     QString("a crossing at %1 s, off by %2 samples").arg(event.time_s).arg(off)));
         }
         // No more than there are, and all of them where windows follow the wave.
         const auto all = static_cast<int>(expected.size());
-        QVERIFY2(told <= all, qPrintable(QString("%1 told, %2 made").arg(told).arg(all)));
+        VYBEG_AT_MOST(told, all);
         if (split == 0 && n == 60 && hop == n) {
             QCOMPARE(told, all);
         }
     }
 };
 
-QTEST_GUILESS_MAIN(MovingWaves)
+VYBEG_TEST(TestMovingWaves)
+
+}  // namespace test_moving_waves
+
 #include "test_moving_waves.moc"

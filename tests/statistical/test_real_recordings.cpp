@@ -5,14 +5,17 @@
 #include "core/recording/samples/recording.h"
 #include "core/track/track.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
+
+namespace test_real_recordings {
 
 using namespace vybeg;
 
 // Two bell strikes (METHOD section 9). Their channels are no calibrated cos/sin pair, so that
 // angles say nothing; frequencies and decay times can be held against the pairs measured there.
-class RealRecordings : public QObject {
+class TestRealRecordings : public QObject {
     Q_OBJECT
 
 private slots:
@@ -20,7 +23,7 @@ private slots:
     void trackLiesBetweenTheModesAndDecaysWithThem();
 };
 
-void RealRecordings::trackLiesBetweenTheModesAndDecaysWithThem_data() {
+void TestRealRecordings::trackLiesBetweenTheModesAndDecaysWithThem_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<double>("lower_hz");
     QTest::addColumn<double>("upper_hz");
@@ -29,7 +32,7 @@ void RealRecordings::trackLiesBetweenTheModesAndDecaysWithThem_data() {
     QTest::addRow("perc bell") << "perc-bell.flac" << 3615.355 << 3620.967 << 0.83;
 }
 
-void RealRecordings::trackLiesBetweenTheModesAndDecaysWithThem() {
+void TestRealRecordings::trackLiesBetweenTheModesAndDecaysWithThem() {
     QFETCH(QString, name);
     QFETCH(double, lower_hz);
     QFETCH(double, upper_hz);
@@ -46,7 +49,8 @@ void RealRecordings::trackLiesBetweenTheModesAndDecaysWithThem() {
     settings.periods = 10;
     const Result<Analysis> analysis = analyse(*recording, settings, {});
     QVERIFY(analysis);
-    QVERIFY(analysis->f0_hz() > lower_hz - 0.5 && analysis->f0_hz() < upper_hz + 0.5);
+    VYBEG_MORE(analysis->f0_hz(), lower_hz - 0.5);
+    VYBEG_LESS(analysis->f0_hz(), upper_hz + 0.5);
 
     // From half a second after the strike, over whole beats of the pair, until the sound has sunk
     // by 30 dB.
@@ -86,7 +90,7 @@ void RealRecordings::trackLiesBetweenTheModesAndDecaysWithThem() {
         mean_log += std::log(power);
         count += 1;
     }
-    QVERIFY(count > 100);
+    VYBEG_MORE(count, 100);
     mean_t /= count;
     mean_log /= count;
     double slope = 0;
@@ -101,9 +105,13 @@ void RealRecordings::trackLiesBetweenTheModesAndDecaysWithThem() {
     mean_f /= weight;
     const QString where = QString("f %1 Hz, tau %2 s").arg(mean_f).arg(found_tau_s);
     qInfo("%s", qPrintable(where));
-    QVERIFY2(mean_f > lower_hz && mean_f < upper_hz, qPrintable(where));
+    VYBEG_MORE(mean_f, lower_hz, qPrintable(where));
+    VYBEG_LESS(mean_f, upper_hz, qPrintable(where));
     VYBEG_CLOSE_RATIO(found_tau_s, tau_s, 0.1, qPrintable(where));
 }
 
-QTEST_GUILESS_MAIN(RealRecordings)
+VYBEG_TEST(TestRealRecordings)
+
+}  // namespace test_real_recordings
+
 #include "test_real_recordings.moc"

@@ -4,12 +4,15 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/recording.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
+namespace test_real_resonators {
+
 using namespace vybeg;
 
-class RealResonators : public QObject {
+class TestRealResonators : public QObject {
     Q_OBJECT
 
 private slots:
@@ -70,5 +73,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RealResonators)
+VYBEG_TEST(TestRealResonators)
+
+}  // namespace test_real_resonators
+
 #include "test_real_resonators.moc"

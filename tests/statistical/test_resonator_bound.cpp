@@ -8,6 +8,7 @@
 #include "tests/closeness.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/random_sets.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -17,6 +18,8 @@
 #include <map>
 #include <mutex>
 #include <string>
+
+namespace test_resonator_bound {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -219,11 +222,14 @@ private slots:
                                      .arg(quantile(0.05))
                                      .arg(quantile(0.95));
             qInfo("%s", qPrintable(text));
-            QVERIFY2(all.size() > sets / 3, qPrintable(text));
+            VYBEG_MORE(all.size(), sets / 3, qPrintable(text));
             VYBEG_CLOSE(quantile(0.5), 1, 0.05, qPrintable(text));
         }
     }
 };
 
-QTEST_GUILESS_MAIN(TestResonatorBound)
+VYBEG_TEST(TestResonatorBound)
+
+}  // namespace test_resonator_bound
+
 #include "test_resonator_bound.moc"

@@ -5,7 +5,11 @@
 // changed by chance in 0.27 % of all cases: of a hundred, none is expected, and two or more have a
 // chance of 3 %.
 #include "core/resonator/results/passport.h"
+#include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
+
+namespace test_resonator_compare {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -81,8 +85,8 @@ private slots:
             which += found;
             comparable += has_comparable(differences, compared.toStdString()) ? 1 : 0;
         }
-        QVERIFY2(changed == 0, qPrintable(which));
-        QVERIFY2(comparable >= 95, qPrintable(QString::number(comparable)));
+        VYBEG_EQUAL(changed, 0, qPrintable(which));
+        VYBEG_AT_LEAST(comparable, 95);
     }
 
     void a_resonator_that_has_changed_is_seen() {
@@ -124,5 +128,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestResonatorCompare)
+VYBEG_TEST(TestResonatorCompare)
+
+}  // namespace test_resonator_compare
+
 #include "test_resonator_compare.moc"

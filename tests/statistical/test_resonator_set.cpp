@@ -4,9 +4,12 @@
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/resonator_bound.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <numbers>
 #include <random>
+
+namespace test_resonator_set {
 
 using namespace vybeg;
 using std::numbers::pi;
@@ -128,12 +131,15 @@ void TestResonatorSet::fourRunsShowASplitOfAMicrohertz() {
         "mean %.4g Hz, scatter %.3g Hz, bound %.3g Hz, reported %.3g Hz, axis %d of %d, chi2 %.4f",
         sum, scatter, least, reported, axis_right, seeds, chi2);
     VYBEG_WITHIN(sum, 1e-6, 3 * scatter / std::sqrt(1.0 * seeds));
-    QVERIFY(scatter <= 1.2 * least);
-    QVERIFY(scatter <= 6e-8);
+    VYBEG_AT_MOST(scatter, 1.2 * least);
+    VYBEG_AT_MOST(scatter, 6e-8);
     VYBEG_WITHIN(reported / scatter, 1, 0.15);
-    QVERIFY(axis_right >= 98);
+    VYBEG_AT_LEAST(axis_right, 98);
     VYBEG_CLOSE(chi2, 1, 0.01);
 }
 
-QTEST_GUILESS_MAIN(TestResonatorSet)
+VYBEG_TEST(TestResonatorSet)
+
+}  // namespace test_resonator_set
+
 #include "test_resonator_set.moc"

@@ -4,8 +4,10 @@
 // Statistical model: each number that is given lies within its combined uncertainty of the truth as
 // a normal deviate does. Over some hundred sets the root mean square of the pulls is 0.85 to 1.1,
 // and none of the some thousand lies beyond 4.6.
+#include "tests/closeness.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/random_sets.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -13,6 +15,8 @@
 #include <map>
 #include <mutex>
 #include <string>
+
+namespace test_resonator_trial {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -145,22 +149,23 @@ private slots:
         for (const auto& [name, pulls] : tally) {
             qInfo("%-9s %s", name.c_str(), qPrintable(pulls.text()));
         }
-        QVERIFY2(free <= 2, qPrintable(QString::number(free)));
-        QVERIFY2(coloured <= sets / 20, qPrintable(QString::number(coloured)));
+        VYBEG_AT_MOST(free, 2);
+        VYBEG_AT_MOST(coloured, sets / 20);
         for (const auto& [name, pulls] : tally) {
             const QString text = QString("%1: %2").arg(name.c_str(), pulls.text());
             // The gain ratio, and what rests on it, is drawn uniformly inside its prior's width.
             const bool of_kappa = name == "kappa" || name == "a_A" || name == "2theta";
-            QVERIFY2(pulls.rms() < 1.1 && pulls.rms() > (of_kappa ? 0.75 : 0.85), qPrintable(text));
-            QVERIFY2(pulls.worst < 4.6, qPrintable(text));
+            VYBEG_LESS(pulls.rms(), 1.1, qPrintable(text));
+            VYBEG_MORE(pulls.rms(), (of_kappa ? 0.75 : 0.85), qPrintable(text));
+            VYBEG_LESS(pulls.worst, 4.6, qPrintable(text));
         }
         // Refusals of one 400 in FIT section 7, with the scatter of other seeds.
         const std::map<std::string, int> most_refused{
             {"split", 90}, {"theta_w", 95}, {"g", 135},   {"theta_tau", 150},
             {"rate", 95},  {"decay", 30},   {"f_mean", 8}};
         for (const auto& [name, most] : most_refused) {
-            QVERIFY2(tally[name].refused <= most,
-                     qPrintable(QString("%1: %2").arg(name.c_str(), tally[name].text())));
+            VYBEG_AT_MOST(tally[name].refused, most,
+                          qPrintable(QString("%1: %2").arg(name.c_str(), tally[name].text())));
         }
     }
 
@@ -189,7 +194,8 @@ private slots:
              {std::pair{"split", 151}, {"g", 161}, {"rate", 173}, {"decay", 180}}) {
             const QString text = QString("%1: %2").arg(name, tally[name].text());
             qInfo("%s", qPrintable(text));
-            QVERIFY2(tally[name].given >= least && tally[name].worst < 4.6, qPrintable(text));
+            VYBEG_AT_LEAST(tally[name].given, least, qPrintable(text));
+            VYBEG_LESS(tally[name].worst, 4.6, qPrintable(text));
         }
     }
 
@@ -223,12 +229,12 @@ private slots:
             if (name != "a_A" && name != "2theta" && name != "kappa") {
                 all.given += pulls.given;
                 all.within += pulls.within;
-                QVERIFY2(pulls.worst < 5, qPrintable(QString(name.c_str()) + ": " + pulls.text()));
+                VYBEG_LESS(pulls.worst, 5, qPrintable(QString(name.c_str()) + ": " + pulls.text()));
             }
         }
-        QVERIFY2(free <= 8, qPrintable(QString::number(free)));
-        QVERIFY2(all.share() > 0.93 && all.share() < 0.97,
-                 qPrintable(QString::number(all.share())));
+        VYBEG_AT_MOST(free, 8);
+        VYBEG_MORE(all.share(), 0.93);
+        VYBEG_LESS(all.share(), 0.97);
     }
 
     // TRUTH row 5: two microphones hear some mixtures of two modes.
@@ -275,7 +281,8 @@ private slots:
             }
         });
         QCOMPARE(claims, 0);
-        QVERIFY2(beat.given == mixtures && beat.worst < 4.6, qPrintable(beat.text()));
+        QVERIFY2(beat.given == mixtures, qPrintable(beat.text()));
+        VYBEG_LESS(beat.worst, 4.6, qPrintable(beat.text()));
     }
 
     // TRUTH row 6: a second phasor in each channel that wanders with a width.
@@ -351,11 +358,15 @@ private slots:
                 all.add(fit->runs[static_cast<std::size_t>(k)].a_B, 0);
             }
         });
-        QVERIFY2(free == 0, qPrintable(QString::number(free)));
-        QVERIFY2(all.given > 6 * seeds, qPrintable(all.text()));
-        QVERIFY2(all.rms() > 0.7 && all.rms() < 1.5, qPrintable(all.text()));
+        VYBEG_EQUAL(free, 0);
+        VYBEG_MORE(all.given, 6 * seeds, qPrintable(all.text()));
+        VYBEG_MORE(all.rms(), 0.7, qPrintable(all.text()));
+        VYBEG_LESS(all.rms(), 1.5, qPrintable(all.text()));
     }
 };
 
-QTEST_GUILESS_MAIN(TestResonatorTrial)
+VYBEG_TEST(TestResonatorTrial)
+
+}  // namespace test_resonator_trial
+
 #include "test_resonator_trial.moc"

@@ -5,6 +5,7 @@
 #include "core/analysis/identify.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -15,6 +16,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace test_rows_from_samples {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -89,7 +92,7 @@ std::vector<Number> numbers_of(const Case& one, const Identification& found) {
 
 }  // namespace
 
-class RowsFromSamples : public QObject {
+class TestRowsFromSamples : public QObject {
     Q_OBJECT
 
 private slots:
@@ -98,7 +101,7 @@ private slots:
     void two_microphones_are_no_resonator();
 };
 
-void RowsFromSamples::every_given_number_is_right_data() {
+void TestRowsFromSamples::every_given_number_is_right_data() {
     QTest::addColumn<std::shared_ptr<Case>>("one");
     const auto row = [](const char* name, Case one) {
         QTest::newRow(name) << std::make_shared<Case>(std::move(one));
@@ -206,7 +209,7 @@ void RowsFromSamples::every_given_number_is_right_data() {
     row("19: hardly a decay", one);
 }
 
-void RowsFromSamples::every_given_number_is_right() {
+void TestRowsFromSamples::every_given_number_is_right() {
     QFETCH(std::shared_ptr<Case>, one);
     for (const int seed : {1, 2}) {
         const Identification found = identified(*one, seed);
@@ -239,13 +242,14 @@ void RowsFromSamples::every_given_number_is_right() {
         if (!one->f_mean_is_f0 && found.fit.resonator.f_mean_hz.given()) {
             const double off = found.fit.resonator.f_mean_hz.value - one->truth.f0_hz;
             const double most = std::max(one->truth.settling_hz, one->truth.frequency_per_power_hz);
-            QVERIFY2(off > 0 && off < most, qPrintable(QString::number(off)));
+            VYBEG_MORE(off, 0);
+            VYBEG_LESS(off, most);
         }
     }
 }
 
 // Row 5, from samples: a pair before two microphones, each a mixture of its own.
-void RowsFromSamples::two_microphones_are_no_resonator() {
+void TestRowsFromSamples::two_microphones_are_no_resonator() {
     for (int seed = 1; seed <= 3; ++seed) {
         FreeDecay mixture;
         mixture.seconds = 8;
@@ -267,5 +271,8 @@ void RowsFromSamples::two_microphones_are_no_resonator() {
     }
 }
 
-QTEST_GUILESS_MAIN(RowsFromSamples)
+VYBEG_TEST(TestRowsFromSamples)
+
+}  // namespace test_rows_from_samples
+
 #include "test_rows_from_samples.moc"

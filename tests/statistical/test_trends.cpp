@@ -3,7 +3,9 @@
 #include "core/analysis/settings.h"
 #include "core/track/beat.h"
 #include "core/track/trend.h"
+#include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -11,12 +13,14 @@
 #include <cmath>
 #include <random>
 
+namespace test_trends {
+
 using namespace vybeg;
 using namespace vybeg::test;
 
 // Decay time, drift, drift of the frequency and beat between two cursors, against the simulator,
 // over 200 seeds each: the root mean square pull is known to 5 %, their mean to 7 %.
-class Trends : public QObject {
+class TestTrends : public QObject {
     Q_OBJECT
 
 private slots:
@@ -139,7 +143,7 @@ private slots:
             }
         }
         // Three standard deviations of chi^2 refuse about one beat in a hundred by chance.
-        QVERIFY2(refused <= 12, QByteArray::number(refused));
+        VYBEG_AT_MOST(refused, 12);
         for (std::size_t k = 0; k < count; ++k) {
             check(k, sums[k], squares[k]);
         }
@@ -153,10 +157,14 @@ private:
         const QByteArray text = QByteArray::number(qulonglong(k)) + ": rms pull " +
                                 QByteArray::number(rms) + ", mean " +
                                 QByteArray::number(sum / seeds);
-        QVERIFY2(rms > 0.9 && rms < 1.1, text);
-        QVERIFY2(std::abs(sum / seeds) < 0.25, text);
+        VYBEG_MORE(rms, 0.9, text);
+        VYBEG_LESS(rms, 1.1, text);
+        VYBEG_CLOSE(sum / seeds, 0, 0.25, text);
     }
 };
 
-QTEST_GUILESS_MAIN(Trends)
+VYBEG_TEST(TestTrends)
+
+}  // namespace test_trends
+
 #include "test_trends.moc"

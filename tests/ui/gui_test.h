@@ -1,33 +1,14 @@
 #pragma once
 
+#include "tests/ui/gui_home.h"
 #include "ui/widgets/number_field.h"
 #include "ui/window/main_window.h"
 
-#include <QCoreApplication>
-#include <QDir>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
+#include <QString>
 
 #include <memory>
 
 namespace vybeg::ui {
-
-// A place of its own for the settings and files of a test program: nothing of the user's is read or
-// changed.
-class GuiTestHome {
-public:
-    GuiTestHome();
-
-    QString path(const QString& name) const { return folder_.filePath(name); }
-    // A decay of a_A = 1, a_B = 0.1, 2theta_A = 0.4 at 1000 Hz, sampled at 8000 Hz, with noise
-    // of standard deviation 1e-3; WAV or CSV by the ending.
-    QString recording(const QString& name, double seconds = 2) const;
-    QString file(const QString& name, const QByteArray& content) const;
-
-private:
-    QTemporaryDir folder_;
-};
 
 // The widget of a kind, and of a name if there are several, in a window: it must be there.
 template <class Widget>
@@ -59,6 +40,10 @@ public:
 };
 
 std::unique_ptr<MainWindow> shownWindow();
+
+// Lets what is posted to the window's thread arrive: all that is still to come where no work is
+// under way.
+void deliverPosted();
 
 // All plots of the page of the tracks, in the size they propose, as the window writes them.
 bool exportPlotsTo(MainWindow& window, const QString& path);

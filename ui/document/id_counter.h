@@ -2,7 +2,7 @@
 
 namespace vybeg::ui {
 
-// Recordings, analyses, sets and requests of a document are told apart by numbers from one counter.
+// Gives the recordings, analyses, sets and requests of a document their numbers, each only once.
 class IdCounter {
 public:
     template <class Id = int>

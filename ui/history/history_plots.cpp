@@ -1,5 +1,6 @@
 #include "ui/history/history_plots.h"
 
+#include "ui/history/history_text.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/unit_text.h"
 
@@ -17,10 +18,6 @@ namespace {
 
 // Deviations of the passport's value that its band covers: those of a change of one parameter.
 constexpr double passport_deviations = 3;
-
-QString translated(const char* text) {
-    return QCoreApplication::translate("History", text);
-}
 
 // Points in the order of an axis, with their places on it.
 struct Placed {
@@ -56,18 +53,18 @@ XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_nam
                  const QString& y_unit) {
     XYPlot plot;
     plot.x_is_date = axis == HistoryAxis::date;
-    plot.x_name = axis == HistoryAxis::date ? translated(QT_TRANSLATE_NOOP("History", "Date (UTC)"))
+    plot.x_name = axis == HistoryAxis::date ? historyText(QT_TRANSLATE_NOOP("History", "Date (UTC)"))
                   : axis == HistoryAxis::frequency
-                      ? translated(QT_TRANSLATE_NOOP("History", "Mean frequency f"))
-                      : translated(QT_TRANSLATE_NOOP("History", "Order of the results"));
+                      ? historyText(QT_TRANSLATE_NOOP("History", "Mean frequency f"))
+                      : historyText(QT_TRANSLATE_NOOP("History", "Order of the results"));
     plot.x_unit = axis == HistoryAxis::frequency ? unitText("Hz") : QString();
     plot.y_name = y_name;
     plot.y_unit = y_unit;
     plot.empty =
         axis == HistoryAxis::date && view.axis == HistoryAxis::date
-            ? translated(QT_TRANSLATE_NOOP("History",
+            ? historyText(QT_TRANSLATE_NOOP("History",
                                            "No result with a date has a value of this parameter."))
-            : translated(QT_TRANSLATE_NOOP("History", "No result has a value of this parameter."));
+            : historyText(QT_TRANSLATE_NOOP("History", "No result has a value of this parameter."));
     return plot;
 }
 
@@ -141,7 +138,7 @@ void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
         return;
     }
     XYSeries band;
-    band.name = translated(QT_TRANSLATE_NOOP("History", "passport ± 3 u"));
+    band.name = historyText(QT_TRANSLATE_NOOP("History", "passport ± 3 u"));
     band.ink = Ink::channel_c;
     band.x = acrossAll(x);
     band.y = {factor * view.passport.value, factor * view.passport.value};
@@ -181,20 +178,20 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
         return shown;
     }
     XYSeries values = pointsAt(at, charts.values, factor);
-    values.name = translated(QT_TRANSLATE_NOOP("History", "values ± sd"));
+    values.name = historyText(QT_TRANSLATE_NOOP("History", "values ± sd"));
     for (const std::size_t k : at.points) {
         values.sd.push_back(std::isfinite(charts.sd[k]) ? std::abs(factor) * charts.sd[k] : 0);
     }
     shown.points = std::move(at.points);
     shown.plot.series.push_back(std::move(values));
     const IndividualsChart& limits = charts.individuals;
-    addLevel(shown.plot, translated(QT_TRANSLATE_NOOP("History", "centre")), factor * limits.centre,
+    addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "centre")), factor * limits.centre,
              Ink::muted, false);
-    addLevel(shown.plot, translated(QT_TRANSLATE_NOOP("History", "limits")), factor * limits.low,
+    addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "limits")), factor * limits.low,
              Ink::muted, true);
     addLevel(shown.plot, {}, factor * limits.high, Ink::muted, true);
     if (view.limit) {
-        const QString name = translated(QT_TRANSLATE_NOOP("History", "limits of the gyro"));
+        const QString name = historyText(QT_TRANSLATE_NOOP("History", "limits of the gyro"));
         const auto& [parameter, lower, upper] = *view.limit;
         if (lower) {
             addLevel(shown.plot, name, factor * *lower, Ink::warning, true);
@@ -207,7 +204,7 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
         addPassport(shown.plot, view, factor);
     }
     addMarks(shown, charts.individuals.out, view,
-             translated(QT_TRANSLATE_NOOP("History", "outside")));
+             historyText(QT_TRANSLATE_NOOP("History", "outside")));
     return shown;
 }
 
@@ -217,20 +214,20 @@ HistoryPlot rangesPlot(const StoredHistory& history, const HistoryCharts& charts
     const HistoryAxis axis = sequenceAxis(view.axis);
     HistoryPlot shown{
         emptyPlot(view, axis,
-                  translated(QT_TRANSLATE_NOOP("History", "Change from the one before")),
+                  historyText(QT_TRANSLATE_NOOP("History", "Change from the one before")),
                   parameterUnit(view.parameter, view.units)),
         {}};
-    shown.plot.empty = translated(
+    shown.plot.empty = historyText(
         QT_TRANSLATE_NOOP("History", "A change needs two results of one gyro in their order."));
     Placed at = placed(history, charts.individuals.ranges, axis);
     if (at.points.empty() || !charts.one_gyro) {
         return shown;
     }
     XYSeries ranges = pointsAt(at, charts.individuals.ranges, factor);
-    ranges.name = translated(QT_TRANSLATE_NOOP("History", "moving range"));
+    ranges.name = historyText(QT_TRANSLATE_NOOP("History", "moving range"));
     shown.points = std::move(at.points);
     shown.plot.series.push_back(std::move(ranges));
-    addLevel(shown.plot, translated(QT_TRANSLATE_NOOP("History", "limit")),
+    addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "limit")),
              factor * charts.individuals.range_limit, Ink::muted, true);
     addMarks(shown, charts.individuals.range_is_out, view);
     return shown;
@@ -240,19 +237,19 @@ HistoryPlot averagePlot(const StoredHistory& history, const HistoryCharts& chart
                         const HistoryView& view) {
     const HistoryAxis axis = sequenceAxis(view.axis);
     HistoryPlot shown{
-        emptyPlot(view, axis, translated(QT_TRANSLATE_NOOP("History", "Weighted average (EWMA)")),
-                  translated(QT_TRANSLATE_NOOP("History", "sd"))),
+        emptyPlot(view, axis, historyText(QT_TRANSLATE_NOOP("History", "Weighted average (EWMA)")),
+                  historyText(QT_TRANSLATE_NOOP("History", "sd"))),
         {}};
     Placed at = placed(history, charts.average.average, axis);
     if (at.points.empty() || !charts.one_gyro) {
-        shown.plot.empty = translated(QT_TRANSLATE_NOOP(
+        shown.plot.empty = historyText(QT_TRANSLATE_NOOP(
             "History", "This chart needs ten results of one gyro to set its limits."));
         return shown;
     }
     XYSeries average = pointsAt(at, charts.average.average, 1);
-    average.name = translated(QT_TRANSLATE_NOOP("History", "average"));
+    average.name = historyText(QT_TRANSLATE_NOOP("History", "average"));
     XYSeries limits;
-    limits.name = translated(QT_TRANSLATE_NOOP("History", "limits"));
+    limits.name = historyText(QT_TRANSLATE_NOOP("History", "limits"));
     limits.ink = Ink::muted;
     limits.dashed = true;
     limits.x = at.x;
@@ -272,8 +269,8 @@ XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
     XYPlot plot;
     plot.x_name = parameterTitle(view.parameter);
     plot.x_unit = parameterUnit(view.parameter, view.units);
-    plot.y_name = translated(QT_TRANSLATE_NOOP("History", "Results in each step"));
-    plot.empty = translated(
+    plot.y_name = historyText(QT_TRANSLATE_NOOP("History", "Results in each step"));
+    plot.empty = historyText(
         QT_TRANSLATE_NOOP("History", "A distribution needs two results with different values."));
     const Histogram& found = charts.histogram;
     if (found.counts.empty()) {
@@ -284,7 +281,7 @@ XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
         return factor * (charts.moments.mean + z * charts.moments.sd);
     };
     XYSeries steps;
-    steps.name = translated(QT_TRANSLATE_NOOP("History", "results"));
+    steps.name = historyText(QT_TRANSLATE_NOOP("History", "results"));
     steps.steps = true;
     steps.ink = Ink::channel_c;
     const auto add = [&](double bin, double count) {
@@ -298,7 +295,7 @@ XYPlot distributionPlot(const HistoryCharts& charts, const HistoryView& view) {
     }
     add(static_cast<double>(found.counts.size()), 0);
     XYSeries normal;
-    normal.name = translated(QT_TRANSLATE_NOOP("History", "normal"));
+    normal.name = historyText(QT_TRANSLATE_NOOP("History", "normal"));
     normal.ink = Ink::text;
     normal.dashed = true;
     constexpr int points = 121;

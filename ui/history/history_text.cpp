@@ -16,10 +16,6 @@ namespace {
 
 constexpr qsizetype most_named = 5;
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("History", text);
-}
-
 QString counted(const char* text, std::size_t count) {
     return QCoreApplication::translate("History", text, nullptr, static_cast<int>(count));
 }
@@ -39,14 +35,14 @@ QString outsideText(const HistoryCharts& charts, std::size_t point) {
     QStringList where;
     if (charts.individuals.out[point]) {
         where << (charts.values[point] > charts.individuals.high
-                      ? translated(QT_TRANSLATE_NOOP("History", "above the limit"))
-                      : translated(QT_TRANSLATE_NOOP("History", "below the limit")));
+                      ? historyText(QT_TRANSLATE_NOOP("History", "above the limit"))
+                      : historyText(QT_TRANSLATE_NOOP("History", "below the limit")));
     }
     if (charts.individuals.range_is_out[point]) {
-        where << translated(QT_TRANSLATE_NOOP("History", "a step from the one before"));
+        where << historyText(QT_TRANSLATE_NOOP("History", "a step from the one before"));
     }
     if (charts.average.out[point]) {
-        where << translated(QT_TRANSLATE_NOOP("History", "the average has moved"));
+        where << historyText(QT_TRANSLATE_NOOP("History", "the average has moved"));
     }
     return where.join(QStringLiteral(", "));
 }
@@ -72,13 +68,13 @@ QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
     const std::size_t values = valuesIn(charts);
     const std::size_t used = std::min(values, baseline);
     if (used < 2) {
-        return translated(QT_TRANSLATE_NOOP("History", "Limits need two results of this gyro."));
+        return historyText(QT_TRANSLATE_NOOP("History", "Limits need two results of this gyro."));
     }
     QString text =
         counted(QT_TRANSLATE_N_NOOP("History", "The first %n result(s) set the limits."), used);
     if (used < least_baseline) {
         text += QLatin1Char(' ') +
-                translated(QT_TRANSLATE_NOOP(
+                historyText(QT_TRANSLATE_NOOP(
                     "History", "So few make them unsure, and the average needs ten."));
     }
     return text;
@@ -86,13 +82,17 @@ QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
 
 }  // namespace
 
+QString historyText(const char* text) {
+    return QCoreApplication::translate("History", text);
+}
+
 QString pointText(const StoredHistory& history, const HistoryCharts& charts,
                   const HistoryView& view, std::size_t point) {
     const HistoryPoint& at = history.points[point];
     const double factor = parameterFactor(view.parameter, view.units);
     const QString unit = parameterUnit(view.parameter, view.units);
     const auto numbered = [](const char* text, double value, int digits) {
-        return QStringLiteral("; ") + translated(text).arg(QLocale().toString(value, 'g', digits));
+        return QStringLiteral("; ") + historyText(text).arg(QLocale().toString(value, 'g', digits));
     };
     QString text = QStringLiteral("%1: %2").arg(
         nameOf(at),
@@ -123,7 +123,7 @@ QString verdictText(const StoredHistory& history, const HistoryCharts& charts,
     if (!charts.one_gyro) {
         return counted(QT_TRANSLATE_N_NOOP("History", "%n result(s) of all gyros."), values) +
                QLatin1Char(' ') +
-               translated(QT_TRANSLATE_NOOP(
+               historyText(QT_TRANSLATE_NOOP(
                    "History", "Limits belong to one gyro: choose one for its control charts.")) +
                withoutDate(history, view);
     }

@@ -76,7 +76,7 @@ AnalysisList::AnalysisList(Document& document, QWidget* parent)
     });
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
         if (column == name) {
-            const auto id = static_cast<AnalysisId>(item->data(name, Qt::UserRole).toInt());
+            const AnalysisId id = analysisOf(*item);
             const bool visible = item->checkState(name) == Qt::Checked;
             const QString text = item->text(name);
             // Queued, because the response of the document rebuilds this list and deletes the item.
@@ -93,14 +93,7 @@ AnalysisList::AnalysisList(Document& document, QWidget* parent)
             [this] { emit currentAnalysisChanged(currentAnalysis()); });
     connect(&document_, &Document::analysesChanged, this, &AnalysisList::rebuild);
     connect(&document_, &Document::liveChanged, this, &AnalysisList::rebuild);
-    connect(&document_, &Document::analysisAdded, this, [this](AnalysisId id) {
-        for (int row = 0; row < topLevelItemCount(); ++row) {
-            if (static_cast<AnalysisId>(topLevelItem(row)->data(name, Qt::UserRole).toInt()) ==
-                id) {
-                setCurrentItem(topLevelItem(row));
-            }
-        }
-    });
+    connect(&document_, &Document::analysisAdded, this, &AnalysisList::setCurrentAnalysis);
     retranslate();
     const int digit = fontMetrics().averageCharWidth();
     const int widths[column_count] = {27, 14, 25, 7, 23, 25, 12, 10, 40};
@@ -111,15 +104,18 @@ AnalysisList::AnalysisList(Document& document, QWidget* parent)
 
 void AnalysisList::setCurrentAnalysis(AnalysisId id) {
     for (int row = 0; row < topLevelItemCount(); ++row) {
-        if (static_cast<AnalysisId>(topLevelItem(row)->data(name, Qt::UserRole).toInt()) == id) {
+        if (analysisOf(*topLevelItem(row)) == id) {
             setCurrentItem(topLevelItem(row));
         }
     }
 }
 
 AnalysisId AnalysisList::currentAnalysis() const {
-    return currentItem() ? static_cast<AnalysisId>(currentItem()->data(name, Qt::UserRole).toInt())
-                         : AnalysisId::none;
+    return currentItem() ? analysisOf(*currentItem()) : AnalysisId::none;
+}
+
+AnalysisId AnalysisList::analysisOf(const QTreeWidgetItem& item) {
+    return static_cast<AnalysisId>(item.data(name, Qt::UserRole).toInt());
 }
 
 void AnalysisList::fill(QTreeWidgetItem& item, const AnalysisEntry& entry) {

@@ -43,6 +43,7 @@ private:
         column_count
     };
 
+    static AnalysisId analysisOf(const QTreeWidgetItem& item);
     void rebuild();
     void retranslate();
     void fill(QTreeWidgetItem& item, const AnalysisEntry& entry);

@@ -22,7 +22,7 @@ namespace vybeg::ui {
 
 namespace {
 
-constexpr int shown_count = static_cast<int>(shown_slow_variables.size());
+constexpr int cursor_rows = static_cast<int>(shown_slow_variables.size());
 
 std::vector<const AnalysisEntry*> visibleAnalyses(const Document& document) {
     std::vector<const AnalysisEntry*> visible;
@@ -44,7 +44,7 @@ CursorPanel::CursorPanel(Document& document, QWidget* parent)
     time_->setContentsMargins(6, 2, 6, 2);
     time_->setWordWrap(true);
     time_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    table_->setRowCount(shown_count + 1);
+    table_->setRowCount(cursor_rows + 1);
     table_->setItemDelegate(new IndexDelegate(table_));
     table_->verticalHeader()->hide();
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -103,7 +103,7 @@ void CursorPanel::refresh() {
             table_->setItem(line, column, item);
         };
         const bool covered = covers(analysis, time_s);
-        for (int line = 0; line < shown_count; ++line) {
+        for (int line = 0; line < cursor_rows; ++line) {
             const SlowVariable variable = shown_slow_variables[static_cast<std::size_t>(line)];
             const Reading reading =
                 covered ? readingAt(analysis, variable, row, units_) : Reading();
@@ -115,10 +115,10 @@ void CursorPanel::refresh() {
         }
         const QString reason =
             covered ? flagsText(analysis.track.flags()[row]) : tr("no windows there");
-        set(shown_count, reason);
+        set(cursor_rows, reason);
         any_flag = any_flag || !reason.isEmpty();
     }
-    table_->setRowHidden(shown_count, !any_flag);
+    table_->setRowHidden(cursor_rows, !any_flag);
     table_->resizeColumnsToContents();
     table_->resizeRowsToContents();
 }
@@ -168,7 +168,7 @@ void CursorPanel::retranslate() {
            "deviations"));
     table_->setColumnCount(std::max(1, table_->columnCount()));
     table_->setHorizontalHeaderItem(0, new QTableWidgetItem);
-    for (int line = 0; line < shown_count; ++line) {
+    for (int line = 0; line < cursor_rows; ++line) {
         const SlowVariable variable = shown_slow_variables[static_cast<std::size_t>(line)];
         const QString unit = displayUnit(variable, units_);
         const QString symbol = displaySymbol(variable, units_);
@@ -177,7 +177,7 @@ void CursorPanel::retranslate() {
         item->setToolTip(displayMeaning(variable));
         table_->setItem(line, 0, item);
     }
-    table_->setItem(shown_count, 0, new QTableWidgetItem(tr("Reason")));
+    table_->setItem(cursor_rows, 0, new QTableWidgetItem(tr("Reason")));
     refresh();
 }
 

@@ -15,7 +15,7 @@ namespace vybeg::ui {
 namespace {
 
 // Limit of rows in the list; the title shows the number of events.
-constexpr std::size_t most_rows = 2000;
+constexpr std::size_t most_events = 2000;
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void EventsPanel::fillList(const AnalysisEntry* entry) {
     listed_ = entry->shown.analysis;
     const QLocale locale;
     QList<QTreeWidgetItem*> items;
-    for (std::size_t i = 0; i < std::min(entry->events.size(), most_rows); ++i) {
+    for (std::size_t i = 0; i < std::min(entry->events.size(), most_events); ++i) {
         const Event& event = entry->events[i];
         auto* item = new QTreeWidgetItem({locale.toString(event.time_s, 'f', 4), eventText(event)});
         item->setData(0, Qt::UserRole, event.time_s);

@@ -23,7 +23,7 @@ namespace {
 
 enum Column { symbol, at_a, at_b, difference, trend, column_count };
 
-constexpr int shown_count = static_cast<int>(main_slow_variables.size());
+constexpr int measured_rows = static_cast<int>(main_slow_variables.size());
 
 QString nameOf(SlowVariable variable, const DisplayUnits& units) {
     const QString unit = displayUnit(variable, units);
@@ -39,7 +39,7 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
       difference_(new QLabel(this)),
       kind_name_(new QLabel(this)),
       kind_(new QComboBox(this)),
-      table_(new QTableWidget(shown_count, column_count, this)),
+      table_(new QTableWidget(measured_rows, column_count, this)),
       sentences_(new QLabel(this)) {
     auto* grid = new QGridLayout;
     grid->setContentsMargins(6, 2, 6, 2);
@@ -225,7 +225,7 @@ void MeasurePanel::showTable(const Analysis& analysis) {
     table_->setColumnHidden(trend, !both);
     const std::size_t row_a = nearestRow(analysis.track, a_s_.value_or(0));
     const std::size_t row_b = nearestRow(analysis.track, b_s_.value_or(0));
-    for (int line = 0; line < shown_count; ++line) {
+    for (int line = 0; line < measured_rows; ++line) {
         const SlowVariable variable = main_slow_variables[static_cast<std::size_t>(line)];
         table_->setItem(line, symbol, new QTableWidgetItem(nameOf(variable, units_)));
         const auto set = [&](Column column, const Reading& reading) {

@@ -16,7 +16,7 @@ namespace vybeg::ui {
 
 namespace {
 
-constexpr std::size_t most_rows = 3;
+constexpr std::size_t most_messages = 3;
 
 }  // namespace
 
@@ -85,7 +85,7 @@ void MessageBar::add(const Message& message) {
 }
 
 void MessageBar::prune() {
-    while (rows_.size() > most_rows) {
+    while (rows_.size() > most_messages) {
         const auto newest = std::prev(rows_.rend());
         const auto oldest = std::find_if(
             rows_.rbegin(), newest, [](const Row& row) { return !row.message.until_answered; });

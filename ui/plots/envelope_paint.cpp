@@ -9,11 +9,11 @@
 namespace vybeg::ui {
 namespace {
 
-using Columns = std::vector<EnvelopeBucket>;
+using Buckets = std::vector<EnvelopeBucket>;
 
 constexpr int missing_row = 3;
 
-void drawSignals(QPainter& painter, const QRect& area, const Columns& columns, const Theme& theme) {
+void drawSignals(QPainter& painter, const QRect& area, const Buckets& columns, const Theme& theme) {
     const double ratio = painter.device()->devicePixelRatioF();
     const int lane_height = (area.height() - 2) / 2;
     // One scale for both, because their ratio shows the angle of the wave.
@@ -35,7 +35,7 @@ void drawSignals(QPainter& painter, const QRect& area, const Columns& columns, c
 
 }  // namespace
 
-void paintLane(QPainter& painter, const ColumnRow& row, const Columns& columns,
+void paintLane(QPainter& painter, const ColumnRow& row, const Buckets& columns,
                const EnvelopeLane& lane) {
     QVector<QLineF> read;
     QVector<QLineF> looked_at;
@@ -58,7 +58,7 @@ void paintLane(QPainter& painter, const ColumnRow& row, const Columns& columns,
     painter.drawLines(looked_at);
 }
 
-void paintMissing(QPainter& painter, const ColumnRow& row, const Columns& columns,
+void paintMissing(QPainter& painter, const ColumnRow& row, const Buckets& columns,
                   const Theme& theme) {
     QColor veil = theme.warning;
     veil.setAlphaF(0.35f);
@@ -72,7 +72,7 @@ void paintMissing(QPainter& painter, const ColumnRow& row, const Columns& column
     }
 }
 
-void paintUnread(QPainter& painter, const ColumnRow& row, const Columns& columns,
+void paintUnread(QPainter& painter, const ColumnRow& row, const Buckets& columns,
                  const Theme& theme) {
     for (std::size_t i = 0; i < columns.size();) {
         std::size_t end = i;
@@ -89,7 +89,7 @@ void paintUnread(QPainter& painter, const ColumnRow& row, const Columns& columns
     }
 }
 
-void paintEnvelope(QPainter& painter, const QRect& area, const Columns& columns,
+void paintEnvelope(QPainter& painter, const QRect& area, const Buckets& columns,
                    const Theme& theme) {
     const ColumnRow row{QRectF(area), 1 / painter.device()->devicePixelRatioF()};
     paintUnread(painter, row, columns, theme);

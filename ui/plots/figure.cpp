@@ -9,11 +9,11 @@
 namespace vybeg::ui {
 namespace {
 
-using Columns = std::vector<FigureColumn>;
+using FigureColumns = std::vector<FigureColumn>;
 using Stacks = std::vector<std::unique_ptr<PlotStack>>;
 
 // One time axis for all columns.
-AxisRange commonTime(const Columns& columns) {
+AxisRange commonTime(const FigureColumns& columns) {
     std::vector<ShownAnalysis> analyses;
     for (const FigureColumn& column : columns) {
         analyses.push_back(column.shown);
@@ -50,7 +50,7 @@ void setLetters(const Stacks& stacks, std::size_t rows) {
     }
 }
 
-void drawFigure(const Columns& columns, const FigureOptions& options, QCPPainter& painter,
+void drawFigure(const FigureColumns& columns, const FigureOptions& options, QCPPainter& painter,
                 QSize size) {
     const QSize column_size(size.width() / std::max(1, static_cast<int>(columns.size())),
                             size.height());

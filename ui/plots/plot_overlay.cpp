@@ -13,8 +13,8 @@
 namespace vybeg::ui {
 namespace {
 
-constexpr double sample_length = 14;
-constexpr double sample_gap = 5;
+constexpr double reading_sample_length = 14;
+constexpr double reading_sample_gap = 5;
 constexpr double value_gap = 14;
 
 struct Reading {
@@ -39,7 +39,7 @@ std::vector<Reading> readings(const PlotPanel& panel, double time_s, const QFont
                                       : std::numeric_limits<double>::quiet_NaN();
             Reading reading{valueText(graph->scale().value(stored), sd), graph, 0};
             reading.width =
-                sample_length + sample_gap + metrics.horizontalAdvance(reading.text) + value_gap;
+                reading_sample_length + reading_sample_gap + metrics.horizontalAdvance(reading.text) + value_gap;
             total += reading.width;
             list.push_back(std::move(reading));
         }
@@ -136,7 +136,7 @@ void PlotOverlay::drawReadout(QCPPainter& painter, const PlotPanel& panel) const
         }
         painter.setAntialiasing(true);
         painter.setPen(theme_.text);
-        painter.drawText(QPointF(x + sample_length + sample_gap, base), reading.text);
+        painter.drawText(QPointF(x + reading_sample_length + reading_sample_gap, base), reading.text);
         x += reading.width;
     }
 }

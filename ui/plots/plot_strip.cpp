@@ -10,15 +10,15 @@
 namespace vybeg::ui {
 namespace {
 
-constexpr double sample_length = 24;
-constexpr double sample_gap = 6;
+constexpr double legend_sample_length = 24;
+constexpr double legend_sample_gap = 6;
 constexpr double entry_gap = 18;
 constexpr double least_name = 48;
 
 double widthOf(const StripEntry& entry, const QFont& font) {
     const double text = entry.literal ? QFontMetricsF(font).horizontalAdvance(entry.text)
                                       : indexTextWidth(entry.text, font);
-    return text + (entry.line ? sample_length + sample_gap : 0);
+    return text + (entry.line ? legend_sample_length + legend_sample_gap : 0);
 }
 
 // Of all of them in a row.
@@ -161,9 +161,9 @@ void PlotStrip::draw(QCPPainter* painter) {
     const double base = area.top() + 0.5 * (area.height() + metrics.ascent() - metrics.descent());
     for (const StripEntry& entry : shown_) {
         if (entry.line) {
-            drawSample(*painter, {x, base - 0.33 * metrics.ascent()}, sample_length, entry.color,
+            drawSample(*painter, {x, base - 0.33 * metrics.ascent()}, legend_sample_length, entry.color,
                        entry.dash);
-            x += sample_length + sample_gap;
+            x += legend_sample_length + legend_sample_gap;
         }
         painter->setPen(text_);
         if (entry.literal) {

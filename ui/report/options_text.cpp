@@ -14,7 +14,7 @@ namespace {
 
 // `listed`: of the rows that have a part, in their order, as settings_list().
 template <class S>
-QString textOf(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed,
+QString rowsText(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed,
                std::initializer_list<std::string_view> left_out = {}) {
     const S defaults;
     QStringList options;
@@ -37,12 +37,12 @@ QString textOf(const std::vector<SettingRow<S>>& rows, const std::vector<NamedVa
 }  // namespace
 
 QString optionsText(const Settings& settings) {
-    return textOf(analysis_settings(), settings_list(settings),
+    return rowsText(analysis_settings(), settings_list(settings),
                   {"algorithm", "window", "hop", "f0"});
 }
 
 QString optionsText(const IdentifySettings& settings) {
-    return textOf(identify_settings(), settings_list(settings));
+    return rowsText(identify_settings(), settings_list(settings));
 }
 
 }  // namespace vybeg::ui

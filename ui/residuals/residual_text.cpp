@@ -14,10 +14,6 @@ namespace vybeg::ui {
 
 namespace {
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("Residuals", text);
-}
-
 QString counted(std::int64_t count) {
     return QLocale().toString(static_cast<qlonglong>(count));
 }
@@ -43,32 +39,32 @@ bool isHarmonic(LineOrigin origin) {
 QString originText(const ResidualLine& line) {
     const QString base = hertz(line.base_hz, 0);
     switch (line.origin) {
-        case LineOrigin::wave: return translated(QT_TRANSLATE_NOOP("Residuals", "the wave itself"));
+        case LineOrigin::wave: return residualsText(QT_TRANSLATE_NOOP("Residuals", "the wave itself"));
         case LineOrigin::window_rate:
-            return translated(
+            return residualsText(
                 QT_TRANSLATE_NOOP("Residuals", "the wave, at the rate of the windows"));
         case LineOrigin::window_image:
-            return translated(
+            return residualsText(
                        QT_TRANSLATE_NOOP("Residuals", "image of the line at %1 Hz by the windows"))
                 .arg(hertz(line.base_hz));
         case LineOrigin::mains:
             return line.order == 1
-                       ? translated(QT_TRANSLATE_NOOP("Residuals", "supply of %1 Hz")).arg(base)
-                       : translated(QT_TRANSLATE_NOOP("Residuals", "supply of %1 Hz, harmonic %2"))
+                       ? residualsText(QT_TRANSLATE_NOOP("Residuals", "supply of %1 Hz")).arg(base)
+                       : residualsText(QT_TRANSLATE_NOOP("Residuals", "supply of %1 Hz, harmonic %2"))
                              .arg(base)
                              .arg(line.order);
         case LineOrigin::carrier_by_mains:
-            return translated(QT_TRANSLATE_NOOP("Residuals", "carrier modulated at %1 Hz"))
+            return residualsText(QT_TRANSLATE_NOOP("Residuals", "carrier modulated at %1 Hz"))
                 .arg(hertz(line.order * line.base_hz, 0));
         case LineOrigin::carrier_harmonic:
-            return translated(QT_TRANSLATE_NOOP("Residuals", "harmonic %1 of the carrier"))
+            return residualsText(QT_TRANSLATE_NOOP("Residuals", "harmonic %1 of the carrier"))
                 .arg(line.order);
         case LineOrigin::folded_harmonic:
-            return translated(QT_TRANSLATE_NOOP("Residuals", "harmonic %1 of the carrier, folded"))
+            return residualsText(QT_TRANSLATE_NOOP("Residuals", "harmonic %1 of the carrier, folded"))
                 .arg(line.order);
         case LineOrigin::other_mode:
-            return translated(QT_TRANSLATE_NOOP("Residuals", "another mode"));
-        case LineOrigin::unknown: return translated(QT_TRANSLATE_NOOP("Residuals", "unknown"));
+            return residualsText(QT_TRANSLATE_NOOP("Residuals", "another mode"));
+        case LineOrigin::unknown: return residualsText(QT_TRANSLATE_NOOP("Residuals", "unknown"));
     }
     return {};
 }
@@ -77,42 +73,42 @@ QString originText(const ResidualLine& line) {
 QString explanation(const ResidualLine& line) {
     switch (line.origin) {
         case LineOrigin::wave:
-            return translated(QT_TRANSLATE_NOOP(
+            return residualsText(QT_TRANSLATE_NOOP(
                 "Residuals",
                 "This is the wave itself: it changes inside the windows, or another mode lies "
                 "beside it. Shorter windows follow a change."));
         case LineOrigin::window_rate:
-            return translated(QT_TRANSLATE_NOOP(
+            return residualsText(QT_TRANSLATE_NOOP(
                 "Residuals",
                 "The distance from the carrier is a multiple of the rate of the windows: the wave "
                 "changes inside them. Shorter windows follow it."));
         case LineOrigin::window_image:
-            return translated(QT_TRANSLATE_NOOP("Residuals",
+            return residualsText(QT_TRANSLATE_NOOP("Residuals",
                                                 "Each window takes up a little of that line, which "
                                                 "makes images beside the carrier. "
                                                 "Without the line they are gone, too."));
         case LineOrigin::mains:
-            return translated(
+            return residualsText(
                 QT_TRANSLATE_NOOP("Residuals", "An electrical supply couples into the pick-offs."));
         case LineOrigin::carrier_by_mains:
-            return translated(QT_TRANSLATE_NOOP(
+            return residualsText(QT_TRANSLATE_NOOP(
                 "Residuals",
                 "The distance from the carrier is that of the mains: they modulate the wave or its "
                 "pick-off."));
         case LineOrigin::carrier_harmonic:
-            return translated(QT_TRANSLATE_NOOP(
+            return residualsText(QT_TRANSLATE_NOOP(
                 "Residuals",
                 "A pick-off or the suspension is not linear, or samples are clipped."));
         case LineOrigin::folded_harmonic:
-            return translated(QT_TRANSLATE_NOOP(
+            return residualsText(QT_TRANSLATE_NOOP(
                 "Residuals",
                 "It lies above half the sample rate and appears as an alias. A pick-off is not "
                 "linear, or samples are clipped."));
         case LineOrigin::other_mode:
-            return translated(QT_TRANSLATE_NOOP(
+            return residualsText(QT_TRANSLATE_NOOP(
                 "Residuals", "It decays in this range as a mode of the resonator does."));
         case LineOrigin::unknown:
-            return translated(QT_TRANSLATE_NOOP(
+            return residualsText(QT_TRANSLATE_NOOP(
                 "Residuals",
                 "It is no harmonic of the carrier or the mains, and no decay is seen in this "
                 "range."));
@@ -122,24 +118,28 @@ QString explanation(const ResidualLine& line) {
 
 }  // namespace
 
+QString residualsText(const char* text) {
+    return QCoreApplication::translate("Residuals", text);
+}
+
 QString coverageText(const Residuals& found) {
     QStringList sentences;
-    sentences << translated(QT_TRANSLATE_NOOP("Residuals", "Samples per channel: %1."))
+    sentences << residualsText(QT_TRANSLATE_NOOP("Residuals", "Samples per channel: %1."))
                      .arg(counted(found.used()));
     if (found.examined < found.frames) {
-        sentences << translated(QT_TRANSLATE_NOOP("Residuals",
+        sentences << residualsText(QT_TRANSLATE_NOOP("Residuals",
                                                   "The range has %1; blocks at even distances "
                                                   "stand for all of them."))
                          .arg(counted(found.frames));
     }
     if (found.without > 0) {
-        sentences << translated(QT_TRANSLATE_NOOP("Residuals",
+        sentences << residualsText(QT_TRANSLATE_NOOP("Residuals",
                                                   "Left out, because no wave was found there: %1."))
                          .arg(counted(found.without));
     }
     constexpr double worth_saying = 0.01;
     if (found.taken_up > worth_saying) {
-        sentences << translated(QT_TRANSLATE_NOOP("Residuals",
+        sentences << residualsText(QT_TRANSLATE_NOOP("Residuals",
                                                   "The windows take up %1 % of the noise, around "
                                                   "the carrier."))
                          .arg(significant(100 * found.taken_up, 2));
@@ -152,7 +152,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
     constexpr double doubtful = 4;  // standard deviations
     const auto row = [&](const char* name, const QString& of_unit, const char* tip, auto&& cell) {
         return QuantityRow{
-            withUnit(translated(name), of_unit), translated(tip), {cell(found.c), cell(found.d)}};
+            withUnit(residualsText(name), of_unit), residualsText(tip), {cell(found.c), cell(found.d)}};
     };
     const auto flagged = [&](double value, double sd) {
         return cellOf(value, sd, std::abs(value) > doubtful * sd ? alarm : QColor());
@@ -207,7 +207,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
                     return QuantityCell{QStringLiteral("—"), {QString(), QString()}, {}};
                 }
                 constexpr double seldom = 1e-3;
-                return QuantityCell{translated(QT_TRANSLATE_NOOP("Residuals", "%1 (beyond: %2)"))
+                return QuantityCell{residualsText(QT_TRANSLATE_NOOP("Residuals", "%1 (beyond: %2)"))
                                         .arg(significant(moments.largest_z, 3),
                                              significant(moments.expected_beyond, 2)),
                                     {QLocale().toString(moments.largest_z, 'g', 12),
@@ -218,13 +218,13 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
 }
 
 QString lineName(const ResidualLine& line) {
-    return translated(QT_TRANSLATE_NOOP("Residuals", "%1 Hz: %2"))
+    return residualsText(QT_TRANSLATE_NOOP("Residuals", "%1 Hz: %2"))
         .arg(hertz(line.f_hz), originText(line));
 }
 
 QString bandText(const Band& band) {
     const int decimals = band.high_hz - band.low_hz < 40 ? 2 : 0;
-    return translated(QT_TRANSLATE_NOOP("Residuals", "%1 … %2 Hz"))
+    return residualsText(QT_TRANSLATE_NOOP("Residuals", "%1 … %2 Hz"))
         .arg(hertz(band.low_hz, decimals), hertz(band.high_hz, decimals));
 }
 
@@ -234,17 +234,17 @@ QString lineSentence(const ResidualLine& line, const Residuals& found, const QSt
     };
     QStringList sentences;
     sentences << QStringLiteral("<b>%1.</b>").arg(lineName(line));
-    sentences << translated(QT_TRANSLATE_NOOP("Residuals", "Amplitude: C %1, D %2."))
+    sentences << residualsText(QT_TRANSLATE_NOOP("Residuals", "Amplitude: C %1, D %2."))
                      .arg(amplitude(line.amplitude_c, line.sd_c),
                           amplitude(line.amplitude_d, line.sd_d));
     if (isHarmonic(line.origin)) {
-        sentences << translated(QT_TRANSLATE_NOOP("Residuals", "It is %1 times %2 Hz."))
+        sentences << residualsText(QT_TRANSLATE_NOOP("Residuals", "It is %1 times %2 Hz."))
                          .arg(line.order)
                          .arg(hertz(found.f0_hz));
     }
     sentences << explanation(line);
     if (line.filter) {
-        sentences << translated(QT_TRANSLATE_NOOP("Residuals", "A band-pass filter takes it out."));
+        sentences << residualsText(QT_TRANSLATE_NOOP("Residuals", "A band-pass filter takes it out."));
     }
     return sentences.join(QLatin1Char(' '));
 }

@@ -9,6 +9,9 @@
 
 namespace vybeg::ui {
 
+// A text of the page Residuals in the language of the window.
+QString residualsText(const char* text);
+
 // Sentences about the samples of a residual: how many, and which are left out.
 QString coverageText(const Residuals& found);
 

@@ -13,14 +13,14 @@ namespace vybeg::ui {
 
 namespace {
 
-const QString settings_key = QStringLiteral("settings");
+const QString listed_settings_key = QStringLiteral("settings");
 const QString columns_key = QStringLiteral("other_columns");
 const QString members_key = QStringLiteral("members");
 const QString place_key = QStringLiteral("recording");
 const QString signal_key = QStringLiteral("signal");
 const QString file_key = QStringLiteral("file");
-const QString path_key = QStringLiteral("path");
-const QString options_key = QStringLiteral("options");
+const QString listed_path_key = QStringLiteral("path");
+const QString listed_options_key = QStringLiteral("options");
 const QString others_key = QStringLiteral("others");
 
 struct TextCondition {
@@ -68,8 +68,8 @@ QJsonObject memberToJson(int place, const ListedMember& member, const QDir& fold
         {place_key, place},
         {signal_key, settingsToJson(identify_settings(), signal)},
         {file_key, QString::fromStdString(row.file)},
-        {path_key, storedPath(QString::fromStdU16String(row.path.u16string()), folder)},
-        {options_key, optionsToJson(row.open)},
+        {listed_path_key, storedPath(QString::fromStdU16String(row.path.u16string()), folder)},
+        {listed_options_key, optionsToJson(row.open)},
         {others_key, textsToJson(row.others)},
         {exchanged_key, row.conditions.exchanged}};
     for (const TextCondition& each : text_conditions) {
@@ -93,8 +93,8 @@ Result<ListedMember> memberFromJson(const QJsonObject& json, const QDir& folder)
     member.signal = signal->signal;
     ListedRecording& row = member.row;
     row.file = json[file_key].toString().toStdString();
-    row.path = QDir::cleanPath(folder.absoluteFilePath(json[path_key].toString())).toStdU16String();
-    row.open = optionsFromJson(json[options_key].toObject());
+    row.path = QDir::cleanPath(folder.absoluteFilePath(json[listed_path_key].toString())).toStdU16String();
+    row.open = optionsFromJson(json[listed_options_key].toObject());
     row.others = textsFromJson(json[others_key]);
     row.conditions.exchanged = json[exchanged_key].toBool();
     for (const TextCondition& each : text_conditions) {
@@ -120,14 +120,14 @@ QJsonObject listedToJson(const ListedSetBy<int>& listed, const QDir& folder) {
     for (const auto& [place, member] : listed.members) {
         members.append(memberToJson(place, member, folder));
     }
-    return {{settings_key, settingsToJson(identify_settings(), listed.settings)},
+    return {{listed_settings_key, settingsToJson(identify_settings(), listed.settings)},
             {columns_key, textsToJson(listed.other_columns)},
             {members_key, members}};
 }
 
 Result<ListedSetBy<int>> listedFromJson(const QJsonObject& json, const QDir& folder) {
     Result<IdentifySettings> settings =
-        settingsFromJson(identify_settings(), json[settings_key].toObject());
+        settingsFromJson(identify_settings(), json[listed_settings_key].toObject());
     if (!settings) {
         return settings.error();
     }

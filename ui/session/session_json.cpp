@@ -16,7 +16,6 @@ namespace vybeg::ui {
 
 namespace {
 
-const QString schema_key = QStringLiteral("vybeg_session");
 const QString program_key = QStringLiteral("program");
 const QString settings_key = QStringLiteral("settings");
 const QString tolerance_key = QStringLiteral("tolerance");
@@ -236,7 +235,7 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
         sets.append(setToJson(set, folder));
     }
     QJsonObject json = session.unknown;
-    json[schema_key] = session_schema;
+    json[session_schema_key] = session_schema;
     json[program_key] = programName();
     json[settings_key] = settingsToJson(analysis_settings(), session.settings);
     json[tolerance_key] = text(identifyRow("tolerance").text(tolerance));
@@ -307,7 +306,7 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
                        limitsFromJson(json[limits_key].toObject())};
     session.view = viewFromJson(json[view_key].toObject());
     session.unknown = without(
-        json, {schema_key, program_key, settings_key, tolerance_key, live_key, recordings_key,
+        json, {session_schema_key, program_key, settings_key, tolerance_key, live_key, recordings_key,
                current_key, sets_key, current_set_key, current_analysis_key, limits_key, view_key});
     session.unknown[gyro_key] =
         without(json[gyro_key].toObject(), {serial_key, type_key, operator_key, comment_key});

@@ -8,7 +8,8 @@
 
 namespace vybeg::ui {
 
-constexpr int session_schema = 1;
+inline constexpr int session_schema = 1;
+inline const QString session_schema_key = QStringLiteral("vybeg_session");
 
 // A session as the JSON object of its file; paths relative to `folder` where they lie below it.
 QJsonObject sessionToJson(const Session& session, const QDir& folder);

@@ -22,7 +22,6 @@ namespace vybeg::ui {
 namespace {
 
 const QString backup_key = QStringLiteral("backup_of");
-const QString schema_key = QStringLiteral("vybeg_session");
 
 template <class Id>
 QJsonObject valueOf(const std::map<Id, QJsonObject>& values, Id id) {
@@ -96,7 +95,7 @@ void SessionKeeper::openSession(const QString& path) {
         });
         return;
     }
-    const int schema = json[schema_key].toInt();
+    const int schema = json[session_schema_key].toInt();
     if (schema < 1) {
         fail([path] { return tr("%1 is not a session of Vybeg.").arg(path); });
         return;

@@ -20,10 +20,6 @@ int decimalsOf(const SignalPanel& panel) {
     return std::clamp(5 - static_cast<int>(std::floor(std::log10(largest))), 0, 15);
 }
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("SignalStack", text);
-}
-
 }  // namespace
 
 SignalOverlay::SignalOverlay(QCustomPlot* plot, const SignalStack& stack, const TrackView& tracks)
@@ -88,11 +84,11 @@ void SignalOverlay::drawReadout(QCPPainter& painter, const SignalPanel& panel) c
                    .arg(number(excerpt->residual_c(at)), number(excerpt->residual_d(at)));
     } else {
         const bool d = panel.part() == SignalPart::d;
-        text = translated(QT_TRANSLATE_NOOP("SignalStack", "sample %1"))
+        text = signalsText(QT_TRANSLATE_NOOP("SignalStack", "sample %1"))
                    .arg(number(d ? excerpt->d[at] : excerpt->c[at]));
         if (content.analysis) {
             text += QStringLiteral("   ") +
-                    translated(QT_TRANSLATE_NOOP("SignalStack", "wave %1"))
+                    signalsText(QT_TRANSLATE_NOOP("SignalStack", "wave %1"))
                         .arg(number(d ? excerpt->fit_d[at] : excerpt->fit_c[at]));
         }
     }

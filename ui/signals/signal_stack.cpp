@@ -19,11 +19,11 @@ constexpr int tick_label_room = 20;
 constexpr int paper_width = 900;
 constexpr int paper_panel_height = 170;
 
-QString translated(const char* text) {
+}  // namespace
+
+QString signalsText(const char* text) {
     return QCoreApplication::translate("SignalStack", text);
 }
-
-}  // namespace
 
 SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts)
     : plot_(plot),
@@ -79,12 +79,12 @@ void SignalStack::showLegend() {
     add(QStringLiteral("C"), theme.signalC);
     add(QStringLiteral("D"), theme.signalD);
     if (fitted && content_.wave) {
-        add(picture_.smooth ? translated(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
-                            : translated(QT_TRANSLATE_NOOP("SignalStack", "amplitude of the wave")),
+        add(picture_.smooth ? signalsText(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
+                            : signalsText(QT_TRANSLATE_NOOP("SignalStack", "amplitude of the wave")),
             theme.text);
     }
     if (fitted && !picture_.samples) {
-        add(translated(QT_TRANSLATE_NOOP("SignalStack", "rms of the residual")), theme.mutedText);
+        add(signalsText(QT_TRANSLATE_NOOP("SignalStack", "rms of the residual")), theme.mutedText);
     }
     legend_->setEntries(std::move(entries), Qt::AlignLeft);
 }

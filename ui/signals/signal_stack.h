@@ -9,6 +9,9 @@
 
 namespace vybeg::ui {
 
+// A text of the plots of the signals in the language of the window.
+QString signalsText(const char* text);
+
 class PlotStrip;
 class SignalPanel;
 

@@ -1,5 +1,7 @@
 #include "ui/sweep/sweep_plots.h"
 
+#include "ui/sweep/sweep_text.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -9,10 +11,6 @@
 namespace vybeg::ui {
 
 namespace {
-
-QString translated(const char* text) {
-    return QCoreApplication::translate("Sweep", text);
-}
 
 using ValueOf = std::function<double(const SweepLength&)>;
 
@@ -60,7 +58,7 @@ void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
     if (sweep.advice) {
         const auto n = static_cast<double>(sweep.lengths[sweep.advice->best].length);
         XYSeries line;
-        line.name = translated(QT_TRANSLATE_NOOP("Sweep", "recommended"));
+        line.name = sweepText(QT_TRANSLATE_NOOP("Sweep", "recommended"));
         line.ink = Ink::accent;
         line.dashed = true;
         line.x = {n, n};
@@ -82,7 +80,7 @@ void addMarks(const WindowSweep& sweep, const SweepView& view, XYPlot& plot) {
 XYPlot emptyPlot(const QString& empty) {
     XYPlot plot;
     plot.x_name = QStringLiteral("n");
-    plot.x_unit = translated(QT_TRANSLATE_NOOP("Sweep", "samples"));
+    plot.x_unit = sweepText(QT_TRANSLATE_NOOP("Sweep", "samples"));
     plot.x_logarithmic = true;
     plot.y_logarithmic = true;
     plot.empty = empty;
@@ -108,7 +106,7 @@ QString sweepUnit(const SweepView& view, std::size_t variable) {
 
 XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QString& empty) {
     XYPlot plot = emptyPlot(empty);
-    plot.y_name = translated(QT_TRANSLATE_NOOP("Sweep", "Standard deviation of %1"))
+    plot.y_name = sweepText(QT_TRANSLATE_NOOP("Sweep", "Standard deviation of %1"))
                       .arg(displaySymbol(main_slow_variables[view.variable], view.units));
     plot.y_unit = sweepUnit(view, view.variable);
     if (sweep == nullptr || sweep->lengths.empty()) {
@@ -116,7 +114,7 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
     }
     const double factor = sweepFactor(*sweep, view, view.variable);
     const auto series = [&](const char* name, double SweepValue::*member) {
-        return seriesOf(*sweep, translated(name), factor, [&](const SweepLength& each) {
+        return seriesOf(*sweep, sweepText(name), factor, [&](const SweepLength& each) {
             return each.values[view.variable].*member;
         });
     };
@@ -142,7 +140,7 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
     const double floor = extent.low / 4;
     for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
         XYSeries leakage = seriesOf(
-            *sweep, translated(QT_TRANSLATE_NOOP("Sweep", "leakage %1")).arg(k + 1), factor,
+            *sweep, sweepText(QT_TRANSLATE_NOOP("Sweep", "leakage %1")).arg(k + 1), factor,
             [&](const SweepLength& each) { return each.values[view.variable].leakage[k]; });
         leakage.style = static_cast<int>(k) + 2;
         leakage.thin = true;
@@ -158,12 +156,12 @@ XYPlot scatterPlot(const WindowSweep* sweep, const SweepView& view, const QStrin
 
 XYPlot residualPlot(const WindowSweep* sweep, const SweepView& view, const QString& empty) {
     XYPlot plot = emptyPlot(empty);
-    plot.y_name = translated(QT_TRANSLATE_NOOP("Sweep", "Residual"));
+    plot.y_name = sweepText(QT_TRANSLATE_NOOP("Sweep", "Residual"));
     plot.y_unit = view.channel_unit;
     if (sweep == nullptr || sweep->lengths.empty()) {
         return plot;
     }
-    const auto name = [](const char* text) { return translated(text); };
+    const auto name = [](const char* text) { return sweepText(text); };
     XYSeries noise = asPoints(seriesOf(*sweep, name(QT_TRANSLATE_NOOP("Sweep", "noise")), 1,
                                        [](const SweepLength& each) { return each.noise; }),
                               0);

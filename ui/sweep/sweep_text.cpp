@@ -12,10 +12,6 @@ namespace vybeg::ui {
 
 namespace {
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("Sweep", text);
-}
-
 QString counted(std::int64_t count) {
     return QLocale().toString(static_cast<qlonglong>(count));
 }
@@ -46,7 +42,7 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
     };
     switch (advice.limit) {
         case WindowAdvice::Limit::motion:
-            return translated(QT_TRANSLATE_NOOP(
+            return sweepText(QT_TRANSLATE_NOOP(
                                   "Sweep",
                                   "Longer windows blur %1: at n = %2 its bend inside the window "
                                   "shifts the mean by %3, with a scatter of %4."))
@@ -54,7 +50,7 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
                      valueText(next().values[advice.variable].motion),
                      valueText(next().values[advice.variable].scatter));
         case WindowAdvice::Limit::scatter:
-            return translated(
+            return sweepText(
                        QT_TRANSLATE_NOOP("Sweep",
                                          "Longer windows are not better: at n = %2 the expected "
                                          "error of %1 is %3, here %4."))
@@ -62,16 +58,16 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
                      valueText(next().values[advice.variable].error()),
                      valueText(sweep.lengths[advice.best].values[advice.variable].error()));
         case WindowAdvice::Limit::flat:
-            return translated(QT_TRANSLATE_NOOP(
+            return sweepText(QT_TRANSLATE_NOOP(
                 "Sweep", "Longer windows of the list are better by less than a quarter."));
         case WindowAdvice::Limit::no_values:
-            return translated(QT_TRANSLATE_NOOP(
+            return sweepText(QT_TRANSLATE_NOOP(
                 "Sweep", "In the longer windows of the list some variables have no value."));
         case WindowAdvice::Limit::list_end:
-            return translated(QT_TRANSLATE_NOOP(
+            return sweepText(QT_TRANSLATE_NOOP(
                 "Sweep", "It is the longest of the list; longer ones are not examined."));
         case WindowAdvice::Limit::list_begin:
-            return translated(QT_TRANSLATE_NOOP("Sweep",
+            return sweepText(QT_TRANSLATE_NOOP("Sweep",
                                                 "It is the shortest of the list, and %1 moves even "
                                                 "inside it by more than its scatter."))
                 .arg(symbol);
@@ -90,7 +86,7 @@ QString coloredNoise(const WindowSweep& sweep, const SweepView& view) {
         if (value.scatter > notable * explained &&
             value.scatter - explained > significant * value.sd_scatter) {
             return QStringLiteral(" ") +
-                   translated(
+                   sweepText(
                        QT_TRANSLATE_NOOP("Sweep",
                                          "Neighbouring values of %1 scatter %2 times as much as "
                                          "the white noise explains."))
@@ -113,36 +109,40 @@ constexpr std::array<Column, 4> columns{
 
 }  // namespace
 
+QString sweepText(const char* text) {
+    return QCoreApplication::translate("Sweep", text);
+}
+
 QString lengthText(const WindowSweep& sweep, std::size_t length) {
     const auto n = static_cast<double>(sweep.lengths[length].length);
-    return translated(QT_TRANSLATE_NOOP("Sweep", "n = %1, %2 ms, %3 periods"))
+    return sweepText(QT_TRANSLATE_NOOP("Sweep", "n = %1, %2 ms, %3 periods"))
         .arg(counted(sweep.lengths[length].length), shortText(1e3 * n / sweep.rate_hz),
              shortText(n * sweep.f0_hz / sweep.rate_hz));
 }
 
 QString adviceText(const WindowSweep& sweep, const SweepView& view) {
     if (!sweep.advice) {
-        return translated(QT_TRANSLATE_NOOP(
+        return sweepText(QT_TRANSLATE_NOOP(
             "Sweep",
             "No window is recommended: a comparison needs two lengths with 14 undisturbed "
             "windows or more, and white noise between the lines of the spectrum."));
     }
     const WindowAdvice& advice = *sweep.advice;
     QString text = QStringLiteral("%1. ").arg(
-        translated(QT_TRANSLATE_NOOP("Sweep", "This recording deserves %1"))
+        sweepText(QT_TRANSLATE_NOOP("Sweep", "This recording deserves %1"))
             .arg(lengthText(sweep, advice.best)));
     text += reasonOf(sweep, view);
     constexpr double one_sided = 2;
     text += QStringLiteral(" ");
     if (advice.loss > one_sided) {
-        text += translated(
+        text += sweepText(
                     QT_TRANSLATE_NOOP("Sweep",
                                       "No window suits all variables: here the expected error of "
                                       "%1 is %2 times its least in the list."))
                     .arg(symbolOf(advice.loser, view), shortText(advice.loss));
     } else if (advice.shortest < advice.longest) {
         text +=
-            translated(QT_TRANSLATE_NOOP("Sweep",
+            sweepText(QT_TRANSLATE_NOOP("Sweep",
                                          "From n = %1 to %2 no expected error exceeds %3 times its "
                                          "least in the list."))
                 .arg(counted(sweep.lengths[advice.shortest].length),
@@ -164,7 +164,7 @@ QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView&
     const SweepLength& at = sweep.lengths[length];
     const SweepValue& value = at.values[view.variable];
     const double factor = sweepFactor(sweep, view, view.variable);
-    return translated(QT_TRANSLATE_NOOP("Sweep",
+    return sweepText(QT_TRANSLATE_NOOP("Sweep",
                                         "%1: scatter of %2 %3 %4 (stated %5, bound %6, shift by "
                                         "motion %7); noise %8"))
         .arg(lengthText(sweep, length), symbolOf(view.variable, view),
@@ -175,13 +175,13 @@ QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView&
 }
 
 QStringList sweepHeaders() {
-    QStringList headers{translated(QT_TRANSLATE_NOOP("Sweep", "windows")),
-                        translated(QT_TRANSLATE_NOOP("Sweep", "scatter"))};
+    QStringList headers{sweepText(QT_TRANSLATE_NOOP("Sweep", "windows")),
+                        sweepText(QT_TRANSLATE_NOOP("Sweep", "scatter"))};
     for (const Column& column : columns) {
-        headers << translated(column.name);
+        headers << sweepText(column.name);
     }
-    return headers << translated(QT_TRANSLATE_NOOP("Sweep", "rms"))
-                   << translated(QT_TRANSLATE_NOOP("Sweep", "noise"));
+    return headers << sweepText(QT_TRANSLATE_NOOP("Sweep", "rms"))
+                   << sweepText(QT_TRANSLATE_NOOP("Sweep", "noise"));
 }
 
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {
@@ -213,8 +213,8 @@ std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& vi
 
 QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
     const auto number = [](double value) { return QLocale().toString(value, 'g', 12); };
-    QStringList head{QStringLiteral("n"), translated("windows"), translated("rms"),
-                     translated("noise")};
+    QStringList head{QStringLiteral("n"), sweepText("windows"), sweepText("rms"),
+                     sweepText("noise")};
     for (std::size_t v = 0; v < sweep_variable_count; ++v) {
         const QString unit = sweepUnit(view, v);
         const QString symbol = indexPlain(symbolOf(v, view));
@@ -222,13 +222,13 @@ QString sweepTable(const WindowSweep& sweep, const SweepView& view) {
             head << symbol + QStringLiteral(": ") + what +
                         (unit.isEmpty() ? QString() : QStringLiteral(", ") + unit);
         };
-        add(translated("scatter"));
-        add(translated(QT_TRANSLATE_NOOP("Sweep", "sd of the scatter")));
+        add(sweepText("scatter"));
+        add(sweepText(QT_TRANSLATE_NOOP("Sweep", "sd of the scatter")));
         for (const Column& column : columns) {
-            add(translated(column.name));
+            add(sweepText(column.name));
         }
         for (std::size_t k = 0; k < closed_form_algorithms.size(); ++k) {
-            add(translated(QT_TRANSLATE_NOOP("Sweep", "leakage, algorithm %1")).arg(k + 1));
+            add(sweepText(QT_TRANSLATE_NOOP("Sweep", "leakage, algorithm %1")).arg(k + 1));
         }
     }
     QStringList lines{head.join(QLatin1Char('\t'))};

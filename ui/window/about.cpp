@@ -16,7 +16,7 @@ namespace vybeg::ui {
 
 namespace {
 
-QString translated(const char* text) {
+QString aboutText(const char* text) {
     return QCoreApplication::translate("About", text);
 }
 
@@ -44,9 +44,9 @@ QString diagnosticsOf(const Document& document, const QString& language, bool da
 void showAbout(QWidget* window, QAction* copy_diagnostics) {
     auto* dialog = new QDialog(window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(translated(QT_TRANSLATE_NOOP("About", "About Vybeg")));
+    dialog->setWindowTitle(aboutText(QT_TRANSLATE_NOOP("About", "About Vybeg")));
     auto* text = new QLabel(
-        translated(
+        aboutText(
             QT_TRANSLATE_NOOP("About",
                               "<h3>Vybeg %1</h3><p>Standing waves in the free decay of "
                               "hemispherical resonator "
@@ -59,7 +59,7 @@ void showAbout(QWidget* window, QAction* copy_diagnostics) {
     text->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
     QPushButton* copy = buttons->addButton(
-        translated(QT_TRANSLATE_NOOP("About", "Copy diagnostics")), QDialogButtonBox::ActionRole);
+        aboutText(QT_TRANSLATE_NOOP("About", "Copy diagnostics")), QDialogButtonBox::ActionRole);
     QObject::connect(copy, &QPushButton::clicked, copy_diagnostics, &QAction::trigger);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     auto* layout = new QVBoxLayout(dialog);

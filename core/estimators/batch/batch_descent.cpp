@@ -7,7 +7,7 @@ namespace vybeg {
 namespace {
 
 // Most windows need 5 to 10 steps; the few that need more are estimated one by one.
-constexpr int most_steps = 40;
+constexpr int most_descent_steps = 40;
 
 // All cosines and sines in one loop, with cosines computed as sines, because GCC combines cos and
 // sin of one number into one call per lane.
@@ -57,7 +57,7 @@ void descend_batch(const ProjectionBatch& __restrict batch, const TaylorFrame& _
     WaveFunctional<Vec8> f = functional_at(batch, frame, at);
     Preconditioner<Vec8> scale(at, n, frame.spread(), 0.5 * n);
     Five<Vec8> direction{};
-    for (int steps = 0; steps < most_steps; ++steps) {
+    for (int steps = 0; steps < most_descent_steps; ++steps) {
         if (steps % descent_restart == 0) {
             scale = Preconditioner<Vec8>(at, n, frame.spread(), 0.5 * n);
             direction = {};

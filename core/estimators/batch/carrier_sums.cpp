@@ -12,7 +12,7 @@
 namespace vybeg {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Largest |x| of the windows of a block for which the carrier is the reference of all.
 constexpr double near = 0.04;
 // Step of the grid of references, which blocks share.

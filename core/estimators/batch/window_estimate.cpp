@@ -9,7 +9,7 @@ namespace vybeg {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A difference of two angles in (-pi, pi] by whole periods of pi or 2 pi, to half a period; two
 // steps reach it, without the division of std::remainder.

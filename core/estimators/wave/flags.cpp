@@ -6,7 +6,7 @@
 namespace vybeg {
 namespace {
 
-constexpr std::array<std::pair<Flag, const char*>, 10> names{{
+constexpr std::array<std::pair<Flag, const char*>, 10> flag_names{{
     {Flag::no_quadrature, "no-quadrature"},
     {Flag::circular, "circular"},
     {Flag::gap, "gap"},
@@ -21,7 +21,7 @@ constexpr std::array<std::pair<Flag, const char*>, 10> names{{
 
 constexpr std::size_t length_of_all() {
     std::size_t length = 0;
-    for (const auto& [flag, name] : names) {
+    for (const auto& [flag, name] : flag_names) {
         length += std::string_view(name).size() + 1;
     }
     return length;
@@ -32,7 +32,7 @@ static_assert(length_of_all() <= longest_flags_text);
 
 std::string flags_text(Flags flags) {
     std::string text;
-    for (const auto& [flag, name] : names) {
+    for (const auto& [flag, name] : flag_names) {
         if (has(flags, flag)) {
             text += text.empty() ? "" : ";";
             text += name;
@@ -46,7 +46,7 @@ Flags flags_from_text(std::string_view text) {
     while (!text.empty()) {
         const std::size_t end = text.find(';');
         const std::string_view word = text.substr(0, end);
-        for (const auto& [flag, name] : names) {
+        for (const auto& [flag, name] : flag_names) {
             if (word == name) {
                 set(flags, flag);
             }

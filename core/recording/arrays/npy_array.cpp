@@ -16,7 +16,7 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view magic = "\x93NUMPY"sv;
 constexpr std::int64_t most_channels = 4096;
-constexpr std::int64_t longest_header = std::int64_t{1} << 16;  // NumPy itself stops at 10000
+constexpr std::int64_t longest_npy_header = std::int64_t{1} << 16;  // NumPy itself stops at 10000
 
 // Reads the header, a Python literal, token by token. Blanks are ignored.
 class Literal {
@@ -233,7 +233,7 @@ Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
     const std::int64_t text_at = version == 1 ? 10 : 12;
     const std::int64_t text_size = version == 1 ? load<std::uint16_t>(start.data() + 8, false)
                                                 : load<std::uint32_t>(start.data() + 8, false);
-    if (text_size > longest_header || text_at + text_size > bytes.size()) {
+    if (text_size > longest_npy_header || text_at + text_size > bytes.size()) {
         return damaged(VYBEG_MESSAGE("Words", "its header is longer than it can be"));
     }
     std::string text(static_cast<std::size_t>(text_size), '\0');

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t channels = 2;
 constexpr std::int64_t front_bytes = std::int64_t{1} << 14;  // possible extent of a header
 constexpr std::int64_t body_bytes = std::int64_t{1} << 16;   // after it, basis of the guess
-constexpr std::int64_t longest_header = std::int64_t{1} << 13;
+constexpr std::int64_t longest_raw_header = std::int64_t{1} << 13;
 constexpr std::int64_t round_length = 64;  // usual multiple of header lengths
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -157,7 +157,7 @@ std::int64_t header_length(std::string_view front, const Candidate& found) {
     if (begin > 0 && (header + width) % round_length == 0) {
         return header + width;
     }
-    return header <= longest_header ? header : found.shift;
+    return header <= longest_raw_header ? header : found.shift;
 }
 
 }  // namespace

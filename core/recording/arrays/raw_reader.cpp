@@ -12,7 +12,7 @@
 namespace vybeg {
 namespace {
 
-constexpr int most_channels = 4096;
+constexpr int most_raw_channels = 4096;
 
 std::int64_t frame_count(const FileBytes& file, const RawLayout& layout) {
     const std::int64_t stride = std::int64_t{bytes_of(number_type(layout.type))} * layout.channels;
@@ -36,12 +36,12 @@ std::shared_ptr<const SampleSource> raw_source(const std::shared_ptr<const FileB
 }
 
 Status check_layout(const RawLayout& layout) {
-    if (layout.channels < 1 || layout.channels > most_channels) {
+    if (layout.channels < 1 || layout.channels > most_raw_channels) {
         return Error{ErrorCode::setting_invalid,
                      "",
                      {"--raw-channels", count_arg(layout.channels),
                       words(VYBEG_MESSAGE("Words", "it must lie between 2 and %1"),
-                            {count_arg(most_channels)})}};
+                            {count_arg(most_raw_channels)})}};
     }
     if (layout.skip_bytes < 0) {
         return Error{ErrorCode::setting_invalid,

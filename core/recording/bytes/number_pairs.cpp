@@ -23,7 +23,7 @@ using Int4 = std::int32_t __attribute__((vector_size(16)));
 using Double4 = double __attribute__((vector_size(32)));
 
 template <class Number>
-inline Number number_at(const char* bytes) {
+inline Number native_number(const char* bytes) {
     Number number;
     std::memcpy(&number, bytes, sizeof number);
     return number;
@@ -44,7 +44,7 @@ inline std::int32_t at_top(const char* bytes) {
 VYBEG_EACH_PROCESSOR void split_i16(const char* bytes, Scale scale, double* __restrict left,
                                     double* __restrict right, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        const auto both = number_at<std::uint32_t>(bytes + 4 * i);
+        const auto both = native_number<std::uint32_t>(bytes + 4 * i);
         left[i] = scale.gain * static_cast<std::int16_t>(both) + scale.offset;
         right[i] = scale.gain * (static_cast<std::int32_t>(both) >> 16) + scale.offset;
     }
@@ -57,8 +57,8 @@ VYBEG_EACH_PROCESSOR void split_i24(const char* bytes, Scale scale, double* __re
     std::size_t i = 0;
     // Four frames are 24 bytes: the first two in 16 of them, the others in 16 that end with them.
     for (; i + 4 <= count; i += 4) {
-        const auto a = number_at<Bytes16>(bytes + 6 * i);
-        const auto b = number_at<Bytes16>(bytes + 6 * i + 8);
+        const auto a = native_number<Bytes16>(bytes + 6 * i);
+        const auto b = native_number<Bytes16>(bytes + 6 * i + 8);
         const auto first = std::bit_cast<Int4>(
             __builtin_shufflevector(a, zero, 16, 0, 1, 2, 16, 6, 7, 8, 16, 3, 4, 5, 16, 9, 10, 11));
         const auto second = std::bit_cast<Int4>(__builtin_shufflevector(
@@ -79,8 +79,8 @@ VYBEG_EACH_PROCESSOR void split_i24(const char* bytes, Scale scale, double* __re
 VYBEG_EACH_PROCESSOR void split_i32(const char* bytes, Scale scale, double* __restrict left,
                                     double* __restrict right, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        left[i] = scale.gain * number_at<std::int32_t>(bytes + 8 * i) + scale.offset;
-        right[i] = scale.gain * number_at<std::int32_t>(bytes + 8 * i + 4) + scale.offset;
+        left[i] = scale.gain * native_number<std::int32_t>(bytes + 8 * i) + scale.offset;
+        right[i] = scale.gain * native_number<std::int32_t>(bytes + 8 * i + 4) + scale.offset;
     }
 }
 
@@ -90,8 +90,8 @@ __attribute__((always_inline)) inline void split_floats(const char* bytes, Scale
                                                         double* __restrict right,
                                                         std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        const double l = number_at<Float>(bytes + 2 * sizeof(Float) * i);
-        const double r = number_at<Float>(bytes + 2 * sizeof(Float) * i + sizeof(Float));
+        const double l = native_number<Float>(bytes + 2 * sizeof(Float) * i);
+        const double r = native_number<Float>(bytes + 2 * sizeof(Float) * i + sizeof(Float));
         left[i] = present(scale.gain * l + scale.offset);
         right[i] = present(scale.gain * r + scale.offset);
     }

@@ -1,6 +1,7 @@
 #include "core/recording/checks/local_lines.h"
 
 #include "core/numerics/fft.h"
+#include "core/numerics/median.h"
 
 #include <Eigen/Cholesky>
 
@@ -44,12 +45,6 @@ void add_spectrum(const Eigen::MatrixX2d& residual, const Fft& fft, std::vector<
         spectrum[k] +=
             scale * (std::norm(data[k]) + std::norm(data[(fft.size() - k) % fft.size()]));
     }
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 struct Peak {

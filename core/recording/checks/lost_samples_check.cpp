@@ -1,5 +1,6 @@
 #include "core/recording/checks/lost_samples_check.h"
 
+#include "core/numerics/median.h"
 #include "core/numerics/phase.h"
 #include "core/recording/checks/sample_prediction.h"
 #include "core/recording/checks/step_evidence.h"
@@ -20,16 +21,10 @@ constexpr std::size_t least_between = 4;
 constexpr std::size_t most_segment_blocks = 512;
 constexpr std::size_t most_segment_frames = std::size_t{1} << 19;
 // Threshold of the mean prediction error of a block, relative to the median.
-constexpr double unforeseen = 5;
+constexpr double far_off_prediction = 5;
 // Largest number of judged suspicions of a segment, in the order of size; with more, the phase
 // cannot be followed.
 constexpr std::size_t most_judged = 16;
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // Smallest phase step of one to three lost samples.
 double smallest_step(double w) {
@@ -182,10 +177,10 @@ std::vector<PhaseStepCheck::Suspect> PhaseStepCheck::unforeseen_blocks() const {
     }
     const double usual = median(std::move(known));
     for (std::size_t k = 0; k < errors.size(); ++k) {
-        if (!(errors[k] > unforeseen * usual)) {
+        if (!(errors[k] > far_off_prediction * usual)) {
             continue;
         }
-        suspects.push_back({k, k, errors[k] / (unforeseen * usual)});
+        suspects.push_back({k, k, errors[k] / (far_off_prediction * usual)});
     }
     return suspects;
 }

@@ -2,6 +2,7 @@
 
 #include "core/numerics/fft.h"
 #include "core/numerics/line_fit.h"
+#include "core/numerics/median.h"
 
 #include <Eigen/Dense>
 
@@ -49,12 +50,6 @@ double noise_power(std::span<const double> x, double twice_cos) {
         sum += left * left;
     }
     return sum / static_cast<double>(x.size() - 2) / (2 + twice_cos * twice_cos);
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 // Largest distance of equally spaced values from their polynomial of the fourth degree.

@@ -1,5 +1,6 @@
 #include "core/recording/text/text_clock.h"
 
+#include "core/base/plain_text.h"
 #include "core/recording/samples/text_fields.h"
 
 #include <cmath>
@@ -10,17 +11,13 @@ namespace {
 constexpr std::int64_t day_s = 86400;
 constexpr std::size_t most_fraction_digits = 18;
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
 // Takes the characters off the front of `text` that `is` holds for.
 template <class Predicate>
-std::string_view take(std::string_view& text, Predicate is) {
+std::string_view take_while(std::string_view& text, Predicate is) {
     std::size_t count = 0;
     while (count < text.size() && is(text[count])) {
         ++count;
@@ -45,7 +42,7 @@ int small_number(std::string_view digits, int limit) {
 // Takes a date and what separates it from a time; false where the text does not begin with one.
 bool take_date(std::string_view& text) {
     std::string_view rest = text;
-    const std::string_view first = take(rest, is_digit);
+    const std::string_view first = take_while(rest, is_digit);
     const char separator = rest.empty() ? '\0' : rest.front();
     if (first.empty() || first.size() > 4 ||
         (separator != '-' && separator != '/' && separator != '.')) {
@@ -53,13 +50,13 @@ bool take_date(std::string_view& text) {
     }
     rest.remove_prefix(1);
     const bool named = !rest.empty() && is_letter(rest.front());
-    const std::string_view middle = named ? take(rest, is_letter) : take(rest, is_digit);
+    const std::string_view middle = named ? take_while(rest, is_letter) : take_while(rest, is_digit);
     if (rest.empty() || rest.front() != separator ||
         (named ? middle.size() != 3 : small_number(middle, 32) < 1)) {
         return false;
     }
     rest.remove_prefix(1);
-    const std::string_view last = take(rest, is_digit);
+    const std::string_view last = take_while(rest, is_digit);
     const bool year_first = first.size() == 4;
     if (year_first ? small_number(last, 32) < 1
                    : (small_number(first, 32) < 1 || (last.size() != 2 && last.size() != 4))) {
@@ -89,7 +86,7 @@ bool take_ending(std::string_view text, std::int64_t& whole_s) {
     }
     if (!text.empty() && (text.front() == '+' || text.front() == '-')) {
         text.remove_prefix(1);
-        take(text, [](char c) { return is_digit(c) || c == ':'; });
+        take_while(text, [](char c) { return is_digit(c) || c == ':'; });
     }
     return text.empty();
 }
@@ -106,11 +103,11 @@ std::optional<ClockField> parse_clock(std::string_view field) {
         return clock;
     }
     clock.timed = true;
-    const int hours = small_number(take(field, is_digit), 25);
+    const int hours = small_number(take_while(field, is_digit), 25);
     int parts = 1;
     for (; !field.empty() && field.front() == ':' && parts < 3; ++parts) {
         field.remove_prefix(1);
-        const int part = small_number(take(field, is_digit), 61);
+        const int part = small_number(take_while(field, is_digit), 61);
         if (part < 0) {
             return std::nullopt;
         }
@@ -122,7 +119,7 @@ std::optional<ClockField> parse_clock(std::string_view field) {
     clock.whole_s += 3600 * static_cast<std::int64_t>(hours);
     if (!field.empty() && (field.front() == '.' || field.front() == ',' || field.front() == ':')) {
         field.remove_prefix(1);
-        const std::string_view digits = take(field, is_digit);
+        const std::string_view digits = take_while(field, is_digit);
         if (digits.empty() || digits.size() > most_fraction_digits) {
             return std::nullopt;
         }

@@ -1,5 +1,6 @@
 #include "core/recording/text/text_columns.h"
 
+#include "core/numerics/median.h"
 #include "core/recording/samples/column_words.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_clock.h"
@@ -75,12 +76,6 @@ std::vector<double> steps_of(const std::vector<double>& values) {
     return steps;
 }
 
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 // Rises by steps of which nine in ten, or all but one, lie within a half of the median step: a
 // clock with jitter, gaps and perhaps an error that the reader will report, but no vibration.
 bool rises_evenly(const std::vector<double>& values) {
@@ -88,12 +83,12 @@ bool rises_evenly(const std::vector<double>& values) {
     if (steps.size() < 2) {
         return false;
     }
-    const double median = median_of(steps);
-    const auto odd = std::count_if(steps.begin(), steps.end(), [median](double step) {
-        return !(step >= 0.5 * median && step <= 1.5 * median);
+    const double usual = median(steps);
+    const auto odd = std::count_if(steps.begin(), steps.end(), [usual](double step) {
+        return !(step >= 0.5 * usual && step <= 1.5 * usual);
     });
     const auto count = static_cast<std::ptrdiff_t>(steps.size());
-    return median > 0 && odd <= std::max<std::ptrdiff_t>(count / 10, count >= 4 ? 1 : 0);
+    return usual > 0 && odd <= std::max<std::ptrdiff_t>(count / 10, count >= 4 ? 1 : 0);
 }
 
 bool is_whole(const std::vector<double>& values) {
@@ -223,7 +218,7 @@ private:
         if (left.size() != right.size() || left.size() < 2) {
             return false;
         }
-        const double step_s = std::abs(median_of(steps_of(left))) * unit_of(a);
+        const double step_s = std::abs(median(steps_of(left))) * unit_of(a);
         for (std::size_t i = 0; i < left.size(); ++i) {
             const double late_s = left[i] * unit_of(a) - right[i] * unit_of(b);
             if (!(std::abs(late_s) <= equal_times * step_s)) {

@@ -1,5 +1,6 @@
 #include "core/recording/text/text_rate.h"
 
+#include "core/base/plain_text.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/column_words.h"
 #include "core/recording/samples/rate_name.h"
@@ -111,7 +112,7 @@ void drop_groups(std::string& number, char group) {
         return from + count <= number.size() &&
                std::all_of(number.begin() + static_cast<std::ptrdiff_t>(from),
                            number.begin() + static_cast<std::ptrdiff_t>(from + count),
-                           [](char c) { return c >= '0' && c <= '9'; });
+                           is_digit);
     };
     std::size_t at = number.find(group);
     if (group == 0 || at == std::string::npos || at == 0 || at > 3 || number[0] == '0' ||
@@ -141,7 +142,7 @@ struct NumberText {
 std::optional<NumberText> number_at_start(std::string_view text, char group) {
     text = trimmed(text);
     const auto is_number = [](char c) {
-        return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '+' || c == '-';
+        return is_digit(c) || c == '.' || c == ',' || c == '+' || c == '-';
     };
     if (const auto colon = text.find(':'); colon != std::string_view::npos) {
         if (!text.empty() && !is_number(text.front())) {

@@ -1,6 +1,7 @@
 #include "core/recording/text/text_rows.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/text_clock.h"
@@ -15,10 +16,6 @@
 
 namespace vybeg {
 namespace {
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 bool begins_number(char c) {
     return is_digit(c) || c == '-' || c == '+' || c == '.';

@@ -6,7 +6,7 @@
 namespace vybeg {
 namespace {
 
-constexpr std::size_t chunk_bytes = std::size_t{1} << 16;
+constexpr std::size_t uff_chunk_bytes = std::size_t{1} << 16;
 constexpr std::size_t longest_line = std::size_t{1} << 20;
 
 }  // namespace
@@ -58,7 +58,7 @@ Result<bool> UffLines::fill() {
     buffer_.erase(0, begin_);
     begin_ = 0;
     const std::size_t held = buffer_.size();
-    buffer_.resize(held + chunk_bytes);
+    buffer_.resize(held + uff_chunk_bytes);
     const auto got = file_->read(offset_, std::span(buffer_).subspan(held));
     if (!got) {
         return got.error();

@@ -1,6 +1,7 @@
 #include "core/recording/times/time_grid.h"
 
 #include "core/base/number_text.h"
+#include "core/numerics/median.h"
 #include "core/recording/times/local_cubic.h"
 
 #include <algorithm>
@@ -25,9 +26,7 @@ double median_step(std::span<const double> time) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
         steps[i] = time[i + 1] - time[i];
     }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
+    return median(std::move(steps));
 }
 
 // Rows without a gap between them: [first, end).

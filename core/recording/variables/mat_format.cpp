@@ -1,5 +1,7 @@
 #include "core/recording/variables/mat_format.h"
 
+#include "core/base/plain_text.h"
+
 #include <algorithm>
 #include <array>
 
@@ -18,7 +20,7 @@ bool is_letter(char c) {
 bool is_name(std::string_view name) {
     return !name.empty() && is_letter(name.front()) &&
            std::all_of(name.begin(), name.end(),
-                       [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+                       [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
 }
 
 }  // namespace

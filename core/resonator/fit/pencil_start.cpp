@@ -20,7 +20,7 @@ using Eigen::Vector2cd;
 using Matrix = Eigen::Matrix2cd;
 using std::numbers::pi;
 
-// Calls use(k, l) for windows whose distance in time is `lag` steps, gaps or not.
+// Calls use(k, l) for windows whose distance in time is `lag` steps_of, gaps or not.
 template <class Use>
 void for_pairs(const ScaledRun& run, std::size_t lag, const Use& use) {
     const double wanted = static_cast<double>(lag) * run.step_s;
@@ -35,7 +35,7 @@ void for_pairs(const ScaledRun& run, std::size_t lag, const Use& use) {
 }
 
 // Steps between the ends of a run.
-std::size_t steps(const ScaledRun& run) {
+std::size_t steps_of(const ScaledRun& run) {
     return static_cast<std::size_t>(
         std::lround((run.time_s.back() - run.time_s.front()) / run.step_s));
 }
@@ -44,7 +44,7 @@ std::size_t steps(const ScaledRun& run) {
 // each of which resolves the whole turns of the next.
 double mean_frequency(const ScaledRun& run, const std::vector<Vector2cd>& w) {
     double f = 0;
-    for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, steps(run) / 2); lag *= 2) {
+    for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, steps_of(run) / 2); lag *= 2) {
         Complex sum = 0;
         for_pairs(run, lag, [&](std::size_t k, std::size_t l) { sum += w[k].dot(w[l]); });
         if (sum != Complex{}) {
@@ -163,7 +163,7 @@ std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil ki
     std::size_t longest = 0;
     for (const ScaledRun& run : runs) {
         z.push_back(aligned(run, mean_frequency(run, run.z)));
-        longest = std::max(longest, steps(run));
+        longest = std::max(longest, steps_of(run));
     }
     for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, longest / 3); lag *= 4) {
         PencilSums all;

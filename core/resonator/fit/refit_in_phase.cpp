@@ -11,7 +11,7 @@ namespace vybeg {
 
 namespace {
 
-constexpr int steps = 60;
+constexpr int most_steps = 60;
 
 struct Turned {
     std::vector<ScaledRun> runs;
@@ -62,7 +62,7 @@ MapFit fit_turned(const FitProblem& problem, const Turned& turned, const Eigen::
                   const JobControl& job) {
     FitProblem in_phase = problem;
     in_phase.runs = turned.runs;
-    return minimise(in_phase, p, steps, job);
+    return minimise(in_phase, p, most_steps, job);
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit
     }
     FitProblem still = problem;
     still.priors = first_priors(problem.priors, problem.layout, FirstFit::drifting_wave);
-    const MapFit wave = minimise(still, still_waves(problem), steps, job);
+    const MapFit wave = minimise(still, still_waves(problem), most_steps, job);
     MapFit fit = fit_turned(problem, turned_by(problem, wave), wave.p, job);
     // One of the four numbers of a window, the phase, is not used.
     if (above_noise(fit.chi2, 0.75 * dof)) {

@@ -1,5 +1,7 @@
 #include "core/resonator/model/scaled_run.h"
 
+#include "core/numerics/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -53,9 +55,7 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
         scaled.reference_s = (run.time_s.front() + run.time_s.back()) / 2;
         scaled.power = 1;
     }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::ranges::nth_element(steps, middle);
-    scaled.step_s = *middle;
+    scaled.step_s = median(std::move(steps));
     const double half_turn = std::arg(turn) / 2 * scaled.window_s / scaled.step_s;
     if (half_turn != 0) {
         scaled.power_kept = std::pow(std::sin(half_turn) / half_turn, 2);

@@ -1,5 +1,7 @@
 #include "core/resonator/noise/residual_series.h"
 
+#include "core/numerics/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -14,12 +16,6 @@ constexpr Complex i{0, 1};
 
 // Amplitude in deviations below which the linear part replaces the logarithm of the phasor.
 constexpr double clear_amplitude = 10;
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 // Correlation of points that are sums of `merge` windows over their root.
 Eigen::MatrixXd merged_correlation(const std::vector<double>& correlation, std::size_t merge,

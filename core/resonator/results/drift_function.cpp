@@ -16,9 +16,9 @@ namespace vybeg {
 namespace {
 
 // m, c4, s4, c8, s8.
-constexpr int terms = 5;
-using Terms = Eigen::Matrix<double, terms, 1>;
-using TermMatrix = Eigen::Matrix<double, terms, terms>;
+constexpr int drift_terms = 5;
+using Terms = Eigen::Matrix<double, drift_terms, 1>;
+using TermMatrix = Eigen::Matrix<double, drift_terms, drift_terms>;
 
 constexpr double angle_needs_sd = 6;
 // Least eigenvalue of the information in units of that of a constant drift: six starts 15 degrees
@@ -26,10 +26,10 @@ constexpr double angle_needs_sd = 6;
 constexpr double least_information = 0.02;
 constexpr double point_reach = 5 * std::numbers::pi / 180;
 // Least number of windows of the straight line of a point.
-constexpr std::size_t least_windows = 8;
+constexpr std::size_t least_point_windows = 8;
 
 // Window with an angle.
-struct Place {
+struct AngleWindow {
     double time_s = 0;
     double theta = 0;     // of the fitted wave, unwrapped along the run
     double residual = 0;  // measured less fitted theta_A
@@ -37,7 +37,7 @@ struct Place {
 };
 
 // Consecutive windows without a gap.
-using Segment = std::vector<Place>;
+using Segment = std::vector<AngleWindow>;
 
 // Measured and fitted angles are those of the pick-offs, so that the errors of the channels cancel
 // in the difference.
@@ -54,7 +54,7 @@ std::vector<Segment> segments_of(const PhasorRun& run, const FittedMotion& motio
         const WaveState measured = to_wave_state({run.c[k], run.d[k]});
         const double sum = fitted.a_A * fitted.a_A + fitted.a_B * fitted.a_B;
         const double difference = fitted.a_A * fitted.a_A - fitted.a_B * fitted.a_B;
-        Place place{
+        AngleWindow place{
             .time_s = run.time_s[k],
             .theta = to_wave_state(waves[k]).two_theta_A / 2,
             .residual =
@@ -88,7 +88,7 @@ struct Normal {
     double freedom = 0;
 
     void add(const Segment& segment) {
-        // The integrals of the terms from the first place, by trapezoids.
+        // The integrals of the drift_terms from the first place, by trapezoids.
         std::vector<Terms> sums(segment.size(), Terms::Zero());
         double weight = 0;
         double mean_residual = 0;
@@ -130,7 +130,7 @@ void take_fourth(const DriftTerms& terms_of_fit, DriftFunction& found) {
     found.covariance = of_terms * covariance * of_terms.transpose();
 }
 
-// Adds the information of the residual angles on all five terms, if they separate them.
+// Adds the information of the residual angles on all five drift_terms, if they separate them.
 void add_eighth(const Normal& normal, DriftFunction& found) {
     const double unit = normal.information(0, 0);
     if (!(unit > 0)) {
@@ -188,9 +188,9 @@ DriftPoint point_of(std::size_t run, const Segment& segment, std::size_t first, 
 // Segments are cut by time so that the angle moves by point_reach in each on the average.
 void add_points(std::size_t run, const Segment& segment, const Eigen::Matrix2cd& m,
                 std::vector<DriftPoint>& points) {
-    const auto [low, high] = std::ranges::minmax_element(segment, {}, &Place::theta);
+    const auto [low, high] = std::ranges::minmax_element(segment, {}, &AngleWindow::theta);
     const double sweep = high->theta - low->theta;
-    const std::size_t most = segment.size() / least_windows;
+    const std::size_t most = segment.size() / least_point_windows;
     const auto pieces = std::min(
         most, std::max<std::size_t>(
                   1, static_cast<std::size_t>(std::ceil(std::min(sweep / point_reach, 1e6)))));

@@ -1,5 +1,7 @@
 #include "core/resonator/results/parameter_limit.h"
 
+#include "core/resonator/results/uncertainty_budget.h"
+
 #include <algorithm>
 #include <iterator>
 

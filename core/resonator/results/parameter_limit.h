@@ -21,9 +21,6 @@ struct ParameterLimit {
 // unknown: the parameter has no value, or its coverage interval reaches over a limit.
 enum class Conformity { unknown, within, outside };
 
-// Factor of the combined standard uncertainty for the coverage interval, some 95 %.
-inline constexpr double coverage_factor = 2;
-
 // Whether the whole coverage interval lies on one side of the limits: guarded acceptance and
 // guarded rejection with guard bands U = 2u, JCGM 106:2012, 8.3.2 and 8.3.3. unknown, too, for a
 // value without an uncertainty.

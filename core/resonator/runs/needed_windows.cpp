@@ -2,6 +2,7 @@
 
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
+#include "core/numerics/median.h"
 #include "core/resonator/model/parameters.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ constexpr std::size_t least_points = 128;
 constexpr double beta = 12;
 
 // Power of both channels' residual by frequency bin, windows on the grid of their times.
-std::vector<double> power_of(const PhasorRun& run, const std::vector<Phasors>& expected) {
+std::vector<double> bin_powers(const PhasorRun& run, const std::vector<Phasors>& expected) {
     const auto place = [&run](std::size_t k) {
         return static_cast<std::size_t>(
             std::lround((run.time_s[k] - run.time_s[0]) / run.window_s));
@@ -61,9 +62,7 @@ double noise_around(const std::vector<double>& power, std::ptrdiff_t bin) {
             around.push_back(power[static_cast<std::size_t>((at % size + size) % size)]);
         }
     }
-    const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-    std::ranges::nth_element(around, middle);
-    return *middle / median_over_mean;
+    return median(std::move(around)) / median_over_mean;
 }
 
 // Difference of the turn of a window between the ends of a run, rad; a mean loses (turn)^2/24 of
@@ -94,7 +93,7 @@ double line_beyond(const FittedMotion& motion, std::span<const PhasorRun> fine) 
         if (run.time_s.size() < least_points || band_hz >= 0.49 / run.window_s) {
             continue;
         }
-        const std::vector<double> power = power_of(run, predicted_phasors(motion, k, run.time_s));
+        const std::vector<double> power = bin_powers(run, predicted_phasors(motion, k, run.time_s));
         const auto size = std::ssize(power);
         for (std::ptrdiff_t bin = 0; bin < size; ++bin) {
             const double f_hz = static_cast<double>(std::min(bin, size - bin)) /

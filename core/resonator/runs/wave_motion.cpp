@@ -1,6 +1,7 @@
 #include "core/resonator/runs/wave_motion.h"
 
 #include "core/estimators/wave/wave_state.h"
+#include "core/numerics/median.h"
 #include "core/numerics/phase.h"
 #include "core/resonator/runs/between_windows.h"
 #include "core/resonator/runs/decay_time.h"
@@ -250,10 +251,7 @@ void mark_outliers(const RateSeries& series, const std::vector<std::size_t>& win
     for (std::size_t i = 0; i < trend.size(); ++i) {
         off.push_back(std::abs(series.value[i] - trend[i]) / series.sd[i]);
     }
-    std::vector<double> sorted = off;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::ranges::nth_element(sorted, middle);
-    const double limit = outlier * std::max(1.0, 1.4826 * *middle);
+    const double limit = outlier * std::max(1.0, 1.4826 * median(off));
     for (std::size_t i = 0; i < off.size(); ++i) {
         if (off[i] > limit) {
             out[windows[i]] = true;

@@ -4,6 +4,7 @@
 #include "core/track/track.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -11,6 +12,8 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+
+namespace test_analyse {
 
 using namespace vybeg;
 
@@ -74,7 +77,7 @@ void TestAnalyse::fillsInWhatWasLeftOpen() {
     VYBEG_CLOSE(analysis->f0_hz(), 5300, 0.1);
     QCOMPARE(analysis->settings.window, 66);  // ten periods are 62.9; 66 are 20.99 half-periods
     QCOMPARE(analysis->settings.hop, 66);
-    QVERIFY(analysis->residual < 0.001);
+    VYBEG_LESS(analysis->residual, 0.001);
     QCOMPARE(analysis->track.rows(), std::size_t{33333 / 66});
 }
 
@@ -127,7 +130,8 @@ void TestAnalyse::rangeIsKept() {
     settings.to_s = 0.5;
     const Result<Analysis> analysis = analyse(recording, settings, {});
     QVERIFY(analysis);
-    QVERIFY(analysis->track.time_s().front() >= 0.25 && analysis->track.time_s().back() <= 0.5);
+    VYBEG_AT_LEAST(analysis->track.time_s().front(), 0.25);
+    VYBEG_AT_MOST(analysis->track.time_s().back(), 0.5);
     QCOMPARE(analysis->plan.first, 8334);  // the first frame not before 0.25 s
     QCOMPARE(analysis->track.rows(), std::size_t{(16667 - 8334) / 60});
 }
@@ -149,7 +153,7 @@ void TestAnalyse::calibrationTakesOutWhatTheChannelsAdd() {
     };
     Settings settings;
     // sd of 2theta_A in a window is 2e-4 and of the mean of 555 windows 1e-5.
-    QVERIFY(error_of(settings) > 3e-3);
+    VYBEG_MORE(error_of(settings), 3e-3);
     settings.calibration.kappa = 1.03;
     settings.calibration.offset_c = 0.5;
     settings.calibration.offset_d = -0.2;
@@ -183,7 +187,8 @@ void TestAnalyse::filterFlagsItsTransients() {
     QVERIFY(has(flags.front(), Flag::filter_transient));
     QVERIFY(has(flags.back(), Flag::filter_transient));
     const auto clean = std::count(flags.begin(), flags.end(), Flags{0});
-    QVERIFY2(clean > 450 && clean < 555, qPrintable(QString("%1 clean windows").arg(clean)));
+    VYBEG_MORE(clean, 450);
+    VYBEG_LESS(clean, 555);
     VYBEG_CLOSE(analysis->track.values(SlowVariable::a_A)[250], 1, 1e-3);
     QVERIFY(std::ranges::any_of(analysis->diagnostics, [](const Diagnostic& d) {
         return d.kind == DiagnosticKind::filter_transients;
@@ -286,10 +291,13 @@ void TestAnalyse::progressRisesToOne() {
     std::vector<double> told;
     const JobControl job({}, [&told](double fraction) { told.push_back(fraction); });
     QVERIFY(analyse(recording, {}, job));
-    QVERIFY(told.size() > 1);
+    VYBEG_MORE(told.size(), 1);
     QVERIFY(std::ranges::is_sorted(told));
     QCOMPARE(told.back(), 1.0);
 }
 
-QTEST_GUILESS_MAIN(TestAnalyse)
+VYBEG_TEST(TestAnalyse, threads)
+
+}  // namespace test_analyse
+
 #include "test_analyse.moc"

@@ -2,12 +2,15 @@
 #include "core/resonator/results/uncertainty_budget.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+
+namespace test_identify {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -48,7 +51,7 @@ private slots:
         QVERIFY(exact && open);
         const double wide = 1e-5 * 5300;
 
-        QVERIFY(exact->fit.resonator.f_mean_hz.uncertainty() < 1e-4);
+        VYBEG_LESS(exact->fit.resonator.f_mean_hz.uncertainty(), 1e-4);
         VYBEG_CLOSE_RATIO(open->fit.resonator.f_mean_hz.u, wide, 0.01);
         QCOMPARE(open->fit.modes.size(), std::size_t{2});
         for (const ModeEstimate& mode : open->fit.modes) {
@@ -76,7 +79,7 @@ private slots:
         const Result<Identification> found = identify(runs, settings, {});
         QVERIFY(found);
         const auto budget = uncertainty_budget(found->fit);
-        QVERIFY(budget.size() >= 5);
+        VYBEG_AT_LEAST(budget.size(), 5);
         for (const ParameterBudget& row : budget) {
             double squares = row.statistical * row.statistical;
             for (const BudgetSource& source : budget_sources) {
@@ -100,10 +103,13 @@ private slots:
             const WaveMotion& narrow = exact->runs[k].wave;
             QCOMPARE(narrow.decay_per_s.u, narrow.decay_per_s.sd);
             QCOMPARE(wide.decay_per_s.sd, narrow.decay_per_s.sd);
-            QVERIFY(wide.decay_per_s.u > wide.decay_per_s.sd);
+            VYBEG_MORE(wide.decay_per_s.u, wide.decay_per_s.sd);
         }
     }
 };
 
-QTEST_GUILESS_MAIN(TestIdentify)
+VYBEG_TEST(TestIdentify, threads)
+
+}  // namespace test_identify
+
 #include "test_identify.moc"

@@ -3,11 +3,14 @@
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
+#include "tests/test_registry.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <fstream>
+
+namespace test_measurement_list {
 
 using namespace vybeg;
 
@@ -351,5 +354,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeasurementList)
+VYBEG_TEST(TestMeasurementList)
+
+}  // namespace test_measurement_list
+
 #include "test_measurement_list.moc"

@@ -10,12 +10,15 @@
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+namespace test_phasor_windows {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -103,11 +106,11 @@ private slots:
     void they_are_the_mean_of_the_motion_over_the_window() {
         // 15 ms are 0.08 of the beat: its curvature is there, its third order is below 1e-5.
         const Errors resolved = errors_of(phasors_of(bell(), 661), bell());
-        QVERIFY2(resolved.worst < 3e-5, qPrintable(QString::number(resolved.worst)));
+        VYBEG_LESS(resolved.worst, 3e-5);
         FreeDecay still = gyro();
         still.noise = 0;
         const Errors unresolved = errors_of(phasors_of(still, 500), still);
-        QVERIFY2(unresolved.worst < 1e-10, qPrintable(QString::number(unresolved.worst)));
+        VYBEG_LESS(unresolved.worst, 1e-10);
     }
 
     void their_deviations_are_those_of_the_noise_and_not_of_the_beat() {
@@ -183,7 +186,7 @@ private slots:
             std::ranges::count(found.diagnostics, DiagnosticKind::lost_counted, &Diagnostic::kind),
             1);
         const double square = errors_of(found, decay).square;
-        QVERIFY2(square < 1.2, qPrintable(QString::number(square)));
+        VYBEG_LESS(square, 1.2);
     }
 
     void the_phase_after_an_ambiguous_loss_is_a_break() {
@@ -254,8 +257,8 @@ private slots:
         SignalSettings settings;
         settings.f0_hz = decay.f0_hz;
         const PhasorWindows struck = phasors_of(recording_of(c, d, 33333), settings, 500);
-        QVERIFY2(struck.run.time_s.front() > 0.5 && struck.run.time_s.front() < 0.54,
-                 qPrintable(QString::number(struck.run.time_s.front())));
+        VYBEG_MORE(struck.run.time_s.front(), 0.5);
+        VYBEG_LESS(struck.run.time_s.front(), 0.54);
         const auto told = [](const PhasorWindows& found) {
             return std::ranges::count(found.diagnostics, DiagnosticKind::strike_left_out,
                                       &Diagnostic::kind);
@@ -288,7 +291,8 @@ private slots:
         QCOMPARE(default_phasor_window(200000, 100, 33333), std::int64_t{3125});  // frames / 64
         QCOMPARE(default_phasor_window(2000000, 100, 33333), std::int64_t{4000});
         const std::int64_t hour = default_phasor_window(119998800, 5300, 33333);
-        QVERIFY(119998800 / hour <= 16384 && 119998800 / hour > 16000);
+        VYBEG_AT_MOST(119998800 / hour, 16384);
+        VYBEG_MORE(119998800 / hour, 16000);
         QCOMPARE(default_phasor_window(300, 5300, 33333), std::int64_t{16});
         QCOMPARE(least_phasor_window(100, 33333), std::int64_t{667});
     }
@@ -308,5 +312,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPhasorWindows)
+VYBEG_TEST(TestPhasorWindows, threads)
+
+}  // namespace test_phasor_windows
+
 #include "test_phasor_windows.moc"

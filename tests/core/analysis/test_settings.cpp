@@ -1,5 +1,6 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/messages.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -8,6 +9,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace test_settings {
 
 using namespace vybeg;
 
@@ -209,5 +212,8 @@ void TestSettings::namesAreThoseOfOneRowEach() {
     QVERIFY(validate(all_of_identification_changed()));
 }
 
-QTEST_GUILESS_MAIN(TestSettings)
+VYBEG_TEST(TestSettings)
+
+}  // namespace test_settings
+
 #include "test_settings.moc"

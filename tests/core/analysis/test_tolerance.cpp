@@ -1,8 +1,11 @@
 // Tolerances of the channels as text, and back.
 #include "core/analysis/tolerance.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
+
+namespace test_tolerance {
 
 using namespace vybeg;
 
@@ -96,5 +99,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTolerance)
+VYBEG_TEST(TestTolerance)
+
+}  // namespace test_tolerance
+
 #include "test_tolerance.moc"

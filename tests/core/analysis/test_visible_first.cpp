@@ -2,12 +2,15 @@
 #include "core/analysis/visible_first.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <numbers>
 #include <vector>
+
+namespace test_visible_first {
 
 using namespace vybeg;
 
@@ -110,8 +113,9 @@ private slots:
             [&](const Analysis& some) { rows.push_back(some.track.rows()); }, {});
         QVERIFY(whole);
         QCOMPARE(rows.size(), std::size_t(2));
-        QVERIFY(rows[0] > 500 && rows[0] < 1100);
-        QVERIFY(rows[1] > 11 * 33333 / 6);
+        VYBEG_MORE(rows[0], 500);
+        VYBEG_LESS(rows[0], 1100);
+        VYBEG_MORE(rows[1], 11 * 33333 / 6);
     }
 
     void the_result_is_that_of_analyse_to_the_bit() {
@@ -174,5 +178,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVisibleFirst)
+VYBEG_TEST(TestVisibleFirst, threads)
+
+}  // namespace test_visible_first
+
 #include "test_visible_first.moc"

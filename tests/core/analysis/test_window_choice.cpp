@@ -10,12 +10,15 @@
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+namespace test_window_choice {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -196,7 +199,7 @@ private slots:
         const PhasorWindows found = found_in(simulated(decay), decay.rate_hz, settings);
         const double away = std::abs(found.run.f_ref_hz - decay.f0_hz) + split_hz / 2;
         const Errors errors = errors_of(found, decay);
-        QVERIFY2(away * found.run.window_s <= 0.105, text(found, errors));
+        VYBEG_AT_MOST(away * found.run.window_s, 0.105, text(found, errors));
         VYBEG_CLOSE(errors.square, 1, errors.tolerance + 0.03, text(found, errors));
         // A main lobe is 67 Hz; the stronger mode may lie on either side.
         if (std::abs(std::abs(off_hz) - 67) > 36) {
@@ -302,10 +305,13 @@ private slots:
                 sum += pull * pull / (runs * 4);
             }
         }
-        QVERIFY2(worst < 4 && std::sqrt(sum) < 1.4,
-                 qPrintable(QString("worst %1, rms %2").arg(worst).arg(std::sqrt(sum))));
+        VYBEG_LESS(worst, 4);
+        VYBEG_LESS(std::sqrt(sum), 1.4);
     }
 };
 
-QTEST_GUILESS_MAIN(TestWindowChoice)
+VYBEG_TEST(TestWindowChoice)
+
+}  // namespace test_window_choice
+
 #include "test_window_choice.moc"

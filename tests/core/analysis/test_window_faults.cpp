@@ -9,6 +9,7 @@
 #include "core/windows/window_plan.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -16,6 +17,8 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+
+namespace test_window_faults {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -109,7 +112,8 @@ private slots:
                 QVERIFY2(has(flags, Flag::clipped) == expected,
                          qPrintable(QString("hop %1, window %2").arg(hop).arg(k)));
             }
-            QVERIFY(flagged > 10 && flagged < analysis->plan.count / 2);
+            VYBEG_MORE(flagged, 10);
+            VYBEG_LESS(flagged, analysis->plan.count / 2);
         }
     }
 
@@ -164,5 +168,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWindowFaults)
+VYBEG_TEST(TestWindowFaults, threads)
+
+}  // namespace test_window_faults
+
 #include "test_window_faults.moc"

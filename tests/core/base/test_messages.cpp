@@ -1,4 +1,6 @@
 #include "core/base/messages.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
@@ -8,6 +10,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace test_messages {
 
 using namespace vybeg;
 
@@ -125,7 +129,7 @@ private slots:
     void exit_statuses_rise_by_groups() {
         int before = 2;
         for (const MessageRow& row : rows<ErrorCode>()) {
-            QVERIFY2(row.exit_status >= before, row.name);
+            VYBEG_AT_LEAST(row.exit_status, before, row.name);
             before = row.exit_status;
         }
     }
@@ -168,5 +172,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMessages)
+VYBEG_TEST(TestMessages)
+
+}  // namespace test_messages
+
 #include "test_messages.moc"

@@ -1,5 +1,6 @@
 #include "core/base/number_text.h"
 #include "tests/core/base/comma_locale.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <cstdio>
 #include <limits>
 #include <random>
+
+namespace test_number_text {
 
 using namespace vybeg;
 
@@ -134,5 +137,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestNumberText)
+VYBEG_TEST(TestNumberText)
+
+}  // namespace test_number_text
+
 #include "test_number_text.moc"

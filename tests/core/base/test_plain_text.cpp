@@ -1,5 +1,6 @@
 #include "core/base/messages.h"
 #include "core/base/plain_text.h"
+#include "tests/test_registry.h"
 
 #include <QString>
 #include <QTest>
@@ -7,6 +8,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+
+namespace test_plain_text {
 
 using namespace vybeg;
 
@@ -83,5 +86,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlainText)
+VYBEG_TEST(TestPlainText)
+
+}  // namespace test_plain_text
+
 #include "test_plain_text.moc"

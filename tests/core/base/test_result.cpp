@@ -1,9 +1,12 @@
 #include "core/base/result.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
 #include <memory>
 #include <string>
+
+namespace test_result {
 
 using vybeg::Error;
 using vybeg::ErrorCode;
@@ -77,5 +80,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestResult)
+VYBEG_TEST(TestResult)
+
+}  // namespace test_result
+
 #include "test_result.moc"

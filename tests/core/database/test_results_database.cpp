@@ -2,6 +2,7 @@
 #include "core/database/results_database.h"
 #include "tests/closeness.h"
 #include "tests/core/database/made_result.h"
+#include "tests/test_registry.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -11,6 +12,8 @@
 #include <sqlite3.h>
 #include <stop_token>
 #include <thread>
+
+namespace test_results_database {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -277,5 +280,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestResultsDatabase)
+VYBEG_TEST(TestResultsDatabase)
+
+}  // namespace test_results_database
+
 #include "test_results_database.moc"

@@ -5,11 +5,14 @@
 #include "core/estimators/batch/profile.h"
 #include "core/estimators/batch/window_estimate.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
 #include <random>
+
+namespace test_carrier_sums {
 
 using namespace vybeg;
 
@@ -91,10 +94,11 @@ private slots:
         const std::size_t every = std::max<std::size_t>(1, count / 40);
         for (std::size_t first = 0, taken = 0; first < count; first += taken, ++groups) {
             taken = sums.next(first, batch, maximum);
-            QVERIFY(taken > 0 && taken <= lane_count);
+            VYBEG_MORE(taken, 0);
+            VYBEG_AT_MOST(taken, lane_count);
             for (std::size_t lane = 0; lane < taken; ++lane) {
-                QVERIFY2(maximum.arrived[lane] > 0,
-                         qPrintable(QString("window %1 of %2").arg(first + lane).arg(count)));
+                VYBEG_MORE(maximum.arrived[lane], 0,
+                           qPrintable(QString("window %1 of %2").arg(first + lane).arg(count)));
                 if ((first + lane) % every != 0) {
                     continue;
                 }
@@ -121,7 +125,7 @@ private slots:
                 VYBEG_CLOSE(batch.cd[lane], products.cd, 1e-12 * products.cc);
             }
         }
-        QVERIFY(looked_at >= std::min<std::size_t>(count, 30));
+        VYBEG_AT_LEAST(looked_at, std::min<std::size_t>(count, 30));
     }
 
     // Two waves three hertz apart in windows of a second: the told one is estimated, not the
@@ -189,5 +193,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCarrierSums)
+VYBEG_TEST(TestCarrierSums)
+
+}  // namespace test_carrier_sums
+
 #include "test_carrier_sums.moc"

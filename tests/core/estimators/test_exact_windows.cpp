@@ -2,10 +2,13 @@
 #include "core/windows/window_plan.h"
 #include "tests/closeness.h"
 #include "tests/core/estimators/still_wave.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <random>
+
+namespace test_exact_windows {
 
 using namespace vybeg;
 using vybeg::test::describe;
@@ -57,7 +60,7 @@ std::vector<StillWave> sweep() {
 
 // The model of these tests: no noise, constant slow variables. What is left is rounding (algorithms
 // 5 and 6) or the window's residual of METHOD section 3 (algorithms 1 to 4).
-class ExactWindows : public QObject {
+class TestExactWindows : public QObject {
     Q_OBJECT
 
 private slots:
@@ -70,7 +73,7 @@ private slots:
     void closedFormsErrByNoMoreThanTheLeakage();
 };
 
-void ExactWindows::fitsOfAllParametersAreExactToRounding_data() {
+void TestExactWindows::fitsOfAllParametersAreExactToRounding_data() {
     QTest::addColumn<Algorithm>("algorithm");
     QTest::addColumn<double>("periods");
     for (const Algorithm algorithm :
@@ -82,7 +85,7 @@ void ExactWindows::fitsOfAllParametersAreExactToRounding_data() {
     }
 }
 
-void ExactWindows::fitsOfAllParametersAreExactToRounding() {
+void TestExactWindows::fitsOfAllParametersAreExactToRounding() {
     QFETCH(Algorithm, algorithm);
     QFETCH(double, periods);
     // Relative to a_A, in rad, relative to f.
@@ -104,7 +107,7 @@ void ExactWindows::fitsOfAllParametersAreExactToRounding() {
     }
 }
 
-void ExactWindows::fitsHoldFromFiveSamplesToAHundredThousand() {
+void TestExactWindows::fitsHoldFromFiveSamplesToAHundredThousand() {
     for (const Algorithm algorithm :
          {Algorithm::conjugate_gradient, Algorithm::maximum_likelihood}) {
         for (const std::int64_t n : {5, 6, 7, 9, 100000}) {
@@ -129,7 +132,7 @@ void ExactWindows::fitsHoldFromFiveSamplesToAHundredThousand() {
     }
 }
 
-void ExactWindows::closedFormsAreExactWhereTheResidualVanishes_data() {
+void TestExactWindows::closedFormsAreExactWhereTheResidualVanishes_data() {
     QTest::addColumn<Algorithm>("algorithm");
     for (const Algorithm algorithm : {Algorithm::in_phase, Algorithm::phase_shift,
                                       Algorithm::moving_axes, Algorithm::demodulation}) {
@@ -137,7 +140,7 @@ void ExactWindows::closedFormsAreExactWhereTheResidualVanishes_data() {
     }
 }
 
-void ExactWindows::closedFormsAreExactWhereTheResidualVanishes() {
+void TestExactWindows::closedFormsAreExactWhereTheResidualVanishes() {
     QFETCH(Algorithm, algorithm);
     constexpr double tolerance = 1e-6;
     const bool in_phase = algorithm == Algorithm::in_phase;
@@ -151,7 +154,7 @@ void ExactWindows::closedFormsAreExactWhereTheResidualVanishes() {
             const double half_periods =
                 std::round(2 * wave.f_hz / wave.rate_hz * static_cast<double>(n));
             wave.f_hz = half_periods / 2 * wave.rate_hz / static_cast<double>(n);
-            QVERIFY(orthogonality_residual(n, wave.f_hz, wave.rate_hz) < 1e-8);
+            VYBEG_LESS(orthogonality_residual(n, wave.f_hz, wave.rate_hz), 1e-8);
             const double aside =
                 0.05 * wave.rate_hz / static_cast<double>(n) * std::sin(wave.state.alpha);
             const WaveEstimate found = estimate(algorithm, wave, n, wave.f_hz + aside);
@@ -173,14 +176,14 @@ void ExactWindows::closedFormsAreExactWhereTheResidualVanishes() {
             ++tried;
         }
     }
-    QVERIFY(tried > 1000);
+    VYBEG_MORE(tried, 1000);
 }
 
-void ExactWindows::closedFormsErrByNoMoreThanTheLeakage_data() {
+void TestExactWindows::closedFormsErrByNoMoreThanTheLeakage_data() {
     closedFormsAreExactWhereTheResidualVanishes_data();
 }
 
-void ExactWindows::closedFormsErrByNoMoreThanTheLeakage() {
+void TestExactWindows::closedFormsErrByNoMoreThanTheLeakage() {
     QFETCH(Algorithm, algorithm);
     const bool in_phase = algorithm == Algorithm::in_phase;
     for (StillWave wave : sweep()) {
@@ -212,5 +215,8 @@ void ExactWindows::closedFormsErrByNoMoreThanTheLeakage() {
     }
 }
 
-QTEST_GUILESS_MAIN(ExactWindows)
+VYBEG_TEST(TestExactWindows)
+
+}  // namespace test_exact_windows
+
 #include "test_exact_windows.moc"

@@ -1,9 +1,12 @@
 #include "core/estimators/batch/wave_functional.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <random>
+
+namespace test_functional {
 
 using namespace vybeg;
 
@@ -138,5 +141,8 @@ void TestFunctional::momentsMatchTheirSums() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestFunctional)
+VYBEG_TEST(TestFunctional)
+
+}  // namespace test_functional
+
 #include "test_functional.moc"

@@ -1,11 +1,14 @@
 #include "core/estimators/wave/precision_bound.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <Eigen/Dense>
 
 #include <numbers>
+
+namespace test_precision_bound {
 
 using namespace vybeg;
 
@@ -101,5 +104,8 @@ void TestPrecisionBound::isTheClosedFormOfTheMethodWhereTheResidualVanishes() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestPrecisionBound)
+VYBEG_TEST(TestPrecisionBound)
+
+}  // namespace test_precision_bound
+
 #include "test_precision_bound.moc"

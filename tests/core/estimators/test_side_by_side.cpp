@@ -6,10 +6,13 @@
 #include "core/estimators/wave/estimator.h"
 #include "tests/closeness.h"
 #include "tests/core/estimators/still_windows.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
+
+namespace test_side_by_side {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -79,7 +82,7 @@ private slots:
                             1e-12 * flat * thin);
             }
         }
-        QVERIFY(compared >= 41);
+        VYBEG_AT_LEAST(compared, 41);
     }
 
     // J by its series and Newton's steps, against J by the samples and a search over the lobe,
@@ -155,5 +158,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSideBySide)
+VYBEG_TEST(TestSideBySide)
+
+}  // namespace test_side_by_side
+
 #include "test_side_by_side.moc"

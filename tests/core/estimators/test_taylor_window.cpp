@@ -7,12 +7,15 @@
 #include "core/estimators/wave/estimator.h"
 #include "tests/closeness.h"
 #include "tests/core/estimators/still_windows.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <array>
 #include <cmath>
 #include <limits>
+
+namespace test_taylor_window {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -259,5 +262,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTaylorWindow)
+VYBEG_TEST(TestTaylorWindow)
+
+}  // namespace test_taylor_window
+
 #include "test_taylor_window.moc"

@@ -1,10 +1,13 @@
 #include "core/estimators/wave/wave_state.h"
 #include "core/numerics/phase.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
+
+namespace test_wave_state {
 
 using namespace vybeg;
 
@@ -55,8 +58,10 @@ void TestWaveState::inversionReturnsTheSameMotionInItsCanonicalForm() {
                     const WaveState given{1, a_B, quarter * pi / 4 + aside, alpha};
                     const WaveState found = to_wave_state(to_phasors(given));
                     VYBEG_WITHIN(found.a_B, 0, found.a_A);
-                    QVERIFY(found.two_theta_A > -pi / 2 && found.two_theta_A <= pi / 2);
-                    QVERIFY(found.alpha > -pi && found.alpha <= pi);
+                    VYBEG_MORE(found.two_theta_A, -pi / 2);
+                    VYBEG_AT_MOST(found.two_theta_A, pi / 2);
+                    VYBEG_MORE(found.alpha, -pi);
+                    VYBEG_AT_MOST(found.alpha, pi);
                     for (double carrier = 0; carrier < 6; carrier += 0.9) {
                         const auto [c, d] = displacement(given, carrier);
                         const auto [c_found, d_found] = displacement(found, carrier);
@@ -82,5 +87,8 @@ void TestWaveState::productOfAmplitudesHasTheCorrectedSign() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestWaveState)
+VYBEG_TEST(TestWaveState)
+
+}  // namespace test_wave_state
+
 #include "test_wave_state.moc"

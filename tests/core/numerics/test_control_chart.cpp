@@ -1,6 +1,7 @@
 #include "core/numerics/control_chart.h"
 #include "core/numerics/ewma_limit.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <vector>
+
+namespace test_control_chart {
 
 using namespace vybeg;
 
@@ -140,5 +143,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestControlChart)
+VYBEG_TEST(TestControlChart)
+
+}  // namespace test_control_chart
+
 #include "test_control_chart.moc"

@@ -1,5 +1,6 @@
 #include "core/numerics/distribution.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
@@ -7,6 +8,8 @@
 #include <limits>
 #include <numeric>
 #include <random>
+
+namespace test_distribution {
 
 using namespace vybeg;
 
@@ -89,7 +92,7 @@ private slots:
         }));
         VYBEG_CLOSE_RATIO(moments.skewness, 2, 0.05);
         VYBEG_CLOSE_RATIO(moments.kurtosis, 6, 0.15);
-        QVERIFY(moments.expected_beyond < 0.01);
+        VYBEG_LESS(moments.expected_beyond, 0.01);
     }
 
     void counts_add_up_to_all_numbers_data() {
@@ -121,7 +124,7 @@ private slots:
             return std::normal_distribution<double>(-1, 0.01)(random);
         });
         const Histogram histogram = histogram_of(x, moments_of(x));
-        QVERIFY(histogram.counts.size() > 50);
+        VYBEG_MORE(histogram.counts.size(), 50);
         for (std::size_t k = 0; k < histogram.counts.size(); ++k) {
             const double from = histogram.low + histogram.width * double(k);
             const double share =
@@ -132,5 +135,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDistribution)
+VYBEG_TEST(TestDistribution)
+
+}  // namespace test_distribution
+
 #include "test_distribution.moc"

@@ -1,6 +1,7 @@
 #include "core/numerics/fft.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <random>
 #include <thread>
 #include <vector>
+
+namespace test_fft {
 
 using Complex = std::complex<double>;
 
@@ -95,5 +98,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFft)
+VYBEG_TEST(TestFft, threads)
+
+}  // namespace test_fft
+
 #include "test_fft.moc"

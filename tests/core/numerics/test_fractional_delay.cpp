@@ -1,6 +1,7 @@
 #include "core/numerics/fractional_delay.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <numbers>
 #include <random>
 #include <vector>
+
+namespace test_fractional_delay {
 
 using vybeg::FractionalDelay;
 
@@ -64,17 +67,18 @@ private slots:
                 }
             }
         }
-        QVERIFY2(worst < 1e-6, qPrintable(QString::number(worst)));
+        VYBEG_LESS(worst, 1e-6);
     }
 
     void error_stays_below_1e_6_for_large_and_negative_delays() {
         for (const double delay : {1.572, -1.572, 20.5, -20.5, 21.7, 1000.37, -1000.37, 65537.9}) {
             for (int step = 0; step <= 80; ++step) {
                 const double worst = largest_error(delay, 0.4 * step / 80, 0.3, 100);
-                QVERIFY2(worst < 1e-6, qPrintable(QString("delay %1, frequency %2: %3")
-                                                      .arg(delay)
-                                                      .arg(0.4 * step / 80)
-                                                      .arg(worst)));
+                VYBEG_LESS(worst, 1e-6,
+                           qPrintable(QString("delay %1, frequency %2: %3")
+                                          .arg(delay)
+                                          .arg(0.4 * step / 80)
+                                          .arg(worst)));
             }
         }
     }
@@ -98,7 +102,7 @@ private slots:
         QVERIFY(delay != 3);
         QCOMPARE(FractionalDelay(delay).reach_before(), 3);
         QCOMPARE(FractionalDelay(delay).reach_after(), 0);
-        QVERIFY(FractionalDelay(3 - 1e-6).reach_after() > 0);
+        VYBEG_MORE(FractionalDelay(3 - 1e-6).reach_after(), 0);
     }
 
     void reach_is_exactly_what_is_read_data() {
@@ -129,9 +133,9 @@ private slots:
 
     void a_delay_beyond_the_filter_reaches_to_one_side_only() {
         QCOMPARE(FractionalDelay(1000.37).reach_after(), 0);
-        QVERIFY(FractionalDelay(1000.37).reach_before() > 1000);
+        VYBEG_MORE(FractionalDelay(1000.37).reach_before(), 1000);
         QCOMPARE(FractionalDelay(-1000.37).reach_before(), 0);
-        QVERIFY(FractionalDelay(-1000.37).reach_after() > 1000);
+        VYBEG_MORE(FractionalDelay(-1000.37).reach_after(), 1000);
     }
 
     void a_sample_has_the_same_bits_however_the_signal_is_cut() {
@@ -164,5 +168,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFractionalDelay)
+VYBEG_TEST(TestFractionalDelay)
+
+}  // namespace test_fractional_delay
+
 #include "test_fractional_delay.moc"

@@ -1,6 +1,7 @@
 #include "core/numerics/kaiser.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+namespace test_kaiser {
 
 namespace {
 
@@ -89,10 +92,10 @@ private slots:
                 stop = vybeg::test::largest_of({stop, std::abs(response(taps, f))});
             }
         }
-        QVERIFY2(pass < ripple, qPrintable(QString::number(pass)));
-        QVERIFY2(stop < ripple, qPrintable(QString::number(stop)));
+        VYBEG_LESS(pass, ripple);
+        VYBEG_LESS(stop, ripple);
         // And it is no longer than it must be: the design comes near to its ripple.
-        QVERIFY2(std::max(pass, stop) > ripple / 8, qPrintable(QString::number(pass)));
+        VYBEG_MORE(std::max(pass, stop), ripple / 8);
     }
 
     void the_length_goes_as_one_over_the_transition_and_never_overflows() {
@@ -105,5 +108,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKaiser)
+VYBEG_TEST(TestKaiser)
+
+}  // namespace test_kaiser
+
 #include "test_kaiser.moc"

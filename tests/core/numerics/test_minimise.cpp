@@ -1,7 +1,10 @@
 #include "core/numerics/minimise.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
+
+namespace test_minimise {
 
 using namespace vybeg;
 
@@ -34,7 +37,7 @@ void TestMinimise::takesFewEvaluationsOnAParabola() {
         return (x - 0.3) * (x - 0.3);
     };
     VYBEG_CLOSE(minimise(f, -1, 0.2, 1, 0.05, 1e-9).at, 0.3, 1e-8);
-    QVERIFY2(calls <= 15, qPrintable(QString::number(calls)));
+    VYBEG_AT_MOST(calls, 15);
 }
 
 void TestMinimise::tellsWhenTheFunctionFallsToTheBound() {
@@ -48,5 +51,8 @@ void TestMinimise::tellsWhenTheFunctionFallsToTheBound() {
     QCOMPARE(high.at, 2.0);
 }
 
-QTEST_GUILESS_MAIN(TestMinimise)
+VYBEG_TEST(TestMinimise)
+
+}  // namespace test_minimise
+
 #include "test_minimise.moc"

@@ -1,11 +1,14 @@
 #include "core/numerics/line_fit.h"
 #include "core/numerics/phase.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <array>
 #include <numbers>
+
+namespace test_phase {
 
 using namespace vybeg;
 
@@ -45,5 +48,8 @@ void TestPhase::lineThroughPointsLeavesOutWhatIsMissing() {
     QCOMPARE(line.mean_y - line.slope * line.mean_x, 1.0);
 }
 
-QTEST_GUILESS_MAIN(TestPhase)
+VYBEG_TEST(TestPhase)
+
+}  // namespace test_phase
+
 #include "test_phase.moc"

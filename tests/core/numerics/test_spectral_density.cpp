@@ -1,12 +1,15 @@
 #include "core/numerics/autocorrelation.h"
 #include "core/numerics/spectral_density.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <numbers>
 #include <random>
+
+namespace test_spectral_density {
 
 using namespace vybeg;
 
@@ -119,7 +122,8 @@ private slots:
                 QCOMPARE(begins.back(), length - 100);
             }
             for (std::size_t k = 1; k < begins.size(); ++k) {
-                QVERIFY(begins[k] - begins[k - 1] >= 49 && begins[k] - begins[k - 1] <= 100);
+                VYBEG_AT_LEAST(begins[k] - begins[k - 1], 49);
+                VYBEG_AT_MOST(begins[k] - begins[k - 1], 100);
             }
         }
     }
@@ -216,5 +220,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSpectralDensity)
+VYBEG_TEST(TestSpectralDensity)
+
+}  // namespace test_spectral_density
+
 #include "test_spectral_density.moc"

@@ -1,4 +1,7 @@
 #include "core/output/output_file.h"
+#include "tests/closeness.h"
+#include "tests/core/output/full_disk.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -6,11 +9,15 @@
 #include <csignal>
 #include <fcntl.h>
 #include <stop_token>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
 
+namespace test_output_file {
+
 using namespace vybeg;
+using namespace vybeg::test;
 
 namespace {
 
@@ -165,14 +172,17 @@ private slots:
         const auto unread = OutputFile::create(pipe.toStdString(), {});
         QVERIFY(!unread);  // nobody reads: an error, not a wait for ever
         const int reader = open(pipe.toUtf8().constData(), O_RDONLY | O_NONBLOCK);
-        QVERIFY(reader >= 0);
+        VYBEG_AT_LEAST(reader, 0);
         std::stop_source stop;
         auto file = OutputFile::create(pipe.toStdString(), JobControl(stop.get_token()));
         QVERIFY(file);
         QElapsedTimer timer;
         std::jthread canceller([&] {
-            // Nothing shows that the writer waits for the pipe's reader; by then it does.
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            // The writer waits for the pipe's reader as soon as the pipe is full.
+            for (int unread = 0; unread < fcntl(reader, F_GETPIPE_SZ);) {
+                std::this_thread::yield();
+                ioctl(reader, FIONREAD, &unread);
+            }
             timer.start();
             stop.request_stop();
         });
@@ -183,7 +193,7 @@ private slots:
         // A part has gone out.
         QCOMPARE(written.error().code, ErrorCode::interrupted_partly);
         canceller.join();
-        QVERIFY2(timer.elapsed() < 200, qPrintable(QString::number(timer.elapsed())));
+        VYBEG_LESS(timer.elapsed(), 200);
         close(reader);
     }
 
@@ -255,6 +265,51 @@ private slots:
         QCOMPARE(entries(folder_->path()), QStringList{"track.csv"});
     }
 
+    void a_disk_that_is_full_at_any_size_leaves_the_old_file_data() {
+        QTest::addColumn<int>("piece");  // bytes of one write
+        QTest::newRow("through the buffer") << 1000;
+        QTest::newRow("past the buffer") << (1 << 18);
+        QTest::newRow("in one piece") << (3 << 20);
+    }
+
+    void a_disk_that_is_full_at_any_size_leaves_the_old_file() {
+        QFETCH(int, piece);
+        const std::string bytes((3 << 20) + 17, 'x');
+        check_full_disk({target_}, 60, [&]() -> Status {
+            auto file = OutputFile::create(target_.toStdString(), {});
+            if (!file) {
+                return file.error();
+            }
+            Status written;
+            for (std::size_t at = 0; at < bytes.size() && written;
+                 at += static_cast<std::size_t>(piece)) {
+                written = file->write(
+                    std::string_view(bytes).substr(at, static_cast<std::size_t>(piece)));
+            }
+            return written ? file->commit() : written;
+        });
+    }
+
+    void a_disk_that_is_full_at_any_size_leaves_the_whole_group() {
+        const QString other = folder_->filePath("other.csv");
+        check_full_disk({target_, other}, 60, [&]() -> Status {
+            auto one = OutputFile::create(target_.toStdString(), {});
+            auto two = OutputFile::create(other.toStdString(), {});
+            if (!one || !two) {
+                return one ? two.error() : one.error();
+            }
+            Status written = one->write(std::string(100'000, 'x'));
+            written = written ? two->write(std::string(300'000, 'x')) : written;
+            return written ? OutputFile::commit_together(std::array{&*one, &*two}) : written;
+        });
+    }
+
+    void a_file_from_memory_stands_a_disk_that_is_full_at_any_size() {
+        const std::string bytes(100'000, 'x');
+        check_full_disk({target_}, 60,
+                        [&] { return write_file(target_.toStdString(), bytes, {}); });
+    }
+
     void what_the_disk_does_not_give_back_is_an_error() {
         put(target_, "old");
         {
@@ -315,5 +370,8 @@ private:
     QString target_;
 };
 
-QTEST_GUILESS_MAIN(TestOutputFile)
+VYBEG_TEST(TestOutputFile, threads)
+
+}  // namespace test_output_file
+
 #include "test_output_file.moc"

@@ -1,4 +1,5 @@
 #include "core/output/passport_json.h"
+#include "tests/test_registry.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -8,6 +9,8 @@
 
 #include <cmath>
 #include <limits>
+
+namespace test_passport_json {
 
 using namespace vybeg;
 
@@ -223,5 +226,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPassportJson)
+VYBEG_TEST(TestPassportJson)
+
+}  // namespace test_passport_json
+
 #include "test_passport_json.moc"

@@ -1,11 +1,14 @@
 #include "core/output/quantity_text.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
 #include <string>
+
+namespace test_quantity_text {
 
 using namespace vybeg;
 
@@ -94,5 +97,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestQuantityText)
+VYBEG_TEST(TestQuantityText)
+
+}  // namespace test_quantity_text
+
 #include "test_quantity_text.moc"

@@ -1,6 +1,9 @@
 #include "core/output/recording_json.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
+
+namespace test_recording_json {
 
 using namespace vybeg;
 
@@ -72,5 +75,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRecordingJson)
+VYBEG_TEST(TestRecordingJson)
+
+}  // namespace test_recording_json
+
 #include "test_recording_json.moc"

@@ -1,10 +1,13 @@
 #include "core/output/same_file.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
+
+namespace test_same_file {
 
 using namespace vybeg;
 
@@ -87,5 +90,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSameFile)
+VYBEG_TEST(TestSameFile)
+
+}  // namespace test_same_file
+
 #include "test_same_file.moc"

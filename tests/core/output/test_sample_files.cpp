@@ -2,6 +2,8 @@
 #include "core/base/number_text.h"
 #include "core/output/sample_files.h"
 #include "tests/closeness.h"
+#include "tests/core/output/full_disk.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -13,7 +15,10 @@
 #include <random>
 #include <stop_token>
 
+namespace test_sample_files {
+
 using namespace vybeg;
+using namespace vybeg::test;
 
 namespace {
 
@@ -71,6 +76,27 @@ private slots:
             QCOMPARE(format.error().code, ErrorCode::output_format_unknown);
         }
         QCOMPARE(sample_format("a.txt").error().args[0], std::string(".txt"));
+    }
+
+    void a_disk_that_is_full_at_any_size_leaves_the_old_file_data() {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"full.wav", "full.csv", "full.npy", "full.mat"}) {
+            QTest::newRow(name) << name;
+        }
+    }
+
+    void a_disk_that_is_full_at_any_size_leaves_the_old_file() {
+        QFETCH(QString, name);
+        const std::string target = folder_.filePath(name).toStdString();
+        check_full_disk({folder_.filePath(name)}, 15, [&]() -> Status {
+            auto file = OutputFile::create(target, {});
+            if (!file) {
+                return file.error();
+            }
+            const Status written =
+                write_samples(*file, *sample_format(target), {signals_.c, signals_.d, 33333}, {});
+            return written ? file->commit() : written;
+        });
     }
 
     void wav_keeps_every_bit() {
@@ -236,5 +262,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSampleFiles)
+VYBEG_TEST(TestSampleFiles, threads)
+
+}  // namespace test_sample_files
+
 #include "test_sample_files.moc"

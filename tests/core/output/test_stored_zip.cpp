@@ -3,10 +3,13 @@
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/zip_directory.h"
 #include "tests/core/recording/python_script.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <zlib.h>
+
+namespace test_stored_zip {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -66,5 +69,8 @@ assert [z.read(n) for n in z.namelist()] == [b'a' * 20000, b'short', b'', b'b' *
     }
 };
 
-QTEST_GUILESS_MAIN(TestStoredZip)
+VYBEG_TEST(TestStoredZip)
+
+}  // namespace test_stored_zip
+
 #include "test_stored_zip.moc"

@@ -1,4 +1,6 @@
 #include "core/output/temporary_file.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -7,6 +9,8 @@
 #include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+namespace test_temporary_file {
 
 using namespace vybeg;
 
@@ -35,7 +39,8 @@ private slots:
     void names_tell_the_process_and_differ() {
         const TemporaryFile one = make_temporary(folder());
         const TemporaryFile other = make_temporary(folder());
-        QVERIFY(one.descriptor >= 0 && other.descriptor >= 0);
+        VYBEG_AT_LEAST(one.descriptor, 0);
+        VYBEG_AT_LEAST(other.descriptor, 0);
         QVERIFY(one.path != other.path);
         const QRegularExpression form(
             QStringLiteral("^\\.vybeg-%1-[1-9][0-9]*-[0-9]+\\.part$").arg(getpid()));
@@ -118,5 +123,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTemporaryFile)
+VYBEG_TEST(TestTemporaryFile)
+
+}  // namespace test_temporary_file
+
 #include "test_temporary_file.moc"

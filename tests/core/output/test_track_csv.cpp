@@ -3,6 +3,8 @@
 #include "core/output/track_csv.h"
 #include "core/output/track_file.h"
 #include "core/output/track_header.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -11,6 +13,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+
+namespace test_track_csv {
 
 using namespace vybeg;
 
@@ -237,11 +241,14 @@ private slots:
                 }
             }
         });
-        QVERIFY(digits > 0);
-        QVERIFY2(whole < 3 * peer, qPrintable(QString("%1 s, %2 s").arg(whole).arg(peer)));
+        VYBEG_MORE(digits, 0);
+        VYBEG_LESS(whole, 3 * peer);
         qInfo("%.3f s, digits alone %.3f s", whole, peer);
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrackCsv)
+VYBEG_TEST(TestTrackCsv, threads)
+
+}  // namespace test_track_csv
+
 #include "test_track_csv.moc"

@@ -5,7 +5,9 @@
 #include "core/output/track_mat.h"
 #include "core/recording/open/open_recording.h"
 #include "tests/closeness.h"
+#include "tests/core/output/full_disk.h"
 #include "tests/core/recording/python_script.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -13,6 +15,8 @@
 #include <limits>
 #include <random>
 #include <stop_token>
+
+namespace test_track_file {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -134,6 +138,27 @@ private slots:
         QCOMPARE(track_format("a.npy").error().code, ErrorCode::output_failed);
     }
 
+    void a_disk_that_is_full_at_any_size_leaves_the_old_file_data() {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"full.csv", "full.npz", "full.h5", "full.mat"}) {
+            QTest::newRow(name) << name;
+        }
+    }
+
+    void a_disk_that_is_full_at_any_size_leaves_the_old_file() {
+        QFETCH(QString, name);
+        const Track track = random_track(3000);
+        const auto target = path(name);
+        check_full_disk({folder_.filePath(name)}, 15, [&]() -> Status {
+            auto file = OutputFile::create(target, {});
+            if (!file) {
+                return file.error();
+            }
+            const Status written = write_track(*file, *track_format(target), track, header, {});
+            return written ? file->commit() : written;
+        });
+    }
+
     void every_format_holds_what_the_csv_holds_data() {
         QTest::addColumn<int>("rows");
         for (const int rows : {0, 1, 2, 155554}) {
@@ -210,7 +235,7 @@ private slots:
         auto other = OutputFile::create(path("other-" + name), {});
         QVERIFY(other && write_track(*other, format, whole, header, {}) && other->commit());
         QVERIFY(content(name) == content("other-" + name));
-        QVERIFY(content(name).size() > 9'000'000);
+        VYBEG_MORE(content(name).size(), 9'000'000);
     }
 
     void equal_tracks_make_equal_files() {
@@ -306,5 +331,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrackFile)
+VYBEG_TEST(TestTrackFile, threads)
+
+}  // namespace test_track_file
+
 #include "test_track_file.moc"

@@ -1,9 +1,13 @@
 // Lines in the spectrum of a residual against those that were simulated.
+#include "tests/closeness.h"
 #include "tests/core/residuals/simulated_residuals.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
+
+namespace test_residual_lines {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -53,7 +57,7 @@ private slots:
             if (steady) {
                 VYBEG_CLOSE(line->amplitude_c, 3e-4, 5 * line->sd_c + 3e-6);
                 VYBEG_CLOSE(line->amplitude_d, 2e-4, 5 * line->sd_d + 2e-6);
-                QVERIFY(line->sd_c < 5e-6);
+                VYBEG_LESS(line->sd_c, 5e-6);
             } else {
                 const double x = 2 * decay.seconds / tau_s;
                 const double mean = std::sqrt((1 - std::exp(-x)) / x);
@@ -62,7 +66,7 @@ private slots:
             VYBEG_CLOSE(line->f_hz, f_hz, 0.05 * found.bin_hz + 0.03);
             QCOMPARE(static_cast<int>(line->origin), origin);
             QCOMPARE(line->order, order);
-            QVERIFY2(found.lines.size() == 1, qPrintable(names_of(found)));
+            VYBEG_EQUAL(found.lines.size(), 1, qPrintable(names_of(found)));
         }
     }
 
@@ -76,7 +80,7 @@ private slots:
                                   {3 * f_hz, 3e-3, 2e-3, 0.2, 0.4, 1e300}};
             const Recording recording = simulated_recording(decay);
             const Residuals found = residuals(recording, analysed(recording, windows_of(33333)));
-            QVERIFY2(found.lines.size() == 2, qPrintable(names_of(found)));
+            VYBEG_EQUAL(found.lines.size(), 2, qPrintable(names_of(found)));
             for (const ResidualLine& line : found.lines) {
                 QVERIFY2(line.origin == LineOrigin::mains, qPrintable(names_of(found)));
             }
@@ -112,7 +116,7 @@ private slots:
                 residuals(recording, analysed(recording, windows_of(seed % 2 == 0 ? 60 : 1000)));
             with_lines += found.lines.empty() ? 0 : 1;
         }
-        QVERIFY2(with_lines <= 2 + 3 * std::sqrt(2.0), qPrintable(QString::number(with_lines)));
+        VYBEG_AT_MOST(with_lines, 2 + 3 * std::sqrt(2.0));
     }
 
     void a_decay_inside_long_windows_is_the_wave_itself() {
@@ -153,7 +157,7 @@ private slots:
         const Residuals found = residuals(recording, analysed(recording, windows_of(60)));
         const ResidualLine* hum = line_near(found, 50);
         QVERIFY2(hum && hum->origin == LineOrigin::mains, qPrintable(names_of(found)));
-        QVERIFY2(found.lines.size() > 3, qPrintable(names_of(found)));
+        VYBEG_MORE(found.lines.size(), 3, qPrintable(names_of(found)));
         for (const ResidualLine& line : found.lines) {
             if (&line != hum) {
                 QVERIFY2(line.origin == LineOrigin::window_image, qPrintable(names_of(found)));
@@ -177,11 +181,14 @@ private slots:
             QVERIFY(std::isnan(after.c.noise_sd));
             // 80 dB, with the noise of the passband left.
             const auto bin = static_cast<std::size_t>(std::llround(f / after.bin_hz));
-            QVERIFY(after.c.density[bin] < 1e-6 * before.c.density[bin]);
-            QVERIFY(after.c.moments.sd < before.c.moments.sd);
+            VYBEG_LESS(after.c.density[bin], 1e-6 * before.c.density[bin]);
+            VYBEG_LESS(after.c.moments.sd, before.c.moments.sd);
         }
     }
 };
 
-QTEST_GUILESS_MAIN(TestResidualLines)
+VYBEG_TEST(TestResidualLines, threads)
+
+}  // namespace test_residual_lines
+
 #include "test_residual_lines.moc"

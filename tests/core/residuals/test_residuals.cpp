@@ -1,12 +1,16 @@
 // The residual of an analysis against the noise that was simulated.
 #include "core/residuals/residual_samples.h"
+#include "tests/closeness.h"
 #include "tests/core/residuals/simulated_residuals.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <numbers>
 #include <numeric>
+
+namespace test_residuals {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -56,7 +60,7 @@ private slots:
         const Analysis analysis = analysed(recording, windows_of(window, hop));
         const Residuals found = residuals(recording, analysis);
         const auto count = static_cast<double>(found.used());
-        QVERIFY(count > 200000);
+        VYBEG_MORE(count, 200000);
         // What windows take up is shared by both channels as the wave is: their mean is exact.
         const double power = 0.5 * (std::pow(found.c.noise_sd, 2) + std::pow(found.d.noise_sd, 2));
         VYBEG_CLOSE_RATIO(std::sqrt(power), noise, 5 * 0.5 / std::sqrt(count));
@@ -71,7 +75,7 @@ private slots:
                      found.used());
         }
         // One in a hundred of these spectra shows one.
-        QVERIFY2(found.lines.size() <= 1, qPrintable(names_of(found)));
+        VYBEG_AT_MOST(found.lines.size(), 1, qPrintable(names_of(found)));
     }
 
     void white_noise_leaves_a_white_residual_data() {
@@ -142,7 +146,7 @@ private slots:
             VYBEG_CLOSE(measured, expected, 0.5 / window * inside + 4 * found.correlation_limit);
             of_both = std::max(of_both, std::abs(measured));
         }
-        QVERIFY(of_both > 0.05);
+        VYBEG_MORE(of_both, 0.05);
     }
 
     void its_spectral_density_adds_up_to_its_variance_data() {
@@ -248,7 +252,7 @@ private slots:
                 const double angle = value(SlowVariable::two_theta_A);
                 const double c = value(SlowVariable::a_A) * std::cos(tau) * std::cos(angle) -
                                  value(SlowVariable::a_B) * std::sin(tau) * std::sin(angle);
-                QVERIFY(at < found->c.size());
+                VYBEG_LESS(at, found->c.size());
                 VYBEG_CLOSE(found->c[at], samples.c[static_cast<std::size_t>(j)] - c, 1e-12);
                 ++at;
             }
@@ -277,7 +281,7 @@ private slots:
         QCOMPARE(residuals(recording, analysis, {{1000 / rate, 2999 / rate}, {}}).used(),
                  std::int64_t(2000));
         const Residuals none = residuals(recording, analysis, {{5, 6}, {}});
-        QVERIFY(none.used() <= 1);
+        VYBEG_AT_MOST(none.used(), 1);
         QVERIFY(none.c.density.empty() && none.lines.empty());
     }
 
@@ -293,14 +297,14 @@ private slots:
         QCOMPARE(found.without, std::int64_t(1000));
         QCOMPARE(found.used(), std::int64_t(98000));
         VYBEG_CLOSE_RATIO(found.d.noise_sd, noise, 0.015);
-        QVERIFY(found.segments > 0);
+        VYBEG_MORE(found.segments, 0);
     }
 
     void a_long_range_is_sampled_in_blocks() {
         const Recording recording = simulated_recording(still_wave(60));
         const Analysis analysis = analysed(recording, windows_of(600));
         const Residuals found = residuals(recording, analysis);
-        QVERIFY(found.frames > (1 << 20));
+        VYBEG_MORE(found.frames, (1 << 20));
         QCOMPARE(found.examined, std::int64_t(1 << 20));
         QCOMPARE(found.without, std::int64_t(0));
         VYBEG_CLOSE_RATIO(found.c.noise_sd, noise, 0.004);
@@ -317,5 +321,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestResiduals)
+VYBEG_TEST(TestResiduals, threads)
+
+}  // namespace test_residuals
+
 #include "test_residuals.moc"

@@ -2,12 +2,16 @@
 #include "core/residuals/fitted_wave.h"
 #include "core/residuals/residual_samples.h"
 #include "core/residuals/signal_excerpt.h"
+#include "tests/closeness.h"
 #include "tests/core/residuals/simulated_residuals.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <numbers>
+
+namespace test_signal_excerpt {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -117,8 +121,8 @@ private slots:
                                algorithm == Algorithm::conjugate_gradient;
         const double bound = noise * std::sqrt(2.5 / n);
         const double ratio = rms_of(error) / bound;
-        QVERIFY2(0.8 < ratio && ratio < (iterative ? 1.2 : 4.0),
-                 qPrintable(QString::number(ratio)));
+        VYBEG_MORE(ratio, 0.8);
+        VYBEG_LESS(ratio, (iterative ? 1.2 : 4.0));
         const double k_sigma = 5 / std::sqrt(2.0 * static_cast<double>(residual.size()));
         // What a closed form adds is uncorrelated with the noise.
         VYBEG_CLOSE_RATIO(rms_of(residual), noise, k_sigma + (iterative ? 5 : 20) / n);
@@ -164,7 +168,8 @@ private slots:
         const KnownSignal known(decay);
         const SignalSource source = source_of(known.recording, windows_of(600));
         const SignalCurve curve = amplitude_curve(*source.analysis, decay.rate_hz, 0.5, 2.5, 50);
-        QVERIFY(curve.time_s.front() < 0.53 && curve.time_s.back() > 2.47);
+        VYBEG_LESS(curve.time_s.front(), 0.53);
+        VYBEG_MORE(curve.time_s.back(), 2.47);
         for (std::size_t k = 0; k < curve.time_s.size(); ++k) {
             double c = 0;
             double d = 0;
@@ -239,7 +244,8 @@ private slots:
         }
         // The band-pass lets through 2500 of 16667 Hz, and a part beside its edges.
         const double inside = noise * std::sqrt(2500 / 16666.5);
-        QVERIFY(rms_of(residual) > 0.95 * inside && rms_of(residual) < 1.5 * inside);
+        VYBEG_MORE(rms_of(residual), 0.95 * inside);
+        VYBEG_LESS(rms_of(residual), 1.5 * inside);
     }
 
     void without_an_analysis_samples_are_as_recorded_and_ends_are_cut() {
@@ -261,5 +267,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSignalExcerpt)
+VYBEG_TEST(TestSignalExcerpt)
+
+}  // namespace test_signal_excerpt
+
 #include "test_signal_excerpt.moc"

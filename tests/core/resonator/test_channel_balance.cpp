@@ -2,10 +2,13 @@
 #include "core/resonator/runs/channel_balance.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
+
+namespace test_channel_balance {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -60,9 +63,12 @@ private slots:
             run.d[k] *= 1.01;
         }
         const double square = mean_square(balance_of(run));
-        QVERIFY2(square > 100, qPrintable(QString::number(square)));
+        VYBEG_MORE(square, 100);
     }
 };
 
-QTEST_GUILESS_MAIN(TestChannelBalance)
+VYBEG_TEST(TestChannelBalance)
+
+}  // namespace test_channel_balance
+
 #include "test_channel_balance.moc"

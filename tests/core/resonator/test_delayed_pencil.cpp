@@ -1,6 +1,9 @@
 #include "core/resonator/fit/delayed_pencil.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
+
+namespace test_delayed_pencil {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -55,8 +58,8 @@ void TestDelayedPencil::nearlyEqualChannelsGiveBothModes() {
 
 void TestDelayedPencil::theFitFindsThem() {
     const ResonatorFit fit = fitted({two_microphones(0.03)}, {.model = FitOptions::Model::free});
-    QVERIFY2(
-        fit.modes.size() == 2,
+    VYBEG_EQUAL(
+        fit.modes.size(), 2,
         qPrintable(
             QString("chi^2/dof %1: %2").arg(fit.chi2_per_dof).arg(english(fit.no_modes).c_str())));
     // Both channels share most of their noise here, which the deviations take as colour.
@@ -70,5 +73,8 @@ void TestDelayedPencil::tooFewWindowsGiveNothing() {
     QVERIFY(!delayed_pencil(run, run.z, run.size()).has_value());
 }
 
-QTEST_GUILESS_MAIN(TestDelayedPencil)
+VYBEG_TEST(TestDelayedPencil)
+
+}  // namespace test_delayed_pencil
+
 #include "test_delayed_pencil.moc"

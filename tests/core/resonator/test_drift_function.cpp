@@ -9,11 +9,14 @@
 #include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <numbers>
+
+namespace test_drift_function {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -85,14 +88,15 @@ private slots:
         QCOMPARE(found.order, 4);
         QCOMPARE(found.coefficients.size(), Eigen::Index{3});
         VYBEG_CLOSE(worst_deviation(found, truth_of(decay)), 0, 4.5);
-        QVERIFY(std::sqrt(found.covariance(1, 1)) < 0.01 * decay.damping_anisotropy_per_s);
+        VYBEG_LESS(std::sqrt(found.covariance(1, 1)), 0.01 * decay.damping_anisotropy_per_s);
         VYBEG_CLOSE(found.chi2_per_freedom, 1, 0.1);
         QCOMPARE(found.points.size(), std::size_t{4});
         for (const DriftPoint& point : found.points) {
             const double off = point.rate - found.rate(point.theta);
             const double sd = std::hypot(point.sd_rate, found.sd_rate(point.theta));
             VYBEG_CLOSE(off, 0, 5 * sd);
-            QVERIFY(point.sd_rate > 0 && point.sd_rate < 1e-7);
+            VYBEG_MORE(point.sd_rate, 0);
+            VYBEG_LESS(point.sd_rate, 1e-7);
         }
     }
 
@@ -105,7 +109,7 @@ private slots:
         for (const DriftPoint& point : found.points) {
             // The quadrature turns them by some 1e-3 rad/s.
             const double sd = std::hypot(point.sd_rate, found.sd_rate(point.theta));
-            QVERIFY2(sd < 1e-6, qPrintable(QString::number(sd)));
+            VYBEG_LESS(sd, 1e-6);
             VYBEG_CLOSE(point.rate, found.rate(point.theta), 5 * sd);
         }
     }
@@ -123,9 +127,9 @@ private slots:
         // A gain ratio that is not told looks like an anisotropy in one turning wave.
         QCOMPARE(drift_of(set_of(decay, {10}, 3)).order, 0);
         const DriftFunction found = drift_of(set_of(decay, {10}, 3), {.tolerance = {.kappa = 0}});
-        QVERIFY(found.order >= 4);
+        VYBEG_AT_LEAST(found.order, 4);
         VYBEG_CLOSE(worst_deviation(found, truth_of(decay)), 0, 4.5);
-        QVERIFY(found.points.size() > 20);
+        VYBEG_MORE(found.points.size(), 20);
     }
 
     void deviations_are_those_of_the_scatter() {
@@ -238,9 +242,11 @@ private slots:
         }
         if (count > 0) {
             const double rms = std::sqrt(squares / count);
-            QVERIFY2(rms <= 1.5, qPrintable(QString("rms pull %1 of %2").arg(rms).arg(count)));
+            VYBEG_AT_MOST(rms, 1.5, qPrintable(QString("rms pull %1 of %2").arg(rms).arg(count)));
         }
-        QVERIFY2(runs == 1 || count > 0, "a set of two angles or more shows the curve");
+        if (runs != 1) {
+            VYBEG_MORE(count, 0, "a set of two angles or more shows the curve");
+        }
     }
 
     void a_circular_wave_has_no_drift() {
@@ -269,5 +275,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDriftFunction)
+VYBEG_TEST(TestDriftFunction, statistical, unsanitized)
+
+}  // namespace test_drift_function
+
 #include "test_drift_function.moc"

@@ -3,6 +3,9 @@
 #include "core/resonator/runs/wave_motion.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
+
+namespace test_fit_breaks {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -63,7 +66,7 @@ private slots:
         step_at(runs[3], 20.04, -0.05);
         const ResonatorFit fit = fitted(runs);
         QCOMPARE(fit.phase_breaks.size(), std::size_t{2});
-        QVERIFY2(fit.chi2_per_dof < 1.2, qPrintable(QString::number(fit.chi2_per_dof)));
+        VYBEG_LESS(fit.chi2_per_dof, 1.2);
         VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4.5, 1e-6);
     }
 
@@ -84,9 +87,9 @@ private slots:
                                      .arg(split_hz)
                                      .arg(samples)
                                      .arg(fit.chi2_per_dof);
-            QVERIFY2(fit.phase_breaks.size() == 1, qPrintable(what));
+            VYBEG_EQUAL(fit.phase_breaks.size(), 1, qPrintable(what));
             QCOMPARE(std::lround(fit.phase_breaks[0].shift_s * run.rate_hz), samples);
-            QVERIFY2(fit.chi2_per_dof < 1.2, qPrintable(what));
+            VYBEG_LESS(fit.chi2_per_dof, 1.2, qPrintable(what));
             VYBEG_NEAR(fit.resonator.split_hz, split_hz, 4.5, 1e-4);
             VYBEG_NEAR(fit.resonator.f_mean_hz, gyro.f0_hz, 4.5, 1e-4);
         }
@@ -100,7 +103,7 @@ private slots:
             step_at(runs[2], where * 28, 0.137);
             const ResonatorFit fit = fitted(runs);
             const QString what = QString("at %1: chi^2/dof %2").arg(where).arg(fit.chi2_per_dof);
-            QVERIFY2(fit.chi2_per_dof < 1.2, qPrintable(what));
+            VYBEG_LESS(fit.chi2_per_dof, 1.2, qPrintable(what));
             QVERIFY2(warns(fit, DiagnosticKind::fitted_phase_step), qPrintable(what));
             VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4.5, 1e-6);
             VYBEG_NEAR(fit.resonator.tau_s, 400, 4.5, 1);
@@ -140,13 +143,13 @@ private:
                                  .arg(angles.size())
                                  .arg(step_rad)
                                  .arg(fit.chi2_per_dof);
-        QVERIFY2(fit.phase_breaks.size() == 1, qPrintable(what));
+        VYBEG_EQUAL(fit.phase_breaks.size(), 1, qPrintable(what));
         QVERIFY(warns(fit, DiagnosticKind::fitted_phase_step));
         const PhaseBreak& found = fit.phase_breaks[0];
         QCOMPARE(found.run, where);
         VYBEG_WITHIN(found.time_s, at_s, found.reach_s, qPrintable(what));
         VYBEG_CLOSE(found.step_rad, step_rad, 2e-3, qPrintable(what));
-        QVERIFY2(fit.chi2_per_dof < 1.2, qPrintable(what));
+        VYBEG_LESS(fit.chi2_per_dof, 1.2, qPrintable(what));
         if (angles.size() > 1 && split_hz > 1e-5) {
             VYBEG_NEAR(fit.resonator.split_hz, split_hz, 4.5, 1e-5);
         }
@@ -172,5 +175,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFitBreaks)
+VYBEG_TEST(TestFitBreaks, statistical, unsanitized)
+
+}  // namespace test_fit_breaks
+
 #include "test_fit_breaks.moc"

@@ -1,5 +1,8 @@
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
+
+namespace test_fit_drift {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -86,7 +89,7 @@ void TestFitDrift::aSmallSplitDoesNotHideADrift() {
             shift(run, 0, drift);
             const ResonatorFit fit = fitted({run});
             QVERIFY(!warns(fit, DiagnosticKind::fit_not_converged));
-            QVERIFY2(fit.chi2_per_dof < 1.25, qPrintable(QString::number(fit.chi2_per_dof)));
+            VYBEG_LESS(fit.chi2_per_dof, 1.25);
             QVERIFY(!fit.resonator.angle_rate_rad_s.given());
             VYBEG_NEAR(fit.runs[0].drift_hz_per_s, drift, 4, 1e-6);
         }
@@ -122,7 +125,7 @@ void TestFitDrift::unequalAmplitudesOfACubicSpringConverge() {
         }
         const ResonatorFit fit = fitted(runs);
         QVERIFY(!warns(fit, DiagnosticKind::fit_not_converged));
-        QVERIFY2(fit.chi2_per_dof < 1.1, qPrintable(QString::number(fit.chi2_per_dof)));
+        VYBEG_LESS(fit.chi2_per_dof, 1.1);
         VYBEG_NEAR(fit.resonator.frequency_per_power, gyro.frequency_per_power_hz, 4, 3e-5);
         VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4, 1e-6);
         VYBEG_NEAR(fit.resonator.kappa, 1, 4, 1e-3);
@@ -150,5 +153,8 @@ void TestFitDrift::aStrangePhaseLeavesTheEnvelopeAlone() {
     QVERIFY(fit.modes.empty() && fit.no_modes.code == ReasonCode::not_converged);
 }
 
-QTEST_GUILESS_MAIN(TestFitDrift)
+VYBEG_TEST(TestFitDrift, statistical, unsanitized)
+
+}  // namespace test_fit_drift
+
 #include "test_fit_drift.moc"

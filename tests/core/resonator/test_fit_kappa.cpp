@@ -1,6 +1,9 @@
 // The gain ratio of the channels and what else they do to the resonator (TRUTH rows 4, 8, 14).
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
+
+namespace test_fit_kappa {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -295,13 +298,13 @@ private slots:
             }
         }
         const ResonatorFit alone = fitted(runs);
-        QVERIFY(std::abs(alone.resonator.angle_rate_rad_s.value) >
-                20 * alone.resonator.angle_rate_rad_s.sd);
+        VYBEG_MORE(std::abs(alone.resonator.angle_rate_rad_s.value),
+                   20 * alone.resonator.angle_rate_rad_s.sd);
         const ResonatorFit told = fitted(runs, {.tolerance = {.phase_rad = 0.01}});
         QVERIFY(told.model == ResonatorModel::structured);
         VYBEG_CLOSE(told.resonator.angle_rate_rad_s.value, 0,
                     4 * told.resonator.angle_rate_rad_s.uncertainty());
-        QVERIFY(told.resonator.angle_rate_rad_s.sd < told.resonator.angle_rate_rad_s.u);
+        VYBEG_LESS(told.resonator.angle_rate_rad_s.sd, told.resonator.angle_rate_rad_s.u);
     }
 
     // Frequencies belong to the power of the wave, not to that of the recorded channels.
@@ -348,5 +351,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFitKappa)
+VYBEG_TEST(TestFitKappa, statistical, unsanitized)
+
+}  // namespace test_fit_kappa
+
 #include "test_fit_kappa.moc"

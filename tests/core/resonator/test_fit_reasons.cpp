@@ -1,8 +1,11 @@
 #include "core/base/messages.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
 
 #include <set>
+
+namespace test_fit_reasons {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -68,13 +71,13 @@ void TestFitReasons::oneStillWaveGivesSplitTimesSineAlone() {
             QVERIFY(sine.given() || angle == 11.46);
             if (sine.given()) {
                 VYBEG_NEAR(sine, truth, 4, 1e-6);
-                QVERIFY(sine.sd < 3e-7);
+                VYBEG_LESS(sine.sd, 3e-7);
             }
             // The resonator's decay rests on the anisotropy, which is not seen: it is refused or
             // has an uncertainty of some per cent. The direction's own does not.
             if (fit.resonator.tau_s.given()) {
                 VYBEG_NEAR(fit.resonator.tau_s, 400, 4, 80);
-                QVERIFY(fit.resonator.tau_s.sd > 4);
+                VYBEG_MORE(fit.resonator.tau_s.sd, 4);
             }
             if (fit.runs[0].direction_tau_s.given() || angle != 11.46) {
                 VYBEG_NEAR(fit.runs[0].direction_tau_s, 400, 4, 0.05);
@@ -157,11 +160,13 @@ void TestFitReasons::noSplitIsALimitWithoutAxis() {
     }
     // The limit holds the truth, and is no more than five deviations.
     const double split_limit = std::stod(english(fit.resonator.split_hz.reason.args[0]));
-    QVERIFY2(split_limit > 0 && split_limit < 5 * 6e-8, qPrintable(QString::number(split_limit)));
+    VYBEG_MORE(split_limit, 0);
+    VYBEG_LESS(split_limit, 5 * 6e-8);
     QCOMPARE(fit.resonator.split_hz.reason.args[1], std::string("Hz"));
     const double damping_limit =
         std::stod(english(fit.resonator.damping_anisotropy_per_s.reason.args[0]));
-    QVERIFY2(damping_limit > 0 && damping_limit < 5e-6, qPrintable(QString::number(damping_limit)));
+    VYBEG_MORE(damping_limit, 0);
+    VYBEG_LESS(damping_limit, 5e-6);
     QVERIFY(!fit.identifiable.split && !fit.identifiable.theta_w);
     QVERIFY(fit.modes.empty());
 }
@@ -227,5 +232,8 @@ void TestFitReasons::theFreeModelHasNoAngles() {
     VYBEG_NEAR(fit.modes[0].tau_s, 400, 4, 0.1);
 }
 
-QTEST_GUILESS_MAIN(TestFitReasons)
+VYBEG_TEST(TestFitReasons)
+
+}  // namespace test_fit_reasons
+
 #include "test_fit_reasons.moc"

@@ -1,6 +1,9 @@
 #include "core/resonator/runs/merge_windows.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
+
+namespace test_merge_windows {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -51,8 +54,8 @@ void TestMergeWindows::fewWindowsAreLeftAlone() {
 void TestMergeWindows::aBeatIsNotAveragedAway() {
     // A split of 5 Hz turns each mode by 2.5 Hz: 0.3 rad in 19 ms.
     const PhasorRun merged = merge_windows(simulated_phasors(decay_with(5), 60, 1), 10);
-    QVERIFY2(merged.window_s < 0.02 && merged.window_s > 0.015,
-             qPrintable(QString::number(merged.window_s)));
+    VYBEG_LESS(merged.window_s, 0.02);
+    VYBEG_MORE(merged.window_s, 0.015);
 }
 
 void TestMergeWindows::gapsBeginAnew() {
@@ -79,7 +82,7 @@ void TestMergeWindows::gapsBeginAnew() {
     for (std::size_t k = sparse.time_s.size() - 1; k > 7; k -= 7) {
         drop(k);
     }
-    QVERIFY(10 * merge_windows(run, 200).time_s.size() >= 9 * run.time_s.size() / 3);
+    VYBEG_AT_LEAST(10 * merge_windows(run, 200).time_s.size(), 9 * run.time_s.size() / 3);
 }
 
 void TestMergeWindows::theFitIsTheSame() {
@@ -93,5 +96,8 @@ void TestMergeWindows::theFitIsTheSame() {
     VYBEG_CLOSE(fit.chi2_per_dof, 1, 0.05);
 }
 
-QTEST_GUILESS_MAIN(TestMergeWindows)
+VYBEG_TEST(TestMergeWindows)
+
+}  // namespace test_merge_windows
+
 #include "test_merge_windows.moc"

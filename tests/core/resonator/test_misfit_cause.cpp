@@ -2,6 +2,9 @@
 // seeds, angles and splits; noise of any colour names none.
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
+
+namespace test_misfit_cause {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -132,7 +135,8 @@ private slots:
             QVERIFY(cause != nullptr);
             QVERIFY(cause->kind == DiagnosticKind::misfit_damping);
             const double found = std::stod(english(cause->args[0]));
-            QVERIFY2(found > 2.5e-4 && found < 7.5e-4, english(cause->args[0]).c_str());
+            VYBEG_MORE(found, 2.5e-4, english(cause->args[0]).c_str());
+            VYBEG_LESS(found, 7.5e-4, english(cause->args[0]).c_str());
         }
     }
 
@@ -157,7 +161,8 @@ private slots:
                     const double found = std::stod(english(cause->args[0]));
                     VYBEG_CLOSE(found - 5300, off_hz, 0.1, english(cause->args[0]).c_str());
                     const double per_cent = std::stod(english(cause->args[1]));
-                    QVERIFY2(per_cent > 0.5 && per_cent < 2, english(cause->args[1]).c_str());
+                    VYBEG_MORE(per_cent, 0.5, english(cause->args[1]).c_str());
+                    VYBEG_LESS(per_cent, 2, english(cause->args[1]).c_str());
                 }
             }
         }
@@ -232,5 +237,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMisfitCause)
+VYBEG_TEST(TestMisfitCause, statistical, unsanitized)
+
+}  // namespace test_misfit_cause
+
 #include "test_misfit_cause.moc"

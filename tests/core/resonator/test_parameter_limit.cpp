@@ -1,10 +1,14 @@
 #include "core/resonator/results/parameter_limit.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+namespace test_parameter_limit {
 
 using namespace vybeg;
 
@@ -70,9 +74,8 @@ private slots:
             outside += found == Conformity::outside ? 1 : 0;
         }
         const double expected = measurements * 0.02275;
-        QVERIFY2(std::abs(within - expected) < 4 * std::sqrt(expected), QByteArray::number(within));
-        QVERIFY2(std::abs(outside - expected) < 4 * std::sqrt(expected),
-                 QByteArray::number(outside));
+        VYBEG_CLOSE(within, expected, 4 * std::sqrt(expected));
+        VYBEG_CLOSE(outside, expected, 4 * std::sqrt(expected));
     }
 
     void axes_have_no_limits() {
@@ -85,5 +88,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestParameterLimit)
+VYBEG_TEST(TestParameterLimit)
+
+}  // namespace test_parameter_limit
+
 #include "test_parameter_limit.moc"

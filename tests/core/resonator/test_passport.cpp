@@ -1,11 +1,14 @@
 // What a comparison says of parameters that moved, did not, or are not known.
 #include "core/resonator/results/passport.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <numbers>
+
+namespace test_passport {
 
 using namespace vybeg;
 
@@ -88,7 +91,9 @@ private slots:
         pair.now.resonator.theta_w_rad = {-quarter + 0.005, 0.004, {}};
         const Difference difference = only(pair);
         VYBEG_CLOSE(difference.change, 0.015, 1e-12);
-        QVERIFY(difference.verdict == Verdict::changed || difference.deviations() < 3.0001);
+        if (difference.verdict != Verdict::changed) {
+            VYBEG_LESS(difference.deviations(), 3.0001);
+        }
         pair.now.resonator.theta_w_rad.value = -quarter;
         QVERIFY(only(pair).verdict == Verdict::unchanged);
     }
@@ -172,7 +177,7 @@ private slots:
         const Difference scattered = only(pair);
         QVERIFY(scattered.verdict == Verdict::unchanged);
         VYBEG_CLOSE(scattered.u, std::sqrt(0.02), 1e-9);
-        QVERIFY(scattered.sd < 1e-6);
+        VYBEG_LESS(scattered.sd, 1e-6);
     }
 
     void tolerances_of_the_channels_count() {
@@ -258,5 +263,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPassport)
+VYBEG_TEST(TestPassport)
+
+}  // namespace test_passport
+
 #include "test_passport.moc"

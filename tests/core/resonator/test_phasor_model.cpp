@@ -2,11 +2,14 @@
 #include "core/resonator/fit/posterior.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <array>
 #include <cmath>
+
+namespace test_phasor_model {
 
 using namespace vybeg;
 
@@ -77,7 +80,7 @@ private slots:
                  residuals_of(run, shared + by_shared, own + by_own)) /
                 (2 * step);
             const double off = (difference - at.by_parameter.col(k)).norm() / difference.norm();
-            QVERIFY2(off < 1e-7, qPrintable(QString("parameter %1: %2").arg(k).arg(off)));
+            VYBEG_LESS(off, 1e-7, qPrintable(QString("parameter %1: %2").arg(k).arg(off)));
         }
     }
 
@@ -133,8 +136,8 @@ private slots:
         for (Eigen::Index k = 0; k < start.size(); ++k) {
             QCOMPARE(fit.p[k] == start[k], problem.priors.sd[k] == 0);
         }
-        QVERIFY(fit.chi2 <
-                chi_square(runs[0], start.head(int{shared_count}), some_own(), runs[0].size()));
+        VYBEG_LESS(fit.chi2,
+                   chi_square(runs[0], start.head(int{shared_count}), some_own(), runs[0].size()));
     }
 
     void the_three_parts_of_the_covariance_add_up() {
@@ -149,9 +152,12 @@ private slots:
         const Posterior at = posterior(problem, minimise(problem, start, 100, {}));
         const Eigen::MatrixXd sum = at.covariance_of(0, at.root.rows());
         const double off = (sum - at.covariance).norm() / at.covariance.norm();
-        QVERIFY2(off < 1e-8, qPrintable(QString::number(off)));
+        VYBEG_LESS(off, 1e-8);
     }
 };
 
-QTEST_GUILESS_MAIN(TestPhasorModel)
+VYBEG_TEST(TestPhasorModel)
+
+}  // namespace test_phasor_model
+
 #include "test_phasor_model.moc"

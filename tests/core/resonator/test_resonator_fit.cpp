@@ -1,7 +1,10 @@
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
 
 #include <complex>
+
+namespace test_resonator_fit {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -72,7 +75,7 @@ void TestResonatorFit::aSetGivesBackTheResonator() {
     QVERIFY(fit.warnings.empty());
     // Eigenvalues of the simulator's M.
     QCOMPARE(fit.modes.size(), std::size_t{2});
-    QVERIFY(fit.modes[0].f_hz.value > fit.modes[1].f_hz.value);
+    VYBEG_MORE(fit.modes[0].f_hz.value, fit.modes[1].f_hz.value);
 }
 
 void TestResonatorFit::theRunsComeBackWithTheirStarts() {
@@ -256,7 +259,7 @@ void TestResonatorFit::aWeakModeIsNoAlias() {
             }
         }
     }
-    QVERIFY2(given >= 0.9 * sets, qPrintable(QString("%1 of %2").arg(given).arg(sets)));
+    VYBEG_AT_LEAST(given, 0.9 * sets);
 }
 
 void TestResonatorFit::whatCannotBeFittedSaysSo() {
@@ -278,5 +281,8 @@ void TestResonatorFit::whatCannotBeFittedSaysSo() {
     QVERIFY(cancelled.error().code == ErrorCode::interrupted);
 }
 
-QTEST_GUILESS_MAIN(TestResonatorFit)
+VYBEG_TEST(TestResonatorFit)
+
+}  // namespace test_resonator_fit
+
 #include "test_resonator_fit.moc"

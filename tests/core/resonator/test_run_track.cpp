@@ -1,12 +1,15 @@
 #include "core/resonator/runs/run_track.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+namespace test_run_track {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -65,5 +68,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRunTrack)
+VYBEG_TEST(TestRunTrack)
+
+}  // namespace test_run_track
+
 #include "test_run_track.moc"

@@ -1,12 +1,15 @@
 #include "core/resonator/model/slow_dynamics.h"
 #include "core/simulation/slow_motion.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <numbers>
 #include <random>
+
+namespace test_slow_dynamics {
 
 using namespace vybeg;
 using std::numbers::pi;
@@ -59,7 +62,7 @@ void TestSlowDynamics::thePropagatorIsThatOfTheSimulator() {
     const SlowMotion theirs(decay);
     for (const double t : {0.0, 1e-3, 0.9, 1.1, 28.0, 500.0}) {
         const double error = (ours.propagator(t) - theirs.propagator(t)).norm();
-        QVERIFY2(error < 1e-13 * (1 + t), qPrintable(QString::number(error)));
+        VYBEG_LESS(error, 1e-13 * (1 + t));
     }
 }
 
@@ -91,7 +94,7 @@ void TestSlowDynamics::theDerivativesAreCentralDifferences() {
                 const double error = (difference - at.by_rate[k]).norm();
                 // Relative to t times the larger of exp(M t) and the start's size.
                 const double size = std::max(t, 1.0) * std::max(at.value.norm(), 1.0);
-                QVERIFY2(error < 1e-7 * size, qPrintable(QString::number(error / size)));
+                VYBEG_LESS(error, 1e-7 * size);
             }
         }
     }
@@ -103,9 +106,9 @@ void TestSlowDynamics::seriesAndExponentialsMeet() {
     const double t = 1 / (2 * pi);
     const auto below = motion.propagation(t * (1 - 1e-9));
     const auto above = motion.propagation(t * (1 + 1e-9));
-    QVERIFY((below.value - above.value).norm() < 1e-8);
+    VYBEG_LESS((below.value - above.value).norm(), 1e-8);
     for (std::size_t k = 0; k < rate_count; ++k) {
-        QVERIFY((below.by_rate[k] - above.by_rate[k]).norm() < 1e-8);
+        VYBEG_LESS((below.by_rate[k] - above.by_rate[k]).norm(), 1e-8);
     }
 }
 
@@ -125,7 +128,7 @@ void TestSlowDynamics::theMeanOverAWindowIsAnIntegral() {
         const double weight = (k == 0 || k == 200 ? 1 : k % 2 == 1 ? 4 : 2) / 600.0;
         sum += weight * std::polar(1.0, 2 * pi * offset * u) * motion.propagator(u);
     }
-    QVERIFY((motion.window_mean(length, offset) - sum).norm() < 1e-8);
+    VYBEG_LESS((motion.window_mean(length, offset) - sum).norm(), 1e-8);
 }
 
 void TestSlowDynamics::ratesAndMatrixAreTheSame() {
@@ -159,5 +162,8 @@ void TestSlowDynamics::aLongRecordDoesNotOverflow() {
     VYBEG_CLOSE(late(0, 0), 0, 1e-100);
 }
 
-QTEST_GUILESS_MAIN(TestSlowDynamics)
+VYBEG_TEST(TestSlowDynamics)
+
+}  // namespace test_slow_dynamics
+
 #include "test_slow_dynamics.moc"

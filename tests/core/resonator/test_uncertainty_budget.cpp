@@ -3,6 +3,9 @@
 #include "core/resonator/results/uncertainty_budget.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
+
+namespace test_uncertainty_budget {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -60,7 +63,7 @@ private slots:
             const ResonatorFit fit =
                 fitted(set_of(resonator(), angles, 1000, seed), with(every_tolerance));
             const auto budget = uncertainty_budget(fit);
-            QVERIFY2(std::ssize(budget) >= least, qPrintable(QString::number(budget.size())));
+            VYBEG_AT_LEAST(budget.size(), least);
             bool any_share = false;
             for (const ParameterBudget& row : budget) {
                 double squares = row.statistical * row.statistical;
@@ -113,9 +116,12 @@ private slots:
                 ++compared;
             }
         }
-        QVERIFY(compared > 0);
+        VYBEG_MORE(compared, 0);
     }
 };
 
-QTEST_GUILESS_MAIN(TestUncertaintyBudget)
+VYBEG_TEST(TestUncertaintyBudget)
+
+}  // namespace test_uncertainty_budget
+
 #include "test_uncertainty_budget.moc"

@@ -1,10 +1,14 @@
 // The wave's own numbers under channel errors drawn from their tolerances: the truth, that of the
 // same noise without errors, lies within 2u (TRUTH principle 2).
 #include "core/resonator/runs/wave_uncertainty.h"
+#include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
 
 #include <array>
 #include <random>
+
+namespace test_wave_uncertainty {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -92,7 +96,8 @@ private slots:
                     ++count;
                     for (std::size_t k = 0; k < members.size(); ++k) {
                         const Estimate& number = found.*members[k];
-                        QVERIFY(number.given() && number.u >= number.sd);
+                        QVERIFY(number.given());
+                        VYBEG_AT_LEAST(number.u, number.sd);
                         const double off = std::abs(number.value - (truth.*members[k]).value);
                         within[k] += off < 2 * number.u ? 1 : 0;
                         widened[k] = widened[k] || number.u > 1.5 * number.sd;
@@ -102,7 +107,7 @@ private slots:
         }
         for (std::size_t k = 0; k < members.size(); ++k) {
             const QString text = QString("number %1: %2 of %3").arg(k).arg(within[k]).arg(count);
-            QVERIFY2(within[k] > 0.9 * count, qPrintable(text));
+            VYBEG_MORE(within[k], 0.9 * count, qPrintable(text));
         }
         QVERIFY(std::ranges::find(widened, true) != widened.end());
     }
@@ -117,5 +122,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWaveUncertainty)
+VYBEG_TEST(TestWaveUncertainty, statistical, unsanitized)
+
+}  // namespace test_wave_uncertainty
+
 #include "test_wave_uncertainty.moc"

@@ -9,11 +9,14 @@
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <numbers>
+
+namespace test_carrier_noise {
 
 using namespace vybeg;
 using std::numbers::pi;
@@ -179,8 +182,8 @@ void TestCarrierNoise::phase_noise_is_common_to_both_channels() {
             worst = test::largest_of({worst, std::abs(noisy->c[k] * std::tan(0.9) - noisy->d[k])});
             largest = test::largest_of({largest, std::abs(noisy->c[k])});
         }
-        QVERIFY2(worst < 1e-14, qPrintable(QString::number(worst)));
-        QVERIFY(largest < std::cos(0.9) * (1 + 1e-12));
+        VYBEG_LESS(worst, 1e-14);
+        VYBEG_LESS(largest, std::cos(0.9) * (1 + 1e-12));
     }
 }
 
@@ -253,5 +256,8 @@ void TestCarrierNoise::a_seed_repeats_itself_and_another_does_not() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestCarrierNoise)
+VYBEG_TEST(TestCarrierNoise)
+
+}  // namespace test_carrier_noise
+
 #include "test_carrier_noise.moc"

@@ -5,6 +5,7 @@
 #include "core/simulation/true_track.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -13,6 +14,8 @@
 #include <complex>
 #include <numbers>
 #include <stop_token>
+
+namespace test_free_decay {
 
 using namespace vybeg;
 using std::numbers::pi;
@@ -133,7 +136,7 @@ private slots:
         }
         // Runge-Kutta: |M|^5 h^5 / 120 a step, times 12000 steps, is below 1e-13 here; the rest is
         // rounding. Relative to a_A = 1.
-        QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
+        VYBEG_LESS(worst, 1e-12);
     }
 
     void without_damping_anisotropy_and_rotation_two_modes_ring_side_by_side() {
@@ -160,7 +163,7 @@ private slots:
                 test::largest_of({worst, std::abs(ring_p * cosine - ring_q * sine - samples->c[k]),
                                   std::abs(ring_p * sine + ring_q * cosine - samples->d[k])});
         }
-        QVERIFY2(worst < 1e-13, qPrintable(QString::number(worst)));
+        VYBEG_LESS(worst, 1e-13);
     }
 
     void damping_is_largest_along_its_axis() {
@@ -199,7 +202,7 @@ private slots:
             worst = test::largest_of({worst, std::abs(static_cast<double>(c - samples->c[k])),
                                       std::abs(static_cast<double>(d - samples->d[k]))});
         }
-        QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
+        VYBEG_LESS(worst, 1e-12);
     }
 
     void a_decay_of_many_time_constants_neither_overflows_nor_comes_back() {
@@ -220,7 +223,8 @@ private slots:
         }
         QCOMPARE(c, 0.0);
         const double amplitude = std::abs(start_phasors(decay)[1]);
-        QVERIFY(d > 0.99 * amplitude && d < amplitude * (1 + 1e-12));
+        VYBEG_MORE(d, 0.99 * amplitude);
+        VYBEG_LESS(d, amplitude * (1 + 1e-12));
     }
 
     void the_number_of_frames_is_whole_where_the_product_is() {
@@ -282,7 +286,7 @@ private slots:
                                     },
                                     {});
         QCOMPARE(ran.error(), enough);
-        QVERIFY(taken < 200'000);
+        VYBEG_LESS(taken, 200'000);
     }
 
     void piece_by_piece_it_is_what_it_is_in_memory() {
@@ -306,7 +310,7 @@ private slots:
             const JobControl job({}, [&](double fraction) { reported.push_back(fraction); });
             QVERIFY(bool(simulate(decay, *full_scale, sink, job)));
             QVERIFY(c == whole->c && d == whole->d);
-            QVERIFY(longest <= 20'000);
+            VYBEG_AT_MOST(longest, 20'000);
             QVERIFY(std::ranges::is_sorted(reported));
             QCOMPARE(reported.back(), 1.0);
         }
@@ -321,5 +325,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFreeDecay)
+VYBEG_TEST(TestFreeDecay, threads)
+
+}  // namespace test_free_decay
+
 #include "test_free_decay.moc"

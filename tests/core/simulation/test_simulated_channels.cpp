@@ -7,12 +7,15 @@
 #include "core/simulation/true_track.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+namespace test_simulated_channels {
 
 using namespace vybeg;
 using std::numbers::pi;
@@ -384,5 +387,8 @@ void TestSimulatedChannels::the_impossible_is_refused() {
     QCOMPARE(true_track(decay, 60).error(), samples.error());
 }
 
-QTEST_GUILESS_MAIN(TestSimulatedChannels)
+VYBEG_TEST(TestSimulatedChannels)
+
+}  // namespace test_simulated_channels
+
 #include "test_simulated_channels.moc"

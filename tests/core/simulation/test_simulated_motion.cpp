@@ -6,12 +6,15 @@
 #include "core/simulation/true_track.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <array>
 #include <cmath>
 #include <numbers>
+
+namespace test_simulated_motion {
 
 using namespace vybeg;
 using std::numbers::pi;
@@ -141,7 +144,7 @@ void TestSimulatedMotion::a_cubic_spring_and_damping_by_power_are_those_of_the_o
             oscillator.step(state, 1 / decay.rate_hz / 40);
         }
     }
-    QVERIFY2(worst < 1e-4, qPrintable(QString::number(worst)));
+    VYBEG_LESS(worst, 1e-4);
     decay.frequency_per_power_hz = decay.damping_per_power_per_s = 0;
     const auto without = simulate(decay, {});
     QVERIFY(bool(without));
@@ -150,7 +153,7 @@ void TestSimulatedMotion::a_cubic_spring_and_damping_by_power_are_those_of_the_o
         effect = std::max({effect, std::abs(without->c[frame] - samples->c[frame]),
                            std::abs(without->d[frame] - samples->d[frame])});
     }
-    QVERIFY2(effect > 0.05, qPrintable(QString::number(effect)));
+    VYBEG_MORE(effect, 0.05);
 }
 
 void TestSimulatedMotion::the_cubic_precession_has_its_sign_and_size_data() {
@@ -225,7 +228,7 @@ void TestSimulatedMotion::half_steps_give_the_same_motion() {
                 const Eigen::Vector2cd z = half.at(t);
                 worst = test::largest_of({worst, (whole.at(t) - z).norm() / z.norm()});
             }
-            QVERIFY2(worst < 1e-10, qPrintable(QString::number(worst)));
+            VYBEG_LESS(worst, 1e-10);
         }
     }
 }
@@ -241,7 +244,7 @@ void TestSimulatedMotion::without_dependence_on_power_the_series_are_the_matrix_
         worst = test::largest_of(
             {worst, (motion.at(t) - linear.propagator(t) * linear.start()).norm()});
     }
-    QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
+    VYBEG_LESS(worst, 1e-12);
 }
 
 void TestSimulatedMotion::runge_kutta_gives_the_same_motion_with_all_terms() {
@@ -274,7 +277,7 @@ void TestSimulatedMotion::runge_kutta_gives_the_same_motion_with_all_terms() {
         const Eigen::Vector2cd d = slope(z + h * c);
         z += h / 6 * (a + 2 * b + 2 * c + d);
     }
-    QVERIFY2(worst < 1e-11, qPrintable(QString::number(worst)));
+    VYBEG_LESS(worst, 1e-11);
 }
 
 void TestSimulatedMotion::frequency_settles_and_drifts_by_its_integral() {
@@ -296,7 +299,7 @@ void TestSimulatedMotion::frequency_settles_and_drifts_by_its_integral() {
             worst = test::largest_of({worst, std::abs(std::cos(angle) * wave - samples->c[k]),
                                       std::abs(std::sin(angle) * wave - samples->d[k])});
         }
-        QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
+        VYBEG_LESS(worst, 1e-12);
         for (std::size_t row = 0; row < truth->rows(); ++row) {
             const double t = truth->time_s()[row];
             VYBEG_CLOSE(truth->values(SlowVariable::f)[row],
@@ -322,7 +325,7 @@ void TestSimulatedMotion::an_hour_of_drift_keeps_its_phase() {
                              static_cast<double>(k * k % 32'000'000) / 32e6;
         worst = test::largest_of({worst, std::abs(std::cos(2 * pi * turns) - samples->c[k])});
     }
-    QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
+    VYBEG_LESS(worst, 1e-12);
 }
 
 void TestSimulatedMotion::the_truth_gives_the_samples_and_the_frequency_of_them() {
@@ -365,9 +368,9 @@ void TestSimulatedMotion::the_truth_gives_the_samples_and_the_frequency_of_them(
                 test::largest_of({worst_turn, std::abs(std::remainder(gone - expected, pi))});
         }
     }
-    QVERIFY2(worst < 1e-11, qPrintable(QString::number(worst)));
+    VYBEG_LESS(worst, 1e-11);
     // The trapezoid's rest is f'' h^3/12 and the share's change in a window times the turn.
-    QVERIFY2(worst_turn < 1e-5, qPrintable(QString::number(worst_turn)));
+    VYBEG_LESS(worst_turn, 1e-5);
 }
 
 void TestSimulatedMotion::it_streams() {
@@ -390,8 +393,11 @@ void TestSimulatedMotion::it_streams() {
     QVERIFY(bool(simulate(decay, 0, sink, {})));
     QCOMPARE(taken, whole->c.size());
     QVERIFY(same);
-    QVERIFY(longest <= 20'000);
+    VYBEG_AT_MOST(longest, 20'000);
 }
 
-QTEST_GUILESS_MAIN(TestSimulatedMotion)
+VYBEG_TEST(TestSimulatedMotion)
+
+}  // namespace test_simulated_motion
+
 #include "test_simulated_motion.moc"

@@ -5,12 +5,15 @@
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+namespace test_simulated_noise {
 
 using namespace vybeg;
 
@@ -181,5 +184,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSimulatedNoise)
+VYBEG_TEST(TestSimulatedNoise)
+
+}  // namespace test_simulated_noise
+
 #include "test_simulated_noise.moc"

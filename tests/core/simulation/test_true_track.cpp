@@ -4,12 +4,15 @@
 #include "core/simulation/true_track.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+namespace test_true_track {
 
 using namespace vybeg;
 using std::numbers::pi;
@@ -101,9 +104,9 @@ private slots:
             worst_beside =
                 test::largest_of({worst_beside, distance(centre - 1), distance(centre + 1)});
         }
-        QVERIFY2(worst < 1e-12, qPrintable(QString::number(worst)));
+        VYBEG_LESS(worst, 1e-12);
         // One sample aside the slow change shows: 2 k Omega dt = 3.3e-5 of the amplitude.
-        QVERIFY2(worst_beside < 5e-5, qPrintable(QString::number(worst_beside)));
+        VYBEG_LESS(worst_beside, 5e-5);
     }
 
     void a_balanced_wave_decays_exponentially() {
@@ -126,13 +129,14 @@ private slots:
         const auto track = true_track(decay, 3333);
         QVERIFY(track);
         const auto angle = column(*track, SlowVariable::two_theta_A);
-        QVERIFY(angle.back() < -5 * pi);
+        VYBEG_LESS(angle.back(), -5 * pi);
         for (std::size_t row = 0; row < track->rows(); ++row) {
             // d theta_A/dt = -k Omega.
             const double expected = 0.3 - 2 * 0.277 * 1.2 * track->time_s()[row];
             VYBEG_CLOSE(angle[row], expected, 1e-12);
             const double alpha = column(*track, SlowVariable::alpha)[row];
-            QVERIFY(alpha > -pi && alpha <= pi);
+            VYBEG_MORE(alpha, -pi);
+            VYBEG_AT_MOST(alpha, pi);
         }
     }
 
@@ -149,7 +153,7 @@ private slots:
             const double grown = column(*track, SlowVariable::a_B)[row];
             VYBEG_CLOSE(grown, rate * track->time_s()[row], 1e-6);
         }
-        QVERIFY(column(*track, SlowVariable::a_B).back() > 5e-4);
+        VYBEG_MORE(column(*track, SlowVariable::a_B).back(), 5e-4);
     }
 
     void the_frequency_is_that_of_the_mode_along_which_the_wave_stands() {
@@ -178,7 +182,7 @@ private slots:
             const double phi_d = std::atan2(a_B * std::cos(0.7), std::sin(0.7));
             const double difference = column(*track, SlowVariable::delta_phi_CD)[100];
             VYBEG_CLOSE(difference, phi_c - phi_d, 1e-13);
-            QVERIFY(difference * a_B < 0);
+            VYBEG_LESS(difference * a_B, 0);
         }
     }
 
@@ -211,13 +215,18 @@ private slots:
                 largest = ratio;
                 peak = row;
             }
-            QVERIFY(row == 0 || angle[row] < angle[row - 1]);
+            if (row > 0) {
+                VYBEG_LESS(angle[row], angle[row - 1]);
+            }
             crossing = angle[row] > 0 ? row : crossing;
         }
-        QVERIFY(largest > 0.28 && largest < 0.32);
-        QVERIFY(track->time_s()[peak] > 10 && track->time_s()[peak] < 16);
-        QVERIFY(a_B.back() < 0);
-        QVERIFY(track->time_s()[crossing] > 4 && track->time_s()[crossing] < 10);
+        VYBEG_MORE(largest, 0.28);
+        VYBEG_LESS(largest, 0.32);
+        VYBEG_MORE(track->time_s()[peak], 10);
+        VYBEG_LESS(track->time_s()[peak], 16);
+        VYBEG_LESS(a_B.back(), 0);
+        VYBEG_MORE(track->time_s()[crossing], 4);
+        VYBEG_LESS(track->time_s()[crossing], 10);
         QCOMPARE(decay.noise, 1e-3);
         QCOMPARE(column(*track, SlowVariable::rms)[0], std::numbers::sqrt2 * 1e-3);
     }
@@ -231,5 +240,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrueTrack)
+VYBEG_TEST(TestTrueTrack)
+
+}  // namespace test_true_track
+
 #include "test_true_track.moc"

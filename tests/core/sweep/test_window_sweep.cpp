@@ -6,10 +6,13 @@
 #include "core/sweep/window_lengths.h"
 #include "tests/closeness.h"
 #include "tests/statistical/simulated_recording.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
+
+namespace test_window_sweep {
 
 using namespace vybeg;
 
@@ -174,7 +177,7 @@ private slots:
                 for (std::size_t k = 1; k < angle.size(); ++k) {
                     steps.push_back((angle[k] - angle[k - 1]) / std::sqrt(2.0));
                 }
-                QVERIFY(rms_of(steps) > 50 * each.values[two_theta_A].scatter);
+                VYBEG_MORE(rms_of(steps), 50 * each.values[two_theta_A].scatter);
             }
         }
     }
@@ -190,9 +193,9 @@ private slots:
             const double shift = rms_of(differences(track, truth, main_slow_variables[v]));
             // x'' T^2/24 is the shift of a mean; the wave of a window follows its phasors, whose
             // turn adds another term of this size.
-            QVERIFY(found.values[v].motion > shift / 1.6);
-            QVERIFY(found.values[v].motion < shift * 1.6);
-            QVERIFY(found.values[v].motion > 5 * found.values[v].scatter);
+            VYBEG_MORE(found.values[v].motion, shift / 1.6);
+            VYBEG_LESS(found.values[v].motion, shift * 1.6);
+            VYBEG_MORE(found.values[v].motion, 5 * found.values[v].scatter);
         }
     }
 
@@ -240,8 +243,8 @@ private slots:
         }
         // Whole half-periods leave little, of all but the quadrature that algorithm 1 omits.
         for (std::size_t k = 1; k < closed_form_algorithms.size(); ++k) {
-            QVERIFY(sweep.lengths[0].values[a_A].leakage[k] <
-                    0.3 * sweep.lengths[1].values[a_A].leakage[k]);
+            VYBEG_LESS(sweep.lengths[0].values[a_A].leakage[k],
+                       0.3 * sweep.lengths[1].values[a_A].leakage[k]);
         }
     }
 
@@ -249,7 +252,7 @@ private slots:
         const FreeDecay decay = still_wave();
         const WindowSweep sweep = sweep_of(decay, {60}, with(Algorithm::demodulation));
         const SweepValue& value = sweep.lengths[0].values[two_theta_A];
-        QVERIFY(value.leakage[3] > value.bound);
+        VYBEG_MORE(value.leakage[3], value.bound);
         VYBEG_CLOSE_RATIO(value.stated, std::hypot(value.bound, value.leakage[3]), 0.08);
     }
 
@@ -258,11 +261,11 @@ private slots:
         settings.filter = Band{4800, 5800};
         const WindowSweep sweep = sweep_of(still_wave(), {22, 600}, settings);
         const double unit = 1e-3 * std::sqrt(2.0);
-        QVERIFY(sweep.lengths[0].values[a_A].bound < 0.92 * unit / std::sqrt(22.0));
+        VYBEG_LESS(sweep.lengths[0].values[a_A].bound, 0.92 * unit / std::sqrt(22.0));
         VYBEG_CLOSE_RATIO(sweep.lengths[1].values[a_A].bound, unit / std::sqrt(600.0), 0.06);
         VYBEG_CLOSE_RATIO(sweep.lengths[1].values[a_A].stated, sweep.lengths[1].values[a_A].bound,
                           0.02);
-        QVERIFY(sweep.lengths[0].used < sweep.lengths[0].windows);  // the transients
+        VYBEG_LESS(sweep.lengths[0].used, sweep.lengths[0].windows);  // the transients
     }
 
     void snap_moves_lengths_and_drops_doubles() {
@@ -320,7 +323,7 @@ private slots:
         const JobControl job({}, [&told](double fraction) { told.push_back(fraction); });
         const auto lengths = spaced_lengths(6, 600);
         QVERIFY(sweep_windows(recording, Settings(), lengths, job));
-        QVERIFY(told.size() >= lengths.size());
+        VYBEG_AT_LEAST(told.size(), lengths.size());
         QVERIFY(std::ranges::is_sorted(told));
         VYBEG_CLOSE(told.back(), 1, 1e-9);
         std::stop_source stop;
@@ -335,5 +338,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWindowSweep)
+VYBEG_TEST(TestWindowSweep, threads)
+
+}  // namespace test_window_sweep
+
 #include "test_window_sweep.moc"

@@ -1,11 +1,14 @@
 #include "core/track/beat.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <numbers>
 #include <random>
+
+namespace test_beat {
 
 using namespace vybeg;
 
@@ -90,7 +93,8 @@ private slots:
             // damping and with fewer periods.
             const double least = std::sqrt(6.0) / std::numbers::pi * 1e-3 / wave.amplitude / span /
                                  std::sqrt(static_cast<double>(rows));
-            QVERIFY(beat->sd_frequency_hz > 0.6 * least && beat->sd_frequency_hz < 20 * least);
+            VYBEG_MORE(beat->sd_frequency_hz, 0.6 * least);
+            VYBEG_LESS(beat->sd_frequency_hz, 20 * least);
             if (periods > 2 && damping_periods == 0) {
                 VYBEG_WITHIN(beat->sd_frequency_hz, least, 0.2 * least);
             }
@@ -175,5 +179,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBeat)
+VYBEG_TEST(TestBeat)
+
+}  // namespace test_beat
+
 #include "test_beat.moc"

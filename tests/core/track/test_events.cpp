@@ -1,10 +1,13 @@
 #include "core/track/events.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
 #include <random>
+
+namespace test_events {
 
 using namespace vybeg;
 
@@ -97,5 +100,8 @@ void TestEvents::wavesThatMoveCrossNothing() {
     VYBEG_CLOSE(events[0].seconds, 0.02, 1e-12);
 }
 
-QTEST_GUILESS_MAIN(TestEvents)
+VYBEG_TEST(TestEvents)
+
+}  // namespace test_events
+
 #include "test_events.moc"

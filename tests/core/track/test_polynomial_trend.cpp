@@ -1,12 +1,15 @@
 #include "core/track/polynomial_trend.h"
 #include "core/track/trend.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
 #include <array>
 #include <cmath>
 #include <random>
+
+namespace test_polynomial_trend {
 
 using namespace vybeg;
 
@@ -106,7 +109,7 @@ private slots:
         const auto parabola = trend_of(track, 2);
         const auto cubic = trend_of(track, 3);
         QVERIFY(parabola && cubic);
-        QVERIFY2(parabola->enlargement > 10, QByteArray::number(parabola->enlargement));
+        VYBEG_MORE(parabola->enlargement, 10);
         VYBEG_CLOSE(cubic->enlargement, 1.0, 1e-12);
     }
 
@@ -119,5 +122,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPolynomialTrend)
+VYBEG_TEST(TestPolynomialTrend)
+
+}  // namespace test_polynomial_trend
+
 #include "test_polynomial_trend.moc"

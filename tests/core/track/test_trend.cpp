@@ -1,4 +1,6 @@
 #include "core/track/trend.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
@@ -6,6 +8,8 @@
 #include <limits>
 #include <numbers>
 #include <random>
+
+namespace test_trend {
 
 using namespace vybeg;
 
@@ -50,7 +54,7 @@ private slots:
         QVERIFY(near(trend->sd_value, 2e-4 / std::sqrt(201.0), 1e-9));
         const double spread = hop_s * hop_s * 201 * (201.0 * 201 - 1) / 12;
         QVERIFY(near(trend->sd_slope_per_s, 2e-4 / std::sqrt(spread), 1e-9));
-        QVERIFY(trend->chi2_per_dof < 1e-6);
+        VYBEG_LESS(trend->chi2_per_dof, 1e-6);
     }
 
     void windows_that_overlap_count_once() {
@@ -97,11 +101,13 @@ private slots:
                 return slow + 1e-3 * noise(random);
             });
             const auto trend = line_trend(track, SlowVariable::a_B, 100, 200, 1);
-            QVERIFY(trend && trend->enlargement > 1.3);
+            QVERIFY(trend);
+            VYBEG_MORE(trend->enlargement, 1.3);
             squares += std::pow(trend->slope_per_s / trend->sd_slope_per_s, 2);
         }
         const double rms = std::sqrt(squares / seeds);
-        QVERIFY2(rms > 0.8 && rms < 1.25, QByteArray::number(rms));
+        VYBEG_MORE(rms, 0.8);
+        VYBEG_LESS(rms, 1.25);
     }
 
     // A curve: the deviation of the slope grows to the size of what a line leaves.
@@ -109,7 +115,8 @@ private slots:
         const Track track =
             track_of(SlowVariable::a_A, 1000, 1e-4, [](double t) { return 1 - 1e-3 * t * t; });
         const auto trend = line_trend(track, SlowVariable::a_A, 100, 200, 1);
-        QVERIFY(trend && trend->enlargement > 10);
+        QVERIFY(trend);
+        VYBEG_MORE(trend->enlargement, 10);
     }
 
     void a_scatter_above_the_deviations_enlarges_them() {
@@ -156,5 +163,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrend)
+VYBEG_TEST(TestTrend)
+
+}  // namespace test_trend
+
 #include "test_trend.moc"

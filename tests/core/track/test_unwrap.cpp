@@ -2,10 +2,13 @@
 #include "core/numerics/phase.h"
 #include "core/track/unwrap.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
+
+namespace test_unwrap {
 
 using namespace vybeg;
 
@@ -69,7 +72,8 @@ void TestUnwrap::electrodeAngleIsTakenOff() {
         Track track = turning(50, 0.2, 0.2);
         unwrap_angle(track, zero);
         const double first = track.values(SlowVariable::two_theta_A)[0];
-        QVERIFY(first > -pi / 2 && first <= pi / 2);
+        VYBEG_MORE(first, -pi / 2);
+        VYBEG_AT_MOST(first, pi / 2);
         const double half_turns = (first - (0.2 - zero)) / pi;
         VYBEG_CLOSE(half_turns, std::round(half_turns), 1e-12);
         for (std::size_t k = 0; k < track.rows(); ++k) {
@@ -105,10 +109,16 @@ void TestUnwrap::piecesGiveTheWhole() {
     for (std::size_t k = 0; k < whole.rows(); ++k) {
         const double angle = whole.values(SlowVariable::two_theta_A)[k];
         const double same = joined.values(SlowVariable::two_theta_A)[k];
-        QVERIFY(same == angle || (std::isnan(same) && std::isnan(angle)));
+        QCOMPARE(std::isnan(same), std::isnan(angle));
+        if (!std::isnan(angle)) {
+            VYBEG_EQUAL(same, angle);
+        }
         QCOMPARE(joined.values(SlowVariable::alpha)[k], whole.values(SlowVariable::alpha)[k]);
     }
 }
 
-QTEST_GUILESS_MAIN(TestUnwrap)
+VYBEG_TEST(TestUnwrap)
+
+}  // namespace test_unwrap
+
 #include "test_unwrap.moc"

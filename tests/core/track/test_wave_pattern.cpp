@@ -1,12 +1,15 @@
 // A wave as figures for drawing, against (6) and its amplitudes.
 #include "core/track/wave_pattern.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+namespace test_wave_pattern {
 
 using namespace vybeg;
 
@@ -68,5 +71,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWavePattern)
+VYBEG_TEST(TestWavePattern)
+
+}  // namespace test_wave_pattern
+
 #include "test_wave_pattern.moc"

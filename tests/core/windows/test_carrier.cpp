@@ -1,12 +1,15 @@
 #include "core/windows/carrier_search.h"
 #include "core/windows/carrier_zoom.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
 #include <random>
 #include <vector>
+
+namespace test_carrier {
 
 using namespace vybeg;
 
@@ -175,5 +178,8 @@ void TestCarrier::whereTheZoomIsNotCertainItSaysNothing() {
     VYBEG_CLOSE(*found, 9000, 1);
 }
 
-QTEST_GUILESS_MAIN(TestCarrier)
+VYBEG_TEST(TestCarrier)
+
+}  // namespace test_carrier
+
 #include "test_carrier.moc"

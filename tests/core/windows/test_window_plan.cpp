@@ -1,9 +1,12 @@
 #include "core/windows/window_plan.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <numbers>
+
+namespace test_window_plan {
 
 using namespace vybeg;
 
@@ -54,9 +57,9 @@ void TestWindowPlan::snapNeverMakesTheResidualWorseNorMovesFartherThanHalfAPerio
         for (std::int64_t n = least_window(f, 33333); n < 700; n += 7) {
             const std::int64_t snapped = snap_window(n, f, 33333);
             VYBEG_WITHIN(static_cast<double>(snapped - n), 0, half_period);
-            QVERIFY(orthogonality_residual(snapped, f, 33333) <=
-                    orthogonality_residual(n, f, 33333));
-            QVERIFY(snapped >= least_window(f, 33333));
+            VYBEG_AT_MOST(orthogonality_residual(snapped, f, 33333),
+                          orthogonality_residual(n, f, 33333));
+            VYBEG_AT_LEAST(snapped, least_window(f, 33333));
         }
     }
 }
@@ -68,10 +71,10 @@ void TestWindowPlan::leastWindowIsThatOfTheCarrierAndOfItsImage() {
     for (const double share : {0.4003, 0.4507, 0.4811, 0.4914, 0.4991, 0.49997}) {
         const std::int64_t least = least_window(share * 48000, 48000);
         QCOMPARE(least, least_window((0.5 - share) * 48000, 48000));
-        QVERIFY(static_cast<double>(least) > 1 / (2 * (0.5 - share)));
-        QVERIFY(snap_window(5, share * 48000, 48000) >= least);
+        VYBEG_MORE(static_cast<double>(least), 1 / (2 * (0.5 - share)));
+        VYBEG_AT_LEAST(snap_window(5, share * 48000, 48000), least);
     }
-    QVERIFY(least_window(24000, 48000) > std::int64_t{1} << 40);
+    VYBEG_MORE(least_window(24000, 48000), std::int64_t{1} << 40);
 }
 
 void TestWindowPlan::planHoldsEveryWindowThatFits() {
@@ -80,12 +83,12 @@ void TestWindowPlan::planHoldsEveryWindowThatFits() {
             for (const std::int64_t hop : {1, 7, 60, 200}) {
                 const WindowPlan plan = plan_windows(10, 10 + frames, length, hop);
                 if (plan.count == 0) {
-                    QVERIFY(frames < length);
+                    VYBEG_LESS(frames, length);
                     continue;
                 }
                 QCOMPARE(plan.start(0), 10);
-                QVERIFY(plan.start(plan.count - 1) + length <= 10 + frames);
-                QVERIFY(plan.start(plan.count) + length > 10 + frames);
+                VYBEG_AT_MOST(plan.start(plan.count - 1) + length, 10 + frames);
+                VYBEG_MORE(plan.start(plan.count) + length, 10 + frames);
             }
         }
     }
@@ -93,5 +96,8 @@ void TestWindowPlan::planHoldsEveryWindowThatFits() {
     QCOMPARE(plan_windows(0, 100, 6, 6).centre_s(1, 10), 0.85);
 }
 
-QTEST_GUILESS_MAIN(TestWindowPlan)
+VYBEG_TEST(TestWindowPlan)
+
+}  // namespace test_window_plan
+
 #include "test_window_plan.moc"

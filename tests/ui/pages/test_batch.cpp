@@ -1,11 +1,14 @@
 // The window of a batch: the table fills, is sorted, opens its sets, is stopped and goes on; its
 // file is that of vybeg-cli.
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 #include "tests/ui/heartbeat.h"
 #include "tests/ui/pages/batch_journey.h"
 #include "ui/window/page_stack.h"
 
 #include <QPlainTextEdit>
+
+namespace test_batch {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -26,7 +29,7 @@ private slots:
         QVERIFY(!button("batchStop").isEnabled());
         Heartbeat heartbeat;
         run();
-        QVERIFY2(heartbeat.longestMs() < 50, qPrintable(heartbeat.text()));
+        VYBEG_LESS(heartbeat.longestMs(), 50, qPrintable(heartbeat.text()));
         QCOMPARE(names(), QStringList({"HRG-2", "HRG-10", "broken", "HRG-1"}));
         QCOMPARE(content(home_.path("first.csv")), expected_);
         QVERIFY(!QFile::exists(home_.path("first.csv.unfinished")));
@@ -39,7 +42,7 @@ private slots:
         // Without passports there are no verdicts.
         QVERIFY(table().isColumnHidden(column(titles[verdict])));
         QVERIFY(!table().isColumnHidden(column(titles[gyro])));
-        QVERIFY(column("lot") > 0);
+        VYBEG_MORE(column("lot"), 0);
         QCOMPARE(model().index(0, column("lot")).data().toString(), QString("a \"b\", c"));
     }
 
@@ -63,7 +66,7 @@ private slots:
         QVERIFY(model().index(row, column("Причина")).data().toString().contains("файл"));
         QCOMPARE(model().index(row, column("Состояние")).data().toString(),
                  QString("нет результата"));
-        QVERIFY(column("Разночастотность\nГц") > 0);
+        VYBEG_MORE(column("Разночастотность\nГц"), 0);
         QCOMPARE(told(), QString("4 из 4 наборов; без результата: 1"));
     }
 
@@ -127,7 +130,8 @@ private slots:
         QVERIFY(!QFile::exists(home_.path("stopped.csv")));
         QVERIFY(QFile::exists(home_.path("stopped.csv.unfinished")));
         const qsizetype kept = content(home_.path("stopped.csv.unfinished")).count('\n') - 1;
-        QVERIFY(kept >= 1 && kept < 4);
+        VYBEG_AT_LEAST(kept, 1);
+        VYBEG_LESS(kept, 4);
         run();
         QCOMPARE(content(home_.path("stopped.csv")), expected_);
         QVERIFY(!QFile::exists(home_.path("stopped.csv.unfinished")));
@@ -137,7 +141,7 @@ private slots:
     void the_command_line_goes_on_where_the_window_stopped() {
         stopMidway(home_.path("both.csv"));
         const QByteArray rows = content(home_.path("both.csv.unfinished"));
-        QVERIFY(rows.count('\n') > 1);
+        VYBEG_MORE(rows.count('\n'), 1);
         // By its full path, as the window reads it: the path is a part of a row's key.
         const auto outcome =
             run_cli({"batch", home_.path("list.csv"), "-o", "both.csv", "--resume", "--json-log"},
@@ -163,5 +167,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestBatch)
+VYBEG_TEST(TestBatch, threads)
+
+}  // namespace test_batch
+
 #include "test_batch.moc"

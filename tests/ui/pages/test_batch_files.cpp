@@ -1,10 +1,14 @@
 // The window of a batch: its files and options, what cannot be written, copying, closing.
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 #include "tests/ui/pages/batch_journey.h"
 #include "ui/batch/batch_progress.h"
 
 #include <QCheckBox>
 #include <QClipboard>
 #include <QElapsedTimer>
+
+namespace test_batch_files {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -82,13 +86,13 @@ private slots:
         QCOMPARE(cells.size(), head.size());
         QCOMPARE(cells[0], QString("HRG-2"));
         const auto at = head.indexOf("Frequency split, Hz");
-        QVERIFY(at > 0);
+        VYBEG_MORE(at, 0);
         QCOMPARE(cells[at].toDouble(), model()
                                            .index(rowOf("HRG-2"), column(titles[split]))
                                            .data(BatchTable::sort_role)
                                            .toDouble());
         QCOMPARE(head[at + 1], QString("sd"));
-        QVERIFY(cells[at + 1].toDouble() > 0);
+        VYBEG_MORE(cells[at + 1].toDouble(), 0);
     }
 
     void settings_of_the_panel_hold_where_the_list_has_none() {
@@ -171,7 +175,7 @@ private slots:
         window_->close();
         QVERIFY(!batch().isVisible());
         window_.reset();
-        QVERIFY2(clock.elapsed() < 2000, qPrintable(QString::number(clock.elapsed())));
+        VYBEG_LESS(clock.elapsed(), 2000);
         window_ = shownWindow();
         QVERIFY(!QFile::exists(home_.path("closed.csv")));
     }
@@ -181,10 +185,9 @@ private slots:
         progress.begin(5);
         progress.add(true);
         QVERIFY(!progress.secondsLeft());
-        QTest::qWait(1);
         progress.add(false);
         QVERIFY(progress.secondsLeft());
-        QVERIFY(*progress.secondsLeft() >= 0);
+        VYBEG_AT_LEAST(*progress.secondsLeft(), 0);
         progress.add(false);
         progress.add(false);
         progress.add(false);
@@ -195,5 +198,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestBatchFiles)
+VYBEG_TEST(TestBatchFiles, threads)
+
+}  // namespace test_batch_files
+
 #include "test_batch_files.moc"

@@ -3,6 +3,7 @@
 #include "core/database/results_database.h"
 #include "tests/closeness.h"
 #include "tests/core/database/made_result.h"
+#include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/heartbeat.h"
 #include "tests/ui/resonator_runs.h"
@@ -25,6 +26,8 @@
 #include <QtTest>
 
 #include <random>
+
+namespace test_history_page {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -156,7 +159,7 @@ private slots:
         QVERIFY2(text("historyPoint").contains("set 87"), qPrintable(text("historyPoint")));
         // Of a longer baseline that holds the value, it sets the limits itself.
         the<QSpinBox>("historyBaseline").setValue(40);
-        QVERIFY(page().charts().individuals.mean_range > 2e-5);
+        VYBEG_MORE(page().charts().individuals.mean_range, 2e-5);
         QCOMPARE(page().figures().plots.size(), 4);
     }
 
@@ -326,9 +329,12 @@ private slots:
         QVERIFY(!drawn.isNull());
         qInfo("first chart of 10000 results: %lld ms; window still for %s", elapsed,
               qPrintable(heartbeat.text()));
-        QVERIFY2(elapsed < 2000, qPrintable(QString::number(elapsed)));
+        VYBEG_LESS(elapsed, 2000);
     }
 };
 
-QTEST_MAIN(TestHistoryPage)
+VYBEG_TEST(TestHistoryPage, threads)
+
+}  // namespace test_history_page
+
 #include "test_history_page.moc"

@@ -1,5 +1,6 @@
 // A measurement list opened in the window: its sets, their settings and conditions.
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
 #include "ui/panels/message_bar.h"
@@ -18,6 +19,8 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QtTest>
+
+namespace test_opened_list {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -244,5 +247,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestOpenedList)
+VYBEG_TEST(TestOpenedList, threads)
+
+}  // namespace test_opened_list
+
 #include "test_opened_list.moc"

@@ -1,9 +1,12 @@
 // Figures of an identification as values.
+#include "tests/test_registry.h"
 #include "ui/resonator/resonator_plots.h"
 
 #include <QtTest>
 
 #include <algorithm>
+
+namespace test_resonator_plots {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -36,5 +39,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestResonatorPlots)
+VYBEG_TEST(TestResonatorPlots)
+
+}  // namespace test_resonator_plots
+
 #include "test_resonator_plots.moc"

@@ -2,6 +2,7 @@
 #include "core/output/sample_files.h"
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/analysis_list.h"
 #include "ui/plots/track_view.h"
@@ -19,6 +20,8 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+
+namespace test_signals_page {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -103,7 +106,9 @@ private slots:
         QVERIFY(!tracks().isVisible());
         // 16000 samples over less than 1400 pixels.
         const SignalPicture& all = view().picture();
-        QVERIFY(!all.samples && all.columns.size() > 200 && !all.rms.empty());
+        QVERIFY(!all.samples);
+        VYBEG_MORE(all.columns.size(), 200);
+        QVERIFY(!all.rms.empty());
         // Amplitudes of C and D of a_A = 1, a_B = 0.1, 2theta_A = 0.4.
         const std::size_t middle = all.wave.c.size() / 2;
         VYBEG_CLOSE(all.wave.c[middle], std::hypot(std::cos(0.4), 0.1 * std::sin(0.4)), 0.2);
@@ -113,14 +118,15 @@ private slots:
                     0.01);
         // Of eight samples to a period the largest misses the crest by pi / 8 at most.
         const double largest = static_cast<double>(all.columns[all.columns.size() / 2].c_max);
-        QVERIFY(largest < 1.01 * all.wave.c[middle]);
-        QVERIFY(largest > 0.99 * std::cos(std::numbers::pi / 8) * all.wave.c[middle]);
+        VYBEG_LESS(largest, 1.01 * all.wave.c[middle]);
+        VYBEG_MORE(largest, 0.99 * std::cos(std::numbers::pi / 8) * all.wave.c[middle]);
 
         zoomToThreePeriods(1.0);
         const SignalPicture& near = view().picture();
         QVERIFY(near.columns.empty());
         const SignalExcerpt& excerpt = *view().content().excerpt;
-        QVERIFY(near.to - near.from >= 22 && near.to - near.from <= 30);
+        VYBEG_AT_LEAST(near.to - near.from, 22);
+        VYBEG_AT_MOST(near.to - near.from, 30);
         double sum = 0;
         for (std::size_t k = near.from; k < near.to; ++k) {
             sum += std::pow(excerpt.residual_c(k), 2) + std::pow(excerpt.residual_d(k), 2);
@@ -130,7 +136,8 @@ private slots:
         const auto count = 2 * static_cast<double>(near.to - near.from);
         VYBEG_CLOSE_RATIO(std::sqrt(sum / count), 1e-3, 5 / std::sqrt(2 * count));
         // The wave is drawn at hundreds of points, smooth, and passes through each sample.
-        QVERIFY(near.smooth && near.wave.c.size() > 200);
+        QVERIFY(near.smooth);
+        VYBEG_MORE(near.wave.c.size(), 200);
         for (std::size_t k = near.from + 2; k + 2 < near.to; ++k) {
             const auto at = std::ranges::lower_bound(near.wave.time_s, excerpt.time_s(k));
             const auto after = static_cast<std::size_t>(at - near.wave.time_s.begin());
@@ -213,7 +220,7 @@ private slots:
         QVERIFY2(state().contains("F5"), qPrintable(state()));
         QVERIFY(!view().content().analysis);
         // The zoom goes on in the time of the recording.
-        QVERIFY(tracks().timeRange().span() > 1.9);
+        VYBEG_MORE(tracks().timeRange().span(), 1.9);
         zoomToThreePeriods(1.5);
         QVERIFY(view().picture().wave.c.empty());
         QVERIFY(std::isnan(view().content().excerpt->fit_c[0]));
@@ -284,7 +291,7 @@ private slots:
         std::iota(all.begin(), all.end(), 0);
         const Figure figure = source.figure(all);
         const Figure residual = source.figure({2});
-        QVERIFY(residual.size.height() < figure.size.height());
+        VYBEG_LESS(residual.size.height(), figure.size.height());
         const QImage image = toImage(figure.draw, {figure.size});
         const QRgb ink = lightTheme().signalC.rgb();
         int inked = 0;
@@ -293,12 +300,15 @@ private slots:
                 inked += image.pixel(x, y) == ink ? 1 : 0;
             }
         }
-        QVERIFY2(inked > 200, qPrintable(QString::number(inked)));
+        VYBEG_MORE(inked, 200);
         const QString path = home_.path("signals.pdf");
         QVERIFY(writeDrawing(figure.draw, {figure.size}, path));
-        QVERIFY(QFileInfo(path).size() > 5000);
+        VYBEG_MORE(QFileInfo(path).size(), 5000);
     }
 };
 
-QTEST_MAIN(TestSignalsPage)
+VYBEG_TEST(TestSignalsPage, threads)
+
+}  // namespace test_signals_page
+
 #include "test_signals_page.moc"

@@ -1,4 +1,5 @@
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/heartbeat.h"
 #include "ui/document/document.h"
@@ -18,6 +19,8 @@
 #include <QtTest>
 
 #include <numbers>
+
+namespace test_sweep_page {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -109,7 +112,7 @@ private slots:
         VYBEG_CLOSE_RATIO(found.white_noise, 1e-3, 0.03);
         // A still wave in white noise: the longest window, and the bound is reached.
         QVERIFY(found.advice);
-        QVERIFY(found.lengths[found.advice->best].length > 300);
+        VYBEG_MORE(found.lengths[found.advice->best].length, 300);
         QVERIFY2(text("sweepAdvice").contains("deserves"), qPrintable(text("sweepAdvice")));
         const SweepValue& at60 = found.lengths[7].values[2];
         VYBEG_CLOSE(at60.scatter, at60.bound, 5 * at60.sd_scatter);
@@ -224,7 +227,7 @@ private slots:
         QVERIFY(!button("sweepCancel").isVisible());
         QVERIFY(!page().sweep());
         sweep("8..600", 15);
-        QVERIFY2(heartbeat.longestMs() < 200, qPrintable(heartbeat.text()));
+        VYBEG_LESS(heartbeat.longestMs(), 200, qPrintable(heartbeat.text()));
         document().closeRecording(document().currentRecording()->id);
         QVERIFY(!page().sweep());
     }
@@ -241,7 +244,7 @@ private slots:
         QCOMPARE(row.size(), head.size());
         QCOMPARE(row[0], QString("96"));
         const auto column = head.indexOf("2θA: scatter, °");
-        QVERIFY2(column > 0, qPrintable(lines[0]));
+        VYBEG_MORE(column, 0, qPrintable(lines[0]));
         VYBEG_CLOSE_RATIO(QLocale().toDouble(row[column]),
                           page().sweep()->lengths[1].values[2].scatter * 180 / std::numbers::pi,
                           1e-9);
@@ -280,5 +283,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSweepPage)
+VYBEG_TEST(TestSweepPage, threads)
+
+}  // namespace test_sweep_page
+
 #include "test_sweep_page.moc"

@@ -1,4 +1,5 @@
 // Sessions: reopened they show the same picture and numbers; nothing of them is lost.
+#include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/message_bar.h"
@@ -19,6 +20,8 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QTest>
+
+namespace test_session {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -390,5 +393,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSession)
+VYBEG_TEST(TestSession, threads)
+
+}  // namespace test_session
+
 #include "test_session.moc"

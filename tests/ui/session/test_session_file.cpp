@@ -1,4 +1,5 @@
 // The file of a session: what others wrote into it is neither lost nor mistaken.
+#include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/message_bar.h"
 #include "ui/session/session_keeper.h"
@@ -11,6 +12,8 @@
 #include <QJsonObject>
 #include <QMessageBox>
 #include <QtTest>
+
+namespace test_session_file {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -139,5 +142,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSessionFile)
+VYBEG_TEST(TestSessionFile)
+
+}  // namespace test_session_file
+
 #include "test_session_file.moc"

@@ -1,4 +1,6 @@
 // A program killed at any moment leaves a whole copy of its session, which the next one recovers.
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/message_bar.h"
 #include "ui/session/session_backup.h"
@@ -16,6 +18,8 @@
 #include <QTest>
 
 #include <random>
+
+namespace test_session_recovery {
 
 using namespace vybeg::ui;
 
@@ -67,7 +71,7 @@ private slots:
         for (int round = 0; round < 20; ++round) {
             const auto program = started({recording});
             QVERIFY(program);
-            QTest::qWait(any_ms(random));
+            QTest::qWait(any_ms(random));  // the moment of the kill
             QCOMPARE(program->state(), QProcess::Running);
             program->kill();
             QVERIFY(program->waitForFinished());
@@ -81,7 +85,8 @@ private slots:
                 SessionBackup::discard(path);
             }
         }
-        QVERIFY2(copied > 0 && copied < 20, qPrintable(QString::number(copied)));
+        VYBEG_MORE(copied, 0);
+        VYBEG_LESS(copied, 20);
         QVERIFY(QFile::exists(recording));
     }
 
@@ -116,5 +121,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSessionRecovery)
+VYBEG_TEST(TestSessionRecovery, long)
+
+}  // namespace test_session_recovery
+
 #include "test_session_recovery.moc"

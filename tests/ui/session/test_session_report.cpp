@@ -1,9 +1,13 @@
 // The report of a session, as the program writes it without a window.
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 
 #include <QFile>
 #include <QProcess>
 #include <QtTest>
+
+namespace test_session_report {
 
 using namespace vybeg::ui;
 
@@ -34,12 +38,12 @@ private slots:
                             "runs": [{"name": "run", "settings": {"window": "80"}}]}],
             "sets": [{"name": "S", "recordings": [0]}], "gyro": {"serial": "HRG-5"}})");
         const Outcome made = run({session, "--report", report});
-        QVERIFY2(made.status == 0, qPrintable(made.err));
+        VYBEG_EQUAL(made.status, 0, qPrintable(made.err));
         QFile file(report);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray pdf = file.readAll();
         QVERIFY(pdf.startsWith("%PDF-"));
-        QVERIFY2(pdf.size() > 20'000, qPrintable(QString::number(pdf.size())));
+        VYBEG_MORE(pdf.size(), 20'000);
         const Outcome broken = run({home_.file("broken.vybeg", "{"), "--report", report});
         QCOMPARE(broken.status, 3);
         QVERIFY2(broken.err.contains("not a session that can be read"), qPrintable(broken.err));
@@ -53,5 +57,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSessionReport)
+VYBEG_TEST(TestSessionReport)
+
+}  // namespace test_session_report
+
 #include "test_session_report.moc"

@@ -1,4 +1,5 @@
 // Sessions keep what was identified, also where the recordings are away.
+#include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
 #include "ui/document/kept_result.h"
@@ -17,14 +18,25 @@
 #include <QLabel>
 #include <QTest>
 
+namespace test_session_results {
+
 using namespace vybeg;
 using namespace vybeg::ui;
 
 class TestSessionResults : public QObject {
     Q_OBJECT
 
+    // A session of an identified set, and what its window shows.
+    struct Stored {
+        QString path;
+        QString resonator, modes, runs, waves;  // all numbers of the tables
+        QString warnings, state;
+    };
+
     GuiTestHome home_;
     QStringList files_;
+    Stored fresh_;
+    Stored stale_;
     std::unique_ptr<MainWindow> window_;
 
     Document& document() { return window_->document(); }
@@ -35,8 +47,8 @@ class TestSessionResults : public QObject {
             QTest::qWaitFor([&] { return !document().busy() && !session().isOpening(); }, 60000));
     }
 
-    // Four runs as a set, identified; settings changed afterwards where `stale`.
-    void arrange(const QString& session_path, bool stale) {
+    // Four runs as a set, identified: as they are, and with settings that change afterwards.
+    void identifyOnce() {
         window_ = shownWindow();
         window_->action(Command::page_resonator)->trigger();
         document().open(files_);
@@ -56,13 +68,24 @@ class TestSessionResults : public QObject {
         window_->action(Command::identify)->trigger();
         waitIdle();
         QVERIFY(outcome());
-        if (stale) {
-            Settings settings = document().settings();
-            settings.from_s = 0.5;
-            document().setSettings(settings);
-            waitIdle();
-        }
-        QVERIFY(session().save(session_path));
+        store(fresh_, "fresh.vybeg");
+        Settings settings = document().settings();
+        settings.from_s = 0.5;
+        document().setSettings(settings);
+        waitIdle();
+        store(stale_, "stale.vybeg");
+    }
+
+    void store(Stored& stored, const QString& name) {
+        stored = {home_.path(name), numbers("resonator"), numbers("modes"), numbers("runs"),
+                  numbers("waves"), warnings(),           state()};
+        QVERIFY(session().save(stored.path));
+    }
+
+    // A copy, which a function may change.
+    QString copyOf(const Stored& stored, const QString& name) {
+        QFile::copy(stored.path, home_.path(name));
+        return home_.path(name);
     }
 
     void reopen(const QString& path) {
@@ -87,6 +110,7 @@ class TestSessionResults : public QObject {
     }
 
     QString state() { return childOf<QLabel>(*window_, QStringLiteral("state")).text(); }
+    QString warnings() { return childOf<QLabel>(*window_, QStringLiteral("warnings")).text(); }
 
     static QJsonObject jsonOf(const QString& path) {
         QFile file(path);
@@ -101,7 +125,10 @@ class TestSessionResults : public QObject {
     }
 
 private slots:
-    void initTestCase() { files_ = resonatorRuns(home_, QStringLiteral("run")); }
+    void initTestCase() {
+        files_ = resonatorRuns(home_, QStringLiteral("run"));
+        identifyOnce();
+    }
     void cleanup() {
         session().end();
         for (const QString& file : files_) {
@@ -110,37 +137,24 @@ private slots:
     }
 
     void a_reopened_session_identifies_its_sets_again() {
-        const QString path = home_.path("again.vybeg");
-        arrange(path, false);
-        const QString resonator = numbers("resonator");
-        const QString runs = numbers("runs");
-        const QString waves = numbers("waves");
-        QVERIFY(resonator.contains("0.01"));
-        reopen(path);
+        QVERIFY(fresh_.resonator.contains("0.01"));
+        reopen(copyOf(fresh_, "again.vybeg"));
         QVERIFY(outcome());
-        QCOMPARE(numbers("resonator"), resonator);
-        QCOMPARE(numbers("runs"), runs);
-        QCOMPARE(numbers("waves"), waves);
+        QCOMPARE(numbers("resonator"), fresh_.resonator);
+        QCOMPARE(numbers("runs"), fresh_.runs);
+        QCOMPARE(numbers("waves"), fresh_.waves);
         QVERIFY(!session().isModified());
     }
 
     void without_its_recordings_a_session_shows_its_results() {
-        const QString path = home_.path("away.vybeg");
-        arrange(path, false);
-        const QString resonator = numbers("resonator");
-        const QString modes = numbers("modes");
-        const QString runs = numbers("runs");
-        const auto warnings = [this] {
-            return childOf<QLabel>(*window_, QStringLiteral("warnings")).text();
-        };
-        const QString warned = warnings();
+        const QString path = copyOf(fresh_, "away.vybeg");
         hideRecordings();
         reopen(path);
         QVERIFY(!outcome());
-        QCOMPARE(numbers("resonator"), resonator);
-        QCOMPARE(numbers("modes"), modes);
-        QCOMPARE(numbers("runs"), runs);
-        QCOMPARE(warnings(), warned);
+        QCOMPARE(numbers("resonator"), fresh_.resonator);
+        QCOMPARE(numbers("modes"), fresh_.modes);
+        QCOMPARE(numbers("runs"), fresh_.runs);
+        QCOMPARE(warnings(), fresh_.warnings);
         QVERIFY2(state().contains("Result of the session"), qPrintable(state()));
         for (const QString& file : files_) {
             QVERIFY2(state().contains(QFileInfo(file).fileName()), qPrintable(state()));
@@ -154,24 +168,20 @@ private slots:
     }
 
     void a_result_of_other_settings_stays_out_of_date() {
-        const QString path = home_.path("stale.vybeg");
-        arrange(path, true);
-        const QString resonator = numbers("resonator");
-        QVERIFY(state().contains("Out of date"));
-        reopen(path);
+        QVERIFY(stale_.state.contains("Out of date"));
+        reopen(copyOf(stale_, "older.vybeg"));
         QVERIFY(!outcome());
-        QCOMPARE(numbers("resonator"), resonator);
+        QCOMPARE(numbers("resonator"), stale_.resonator);
         QVERIFY(state().contains("Out of date"));
         window_->action(Command::identify)->trigger();
         waitIdle();
         QVERIFY(outcome());
         QVERIFY(!state().contains("Out of date"));
-        QVERIFY(numbers("resonator") != resonator);
+        QVERIFY(numbers("resonator") != stale_.resonator);
     }
 
     void a_result_that_is_not_understood_is_named_and_kept() {
-        const QString path = home_.path("newer.vybeg");
-        arrange(path, true);
+        const QString path = copyOf(stale_, "newer.vybeg");
         QJsonObject json = jsonOf(path);
         QJsonArray sets = json["sets"].toArray();
         QJsonObject set = sets[0].toObject();
@@ -210,5 +220,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSessionResults)
+VYBEG_TEST(TestSessionResults, threads)
+
+}  // namespace test_session_results
+
 #include "test_session_results.moc"

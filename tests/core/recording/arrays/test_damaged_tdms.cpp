@@ -1,5 +1,9 @@
+#include "tests/closeness.h"
 #include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/damaged_files.h"
+#include "tests/test_registry.h"
+
+namespace test_damaged_tdms {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -14,8 +18,8 @@ private slots:
     void what_is_not_read_is_refused_by_name();
     void wrong_lengths_are_damage_data();
     void wrong_lengths_are_damage();
-    void a_file_cut_anywhere_or_with_wrong_bits_does_no_harm_data();
-    void a_file_cut_anywhere_or_with_wrong_bits_does_no_harm();
+    void a_file_cut_anywhere_does_no_harm_data();
+    void a_file_cut_anywhere_does_no_harm();
 
 private:
     Folder folder_;
@@ -167,14 +171,14 @@ void TestDamagedTdms::wrong_lengths_are_damage() {
              english(recording.error()).c_str());
 }
 
-void TestDamagedTdms::a_file_cut_anywhere_or_with_wrong_bits_does_no_harm_data() {
+void TestDamagedTdms::a_file_cut_anywhere_does_no_harm_data() {
     QTest::addColumn<bool>("big_endian");
     QTest::addColumn<bool>("interleave");
     QTest::newRow("little endian, contiguous") << false << false;
     QTest::newRow("big endian, interleaved") << true << true;
 }
 
-void TestDamagedTdms::a_file_cut_anywhere_or_with_wrong_bits_does_no_harm() {
+void TestDamagedTdms::a_file_cut_anywhere_does_no_harm() {
     QFETCH(bool, big_endian);
     QFETCH(bool, interleave);
     const Tdms t{big_endian};
@@ -189,12 +193,13 @@ void TestDamagedTdms::a_file_cut_anywhere_or_with_wrong_bits_does_no_harm() {
     const auto most = static_cast<std::int64_t>(bytes.size());
     const DamageCount cut = cut_everywhere(folder_, bytes, {}, most);
     QCOMPARE(cut.wrong_status + cut.too_long + cut.unreadable, 0);
-    QVERIFY(cut.read > 100 && cut.refused > 100);
-    const DamageCount flipped = flip_bits(folder_, bytes, bytes.size(), 0, {}, most);
-    QCOMPARE(flipped.wrong_status + flipped.too_long + flipped.unreadable, 0);
-    QVERIFY(flipped.read > 200 && flipped.refused > 200);
-    QVERIFY(std::max(cut.slowest_ms, flipped.slowest_ms) < 2000);
+    VYBEG_MORE(cut.read, 100);
+    VYBEG_MORE(cut.refused, 100);
+    VYBEG_LESS(cut.slowest_ms, 2000);
 }
 
-QTEST_GUILESS_MAIN(TestDamagedTdms)
+VYBEG_TEST(TestDamagedTdms)
+
+}  // namespace test_damaged_tdms
+
 #include "test_damaged_tdms.moc"

@@ -6,9 +6,12 @@
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
 
 #include <cmath>
 #include <random>
+
+namespace test_raw_guess {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -163,5 +166,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRawGuess)
+VYBEG_TEST(TestRawGuess)
+
+}  // namespace test_raw_guess
+
 #include "test_raw_guess.moc"

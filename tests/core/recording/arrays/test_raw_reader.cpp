@@ -1,6 +1,9 @@
 #include "core/recording/bytes/byte_order.h"
 #include "core/recording/bytes/sha256.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
+
+namespace test_raw_reader {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -170,5 +173,8 @@ void TestRawReader::hashing_stops_when_it_is_told_to() {
     QCOMPARE(hash.error().code, ErrorCode::interrupted);
 }
 
-QTEST_GUILESS_MAIN(TestRawReader)
+VYBEG_TEST(TestRawReader, threads)
+
+}  // namespace test_raw_reader
+
 #include "test_raw_reader.moc"

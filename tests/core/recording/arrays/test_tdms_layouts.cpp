@@ -1,5 +1,8 @@
 // DAQmx raw data, channels of unequal length, short last segments, other values beside.
 #include "tests/core/recording/arrays/tdms_case.h"
+#include "tests/test_registry.h"
+
+namespace test_tdms_layouts {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -391,5 +394,8 @@ void TestTdmsLayouts::names_units_and_starts_are_plain_text() {
     QCOMPARE(recording.channels[1].name, std::string("D\\u202e"));
 }
 
-QTEST_GUILESS_MAIN(TestTdmsLayouts)
+VYBEG_TEST(TestTdmsLayouts)
+
+}  // namespace test_tdms_layouts
+
 #include "test_tdms_layouts.moc"

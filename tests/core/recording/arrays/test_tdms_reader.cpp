@@ -1,5 +1,8 @@
 #include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
+
+namespace test_tdms_reader {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -257,5 +260,8 @@ void TestTdmsReader::opening_stops_when_it_is_told_to() {
     QCOMPARE(recording.error().code, ErrorCode::interrupted);
 }
 
-QTEST_GUILESS_MAIN(TestTdmsReader)
+VYBEG_TEST(TestTdmsReader, threads)
+
+}  // namespace test_tdms_reader
+
 #include "test_tdms_reader.moc"

@@ -1,5 +1,8 @@
 // Scales of channels, groups and files, one after the other, and those that are refused.
 #include "tests/core/recording/arrays/tdms_case.h"
+#include "tests/test_registry.h"
+
+namespace test_tdms_scales {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -203,5 +206,8 @@ void TestTdmsScales::a_file_is_read_as_its_layout_says() {
     check(folder_, row);
 }
 
-QTEST_GUILESS_MAIN(TestTdmsScales)
+VYBEG_TEST(TestTdmsScales)
+
+}  // namespace test_tdms_scales
+
 #include "test_tdms_scales.moc"

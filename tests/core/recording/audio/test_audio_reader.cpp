@@ -1,8 +1,11 @@
 #include "tests/closeness.h"
 #include "tests/core/recording/audio/audio_files.h"
+#include "tests/test_registry.h"
 
 #include <cstring>
 #include <thread>
+
+namespace test_audio_reader {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -230,5 +233,8 @@ void TestAudioReader::two_threads_read_what_one_reads() {
     QCOMPARE(backward, 0);
 }
 
-QTEST_GUILESS_MAIN(TestAudioReader)
+VYBEG_TEST(TestAudioReader, threads)
+
+}  // namespace test_audio_reader
+
 #include "test_audio_reader.moc"

@@ -1,6 +1,9 @@
 #include "core/recording/audio/audio_extent.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/audio/audio_files.h"
+#include "tests/test_registry.h"
+
+namespace test_damaged_audio {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -187,8 +190,8 @@ void TestDamagedAudio::a_damaged_flac_block_is_an_error_and_never_samples() {
         }
     }
     QCOMPARE(wrong, 0);
-    QVERIFY(refused >= 2);
-    QVERIFY(refused <= 2 * 30);  // a block of 4096 or two, and not the rest of the file
+    VYBEG_AT_LEAST(refused, 2);
+    VYBEG_AT_MOST(refused, 2 * 30);  // a block of 4096 or two, and not the rest of the file
 }
 
 void TestDamagedAudio::a_flac_that_is_cut_anywhere_gives_its_true_first_samples_or_an_error() {
@@ -207,11 +210,11 @@ void TestDamagedAudio::a_flac_that_is_cut_anywhere_gives_its_true_first_samples_
         ++opened_files;
         const Samples read = read_all(*recording);
         QVERIFY(find(*recording, DiagnosticKind::file_ends_early));
-        QVERIFY(read.c.size() < whole.c.size());
+        VYBEG_LESS(read.c.size(), whole.c.size());
         QVERIFY(std::equal(read.c.begin(), read.c.end(), whole.c.begin()));
         QVERIFY(std::equal(read.d.begin(), read.d.end(), whole.d.begin()));
     }
-    QVERIFY(opened_files > 10);
+    VYBEG_MORE(opened_files, 10);
 }
 
 void TestDamagedAudio::a_header_alone_is_no_recording_data() {
@@ -265,19 +268,23 @@ void TestDamagedAudio::random_damage_to_headers_never_hangs_or_crashes() {
         }
         const auto recording = open(folder.write(std::to_string(trial), damaged));
         if (!recording) {
-            QVERIFY(exit_status(recording.error().code) == 3);
+            VYBEG_EQUAL(exit_status(recording.error().code), 3);
             ++refused;
             continue;
         }
         // What a wrong header still lets through must be readable to its end, or say that it is
         // not.
-        QVERIFY(recording->frames() >= 5 && recording->frames() <= 30000);
+        VYBEG_AT_LEAST(recording->frames(), 5);
+        VYBEG_AT_MOST(recording->frames(), 30000);
         std::vector<double> c(static_cast<std::size_t>(recording->frames())), d(c);
         const Status status = recording->source->read(0, c, d);
         QVERIFY(status || status.error().code == ErrorCode::format_damaged);
     }
-    QVERIFY(refused > 0);
+    VYBEG_MORE(refused, 0);
 }
 
-QTEST_GUILESS_MAIN(TestDamagedAudio)
+VYBEG_TEST(TestDamagedAudio)
+
+}  // namespace test_damaged_audio
+
 #include "test_damaged_audio.moc"

@@ -1,6 +1,9 @@
 #include "core/recording/bytes/number_decoding.h"
 #include "core/recording/bytes/number_type.h"
 #include "tests/core/recording/source_reading.h"
+#include "tests/test_registry.h"
+
+namespace test_number_pairs {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -62,5 +65,8 @@ void TestNumberPairs::known_numbers_of_24_bits() {
     QCOMPARE(right, (std::vector<double>{-1, 8388607, 65536, -2, -3}));
 }
 
-QTEST_GUILESS_MAIN(TestNumberPairs)
+VYBEG_TEST(TestNumberPairs)
+
+}  // namespace test_number_pairs
+
 #include "test_number_pairs.moc"

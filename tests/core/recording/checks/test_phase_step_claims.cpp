@@ -4,10 +4,13 @@
 #include "core/recording/samples/open_options.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/checks/line_signal.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <array>
+
+namespace test_phase_step_claims {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -214,7 +217,7 @@ private slots:
                 }
             }
         }
-        QVERIFY2(found >= lost - 6, qPrintable(QString("%1 of %2").arg(found).arg(lost)));
+        VYBEG_AT_LEAST(found, lost - 6);
     }
 
     // Six periods and a bit: a step of 0.29 rad, beside which the image of a short block is large.
@@ -233,7 +236,8 @@ private slots:
                     const auto steps = steps_of(signal, 5300, rate);
                     const QString what =
                         QString("%1 Hz beside, %2 lost: ").arg(split).arg(count) + text(steps);
-                    QVERIFY2(steps.size() == 1 && steps[0].lost == count, qPrintable(what));
+                    VYBEG_EQUAL(steps.size(), 1, qPrintable(what));
+                    VYBEG_EQUAL(steps[0].lost, count, qPrintable(what));
                 }
             }
         }
@@ -249,9 +253,9 @@ private slots:
                 lose(signal, frame, 40);
                 const auto steps = steps_of(signal, 5300.02, rate);
                 const QString what = QString("seed %1, noise %2: ").arg(seed).arg(noise);
-                QVERIFY2(steps.size() == 1, qPrintable(what + text(steps)));
-                QVERIFY2(std::ranges::count(steps[0].candidates, 40) == 1,
-                         qPrintable(what + text(steps)));
+                VYBEG_EQUAL(steps.size(), 1, qPrintable(what + text(steps)));
+                VYBEG_EQUAL(std::ranges::count(steps[0].candidates, 40), 1,
+                            qPrintable(what + text(steps)));
                 QVERIFY2(steps[0].is_ambiguous, qPrintable(what + text(steps)));
                 const double expected =
                     std::remainder(40 * 2 * std::numbers::pi * 5300 / rate, 2 * std::numbers::pi);
@@ -271,8 +275,10 @@ private slots:
             const auto frame = static_cast<std::int64_t>(uniform(5000, 60000, random));
             lose(signal, frame, 40);
             const auto steps = steps_of(signal, 5300.02, rate);
-            QVERIFY2(steps.size() == 1 && steps[0].lost == 40 && !steps[0].is_ambiguous,
-                     qPrintable(QString("seed %1: ").arg(seed) + text(steps)));
+            const QString what = QString("seed %1: ").arg(seed) + text(steps);
+            VYBEG_EQUAL(steps.size(), 1, qPrintable(what));
+            VYBEG_EQUAL(steps[0].lost, 40, qPrintable(what));
+            QVERIFY2(!steps[0].is_ambiguous, qPrintable(what));
         }
     }
 
@@ -286,9 +292,10 @@ private slots:
                 const auto frame = static_cast<std::int64_t>(uniform(5000, 60000, random));
                 is_lost ? lose(signal, frame, 1) : repeat(signal, frame, 1);
                 const auto steps = steps_of(signal, f, rate);
-                QVERIFY2(steps.size() == 1 && steps[0].lost == (is_lost ? 1 : -1) &&
-                             !steps[0].is_ambiguous,
-                         qPrintable(QString("seed %1: ").arg(seed) + text(steps)));
+                const QString what = QString("seed %1: ").arg(seed) + text(steps);
+                VYBEG_EQUAL(steps.size(), 1, qPrintable(what));
+                VYBEG_EQUAL(steps[0].lost, is_lost ? 1 : -1, qPrintable(what));
+                QVERIFY2(!steps[0].is_ambiguous, qPrintable(what));
             }
         }
     }
@@ -313,5 +320,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPhaseStepClaims)
+VYBEG_TEST(TestPhaseStepClaims, statistical, unsanitized)
+
+}  // namespace test_phase_step_claims
+
 #include "test_phase_step_claims.moc"

@@ -5,6 +5,7 @@
 #include "core/recording/conditioning/gapped_source.h"
 #include "core/recording/samples/memory_source.h"
 #include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+
+namespace test_recording_check {
 
 using namespace vybeg;
 
@@ -125,12 +128,15 @@ private slots:
                     return 0.005 * std::cos(2 * std::numbers::pi * (f + off) * t + 1);
                 });
                 const auto found = findings(std::move(signal), 5300);
-                QVERIFY2(found.size() == 1 && found[0].kind == DiagnosticKind::mains &&
+                VYBEG_EQUAL(found.size(), 1,
+                            qPrintable(QString("%1 Hz: %2").arg(f + off).arg(text(found))));
+                QVERIFY2(found[0].kind == DiagnosticKind::mains &&
                              std::stod(english(found[0].args[0])) == f,
                          qPrintable(QString("%1 Hz: %2").arg(f + off).arg(text(found))));
                 // sqrt(2) 0.005 beside an amplitude of 1; a Hann window loses 15 % between bins.
                 const double percent = std::stod(english(found[0].args[1]));
-                QVERIFY2(percent > 0.55 && percent < 0.85, english(found[0].args[1]).c_str());
+                VYBEG_MORE(percent, 0.55, english(found[0].args[1]).c_str());
+                VYBEG_LESS(percent, 0.85, english(found[0].args[1]).c_str());
             }
         }
         Signal hum = decay({.tau = 400});
@@ -145,12 +151,12 @@ private slots:
                 return 0.5 * std::exp(-t / seconds) * std::cos(2 * std::numbers::pi * 9100 * t);
             });
             const auto found = findings(std::move(signal), 5300);
-            QVERIFY2(found.size() == 1 && found[0].kind == DiagnosticKind::start_transient,
-                     qPrintable(text(found)));
+            VYBEG_EQUAL(found.size(), 1, qPrintable(text(found)));
+            QVERIFY2(found[0].kind == DiagnosticKind::start_transient, qPrintable(text(found)));
             // Its power, at first half of the wave's, is 2 % of it after 1.6 decay times.
             const double end = std::stod(english(found[0].args[0]));
-            QVERIFY2(end > 1.2 * seconds && end < 2.2 * seconds + 0.1,
-                     english(found[0].args[0]).c_str());
+            VYBEG_MORE(end, 1.2 * seconds, english(found[0].args[0]).c_str());
+            VYBEG_LESS(end, 2.2 * seconds + 0.1, english(found[0].args[0]).c_str());
             QCOMPARE(found[0].first_frame, 0);
             VYBEG_CLOSE(static_cast<double>(found[0].count), end * rate, 0.02 * rate);
         }
@@ -189,7 +195,7 @@ private slots:
                 std::ranges::count(found, DiagnosticKind::start_transient, &Diagnostic::kind));
         }
         // Without regard to the smooth bend of a beat, one in ten.
-        QVERIFY2(told <= 1, qPrintable(QString("%1 of %2").arg(told).arg(cases)));
+        VYBEG_AT_MOST(told, 1, qPrintable(QString("%1 of %2").arg(told).arg(cases)));
     }
 
     void missing_samples_are_counted() {
@@ -252,8 +258,8 @@ private slots:
                     x = std::round(0.016 * x + offset);
                 }
                 const auto found = findings(std::move(signal), 5300);
-                QVERIFY2(std::ranges::count(found, DiagnosticKind::clipped, &Diagnostic::kind) == 0,
-                         qPrintable(QString("offset %1: ").arg(offset) + text(found)));
+                VYBEG_EQUAL(std::ranges::count(found, DiagnosticKind::clipped, &Diagnostic::kind),
+                            0, qPrintable(QString("offset %1: ").arg(offset) + text(found)));
                 const bool toggles = std::abs(offset - 0.5) < 0.0096;
                 const bool at_the_limit = std::abs(std::abs(offset - 0.5) - 0.01) < 0.002;
                 QVERIFY2(at_the_limit || std::ranges::count(found, DiagnosticKind::below_one_bit,
@@ -295,8 +301,11 @@ private slots:
             const bool at_gap = std::ranges::any_of(losses, [j](const auto& loss) {
                 return std::abs(static_cast<int>(j) - loss.first) <= loss.second + 1;
             });
-            QVERIFY2(at_gap || (c[j] == whole.c[j] && d[j] == whole.d[j]),
-                     qPrintable(QString("frame %1").arg(j)));
+            if (!at_gap) {
+                const std::string frame = "frame " + std::to_string(j);
+                VYBEG_EQUAL(c[j], whole.c[j], frame.c_str());
+                VYBEG_EQUAL(d[j], whole.d[j], frame.c_str());
+            }
         }
         QCOMPARE(missing, 6);
     }
@@ -319,5 +328,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRecordingCheck)
+VYBEG_TEST(TestRecordingCheck)
+
+}  // namespace test_recording_check
+
 #include "test_recording_check.moc"

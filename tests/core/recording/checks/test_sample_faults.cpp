@@ -1,11 +1,15 @@
 #include "core/recording/checks/clipping_check.h"
 #include "core/recording/checks/lost_samples_check.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <numbers>
 #include <random>
+
+namespace test_sample_faults {
 
 using namespace vybeg;
 
@@ -101,12 +105,13 @@ void TestSampleFaults::twentyLostSamplesAreFoundInTheirPlaces() {
             for (const PhaseStep& s : steps) {
                 where += QString(" %1 (%2, %3)").arg(s.frame).arg(s.lost).arg(s.phase_rad);
             }
-            QVERIFY2(found >= 19, qPrintable(where));
+            VYBEG_AT_LEAST(found, 19, qPrintable(where));
             int total = 0;
             for (const PhaseStep& s : steps) {
                 total += s.lost;
             }
-            QVERIFY2(total >= 19 && total <= 20, qPrintable(where));
+            VYBEG_AT_LEAST(total, 19, qPrintable(where));
+            VYBEG_AT_MOST(total, 20, qPrintable(where));
         }
     }
 }
@@ -218,14 +223,17 @@ void TestSampleFaults::placesStayFewHoweverMuchIsClipped() {
     const std::vector<ClippingCheck::Rail> rails = check.rails();
     QCOMPARE(rails.size(), std::size_t{1});
     QCOMPARE(rails[0].count, std::int64_t{2 * 100 * 10000});
-    QVERIFY(rails[0].places.size() <= ClippingCheck::most_places);
+    VYBEG_AT_MOST(rails[0].places.size(), ClippingCheck::most_places);
     std::int64_t covered = 0;
     for (const FrameRange& range : rails[0].places) {
         QVERIFY(range.first + range.count <= clean || range.first >= clipped_again);
         covered += range.count;
     }
-    QVERIFY(covered >= rails[0].count);
+    VYBEG_AT_LEAST(covered, rails[0].count);
 }
 
-QTEST_GUILESS_MAIN(TestSampleFaults)
+VYBEG_TEST(TestSampleFaults)
+
+}  // namespace test_sample_faults
+
 #include "test_sample_faults.moc"

@@ -1,10 +1,13 @@
 #include "core/recording/conditioning/calibrated_source.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/source_reading.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
 #include <numbers>
+
+namespace test_calibrated_source {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -143,5 +146,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCalibratedSource)
+VYBEG_TEST(TestCalibratedSource, threads)
+
+}  // namespace test_calibrated_source
+
 #include "test_calibrated_source.moc"

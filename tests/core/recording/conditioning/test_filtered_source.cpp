@@ -1,12 +1,15 @@
 #include "core/recording/conditioning/filtered_source.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/source_reading.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
 #include <array>
 #include <numbers>
 #include <thread>
+
+namespace test_filtered_source {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -258,5 +261,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFilteredSource)
+VYBEG_TEST(TestFilteredSource, threads)
+
+}  // namespace test_filtered_source
+
 #include "test_filtered_source.moc"

@@ -1,10 +1,13 @@
 #include "core/recording/envelope/envelope_builder.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/source_reading.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
 
 #include <numeric>
+
+namespace test_envelope {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -179,16 +182,16 @@ private slots:
         QVERIFY(bool(build_envelope(source, JobControl())));
         QVERIFY(source.in_order);
         QCOMPARE(source.next, source.frames());
-        QVERIFY(source.longest <= 100'000);
+        VYBEG_AT_MOST(source.longest, 100'000);
     }
 
     void progress_rises_to_one() {
         std::vector<double> reported;
         const JobControl job({}, [&](double fraction) { reported.push_back(fraction); });
         QVERIFY(bool(build_envelope(CheckedSource(1'000'003), job)));
-        QVERIFY(reported.size() > 5);
+        VYBEG_MORE(reported.size(), 5);
         QVERIFY(std::ranges::is_sorted(reported));
-        QVERIFY(reported.front() > 0);
+        VYBEG_MORE(reported.front(), 0);
         QCOMPARE(reported.back(), 1.0);
     }
 
@@ -203,7 +206,7 @@ private slots:
         const auto result = build_envelope(source, job);
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::interrupted);
-        QVERIFY(source.next < source.frames() / 2);
+        VYBEG_LESS(source.next, source.frames() / 2);
     }
 
     void it_is_shown_as_it_grows() {
@@ -212,7 +215,7 @@ private slots:
         Pictures pictures(0.05);
         const auto whole = build_envelope(*source, pictures.job, pictures.sink);
         QVERIFY((*whole)->whole());
-        QVERIFY(pictures.taken.size() > 3);
+        VYBEG_MORE(pictures.taken.size(), 3);
         std::int64_t read_before = -1;
         for (const auto& picture : pictures.taken) {
             QCOMPARE(picture->frames(), std::int64_t{1'000'003});
@@ -225,8 +228,8 @@ private slots:
                              by_brute_force(samples, read / 16 * 16, read / 16 * 16 + 16)));
                 read += 10'000;
             }
-            QVERIFY(read > read_before);
-            QVERIFY(read < 1'000'000);
+            VYBEG_MORE(read, read_before);
+            VYBEG_LESS(read, 1'000'000);
             read_before = read;
         }
     }
@@ -245,7 +248,7 @@ private slots:
             VYBEG_WITHIN(static_cast<double>(buckets[i].c_max), 1e5 * (i + 1), 1e4);
         }
         // 2048 looks of 256 frames.
-        QVERIFY(source.looked <= frames / 16);
+        VYBEG_AT_MOST(source.looked, frames / 16);
     }
 
     void a_slow_disk_gives_a_coarser_first_look_or_none() {
@@ -274,7 +277,7 @@ private slots:
         Pictures pictures(0.02);
         QVERIFY(bool(build_envelope(source, pictures.job, pictures.sink)));
         QVERIFY(source.in_order);
-        QVERIFY(pictures.taken.size() > 3);
+        VYBEG_MORE(pictures.taken.size(), 3);
         const auto last = pictures.taken.at(0)->buckets(9'999'000, 10'000'000, 1);
         QVERIFY(last.at(0).coverage == Coverage::none);
         QVERIFY(std::isnan(last.at(0).c_min));
@@ -303,5 +306,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEnvelope)
+VYBEG_TEST(TestEnvelope, threads)
+
+}  // namespace test_envelope
+
 #include "test_envelope.moc"

@@ -1,8 +1,12 @@
 #include "core/base/messages.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/audio/audio_files.h"
+#include "tests/test_registry.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
+
+namespace test_bad_input {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -255,11 +259,16 @@ void TestBadInput::reading_text_tells_how_far_it_has_come() {
     std::vector<double> fractions;
     const JobControl job({}, [&](double fraction) { fractions.push_back(fraction); });
     QVERIFY(open_recording(folder.write("run", text), options, job));
-    QVERIFY(fractions.size() > 10);
+    VYBEG_MORE(fractions.size(), 10);
     QVERIFY(std::is_sorted(fractions.begin(), fractions.end()));
-    QVERIFY(fractions.front() > 0 && fractions.front() < 0.5);
-    QVERIFY(fractions.back() > 0.9 && fractions.back() <= 1);
+    VYBEG_MORE(fractions.front(), 0);
+    VYBEG_LESS(fractions.front(), 0.5);
+    VYBEG_MORE(fractions.back(), 0.9);
+    VYBEG_AT_MOST(fractions.back(), 1);
 }
 
-QTEST_GUILESS_MAIN(TestBadInput)
+VYBEG_TEST(TestBadInput)
+
+}  // namespace test_bad_input
+
 #include "test_bad_input.moc"

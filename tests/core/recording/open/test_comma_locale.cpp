@@ -1,11 +1,14 @@
 #include "core/base/number_text.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
 
 #include <QProcess>
 
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+
+namespace test_comma_locale {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -68,5 +71,8 @@ void TestCommaLocale::messages_and_diagnostics_are_written_as_everywhere() {
     QVERIFY(english(open(folder.file("none")).error()).ends_with("Check the name and the folder."));
 }
 
-QTEST_GUILESS_MAIN(TestCommaLocale)
+VYBEG_TEST(TestCommaLocale)
+
+}  // namespace test_comma_locale
+
 #include "test_comma_locale.moc"

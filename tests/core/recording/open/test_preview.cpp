@@ -8,9 +8,12 @@
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
 
 #include <ctime>
 #include <unistd.h>
+
+namespace test_preview {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -58,7 +61,7 @@ class TestPreview : public QObject {
         QVERIFY(same_bits(preview.d, first.d));
         VYBEG_CLOSE_RATIO(preview.rate_hz.value_or(0), recording.rate_hz, 1e-3);
         QVERIFY(!preview.lines.empty());
-        QVERIFY(preview.lines.size() <= preview_lines);
+        VYBEG_AT_MOST(preview.lines.size(), preview_lines);
     }
 
 private slots:
@@ -243,10 +246,14 @@ private slots:
             QCOMPARE(truncate(path.c_str(), off_t{3} << 30), 0);
         }
         const double huge = processor_s();
-        QVERIFY(small >= 0 && huge >= 0);
-        QVERIFY2(huge < 2 * small + 0.3, qPrintable(QString("%1, %2").arg(huge).arg(small)));
+        VYBEG_AT_LEAST(small, 0);
+        VYBEG_AT_LEAST(huge, 0);
+        VYBEG_LESS(huge, 2 * small + 0.3);
     }
 };
 
-QTEST_GUILESS_MAIN(TestPreview)
+VYBEG_TEST(TestPreview, threads)
+
+}  // namespace test_preview
+
 #include "test_preview.moc"

@@ -4,6 +4,9 @@
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
+
+namespace test_quick_overview {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -127,5 +130,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestQuickOverview)
+VYBEG_TEST(TestQuickOverview, threads)
+
+}  // namespace test_quick_overview
+
 #include "test_quick_overview.moc"

@@ -1,4 +1,8 @@
+#include "tests/closeness.h"
 #include "tests/core/recording/audio/audio_files.h"
+#include "tests/test_registry.h"
+
+namespace test_real_files {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -46,9 +50,13 @@ void TestRealFiles::a_real_recording_is_read_as_libsndfile_alone_reads_it() {
     QCOMPARE(recording.rate_hz, static_cast<double>(info.samplerate));
     QCOMPARE(info.channels, 2);
     for (std::size_t i = 0; i < read.c.size(); ++i) {
-        QVERIFY(read.c[i] == interleaved[2 * i] && read.d[i] == interleaved[2 * i + 1]);
+        VYBEG_EQUAL(read.c[i], interleaved[2 * i]);
+        VYBEG_EQUAL(read.d[i], interleaved[2 * i + 1]);
     }
 }
 
-QTEST_GUILESS_MAIN(TestRealFiles)
+VYBEG_TEST(TestRealFiles)
+
+}  // namespace test_real_files
+
 #include "test_real_files.moc"

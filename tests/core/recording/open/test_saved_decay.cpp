@@ -2,6 +2,9 @@
 #include "tests/core/recording/arrays/tdms_file.h"
 #include "tests/core/recording/demo_files.h"
 #include "tests/core/recording/text/uff_file.h"
+#include "tests/test_registry.h"
+
+namespace test_saved_decay {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -101,5 +104,8 @@ void TestSavedDecay::samples_come_back_to_the_rounding_of_the_format() {
     QCOMPARE(wrong, 0);
 }
 
-QTEST_GUILESS_MAIN(TestSavedDecay)
+VYBEG_TEST(TestSavedDecay)
+
+}  // namespace test_saved_decay
+
 #include "test_saved_decay.moc"

@@ -3,11 +3,14 @@
 #include "core/recording/samples/file_changes.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
 
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sys/stat.h>
+
+namespace test_file_changes {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -86,5 +89,8 @@ private slots:
     void samples_that_come_from_no_file_do_not_change() { QVERIFY(unchanged(Recording{})); }
 };
 
-QTEST_GUILESS_MAIN(TestFileChanges)
+VYBEG_TEST(TestFileChanges)
+
+}  // namespace test_file_changes
+
 #include "test_file_changes.moc"

@@ -1,5 +1,8 @@
 // A column of times or of row numbers is refused as a channel, whatever the file.
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
+
+namespace test_signal_channels {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -67,5 +70,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSignalChannels)
+VYBEG_TEST(TestSignalChannels)
+
+}  // namespace test_signal_channels
+
 #include "test_signal_channels.moc"

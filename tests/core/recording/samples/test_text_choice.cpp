@@ -2,6 +2,9 @@
 #include "core/recording/samples/open_table.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
+
+namespace test_text_choice {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -274,5 +277,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTextChoice)
+VYBEG_TEST(TestTextChoice)
+
+}  // namespace test_text_choice
+
 #include "test_text_choice.moc"

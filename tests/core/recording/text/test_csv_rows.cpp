@@ -1,8 +1,12 @@
 // CSV tables as spreadsheets write them.
 #include "core/recording/text/csv_rows.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
 
 #include <QTest>
+
+namespace test_csv_rows {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -63,7 +67,7 @@ private slots:
     void the_dialects_of_spreadsheets_read_alike() {
         QFETCH(QByteArray, text);
         const CsvRows read = table(text.toStdString());
-        QVERIFY(read.names.size() >= 2);
+        VYBEG_AT_LEAST(read.names.size(), 2);
         QCOMPARE(read.names[0], "file");
         QCOMPARE(read.names[1], "set");
         QCOMPARE(read.rows.size(), std::size_t{2});
@@ -133,7 +137,7 @@ private slots:
         QElapsedTimer timer;
         timer.start();
         QVERIFY(fault(text).contains("line 2, column \"set\""));
-        QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
+        VYBEG_LESS(timer.elapsed(), 5000);
     }
 
     void what_is_no_file_has_the_sentence_of_any_file() {
@@ -143,5 +147,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCsvRows)
+VYBEG_TEST(TestCsvRows)
+
+}  // namespace test_csv_rows
+
 #include "test_csv_rows.moc"

@@ -3,6 +3,9 @@
 #include "core/recording/text/text_header.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
+
+namespace test_text_dialects {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -338,5 +341,8 @@ void TestTextDialects::
     }
 }
 
-QTEST_GUILESS_MAIN(TestTextDialects)
+VYBEG_TEST(TestTextDialects, threads)
+
+}  // namespace test_text_dialects
+
 #include "test_text_dialects.moc"

@@ -4,6 +4,7 @@
 #include "core/recording/text/text_clock.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -11,6 +12,8 @@
 #include <QJsonObject>
 
 #include <set>
+
+namespace test_text_layouts {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -73,7 +76,7 @@ private slots:
             QVERIFY2(std::filesystem::exists(data_file(name)), qPrintable(name));
             files.insert(name);
         }
-        QVERIFY2(files.size() >= layouts_wanted, qPrintable(QString::number(files.size())));
+        VYBEG_AT_LEAST(files.size(), layouts_wanted);
     }
 
     void every_layout_gives_its_channels_units_rate_and_samples_data() {
@@ -103,8 +106,8 @@ private slots:
         const double allowed_sd = layout["rate_relative_sd_at_most"].toDouble();
         QCOMPARE(QString::fromStdString(rate_origin_name(recording->rate_from)),
                  layout["rate_from"].toString());
-        QVERIFY2(sd >= 0 && sd <= allowed_sd,
-                 qPrintable(QString("sd %1, at most %2").arg(sd).arg(allowed_sd)));
+        VYBEG_AT_LEAST(sd, 0);
+        VYBEG_AT_MOST(sd, allowed_sd);
         // Rounding leaves an interval open that reaches two deviations at most.
         VYBEG_WITHIN(recording->rate_hz / rate, 1, 2.001 * sd + 1e-9,
                      qPrintable(QString("rate %1").arg(rate)));
@@ -293,5 +296,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTextLayouts)
+VYBEG_TEST(TestTextLayouts)
+
+}  // namespace test_text_layouts
+
 #include "test_text_layouts.moc"

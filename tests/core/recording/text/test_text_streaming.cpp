@@ -3,10 +3,13 @@
 #include "core/recording/times/uniform_times.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
 
 #include <atomic>
 #include <random>
 #include <thread>
+
+namespace test_text_streaming {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -235,5 +238,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTextStreaming)
+VYBEG_TEST(TestTextStreaming, threads)
+
+}  // namespace test_text_streaming
+
 #include "test_text_streaming.moc"

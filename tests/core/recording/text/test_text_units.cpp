@@ -2,6 +2,9 @@
 // every time in seconds, or a warning that names what is unknown.
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
+
+namespace test_text_units {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -262,5 +265,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTextUnits)
+VYBEG_TEST(TestTextUnits)
+
+}  // namespace test_text_units
+
 #include "test_text_units.moc"

@@ -2,8 +2,11 @@
 #include "core/recording/times/local_cubic.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/times/timed_signal.h"
+#include "tests/test_registry.h"
 
 #include <random>
+
+namespace test_time_digits {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -89,7 +92,7 @@ void TestTimeDigits::times_of_few_digits_give_the_rate_within_two_of_its_deviati
     // Where rounding meets halves of the last digit (48000 Hz), the times tell the rate exactly.
     VYBEG_WITHIN(error, 0, 2.001 * sd + 1e-15);
     // No more than a slope that lies anywhere within a digit at either end.
-    QVERIFY2(sd < 0.82 * coarsest / seconds, qPrintable(QString::number(sd)));
+    VYBEG_LESS(sd, 0.82 * coarsest / seconds);
 }
 
 void TestTimeDigits::lost_samples_are_found_where_the_digits_become_coarser() {
@@ -120,5 +123,8 @@ void TestTimeDigits::equal_times_are_an_error_where_their_digits_do_not_explain_
     QCOMPARE(wrong.error().args.at(0), std::string("502"));
 }
 
-QTEST_GUILESS_MAIN(TestTimeDigits)
+VYBEG_TEST(TestTimeDigits)
+
+}  // namespace test_time_digits
+
 #include "test_time_digits.moc"

@@ -2,8 +2,11 @@
 #include "tests/closeness.h"
 #include "tests/core/recording/times/timed_signal.h"
 #include "tests/largest_of.h"
+#include "tests/test_registry.h"
 
 #include <random>
+
+namespace test_time_grid {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -78,7 +81,8 @@ void TestTimeGrid::jitter_is_resampled_within_the_error_of_the_cubic() {
     const double sd = 0.2 / std::sqrt(5000.0 * 5000.0 * 5000.0);
     VYBEG_CLOSE_RATIO(grid.rate_hz, rate, 4 * sd);
 
-    QVERIFY(grid.c.size() >= 4999 && grid.c.size() <= 5001);
+    VYBEG_AT_LEAST(grid.c.size(), 4999);
+    VYBEG_AT_MOST(grid.c.size(), 5001);
     std::vector<double> at;
     for (std::size_t i = 0; i < grid.c.size(); ++i) {
         at.push_back(times[0] + static_cast<double>(i) / grid.rate_hz);
@@ -164,8 +168,10 @@ void TestTimeGrid::lost_samples_of_jittered_times_become_gaps_too() {
     }
     const auto missing =
         std::count_if(grid.c.begin(), grid.c.end(), [](double value) { return std::isnan(value); });
-    QVERIFY(first >= 1200 && first <= 1201);
-    QVERIFY(missing >= 9 && missing <= 11);
+    VYBEG_AT_LEAST(first, 1200);
+    VYBEG_AT_MOST(first, 1201);
+    VYBEG_AT_LEAST(missing, 9);
+    VYBEG_AT_MOST(missing, 11);
     QCOMPARE(grid.diagnostics.size(), 2u);
     QCOMPARE(grid.diagnostics[1].kind, DiagnosticKind::time_gap);
     QCOMPARE(grid.diagnostics[1].first_frame, static_cast<std::int64_t>(first));
@@ -274,7 +280,7 @@ void TestTimeGrid::no_sample_between_huge_ones_is_infinite() {
     const auto grid = to_uniform_grid(samples, "run.csv");
     QVERIFY(grid);
     QCOMPARE(std::ranges::count_if(grid->c, [](double x) { return std::isinf(x); }), 0);
-    QVERIFY(std::ranges::count_if(grid->c, [](double x) { return std::isnan(x); }) > 0);
+    VYBEG_MORE(std::ranges::count_if(grid->c, [](double x) { return std::isnan(x); }), 0);
 }
 
 void TestTimeGrid::the_unit_of_the_header_scales_the_time_data() {
@@ -304,5 +310,8 @@ void TestTimeGrid::the_unit_of_the_header_scales_the_time() {
     QCOMPARE(recording.channels.size(), 2u);
 }
 
-QTEST_GUILESS_MAIN(TestTimeGrid)
+VYBEG_TEST(TestTimeGrid)
+
+}  // namespace test_time_grid
+
 #include "test_time_grid.moc"

@@ -1,8 +1,12 @@
 // Damaged MAT and HDF5 files: whatever libhdf5 does on them, the program gets an error or a
 // recording.
 #include "core/recording/bytes/byte_order.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/damaged_files.h"
 #include "tests/core/recording/demo_files.h"
+#include "tests/test_registry.h"
+
+namespace test_damaged_libraries {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -65,10 +69,10 @@ void TestDamagedLibraries::a_file_cut_anywhere_is_an_error() {
                     count);
     }
     // Only a level 4 or 5 that ends exactly behind a variable is whole as it is.
-    QVERIFY(count.refused > 150);
-    QVERIFY2(count.read + count.unreadable <= 3, qPrintable(QString::number(count.read)));
+    VYBEG_MORE(count.refused, 150);
+    VYBEG_AT_MOST(count.read + count.unreadable, 3);
     QCOMPARE(count.wrong_status, 0);
-    QVERIFY2(count.slowest_ms < 2500, qPrintable(QString::number(count.slowest_ms)));
+    VYBEG_LESS(count.slowest_ms, 2500);
 }
 
 void TestDamagedLibraries::wrong_bits_do_no_harm_data() {
@@ -93,12 +97,12 @@ void TestDamagedLibraries::wrong_bits_do_no_harm() {
                                         static_cast<std::size_t>(tail), {}, 100 * frames, files);
     qInfo("%d refused, %d unreadable, %d read, slowest %lld ms", count.refused, count.unreadable,
           count.read, count.slowest_ms);
-    QVERIFY(count.refused > files / 10);
-    QVERIFY(count.read > files / 50);
+    VYBEG_MORE(count.refused, files / 10);
+    VYBEG_MORE(count.read, files / 50);
     QCOMPARE(count.wrong_status, 0);
     QCOMPARE(count.too_long, 0);
     // Two seconds for the list of variables, and two for samples.
-    QVERIFY(count.slowest_ms < 4500);
+    VYBEG_LESS(count.slowest_ms, 4500);
 }
 
 void TestDamagedLibraries::a_variable_of_4_gigabytes_takes_no_memory() {
@@ -110,5 +114,8 @@ void TestDamagedLibraries::a_variable_of_4_gigabytes_takes_no_memory() {
     QCOMPARE(recording.error().code, ErrorCode::format_damaged);
 }
 
-QTEST_GUILESS_MAIN(TestDamagedLibraries)
+VYBEG_TEST(TestDamagedLibraries, long, unsanitized)
+
+}  // namespace test_damaged_libraries
+
 #include "test_damaged_libraries.moc"

@@ -1,5 +1,8 @@
 #include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
+#include "tests/test_registry.h"
+
+namespace test_hdf5_reader {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -370,5 +373,8 @@ void TestHdf5Reader::what_cannot_be_read_is_refused_by_name() {
     QCOMPARE(QString::fromStdString(english(recording.error().args.back())), reason);
 }
 
-QTEST_GUILESS_MAIN(TestHdf5Reader)
+VYBEG_TEST(TestHdf5Reader)
+
+}  // namespace test_hdf5_reader
+
 #include "test_hdf5_reader.moc"

@@ -1,6 +1,9 @@
 // Units, rates and scales that the attributes of HDF5 files name.
 #include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
+#include "tests/test_registry.h"
+
+namespace test_hdf5_units {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -104,5 +107,8 @@ void TestHdf5Units::what_contradicts_itself_or_is_scaled_is_refused() {
     QCOMPARE(QString::fromStdString(english(refused.error().args[1])), reason);
 }
 
-QTEST_GUILESS_MAIN(TestHdf5Units)
+VYBEG_TEST(TestHdf5Units)
+
+}  // namespace test_hdf5_units
+
 #include "test_hdf5_units.moc"

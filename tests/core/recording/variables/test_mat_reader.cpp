@@ -1,6 +1,9 @@
 #include "core/recording/variables/mat_format.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
+#include "tests/test_registry.h"
+
+namespace test_mat_reader {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -282,5 +285,8 @@ void TestMatReader::a_file_of_level_4_is_known_by_a_header_that_is_possible() {
     QVERIFY(!is_mat4(std::string(100, '\0'), 100));
 }
 
-QTEST_GUILESS_MAIN(TestMatReader)
+VYBEG_TEST(TestMatReader)
+
+}  // namespace test_mat_reader
+
 #include "test_mat_reader.moc"

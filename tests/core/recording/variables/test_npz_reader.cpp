@@ -3,9 +3,12 @@
 #include "tests/core/recording/damaged_files.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
 
 #include <array>
 #include <thread>
+
+namespace test_npz_reader {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -302,7 +305,7 @@ void TestNpzReader::zip64_archives_are_read() {
 
 void TestNpzReader::a_bomb_is_no_recording_of_that_length() {
     // 512 MiB of zeros, honestly declared, in half a megabyte.
-    QVERIFY(std::filesystem::file_size(folder_.file("bomb.npz")) < 1000000);
+    VYBEG_LESS(std::filesystem::file_size(folder_.file("bomb.npz")), 1000000);
     const Recording recording = opened(folder_.file("bomb.npz"));
     QCOMPARE(recording.frames(), std::int64_t{1} << 25);
     QCOMPARE(read(*recording.source, (1 << 25) - 5, 5).d, std::vector<double>(5));
@@ -346,8 +349,9 @@ void TestNpzReader::a_file_cut_anywhere_or_with_wrong_bits_does_no_harm() {
     QCOMPARE(cut.wrong_status, 0);
     const DamageCount flipped = flip_bits(folder_, bytes, bytes.size(), 0, {}, most);
     QCOMPARE(flipped.wrong_status + flipped.too_long, 0);
-    QVERIFY(flipped.read > 200 && flipped.refused > 200);
-    QVERIFY(std::max(cut.slowest_ms, flipped.slowest_ms) < 2000);
+    VYBEG_MORE(flipped.read, 200);
+    VYBEG_MORE(flipped.refused, 200);
+    VYBEG_LESS(std::max(cut.slowest_ms, flipped.slowest_ms), 2000);
 }
 
 void TestNpzReader::lengths_of_2_to_the_63_are_damage() {
@@ -375,5 +379,8 @@ void TestNpzReader::lengths_of_2_to_the_63_are_damage() {
     }
 }
 
-QTEST_GUILESS_MAIN(TestNpzReader)
+VYBEG_TEST(TestNpzReader, threads)
+
+}  // namespace test_npz_reader
+
 #include "test_npz_reader.moc"

@@ -1,7 +1,11 @@
 // Compressed variables of MAT 5 are unpacked once on the way from start to end: counted in bytes
 // that are read of the file, not in time.
+#include "tests/closeness.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/test_registry.h"
+
+namespace test_packed_variables {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -80,8 +84,8 @@ void TestPackedVariables::a_pass_unpacks_each_byte_once() {
     }
     const auto read = static_cast<double>(bytes_read() - before);
     const auto size = static_cast<double>(std::filesystem::file_size(path));
-    QVERIFY2(read > 0.9 * passes * size && read < 1.15 * passes * size,
-             qPrintable(QString::number(read / size)));
+    VYBEG_MORE(read / size, 0.9 * passes);
+    VYBEG_LESS(read / size, 1.15 * passes);
     for (const auto& [name, found] : {std::pair("c", &samples.c), {"d", &samples.d}}) {
         const std::string bytes = bytes_of(folder_.file(name));
         QCOMPARE(bytes.size(), found->size() * sizeof(double));
@@ -106,5 +110,8 @@ void TestPackedVariables::packed_bytes_that_are_wrong_are_an_error() {
     QVERIFY(opened(path, options).source->read(frames - 1000, c, d));
 }
 
-QTEST_GUILESS_MAIN(TestPackedVariables)
+VYBEG_TEST(TestPackedVariables)
+
+}  // namespace test_packed_variables
+
 #include "test_packed_variables.moc"

@@ -1,6 +1,8 @@
 // What vybeg-reader may no longer do once it has a file open.
 #include "core/recording/variables/reader_process.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
+#include "tests/test_registry.h"
 
 #include <QElapsedTimer>
 
@@ -10,6 +12,8 @@
 #include <map>
 #include <sstream>
 #include <thread>
+
+namespace test_reader_confinement {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -200,9 +204,12 @@ void TestReaderConfinement::a_helper_that_has_to_wait_is_waited_for() {
     const Status status = (*process)->read({0, 0, 0, 100}, samples);
     later.join();
     QVERIFY2(status, status ? "" : english(status.error()).c_str());
-    QVERIFY2(timer.elapsed() >= 3900, qPrintable(QString::number(timer.elapsed())));
+    VYBEG_AT_LEAST(timer.elapsed(), 3900);
     QCOMPARE(samples[99], demo_.c[99]);
 }
 
-QTEST_GUILESS_MAIN(TestReaderConfinement)
+VYBEG_TEST(TestReaderConfinement)
+
+}  // namespace test_reader_confinement
+
 #include "test_reader_confinement.moc"

@@ -1,5 +1,7 @@
 #include "core/recording/variables/reader_process.h"
+#include "tests/closeness.h"
 #include "tests/core/recording/demo_files.h"
+#include "tests/test_registry.h"
 
 #include <QElapsedTimer>
 
@@ -10,6 +12,8 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+
+namespace test_reader_process {
 
 using namespace vybeg;
 using namespace vybeg::test;
@@ -147,8 +151,8 @@ void TestReaderProcess::a_helper_that_stops_working_is_given_up_after_twenty_sec
     std::vector<double> samples(100);
     const Status status = (*process)->read({0, 0, 0, 100}, samples);
     QVERIFY(!status);
-    QVERIFY2(timer.elapsed() >= 19000 && timer.elapsed() < 60000,
-             qPrintable(QString::number(timer.elapsed())));
+    VYBEG_AT_LEAST(timer.elapsed(), 19000);
+    VYBEG_LESS(timer.elapsed(), 60000);
     QCOMPARE(status.error().args,
              (std::vector<MessageArg>{"HDF5", "its library stopped working on it for 20 s"}));
     QCOMPARE(::kill(id, 0), -1);  // a stopped one is ended, too
@@ -209,5 +213,8 @@ void TestReaderProcess::the_helper_alone_does_nothing() {
     QVERIFY(helper.readAllStandardError().contains("started by vybeg"));
 }
 
-QTEST_GUILESS_MAIN(TestReaderProcess)
+VYBEG_TEST(TestReaderProcess)
+
+}  // namespace test_reader_process
+
 #include "test_reader_process.moc"

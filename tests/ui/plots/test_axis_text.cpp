@@ -1,0 +1,210 @@
+// What stands beside and above the axes, as pure functions.
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
+#include "ui/plots/axis_ticks.h"
+#include "ui/words/display_units.h"
+#include "ui/words/index_text.h"
+#include "ui/words/number_label.h"
+#include "ui/words/rich_text.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+
+namespace test_axis_text {
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+namespace {
+
+// Digits 7 pixels wide, as in a font of 11 pixels.
+TickRoom horizontal(double length) {
+    return {length, 58, 16, [](const QString& label) { return 7. * double(label.size()); }};
+}
+
+TickRoom vertical(double length) {
+    return {length, 27, 1, [](const QString&) { return 13.; }};
+}
+
+}  // namespace
+
+class TestAxisText : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { QLocale::setDefault(QLocale::c()); }
+
+    void ticks_lie_at_round_numbers() {
+        const AxisTicks ticks = linearTicks({0, 28}, horizontal(900));
+        QCOMPARE(ticks.labels.first(), QStringLiteral("0"));
+        QCOMPARE(ticks.labels.last(), QStringLiteral("28"));
+        QCOMPARE(ticks.positions[1], 2.);
+        QCOMPARE(ticks.offset, 0.);
+        QCOMPARE(ticks.exponent, 0);
+    }
+
+    void a_narrow_range_far_from_zero_counts_from_an_offset() {
+        const AxisTicks ticks = linearTicks({5299.998, 5300.011}, vertical(120));
+        QCOMPARE(ticks.offset, 5300.);
+        QCOMPARE(ticks.exponent, -3);
+        QCOMPARE(ticks.labels,
+                 QStringList({QStringLiteral("0"), QStringLiteral("5"), QStringLiteral("10")}));
+        QCOMPARE(ticks.offsetText(), QStringLiteral(" − 5300.0"));
+        QCOMPARE(scaledUnit(QStringLiteral("Hz"), true, ticks.exponent), QStringLiteral("mHz"));
+    }
+
+    void a_negative_offset_is_added() {
+        const AxisTicks ticks = linearTicks({-5300.000002, -5299.999998}, vertical(120));
+        QCOMPARE(ticks.offset, -5300.);
+        QVERIFY(ticks.offsetText().startsWith(QStringLiteral(" + 5300")));
+        QCOMPARE(ticks.exponent, -6);
+    }
+
+    void small_values_get_a_prefix_or_a_power() {
+        const AxisTicks ticks = linearTicks({-4e-6, 4e-6}, vertical(120));
+        QCOMPARE(ticks.exponent, -6);
+        QCOMPARE(scaledUnit(QStringLiteral("rad"), true, -6), QStringLiteral("µrad"));
+        QCOMPARE(scaledUnit(QStringLiteral("°"), false, -3), QStringLiteral("×10⁻³ °"));
+        QCOMPARE(scaledUnit(QString(), false, 6), QStringLiteral("×10⁶"));
+        QCOMPARE(scaledUnit(QStringLiteral("Hz"), true, 0), QStringLiteral("Hz"));
+    }
+
+    void degrees_step_by_parts_of_a_circle() {
+        const AxisTicks ticks = linearTicks({-180, 180}, vertical(200), TickSteps::degrees);
+        QCOMPARE(ticks.labels,
+                 QStringList({QStringLiteral("−180"), QStringLiteral("−90"), QStringLiteral("0"),
+                              QStringLiteral("90"), QStringLiteral("180")}));
+    }
+
+    // Over all magnitudes, spans and sizes: labels differ from each other, do not overlap, are
+    // short, and say where their tick is.
+    void no_range_and_no_size_gives_useless_ticks() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> exponent(-9, 9);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        std::uniform_real_distribution<double> length(45, 2500);
+        int pairs = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const double middle = unit(random) * std::pow(10., exponent(random));
+            // Down to 1e-10 of the value: doubles carry that with six digits to spare.
+            const double span = std::max(std::pow(10., exponent(random)), 1e-10 * std::abs(middle));
+            const AxisRange range{middle - 0.5 * span, middle + 0.5 * span};
+            const bool across = i % 2 == 0;
+            const TickRoom room = across ? horizontal(length(random)) : vertical(length(random));
+            const AxisTicks ticks = linearTicks(range, room);
+            QCOMPARE(ticks.labels.size(), qsizetype(ticks.positions.size()));
+            pairs += ticks.positions.size() >= 2;
+            std::set<QString> different;
+            const double scale = room.length / span;
+            double free_from = -1e9;
+            for (qsizetype k = 0; k < ticks.labels.size(); ++k) {
+                const double position = ticks.positions[std::size_t(k)];
+                const QString& label = ticks.labels[k];
+                QVERIFY(different.insert(label).second);
+                VYBEG_AT_MOST(label.size(), 9, qPrintable(label));
+                VYBEG_AT_LEAST(position, range.lower - 1e-6 * span);
+                VYBEG_AT_MOST(position, range.upper + 1e-6 * span);
+                const double pixel = (position - range.lower) * scale;
+                VYBEG_AT_LEAST(pixel - 0.5 * room.extent(label), free_from - 1e-3,
+                               qPrintable(label));
+                free_from = pixel + 0.5 * room.extent(label);
+                QString plain = label;
+                const double read = plain.replace(QChar(0x2212), '-').toDouble();
+                const double meant = (position - ticks.offset) / std::pow(10., ticks.exponent);
+                // Relative to the span: rounding of a decimal label.
+                VYBEG_WITHIN((read - meant) * std::pow(10., ticks.exponent), 0, 1e-5 * span,
+                             qPrintable(label));
+            }
+        }
+        // Only labels that need half of a very short axis may stand alone.
+        VYBEG_MORE(pairs, 3960);
+    }
+
+    void a_range_that_is_none_has_no_ticks() {
+        QVERIFY(linearTicks({1, 1}, vertical(100)).positions.empty());
+        QVERIFY(linearTicks({0, INFINITY}, vertical(100)).positions.empty());
+        QVERIFY(logTicks({-1, 1}, vertical(100)).positions.empty());
+    }
+
+    void decades_are_labelled_on_a_logarithmic_axis() {
+        const AxisTicks ticks = logTicks({1e-5, 10}, vertical(400));
+        QCOMPARE(ticks.labels.first(), powerOfTen(-5));
+        QVERIFY(ticks.labels.contains(QStringLiteral("0.001")));
+        QVERIFY(ticks.labels.contains(QStringLiteral("10")));
+        QVERIFY(!ticks.between.empty());
+    }
+
+    void less_than_a_decade_on_a_logarithmic_axis_has_linear_steps() {
+        const AxisTicks ticks = logTicks({0.6, 1.02}, vertical(120));
+        VYBEG_AT_LEAST(ticks.positions.size(), 2);
+        QVERIFY(ticks.labels.contains(QStringLiteral("1.0")));
+    }
+
+    void numbers_follow_the_locale() {
+        QCOMPARE(numberLabel(-1234.5, 2), QStringLiteral("−1234.50"));
+        QLocale::setDefault(QLocale(QLocale::Russian));
+        QCOMPARE(numberLabel(-1234.5, 2), QStringLiteral("−1234,50"));
+        QCOMPARE(valueText(-0.5, 0.013), QStringLiteral("−0,500 ± 0,013"));
+    }
+
+    void nothing_is_minus_zero() {
+        QCOMPARE(numberLabel(-1e-12, 2), QStringLiteral("0.00"));
+        QCOMPARE(numberLabel(-0.0, 0), QStringLiteral("0"));
+    }
+
+    void a_value_is_rounded_to_its_deviation() {
+        QCOMPARE(valueText(5300.012345, 0.0012), QStringLiteral("5300.0123 ± 0.0012"));
+        QCOMPARE(valueText(2e-6, 1.5e-7), QStringLiteral("(2.00 ± 0.15)·10⁻⁶"));
+        QCOMPARE(valueText(NAN, 1), QStringLiteral("—"));
+        QCOMPARE(valueText(0.25, NAN), QStringLiteral("0.25"));
+    }
+
+    void an_underscore_makes_an_index() {
+        const std::vector<IndexTextPiece> expected{{QStringLiteral("⟨S"), false},
+                                                   {QStringLiteral("A"), true},
+                                                   {QStringLiteral(" S"), false},
+                                                   {QStringLiteral("B"), true},
+                                                   {QStringLiteral("⟩"), false}};
+        QVERIFY(indexPieces(QStringLiteral("⟨S_A S_B⟩")) == expected);
+        QCOMPARE(richText(QStringLiteral("Δφ_CD")), QStringLiteral("Δφ<sub>CD</sub>"));
+        QCOMPARE(richText(QStringLiteral("a<b")), QStringLiteral("a&lt;b"));
+    }
+
+    void every_unit_of_the_frequency_is_the_same_frequency() {
+        DisplayUnits units;
+        const double f = 5300.053;
+        const double f0 = 5300;
+        const auto shown = [&](FrequencyUnit unit) {
+            units.frequency = unit;
+            return displayScale(SlowVariable::f, units, f0).value(f);
+        };
+        QCOMPARE(shown(FrequencyUnit::hertz), f);
+        QCOMPARE(shown(FrequencyUnit::radians_per_second), 2 * std::numbers::pi * f);
+        VYBEG_CLOSE(shown(FrequencyUnit::deviation_hertz), 0.053, 1e-9);
+        VYBEG_CLOSE(shown(FrequencyUnit::deviation_ppm), 10., 1e-6);
+        QCOMPARE(displayScale(SlowVariable::f, units, f0).sd(f, 0.0053), 1.);
+    }
+
+    void decibels_and_their_deviation() {
+        DisplayUnits units;
+        units.amplitude = AmplitudeUnit::decibels;
+        units.log_a_A = true;
+        const DisplayScale scale = displayScale(SlowVariable::a_A, units, 0);
+        QVERIFY(!scale.logarithmic);
+        QCOMPARE(scale.value(0.1), -20.);
+        // Against the difference quotient.
+        const double slope = (scale.value(0.5 + 1e-6) - scale.value(0.5 - 1e-6)) / 2e-6;
+        VYBEG_CLOSE(scale.sd(0.5, 0.01), 0.01 * slope, 1e-8);
+        QCOMPARE(displayUnit(SlowVariable::a_A, units), QStringLiteral("dB"));
+    }
+};
+
+VYBEG_TEST(TestAxisText)
+
+}  // namespace test_axis_text
+
+#include "test_axis_text.moc"

@@ -1,0 +1,286 @@
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
+#include "tests/ui/synthetic_analysis.h"
+#include "ui/plots/figure.h"
+#include "ui/plots/plot_export.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QPainter>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+#include <algorithm>
+#include <csignal>
+#include <sys/resource.h>
+
+namespace test_plot_export {
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+namespace {
+
+PlotContent twoRuns() {
+    PlotContent content;
+    content.analyses = {syntheticAnalysis(0, {.window = 6}), syntheticAnalysis(1, {.window = 60})};
+    content.zoom.time = *coveredTime(content.analyses);
+    content.theme = darkTheme();
+    return content;
+}
+
+std::vector<FigureColumn> twoColumns() {
+    const PlotContent content = twoRuns();
+    return {{QStringLiteral("n = 6"), content.analyses[0]},
+            {QStringLiteral("n = 60"), content.analyses[1]}};
+}
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// Share of pixels that are not white.
+double ink(const QImage& image) {
+    qint64 dark = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            dark += image.pixel(x, y) != qRgb(255, 255, 255);
+        }
+    }
+    return double(dark) / image.width() / image.height();
+}
+
+Status drawnFigure(const std::vector<FigureColumn>& columns, const QString& path,
+                   const FigureOptions& options = {}) {
+    return writeDrawing(figureDrawing(columns, options), {figureSize(columns.size(), options)},
+                        path);
+}
+
+// All texts of an SVG, one after the other.
+QString textsOf(const QByteArray& svg) {
+    QString all;
+    QXmlStreamReader xml(svg);
+    while (!xml.atEnd()) {
+        if (xml.readNext() == QXmlStreamReader::Characters && !xml.isWhitespace()) {
+            all += xml.text().toString() + ' ';
+        }
+    }
+    return xml.hasError() ? QString() : all;
+}
+
+}  // namespace
+
+class TestPlotExport : public QObject {
+    Q_OBJECT
+
+private:
+    QTemporaryDir dir_;
+
+private slots:
+    void where_curves_leave_the_frame_stand_pointers_of_each_and_no_bar() {
+        PlotContent content = onePlot(twoRuns(), SlowVariable::a_A);
+        content.units.sigma_bands = false;
+        // Amplitudes about one lie above the first, below the second.
+        for (const AxisRange& values : {AxisRange{0, 0.1}, AxisRange{10, 11}}) {
+            content.zoom.fixed[SlowVariable::a_A] = values;
+            const QImage image = toImage(plotsDrawing(content), {{800, 300}, pixels_per_inch});
+            for (const ShownAnalysis& shown : content.analyses) {
+                const QColor color = readable(shown.color, lightTheme());
+                int pixels = 0;
+                int longest = 0;
+                for (int y = 0; y < image.height(); ++y) {
+                    int length = 0;
+                    for (int x = 0; x < image.width(); ++x) {
+                        length = image.pixelColor(x, y) == color ? length + 1 : 0;
+                        pixels += length > 0;
+                        longest = std::max(longest, length);
+                    }
+                }
+                VYBEG_MORE(pixels, 200, "the curve is seen to go on");
+                VYBEG_LESS(longest, 40);  // the legend's line
+            }
+        }
+    }
+
+    void a_png_has_twice_the_size_and_a_white_ground() {
+        const QString path = dir_.filePath(QStringLiteral("plots.png"));
+        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
+        const QImage image(path);
+        QCOMPARE(image.size(), QSize(1600, 1200));
+        QCOMPARE(image.pixel(2, 1190), qRgb(255, 255, 255));
+        VYBEG_MORE(ink(image), 0.03);
+        VYBEG_LESS(ink(image), 0.6);
+    }
+
+    void an_svg_parses_and_names_runs_and_units() {
+        const QString path = dir_.filePath(QStringLiteral("plots.svg"));
+        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
+        const QByteArray svg = bytesOf(path);
+        QVERIFY(QSvgRenderer().load(svg));
+        const QString texts = textsOf(svg);
+        QVERIFY(texts.contains(QStringLiteral("n = 60")));
+        QVERIFY(texts.contains(QStringLiteral("Hz")));
+        // 155 000 windows twice in five plots: what is drawn is what can be seen.
+        VYBEG_LESS(svg.size(), 4'000'000);
+    }
+
+    void a_pdf_is_one_page_of_vectors() {
+        const QString path = dir_.filePath(QStringLiteral("plots.pdf"));
+        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
+        const QByteArray pdf = bytesOf(path);
+        QVERIFY(pdf.startsWith("%PDF-1."));
+        QVERIFY(pdf.trimmed().endsWith("%%EOF"));
+        QVERIFY(pdf.contains("/Count 1"));
+        QVERIFY(!pdf.contains("/Subtype /Image"));
+        // 800 by 600 pixels of 1/96 inch, in points.
+        QVERIFY(pdf.contains("/MediaBox [0 0 600"));
+        VYBEG_LESS(pdf.size(), 2'000'000);
+    }
+
+    void one_plot_alone_holds_one_variable() {
+        const QString path = dir_.filePath(QStringLiteral("one.svg"));
+        QVERIFY(writeDrawing(plotsDrawing(onePlot(twoRuns(), SlowVariable::two_theta_A)),
+                             {{800, 300}}, path));
+        const QString texts = textsOf(bytesOf(path));
+        QVERIFY(texts.contains(QStringLiteral("2θ")));
+        QVERIFY(!texts.contains(QStringLiteral("ω")));
+    }
+
+    void an_unknown_ending_is_refused() {
+        const Status status = writeDrawing(plotsDrawing(twoRuns()), {{800, 600}},
+                                           dir_.filePath(QStringLiteral("plots.bmp")));
+        QVERIFY(!status);
+        QVERIFY(status.error().code == ErrorCode::output_format_unknown);
+        QCOMPARE(status.error().args, std::vector<MessageArg>{"bmp"});
+    }
+
+    void a_failure_leaves_the_old_file() {
+        const Status status =
+            writeDrawing(plotsDrawing(twoRuns()), {{800, 600}},
+                         dir_.filePath(QStringLiteral("no/such/place/plots.pdf")));
+        QVERIFY(!status);
+        QVERIFY(status.error().code == ErrorCode::output_failed);
+        QVERIFY(!english(status.error().args.at(0)).empty());
+        const QString folder = dir_.filePath(QStringLiteral("taken.svg"));
+        QVERIFY(QDir().mkpath(folder + QStringLiteral("/inside")));
+        QVERIFY(!writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, folder));
+        QVERIFY(QFileInfo::exists(folder + QStringLiteral("/inside")));
+    }
+
+    void the_clipboard_gets_the_image() {
+        copyDrawing(plotsDrawing(twoRuns()), {{400, 300}});
+        QCOMPARE(QApplication::clipboard()->image().size(), QSize(800, 600));
+    }
+
+    void a_picture_draws_into_any_page() {
+        const QPicture picture = toPicture(plotsDrawing(twoRuns()), {400, 300});
+        QImage page(1200, 900, QImage::Format_RGB32);
+        page.fill(Qt::white);
+        QPainter painter(&page);
+        painter.scale(3, 3);
+        painter.drawPicture(0, 0, picture);
+        painter.end();
+        // The lower right quarter holds curves too: the picture fills the page.
+        VYBEG_MORE(ink(page.copy(600, 450, 600, 450)), 0.02);
+    }
+
+    void the_articles_figure_has_eight_lettered_panels() {
+        const QString path = dir_.filePath(QStringLiteral("figure.svg"));
+        QVERIFY(drawnFigure(twoColumns(), path));
+        const QString texts = textsOf(bytesOf(path));
+        for (const char* part : {"n = 6 ", "n = 60 ", "rad", "Hz", "t, s"}) {
+            QVERIFY2(texts.contains(QString::fromUtf8(part)), part);
+        }
+        for (const char letter : {'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h'}) {
+            QVERIFY2(texts.contains(QStringLiteral(" %1 ").arg(QChar(letter))), &letter);
+        }
+        QVERIFY(!texts.contains(QStringLiteral(" i ")));
+    }
+
+    void a_figure_is_written_in_every_format() {
+        const QString base = dir_.filePath(QStringLiteral("figure"));
+        QVERIFY(drawnFigure(twoColumns(), base + QStringLiteral(".png")));
+        QCOMPARE(QImage(base + QStringLiteral(".png")).size(), 2 * figureSize(2, {}));
+        QVERIFY(drawnFigure(twoColumns(), base + QStringLiteral(".pdf")));
+        QVERIFY(bytesOf(base + QStringLiteral(".pdf")).startsWith("%PDF-1."));
+        QVERIFY(!drawnFigure(twoColumns(), base + QStringLiteral(".gif")));
+    }
+
+    void columns_share_their_value_axes() {
+        // With the scatter of n = 6 on both, n = 60 is a narrow trace in its panel; on its own axis
+        // it would fill it. Colour of the curve in the right half, lowest row.
+        const auto blue = [&](bool common) {
+            FigureOptions options;
+            options.variables = {SlowVariable::f};
+            options.common_value_axes = common;
+            options.units.sigma_bands = false;
+            const QString path = dir_.filePath(QStringLiteral("axes.png"));
+            if (!drawnFigure(twoColumns(), path, options)) {
+                return -1.;
+            }
+            const QImage image(path);
+            return ink(image.copy(image.width() / 2, 0, image.width() / 2, image.height()));
+        };
+        const double common = blue(true);
+        const double own = blue(false);
+        VYBEG_MORE(common, 0);
+        VYBEG_MORE(own, 2 * common);
+    }
+
+    void a_disk_that_fills_leaves_the_old_file_data() {
+        QTest::addColumn<QString>("ending");
+        for (const char* ending : {"png", "svg", "pdf"}) {
+            QTest::newRow(ending) << ending;
+        }
+    }
+
+    void a_disk_that_fills_leaves_the_old_file() {
+        QFETCH(QString, ending);
+        const QString path = dir_.filePath(QStringLiteral("full.") + ending);
+        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
+        const qint64 plots_size = QFileInfo(path).size();
+        QVERIFY(drawnFigure(twoColumns(), path));
+        const qint64 whole = std::min(plots_size, QFileInfo(path).size());
+        constexpr int sizes = 15;
+        VYBEG_MORE(whole, sizes);
+        // SIGXFSZ is ignored, as in both programs: write() fails where a file reaches the limit.
+        std::signal(SIGXFSZ, SIG_IGN);
+        rlimit before{};
+        QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+        for (int k = 0; k < sizes; ++k) {
+            QFile old(path);
+            QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+            old.close();
+            const rlimit now{static_cast<rlim_t>(whole * k / sizes), before.rlim_max};
+            QCOMPARE(setrlimit(RLIMIT_FSIZE, &now), 0);
+            const Status plots = writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path);
+            const Status figure = drawnFigure(twoColumns(), path);
+            QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
+            const QByteArray about = QByteArray::number(qulonglong(now.rlim_cur));
+            QVERIFY2(!plots && plots.error().code == ErrorCode::output_failed, about);
+            QVERIFY2(!figure && figure.error().code == ErrorCode::output_failed, about);
+            QVERIFY2(bytesOf(path) == "old", about);
+            const QStringList left =
+                QDir(dir_.path())
+                    .entryList({QStringLiteral("*.part"), QStringLiteral("full.*.*")},
+                               QDir::AllEntries | QDir::Hidden);
+            QVERIFY2(left.isEmpty(), about + left.join(' ').toUtf8());
+        }
+        QVERIFY(QFile::remove(path));
+    }
+
+    void a_figure_without_columns_is_an_empty_page() {
+        const QString path = dir_.filePath(QStringLiteral("empty.png"));
+        QVERIFY(drawnFigure({}, path));
+        QCOMPARE(ink(QImage(path)), 0.);
+    }
+};
+
+VYBEG_TEST(TestPlotExport)
+
+}  // namespace test_plot_export
+
+#include "test_plot_export.moc"

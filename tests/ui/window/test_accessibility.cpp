@@ -1,0 +1,233 @@
+// Every control of every page can be named, explained and reached by the Tab key, and no text is
+// cut off, in both languages at the smallest size the program is made for.
+#include "tests/test_registry.h"
+#include "tests/ui/gui_test.h"
+#include "ui/batch/batch_window.h"
+#include "ui/charts/round_view.h"
+#include "ui/plots/signal_view.h"
+#include "ui/plots/track_view.h"
+#include "ui/plots/xy_plot_view.h"
+#include "ui/window/export_dialog.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTest>
+#include <QToolBar>
+
+namespace test_accessibility {
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+namespace {
+
+bool isControl(const QWidget& widget) {
+    const QWidget* parent = widget.parentWidget();
+    const bool part =
+        qobject_cast<const QComboBox*>(parent) || qobject_cast<const QTabBar*>(parent) ||
+        qobject_cast<const QTableView*>(parent) || qobject_cast<const QLineEdit*>(parent) ||
+        widget.objectName().startsWith("qt_") || qobject_cast<const QHeaderView*>(&widget);
+    return !part &&
+           (qobject_cast<const QAbstractButton*>(&widget) ||
+            qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QComboBox*>(&widget) ||
+            qobject_cast<const QAbstractItemView*>(&widget) ||
+            qobject_cast<const TrackView*>(&widget) || qobject_cast<const SignalView*>(&widget) ||
+            qobject_cast<const XYPlotView*>(&widget) || qobject_cast<const RoundView*>(&widget));
+}
+
+QString described(const QWidget& widget) {
+    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+    return QStringLiteral("%1 \"%2\" %3 in %4")
+        .arg(widget.metaObject()->className(), widget.accessibleName(),
+             button ? button->text() : widget.objectName(),
+             widget.parentWidget() ? widget.parentWidget()->metaObject()->className() : "");
+}
+
+bool isNamed(const QWidget& widget) {
+    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+    return !widget.accessibleName().isEmpty() || (button && !button->text().isEmpty());
+}
+
+// What is missing of the controls in a window.
+QStringList faultsOfControls(const QWidget& window) {
+    QStringList faults;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!isControl(*widget) || !widget->isVisible()) {
+            continue;
+        }
+        if (!isNamed(*widget)) {
+            faults << "no name: " + described(*widget);
+        }
+        // The plots show values at the mouse, over which a tooltip would stand; standard buttons of
+        // dialogs say all in their text.
+        const bool shows_values =
+            qobject_cast<const TrackView*>(widget) || qobject_cast<const SignalView*>(widget);
+        const bool standard = qobject_cast<const QDialogButtonBox*>(widget->parentWidget());
+        if (widget->toolTip().isEmpty() && !shows_values && !standard) {
+            faults << "no tooltip: " + described(*widget);
+        }
+        // The tool bar repeats commands of the menus, and each plot of the tracks has a frame of
+        // its own in the tab order.
+        const bool elsewhere = qobject_cast<const QToolBar*>(widget->parentWidget()) ||
+                               qobject_cast<const TrackView*>(widget);
+        if (!elsewhere && widget->isEnabled() && !(widget->focusPolicy() & Qt::TabFocus)) {
+            faults << "not reached by Tab: " + described(*widget);
+        }
+    }
+    return faults;
+}
+
+// Labels, buttons and tabs that have less room than their texts need.
+QStringList cutTexts(const QWidget& window) {
+    QStringList cut;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisible()) {
+            continue;
+        }
+        if (const auto* label = qobject_cast<const QLabel*>(widget);
+            label && !label->text().isEmpty() && label->pixmap().isNull()) {
+            const int height = label->wordWrap() ? label->heightForWidth(label->width())
+                                                 : label->sizeHint().height();
+            const bool narrow = !label->wordWrap() && label->sizeHint().width() > label->width();
+            if (narrow || height > label->height()) {
+                cut << QStringLiteral("label \"%1\" in %2")
+                           .arg(label->text(), label->parentWidget()->metaObject()->className());
+            }
+        } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget);
+                   button && !button->text().isEmpty()) {
+            const int needed = button->fontMetrics().horizontalAdvance(
+                QString(button->text()).remove(QLatin1Char('&')));
+            if (needed > button->width()) {
+                cut << "button " + described(*button);
+            }
+        } else if (const auto* tabs = qobject_cast<const QTabBar*>(widget)) {
+            for (int tab = 0; tab < tabs->count(); ++tab) {
+                if (tabs->fontMetrics().horizontalAdvance(tabs->tabText(tab)) >
+                    tabs->tabRect(tab).width()) {
+                    cut << "tab " + tabs->tabText(tab);
+                }
+            }
+        }
+    }
+    return cut;
+}
+
+}  // namespace
+
+class TestAccessibility : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    // Calls a function with the name of each state of the window, on every page and tab.
+    template <class Function>
+    void everywhere(const Function& check) {
+        auto& tabs = childOf<QTabWidget>(*window_);
+        for (const QString& language : {QStringLiteral("en"), QStringLiteral("ru")}) {
+            window_->setLanguage(language);
+            auto& pages = childOf<QTabBar>(*window_, "pages");
+            for (int page = 0; page < pages.count(); ++page) {
+                pages.setCurrentIndex(page);
+                for (int tab = 0; tab < tabs.count(); ++tab) {
+                    tabs.setCurrentIndex(tab);
+                    QCoreApplication::processEvents();
+                    check(QStringLiteral("%1, page %2, tab %3").arg(language).arg(page).arg(tab));
+                }
+            }
+        }
+    }
+
+private slots:
+    void initTestCase() {
+        window_ = shownWindow();
+        window_->resize(1280, 720);
+        Document& document = window_->document();
+        document.open({home_.recording("a.wav"), home_.recording("b.wav")});
+        QTRY_VERIFY_WITH_TIMEOUT(!document.busy() && document.analyses().size() == 2, 20000);
+        document.sets().add({document.recordings()[0].id, document.recordings()[1].id});
+        document.sets().identify();
+        QTRY_VERIFY_WITH_TIMEOUT(!document.busy(), 60000);
+        auto& tracks = childOf<TrackView>(*window_);
+        tracks.setFocus();
+        for (const auto& [time_s, key] : {std::pair{0.5, Qt::Key_1}, std::pair{1.5, Qt::Key_2}}) {
+            tracks.setTracker(time_s);
+            QTest::keyClick(&tracks, key);
+        }
+    }
+    void cleanupTestCase() { window_.reset(); }
+
+    void every_control_has_a_name_a_tooltip_and_a_place_in_the_tab_order() {
+        QStringList faults;
+        everywhere([&](const QString&) { faults << faultsOfControls(*window_); });
+        faults.removeDuplicates();
+        for (const QString& fault : faults) {
+            qWarning("%s", qPrintable(fault));
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+    void so_has_every_control_of_the_export() {
+        window_->action(Command::page_tracks)->trigger();
+        window_->action(Command::export_plots)->trigger();
+        auto& dialog = childOf<ExportDialog>(*window_);
+        const QStringList faults = faultsOfControls(dialog) + cutTexts(dialog);
+        dialog.reject();
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+    void so_has_every_control_of_the_batch() {
+        window_->action(Command::batch)->trigger();
+        auto& batch = childOf<BatchWindow>(*window_);
+        QVERIFY(QTest::qWaitForWindowExposed(&batch));
+        batch.resize(1000, 600);
+        batch.form().setPath(BatchPath::list, home_.path("a.wav"));
+        batch.form().setPath(BatchPath::results, home_.path("results.csv"));
+        QStringList faults;
+        for (const QString& language : {QStringLiteral("en"), QStringLiteral("ru")}) {
+            window_->setLanguage(language);
+            // A layout may take several turns of the event loop.
+            if (!QTest::qWaitFor([&] { return cutTexts(batch).isEmpty(); }, 5000)) {
+                faults << cutTexts(batch);
+            }
+            faults << faultsOfControls(batch);
+        }
+        batch.close();
+        window_->setLanguage(QStringLiteral("en"));
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+    void no_text_is_cut_off() {
+        QStringList cut;
+        everywhere([&](const QString& where) {
+            // A layout may take several turns of the event loop.
+            const bool whole = QTest::qWaitFor([&] { return cutTexts(*window_).isEmpty(); }, 5000);
+            if (whole) {
+                return;
+            }
+            for (const QString& text : cutTexts(*window_)) {
+                cut << where + ": " + text;
+            }
+        });
+        cut.removeDuplicates();
+        for (const QString& text : cut) {
+            qWarning("%s", qPrintable(text));
+        }
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join('\n')));
+    }
+};
+
+VYBEG_TEST(TestAccessibility)
+
+}  // namespace test_accessibility
+
+#include "test_accessibility.moc"

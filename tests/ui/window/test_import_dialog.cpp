@@ -1,0 +1,359 @@
+// The import dialog driven as a person drives it: choices, preview, opening, what is remembered.
+#include "core/recording/bytes/byte_order.h"
+#include "core/simulation/free_decay.h"
+#include "core/simulation/simulate.h"
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
+#include "tests/ui/gui_test.h"
+#include "ui/import/import_dialog.h"
+#include "ui/import/import_fields.h"
+#include "ui/import/import_memory.h"
+#include "ui/import/open_options_json.h"
+#include "ui/panels/message_bar.h"
+#include "ui/widgets/number_field.h"
+#include "ui/window/main_window.h"
+#include "ui/words/language.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTest>
+#include <qcustomplot.h>
+
+#include <cmath>
+#include <ctime>
+
+namespace test_import_dialog {
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestImportDialog : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    Language language_;
+    BackgroundJobs job_;
+    QPointer<ImportDialog> dialog_;
+
+    template <class Widget>
+    Widget& the(const char* name = "") {
+        return childOf<Widget>(*dialog_, QLatin1String(name));
+    }
+
+    QPushButton& openButton() { return *the<QDialogButtonBox>().button(QDialogButtonBox::Open); }
+    QString told() { return the<QLabel>("what").text(); }
+    QString cell(int row, int column) {
+        const QTableWidgetItem* item = the<QTableWidget>().item(row, column);
+        return item ? item->text() : QString();
+    }
+    int samples() { return the<QCustomPlot>().graph(0)->dataCount(); }
+
+    void show(const QString& path, const OpenOptions& options = {}) {
+        delete dialog_;
+        dialog_ = new ImportDialog(job_, path, options);
+        dialog_->show();
+    }
+
+    void choose(const char* list, const QString& text) {
+        auto& box = the<QComboBox>(list);
+        const int index = box.findText(text);
+        VYBEG_AT_LEAST(index, 0, qPrintable(text));
+        box.setCurrentIndex(index);
+    }
+
+    void type(const char* field, const QString& text) {
+        auto& edit = the<QLineEdit>(field);
+        edit.setFocus();
+        edit.selectAll();
+        QTest::keyClicks(&edit, text);
+    }
+
+    // A decay of 1000 Hz at 8000 Hz between semicolons, with decimal commas and no time.
+    QString table(const QString& name) const {
+        QByteArray text = "pick-off C;pick-off D\n";
+        for (int k = 0; k < 4000; ++k) {
+            const double phase = 0.25 * 3.14159265358979 * k;
+            QByteArray row = QByteArray::number(std::cos(phase - 0.4), 'f', 6) + ";" +
+                             QByteArray::number(0.3 * std::cos(phase - 0.5), 'f', 6) + "\n";
+            text += row.replace('.', ',');
+        }
+        return home_.file(name, text);
+    }
+
+    QString raw(const QString& name) const {
+        FreeDecay settings = demo_decay();
+        settings.seconds = 1;
+        const auto decay = simulate(settings, {});
+        std::string bytes(64, 'h');
+        for (std::size_t i = 0; decay && i < decay->c.size(); ++i) {
+            bytes += store(static_cast<std::int16_t>(9000 * decay->c[i]), true);
+            bytes += store(static_cast<std::int16_t>(9000 * decay->d[i]), true);
+        }
+        return home_.file(name, QByteArray::fromStdString(bytes));
+    }
+
+private slots:
+    void init() {
+        QSettings().clear();
+        language_.use("en");
+    }
+    void cleanup() { delete dialog_; }
+
+    void the_guess_stands_in_the_fields_and_the_rate_is_asked_for() {
+        show(table("guess.csv"));
+        QTRY_VERIFY(samples() > 0);
+        QCOMPARE(the<QComboBox>("delimiter").currentText(), QString("automatic: semicolon"));
+        QCOMPARE(the<QComboBox>("decimal").currentText(), QString("automatic: comma"));
+        QVERIFY(dialog_->focusWidget() == &the<QLineEdit>("rate"));
+        QCOMPARE(the<QComboBox>("time_column").currentText(), QString("automatic: none"));
+        QCOMPARE(the<NumberField>("skip_lines").placeholderText(), QString("automatic: 1"));
+        QCOMPARE(the<QComboBox>("channel_d").currentText(), QString("2: pick-off D"));
+        QVERIFY(the<QComboBox>("raw_type").isHidden());
+        QVERIFY(the<QLineEdit>("variables").isHidden());
+        QVERIFY2(told().contains("sample rate"), qPrintable(told()));
+        QVERIFY(!openButton().isEnabled());
+        // With the keyboard alone; point and comma mean the same.
+        for (const char* rate : {"8000,5", "8000.5"}) {
+            type("rate", rate);
+            QTRY_VERIFY(openButton().isEnabled());
+            QCOMPARE(dialog_->options().rate_hz, std::optional(8000.5));
+        }
+        QCOMPARE(told(), QString("text, 2 columns, semicolon, decimal comma"));
+    }
+
+    void another_delimiter_is_another_preview() {
+        OpenOptions rate;
+        rate.rate_hz = 8000;
+        show(table("delimiter.csv"), rate);
+        QTRY_VERIFY(openButton().isEnabled());
+        QCOMPARE(cell(0, 0), QString("pick-off C;pick-off D"));
+        QCOMPARE(cell(1, 0), QString("0,921061"));
+        QCOMPARE(cell(1, 1), QString("0,263275"));
+        QCOMPARE(the<QTableWidget>().columnCount(), 2);
+        QCOMPARE(the<QTableWidget>().horizontalHeaderItem(1)->text(), QString("D = pick-off D"));
+
+        choose("delimiter", "tab");
+        QTRY_VERIFY(told().contains("--delimiter tab"));
+        QVERIFY(!openButton().isEnabled());
+        QCOMPARE(cell(1, 0), QString("0,921061;0,263275"));
+        QVERIFY(the<QCustomPlot>().isHidden());
+
+        choose("delimiter", "semicolon");
+        QTRY_VERIFY(openButton().isEnabled());
+        QCOMPARE(samples(), static_cast<int>(preview_frames));
+        QVERIFY(!the<QCustomPlot>().isHidden());
+        QVERIFY(dialog_->options().text);
+        QCOMPARE(dialog_->options().text->delimiter, std::optional(';'));
+
+        the<QComboBox>("delimiter").setCurrentIndex(0);
+        QTRY_VERIFY(openButton().isEnabled());
+        QVERIFY(!dialog_->options().text);
+    }
+
+    void lines_columns_scale_and_unit_reach_the_preview() {
+        show(home_.file("columns.txt",
+                        "9 9 9\n1.5 0 4\n2.5 0.001 5\n3.5 0.002 6\n1 0.003 4\n"
+                        "2 0.004 5\n3 0.005 1\n"));
+        QTRY_VERIFY(samples() > 0);
+        type("skip_lines", "1");
+        choose("time_column", "2");
+        QTRY_VERIFY(openButton().isEnabled());
+        QCOMPARE(the<QTableWidget>().horizontalHeaderItem(1)->text(), QString("t = 2"));
+        QCOMPARE(the<QComboBox>("channel_d").count(), 2);
+        type("scale", "0,5");
+        type("unit", "mV");
+        QTRY_COMPARE(the<QComboBox>("channel_c").currentText(), QString("1 [mV]"));
+        QCOMPARE(the<QCustomPlot>().graph(0)->data()->at(0)->value, 0.75);
+        QCOMPARE(dialog_->options().unit, std::string("mV"));
+        QCOMPARE(dialog_->options().text->time_column, std::optional(2));
+        QCOMPARE(dialog_->options().text->lines_to_skip, std::optional<std::int64_t>(1));
+        // C and D change places.
+        the<QComboBox>("channel_c").setCurrentIndex(1);
+        QTRY_VERIFY(!openButton().isEnabled());
+        the<QComboBox>("channel_d").setCurrentIndex(0);
+        QTRY_VERIFY(openButton().isEnabled());
+        QCOMPARE(the<QCustomPlot>().graph(0)->data()->at(0)->value, 2.0);
+    }
+
+    void raw_samples_are_proposed_with_their_layout() {
+        show(raw("board.bin"));
+        QTRY_VERIFY(samples() > 0);
+        QCOMPARE(the<QComboBox>("read_as").currentText(), QString("raw samples"));
+        QCOMPARE(the<QComboBox>("raw_type").currentText(), QString("16 bit integer"));
+        QCOMPARE(the<QComboBox>("raw_order").currentText(), QString("big endian"));
+        QCOMPARE(the<NumberField>("raw_skip").text(), QString("64"));
+        QVERIFY(the<QComboBox>("delimiter").isHidden());
+        type("rate", "33333");
+        QTRY_VERIFY(openButton().isEnabled());
+        the<QSpinBox>("raw_channels").setValue(3);
+        QTRY_COMPARE(the<QTableWidget>().columnCount(), 3);
+        choose("raw_type", "64 bit float");
+        QTRY_VERIFY(told().contains("64 bit float"));
+    }
+
+    void a_text_read_as_raw_gets_a_layout_when_it_is_first_chosen() {
+        show(home_.recording("wave.wav"));
+        QTRY_VERIFY(openButton().isEnabled());
+        QVERIFY(the<QComboBox>("raw_type").isHidden());
+        QVERIFY(the<NumberField>("scale").isHidden());
+        choose("read_as", "raw samples");
+        // 64 bit floating point behind the header of a WAV file.
+        QTRY_COMPARE(the<QComboBox>("raw_type").currentText(), QString("64 bit float"));
+        QVERIFY(!the<QComboBox>("raw_type").isHidden());
+    }
+
+    void what_was_chosen_is_remembered_for_files_of_the_kind() {
+        OpenOptions rate;
+        rate.rate_hz = 8000;
+        show(table("first.csv"), rate);
+        QTRY_VERIFY(openButton().isEnabled());
+        choose("delimiter", "semicolon");
+        type("scale", "2");
+        type("unit", "V");
+        QTRY_VERIFY(openButton().isEnabled());
+        const OpenOptions chosen = dialog_->options();
+        QSignalSpy spy(dialog_, &ImportDialog::chosen);
+        QTest::mouseClick(&openButton(), Qt::LeftButton);
+        QCOMPARE(spy.count(), 1);
+
+        show(table("second.csv"));
+        QTRY_VERIFY(openButton().isEnabled());
+        QCOMPARE(dialog_->options(), chosen);
+        // Other columns are another kind; so is another ending.
+        show(home_.file("third.csv", "1;2\n3;4\n5;6\n7;8\n9;1\n"));
+        QTRY_VERIFY(samples() > 0);
+        QCOMPARE(dialog_->options(), OpenOptions{});
+        // What is said comes before what is remembered.
+        rate.rate_hz = 9000;
+        show(table("fourth.csv"), rate);
+        QTRY_VERIFY(openButton().isEnabled());
+        QCOMPARE(dialog_->options(), rate);
+    }
+
+    void raw_layouts_are_remembered_by_the_ending() {
+        OpenOptions options;
+        options.rate_hz = 1000;
+        options.raw = RawLayout{.type = RawType::f32, .channels = 3, .skip_bytes = 8, .scale = 4};
+        options.channel_d = 3;
+        rememberImport(importKind("/a/b.BIN", {}, true), options);
+        show(raw("other.bin"));
+        QTRY_VERIFY(openButton().isEnabled());
+        QCOMPARE(dialog_->options(), options);
+    }
+
+    void only_the_last_kinds_are_kept() {
+        for (int i = 0; i < 60; ++i) {
+            OpenOptions options;
+            options.rate_hz = 100 + i;
+            rememberImport(QString::number(i), options);
+        }
+        rememberImport("59", {});
+        QVERIFY(!rememberedImport("9"));
+        QVERIFY(rememberedImport("10"));
+        QVERIFY(!rememberedImport("59")->rate_hz);
+    }
+
+    void options_come_back_from_their_json() {
+        OpenOptions options;
+        options.rate_hz = 33333.25;
+        options.channel_c = 4;
+        options.text = TextChoice{'\t', true, 7, 0, 1e-6, -0.125};
+        options.unit = "мкВ";
+        options.variables = {"XY", "", "fs"};
+        QCOMPARE(optionsFromJson(optionsToJson(options)), options);
+        OpenOptions raw;
+        raw.raw = RawLayout{RawType::i32, true, 5, std::int64_t{1} << 40, 1e-9};
+        QCOMPARE(optionsFromJson(optionsToJson(raw)), raw);
+        QCOMPARE(optionsFromJson({}), OpenOptions{});
+    }
+
+    void the_window_opens_what_was_chosen() {
+        TestWindow window;
+        window.setLanguage("en");
+        window.show();
+        window.document().open({table("norate.csv")});
+        auto* bar = window.findChild<MessageBar*>();
+        QTRY_VERIFY(!bar->texts().isEmpty());
+        // The message offers the import.
+        QPushButton* offer = nullptr;
+        for (QPushButton* each : bar->findChildren<QPushButton*>()) {
+            offer = each->text() == QString("Import…") ? each : offer;
+        }
+        QVERIFY(offer);
+        offer->click();
+        QTRY_VERIFY(window.findChild<ImportDialog*>());
+        dialog_ = window.findChild<ImportDialog*>();
+        type("rate", "8000");
+        choose("decimal", "comma");
+        QTRY_VERIFY(openButton().isEnabled());
+        QTest::keyClick(dialog_, Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(window.document().analyses().size(), std::size_t(1), 20000);
+        const RecordingEntry* entry = window.document().currentRecording();
+        QVERIFY(entry && entry->recording);
+        QCOMPARE(entry->recording->rate_hz, 8000.0);
+        QCOMPARE(entry->recording->read_with, std::string("--decimal comma"));
+        QTRY_VERIFY(entry->f0_hz);
+        VYBEG_CLOSE(*entry->f0_hz, 1000, 0.01);
+        QTRY_VERIFY(!dialog_);
+    }
+
+    void the_menu_has_an_import() {
+        TestWindow window;
+        window.setLanguage("en");
+        QCOMPARE(window.action(Command::import_file)->text(), QString("&Import…"));
+        QVERIFY(window.action(Command::import_file)->isEnabled());
+        QCOMPARE(window.action(Command::import_file)->shortcut(),
+                 QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
+    }
+
+    void every_field_has_a_name_and_a_tip() {
+        show(table("names.csv"));
+        const auto* fields = dialog_->findChild<ImportFields*>();
+        int named = 0;
+        for (const QWidget* widget : fields->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+            if (widget->focusPolicy() != Qt::NoFocus) {
+                QVERIFY(!widget->accessibleName().isEmpty());
+                QVERIFY(!widget->toolTip().isEmpty());
+                ++named;
+            }
+        }
+        QCOMPARE(named, 16);
+    }
+
+    // Every key starts a preview; the window must not make any itself. 100 ms is what a person
+    // feels. Processor time of this thread: what others do to the machine does not count.
+    void typing_never_waits_for_a_preview() {
+        QByteArray text = "t,C,D\n";
+        for (int k = 0; k < 1000000; ++k) {
+            text += QByteArray::number(k) + "e-5,1,2\n";
+        }
+        show(home_.file("large.csv", text));
+        QTRY_VERIFY(samples() > 0);
+        const auto busy_ms = [] {
+            timespec time{};
+            clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+            return 1e3 * static_cast<double>(time.tv_sec) +
+                   1e-6 * static_cast<double>(time.tv_nsec);
+        };
+        double longest = 0;
+        for (const char key : {'9', '0', '0', '0', '0', '0'}) {
+            const double before = busy_ms();
+            QTest::keyClick(&the<QLineEdit>("skip_lines"), key);
+            longest = std::max(longest, busy_ms() - before);
+        }
+        VYBEG_LESS(longest, 100);
+        QTRY_VERIFY(openButton().isEnabled());
+        QVERIFY(cell(0, 0).startsWith("899993e-5"));
+    }
+};
+
+VYBEG_TEST(TestImportDialog, threads)
+
+}  // namespace test_import_dialog
+
+#include "test_import_dialog.moc"

@@ -1,0 +1,402 @@
+// The window driven as a person drives it: files, keys, mouse.
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
+#include "tests/ui/gui_test.h"
+#include "ui/panels/analysis_list.h"
+#include "ui/panels/cursor_panel.h"
+#include "ui/panels/events_panel.h"
+#include "ui/panels/message_bar.h"
+#include "ui/plots/signal_view.h"
+#include "ui/plots/track_view.h"
+#include "ui/settings/settings_panel.h"
+#include "ui/window/compare_dialog.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/help_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/recent_files.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTextBrowser>
+#include <qcustomplot.h>
+
+namespace test_main_window {
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+
+    template <class Widget>
+    Widget& the(const QString& name = {}) {
+        return childOf<Widget>(*window_, name);
+    }
+
+    NumberField& field(const QString& accessible_name) {
+        return fieldOf(*window_, accessible_name);
+    }
+
+    bool idle(std::size_t runs) {
+        return QTest::qWaitFor(
+            [&] { return !document().busy() && document().analyses().size() == runs; }, 20000);
+    }
+
+    void openOne(const QString& name = "demo.wav") {
+        document().open({home_.recording(name)});
+        QVERIFY(idle(1));
+        QVERIFY(QTest::qWaitFor([&] { return document().carrier().has_value(); }));
+    }
+
+private slots:
+    void init() { window_ = shownWindow(); }
+    void cleanup() { window_.reset(); }
+
+    void files_are_opened_by_dropping_them() {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(home_.recording("drop1.wav")),
+                      QUrl::fromLocalFile(home_.recording("drop2.wav"))});
+        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &drop);
+        QVERIFY(idle(2));
+        QCOMPARE(the<TrackView>().analyses().size(), std::size_t(2));
+        QCOMPARE(the<TrackView>().shownVariables().size(), std::size_t(5));
+    }
+
+    void leakage_that_limits_the_mean_stands_in_the_row_with_its_cure() {
+        openOne();
+        auto& list = the<AnalysisList>();
+        const auto notes_of = [&list](int row) {
+            const int column = list.columnCount() - 1;
+            const auto* item = list.topLevelItem(row);
+            QWidget* cell = list.itemWidget(list.topLevelItem(row), column);
+            return cell ? cell->findChild<QLabel*>(QStringLiteral("note"))->text()
+                        : item->text(column);
+        };
+        // 60 samples are 15 half-periods.
+        QCOMPARE(list.topLevelItemCount(), 1);
+        QVERIFY2(notes_of(0).isEmpty(), qPrintable(notes_of(0)));
+        QCOMPARE(list.headerItem()->text(6), QString("Noise"));
+        const double noise = QLocale().toDouble(list.topLevelItem(0)->text(6));
+        VYBEG_CLOSE_RATIO(noise, 1e-3, 0.05, qPrintable(list.topLevelItem(0)->text(6)));
+
+        Settings settings = document().settings();
+        settings.window = 62;
+        settings.algorithm = Algorithm::demodulation;
+        document().setSettings(settings);
+        document().analyse();
+        QVERIFY(idle(2));
+        const AnalysisEntry& entry = document().analyses().back();
+        QVERIFY(entry.summary.leakage_limits());
+        VYBEG_CLOSE(entry.summary.mean_f_hz, 1000, 4 * entry.summary.sd_mean_f_hz);
+        QVERIFY2(notes_of(1).contains("Leakage"), qPrintable(notes_of(1)));
+        auto* snap = list.findChild<QPushButton*>(QStringLiteral("snapAnalysis"));
+        QVERIFY(snap && snap->isVisible());
+        QTest::mouseClick(snap, Qt::LeftButton);
+        QVERIFY(idle(3));
+        const AnalysisEntry& snapped = document().analyses().back();
+        QCOMPARE(snapped.shown.analysis->plan.length % 4, 0);
+        QVERIFY(snapped.requested.snap && document().settings().snap);
+        QVERIFY(!snapped.summary.leakage_limits());
+        QVERIFY2(!notes_of(2).contains("Leakage"), qPrintable(notes_of(2)));
+    }
+
+    void text_that_is_no_file_cannot_be_dropped() {
+        QMimeData data;
+        data.setText("no file");
+        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        enter.ignore();
+        QCoreApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(!enter.isAccepted());
+    }
+
+    void an_opened_file_is_among_the_recent_ones_and_a_bad_one_is_not() {
+        openOne("recent.wav");
+        document().open({home_.file("bad.wav", "")});
+        QVERIFY(QTest::qWaitFor([&] { return !the<MessageBar>().texts().isEmpty(); }));
+        const QStringList recent = the<RecentFiles>().paths();
+        QCOMPARE(recent.size(), 1);
+        QVERIFY(recent.first().endsWith("recent.wav"));
+    }
+
+    void a_bad_file_is_told_in_the_window_and_blocks_nothing() {
+        document().open({home_.file("words.csv", "only words\nand more words\n")});
+        QVERIFY(QTest::qWaitFor([&] { return the<MessageBar>().isVisible(); }));
+        QVERIFY(the<MessageBar>().texts().first().contains("words.csv"));
+        QVERIFY(!QApplication::activeModalWidget());
+        openOne();
+    }
+
+    void each_algorithm_can_be_chosen_and_run() {
+        openOne();
+        auto& algorithms = the<QComboBox>("algorithm");
+        QCOMPARE(algorithms.count(), 6);
+        for (int index = 0; index < algorithms.count(); ++index) {
+            algorithms.setFocus();
+            QTest::keyClick(&algorithms, Qt::Key_Home);
+            for (int step = 0; step < index; ++step) {
+                QTest::keyClick(&algorithms, Qt::Key_Down);
+            }
+            QTest::mouseClick(&the<QPushButton>("analyse"), Qt::LeftButton);
+            // The sixth is what the recording was opened with: it replaces its run.
+            QVERIFY(idle(static_cast<std::size_t>(std::min(index + 2, 6))));
+            const auto wanted = static_cast<Algorithm>(index);
+            QVERIFY(std::ranges::any_of(document().analyses(), [&](const AnalysisEntry& entry) {
+                return entry.shown.analysis->settings.algorithm == wanted;
+            }));
+        }
+        QCOMPARE(the<AnalysisList>().topLevelItemCount(), 6);
+    }
+
+    void the_window_is_tied_together_in_samples_periods_and_milliseconds() {
+        openOne();
+        typeInto(field("Length"), "80");
+        VYBEG_CLOSE(*field("Length in periods").value(), 10, 1e-3);
+        QCOMPARE(*field("Length in milliseconds").value(), 10.0);
+        typeInto(field("Length in milliseconds"), "5,5");
+        QCOMPARE(document().settings().window, 44);
+        typeInto(field("Length in periods"), "7.5");
+        QCOMPARE(document().settings().periods, std::optional(7.5));
+        QCOMPARE(*field("Length").value(), 60.0);
+        typeInto(field("Length"), "4");
+        QVERIFY(!field("Length").isValid());
+        QCOMPARE(document().settings().periods, std::optional(7.5));
+    }
+
+    void snap_moves_the_window_to_whole_half_periods() {
+        openOne();
+        typeInto(field("Length"), "61");
+        const QString before = the<QLabel>("residual").text();
+        QTest::mouseClick(&the<QPushButton>("snap"), Qt::LeftButton);
+        // At 1000 Hz and 8000 Hz half a period is four samples.
+        QCOMPARE(document().settings().window % 4, 0);
+        VYBEG_WITHIN(document().settings().window, 61, 4);
+        QVERIFY(the<QLabel>("residual").text() != before);
+    }
+
+    void overlap_and_hop_are_tied_together() {
+        openOne();
+        typeInto(field("Overlap"), "75");
+        QCOMPARE(document().settings().hop, 15);
+        typeInto(field("Hop"), "30");
+        QCOMPARE(*field("Overlap").value(), 50.0);
+        QTest::keyClick(&the<TrackView>(), Qt::Key_F5);
+        QVERIFY(idle(2));
+        QCOMPARE(document().analyses().back().shown.analysis->plan.hop, 30);
+    }
+
+    void the_run_key_takes_the_text_of_the_field_being_edited() {
+        openOne();
+        NumberField& length = field("Length");
+        length.setFocus();
+        length.selectAll();
+        QTest::keyClicks(&length, "88");
+        QTest::keyClick(&length, Qt::Key_F5);
+        QVERIFY(idle(2));
+        QCOMPARE(document().analyses().back().shown.analysis->plan.length, 88);
+    }
+
+    void settings_are_undone_and_redone_by_keys() {
+        openOne();
+        typeInto(field("Length"), "80");
+        typeInto(field("Range from"), "0,5");
+        window_->action(Command::undo)->trigger();
+        QVERIFY(!document().settings().from_s);
+        window_->action(Command::undo)->trigger();
+        QCOMPARE(*field("Length").value(), 60.0);
+        QVERIFY(!window_->action(Command::undo)->isEnabled());
+        window_->action(Command::redo)->trigger();
+        QCOMPARE(*field("Length").value(), 80.0);
+    }
+
+    void the_mouse_over_the_plots_fills_the_table_at_the_cursor() {
+        openOne();
+        auto& tracks = the<TrackView>();
+        auto* plot = tracks.findChild<QCustomPlot*>();
+        QTest::mouseMove(plot, QPoint(plot->width() / 2, plot->height() / 2));
+        QVERIFY(QTest::qWaitFor([&] { return tracks.tracker().has_value(); }));
+        window_->action(Command::copy_table)->trigger();
+        const QStringList lines = QApplication::clipboard()->text().split('\n');
+        QCOMPARE(lines.size(), 1 + static_cast<int>(shown_slow_variables.size()) + 1);
+        QVERIFY(lines.first().startsWith("t = "));
+        // a_A = 1 and a_B = 0.1 were simulated with a noise of 1e-3: window of 60, 10 sigma.
+        VYBEG_CLOSE(lines.at(1).split('\t').at(1).toDouble(), 1, 2e-3);
+        VYBEG_CLOSE(lines.at(2).split('\t').at(1).toDouble(), 0.1, 2e-3);
+    }
+
+    void the_plots_are_zoomed_by_wheel_and_history() {
+        openOne();
+        auto& tracks = the<TrackView>();
+        const AxisRange whole = tracks.timeRange();
+        const QPointF middle(tracks.width() / 2.0, tracks.height() / 2.0);
+        QWheelEvent wheel(middle, tracks.mapToGlobal(middle), {}, QPoint(0, 120), Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&tracks, &wheel);
+        VYBEG_LESS(tracks.timeRange().span(), whole.span());
+        QVERIFY(window_->action(Command::zoom_back)->isEnabled());
+        window_->action(Command::zoom_back)->trigger();
+        QCOMPARE(tracks.timeRange(), whole);
+    }
+
+    void runs_are_hidden_renamed_and_removed() {
+        openOne();
+        auto& runs = the<AnalysisList>();
+        QTreeWidgetItem* item = runs.topLevelItem(0);
+        item->setCheckState(0, Qt::Unchecked);
+        QVERIFY(QTest::qWaitFor([&] { return !document().analyses().front().shown.visible; }));
+        QVERIFY(!the<TrackView>().analyses().front().visible);
+        runs.topLevelItem(0)->setText(0, "reference");
+        QVERIFY(QTest::qWaitFor([&] {
+            return document().analyses().front().shown.name == QLatin1String("reference");
+        }));
+        runs.setFocus();
+        QTest::keyClick(&runs, Qt::Key_Delete);
+        QVERIFY(document().analyses().empty());
+        QVERIFY(!window_->action(Command::export_plots)->isEnabled());
+    }
+
+    void plots_are_exported_by_the_ending_of_the_name() {
+        openOne();
+        for (const char* name : {"plots.png", "plots.svg", "plots.pdf"}) {
+            QVERIFY(exportPlotsTo(*window_, home_.path(name)));
+        }
+        QVERIFY(!QImage(home_.path("plots.png")).isNull());
+        QFile pdf(home_.path("plots.pdf"));
+        QVERIFY(pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-");
+        QFile svg(home_.path("plots.svg"));
+        QVERIFY(svg.open(QIODevice::ReadOnly) && svg.read(200).contains("<svg"));
+        QVERIFY(!exportPlotsTo(*window_, home_.path("no/such/folder/plots.png")));
+        QVERIFY(the<MessageBar>().texts().first().contains("cannot be written"));
+    }
+
+    void a_second_longer_recording_is_shown_whole() {
+        openOne();
+        auto& tracks = the<TrackView>();
+        tracks.setTimeRange({0.5, 1.0});
+        document().open({home_.recording("longer.wav", 6)});
+        QVERIFY(idle(2));
+        QCOMPARE(tracks.timeRange(), tracks.fullTimeRange());
+        VYBEG_MORE(tracks.timeRange().upper, 5.9);
+        QCOMPARE(the<SignalView>().visibleRange(), tracks.timeRange());
+        window_->action(Command::zoom_back)->trigger();
+        QCOMPARE(tracks.timeRange(), (AxisRange{0.5, 1.0}));
+    }
+
+    void overview_and_plots_have_one_range_where_a_part_is_analysed() {
+        openOne();
+        typeInto(field("Range from"), "1");
+        window_->action(Command::analyse)->trigger();
+        QVERIFY(idle(2));
+        document().removeAnalysis(document().analyses().front().shown.id);
+        auto& overview = the<SignalView>();
+        auto& tracks = the<TrackView>();
+        QCOMPARE(overview.visibleRange(), tracks.timeRange());
+        // Its left edge, to where nothing is analysed.
+        const int middle = overview.height() / 3;
+        const QPoint edge(qRound(overview.width() * 0.5), middle);
+        for (const QPoint& start : {edge, edge + QPoint(3, 0), edge - QPoint(3, 0)}) {
+            QTest::mousePress(&overview, Qt::LeftButton, {}, start);
+            QTest::mouseMove(&overview, QPoint(overview.width() / 4, middle));
+            QTest::mouseRelease(&overview, Qt::LeftButton, {},
+                                QPoint(overview.width() / 4, middle));
+            QCOMPARE(overview.visibleRange(), tracks.timeRange());
+        }
+    }
+
+    void the_runs_icons_follow_the_theme() {
+        openOne();
+        window_->setThemeMode(ThemeMode::light);
+        const auto ground = [this] {
+            return the<AnalysisList>().topLevelItem(0)->icon(0).pixmap(28, 14).toImage().pixelColor(
+                1, 1);
+        };
+        QCOMPARE(ground(), lightTheme().palette.color(QPalette::Base));
+        window_->setThemeMode(ThemeMode::dark);
+        QTRY_COMPARE(ground(), darkTheme().palette.color(QPalette::Base));
+        const auto* table = the<CursorPanel>().findChild<QTableWidget*>();
+        QTRY_COMPARE(
+            table->horizontalHeaderItem(1)->icon().pixmap(28, 14).toImage().pixelColor(1, 1),
+            darkTheme().palette.color(QPalette::Base));
+        window_->setThemeMode(ThemeMode::light);
+    }
+
+    void the_track_is_exported_with_its_header_in_the_background() {
+        openOne();
+        window_->files().exportTrackTo(home_.path("track.csv"));
+        QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("track.csv")); }));
+        QFile csv(home_.path("track.csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = csv.readAll().trimmed().split('\n');
+        const auto header = std::ranges::count_if(
+            lines, [](const QByteArray& line) { return line.startsWith("# "); });
+        VYBEG_MORE(header, 10);
+        QVERIFY(lines.at(header).startsWith("t_s,a_A,a_B,two_theta_A_rad"));
+        QCOMPARE(lines.size() - header - 1, qsizetype(16000 / 60));
+    }
+
+    void windows_are_compared_and_the_figure_exported() {
+        openOne();
+        window_->action(Command::compare)->trigger();
+        auto& dialog = the<CompareDialog>();
+        QVERIFY(!dialog.isModal());
+        dialog.setLengths("8; 80 160");
+        QCOMPARE(dialog.lengths(), (std::vector<std::int64_t>{8, 80, 160}));
+        emit dialog.compareWanted(dialog.lengths());
+        QVERIFY(QTest::qWaitFor([&] { return dialog.columns().size() == 3; }, 20000));
+        QCOMPARE(dialog.columns().front().title, QStringLiteral("n = 8"));
+        window_->files().exportFigureTo(home_.path("figure.svg"));
+        VYBEG_MORE(QFileInfo(home_.path("figure.svg")).size(), 1000);
+        dialog.setLengths("8, x");
+        QVERIFY(dialog.lengths().empty());
+    }
+
+    void an_event_takes_the_plots_there() {
+        openOne();
+        window_->action(Command::zoom_in)->trigger();
+        emit the<EventsPanel>().eventChosen(1.5, 0);
+        QVERIFY(the<TrackView>().timeRange().contains(1.5));
+        QCOMPARE(the<TrackView>().tracker(), std::optional(1.5));
+    }
+
+    void help_follows_the_language() {
+        window_->action(Command::help)->trigger();
+        const auto& browser = the<HelpView>().browser();
+        QVERIFY(browser.source().toString().contains("/help/en/"));
+        VYBEG_MORE(browser.toPlainText().size(), 200);
+        window_->setLanguage("ru");
+        QVERIFY(browser.source().toString().contains("/help/ru/"));
+    }
+
+    void theme_and_language_are_kept_for_the_next_session() {
+        window_->setLanguage("ru");
+        window_->setThemeMode(ThemeMode::dark);
+        window_->close();
+        window_ = std::make_unique<TestWindow>();
+        QVERIFY(window_->diagnosticsText().contains("Language ru, theme dark"));
+        QVERIFY(window_->diagnosticsText().contains("Recordings: 0, analyses: 0"));
+        window_->setThemeMode(ThemeMode::light);
+    }
+};
+
+VYBEG_TEST(TestMainWindow, threads)
+
+}  // namespace test_main_window
+
+#include "test_main_window.moc"

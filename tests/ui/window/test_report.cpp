@@ -1,0 +1,308 @@
+// The report: what stands in the PDF, in both languages, and its way through the window. Looked at
+// with pdftotext, pdffonts and pdfinfo (poppler-utils).
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
+#include "tests/ui/gui_test.h"
+#include "tests/ui/heartbeat.h"
+#include "tests/ui/resonator_runs.h"
+#include "ui/plots/track_view.h"
+#include "ui/report/budget_text.h"
+#include "ui/report/document_report.h"
+#include "ui/resonator/resonator_text.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/report_dialog.h"
+#include "ui/words/language.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTest>
+
+namespace test_report {
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+namespace {
+
+QString output(const QString& program, const QStringList& arguments) {
+    QProcess process;
+    process.start(program, arguments);
+    process.waitForFinished();
+    return QString::fromUtf8(process.readAllStandardOutput());
+}
+
+// On one line, with single spaces.
+QString textOf(const QString& pdf) {
+    return output("pdftotext", {"-layout", pdf, "-"}).simplified();
+}
+
+bool isPdf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && file.read(5) == "%PDF-" &&
+           file.readAll().contains("%%EOF");
+}
+
+}  // namespace
+
+class TestReport : public QObject {
+    Q_OBJECT
+
+    GuiTestHome home_;
+    std::unique_ptr<MainWindow> window_;
+
+    Document& document() { return window_->document(); }
+
+    void openAll(const QStringList& files) {
+        document().open(files);
+        const auto ready = [&] {
+            return !document().busy() && qsizetype(document().analyses().size()) == files.size() &&
+                   std::ranges::all_of(document().recordings(), [](const RecordingEntry& entry) {
+                       return entry.faults && !entry.sha256.isEmpty();
+                   });
+        };
+        QVERIFY(QTest::qWaitFor(ready, 60000));
+    }
+
+    void identifyAll() {
+        std::vector<RecordingId> ids;
+        for (const RecordingEntry& entry : document().recordings()) {
+            ids.push_back(entry.id);
+        }
+        document().sets().addToCurrent(ids);
+        document().sets().identify();
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                return !document().busy() &&
+                       document().sets().outcome(*document().sets().current());
+            },
+            60000));
+    }
+
+    void write(const std::vector<ReportContent>& contents, const QString& path) {
+        window_->files().writeReport(contents, "All", path);
+        QVERIFY(QTest::qWaitFor([&] { return isPdf(path); }, 60000));
+    }
+
+private slots:
+    void initTestCase() {
+        for (const char* tool : {"pdftotext", "pdffonts", "pdfinfo"}) {
+            if (QStandardPaths::findExecutable(tool).isEmpty()) {
+                qWarning("%s is missing: NO REPORT IS TESTED. Install poppler-utils.", tool);
+                QSKIP("poppler-utils is missing");
+            }
+        }
+    }
+    void init() { window_ = shownWindow(); }
+    void cleanup() { window_.reset(); }
+
+    void the_report_of_a_set_holds_everything_in_both_languages() {
+        openAll(resonatorRuns(home_, "HRG"));
+        Tolerance tolerance;
+        tolerance.skew_deg = 0.1;
+        tolerance.delay_s = 1e-8;
+        document().setTolerance(tolerance);
+        identifyAll();
+        const auto subjects = reportSubjects(document());
+        QVERIFY(!subjects.empty());
+        QCOMPARE(subjects.front().recordings.size(), std::size_t{4});
+        ReportContent content = reportContentOf(document(), subjects.front());
+        QVERIFY(content.outcome && !content.out_of_date);
+        content.title = {"HRG_0042 <a&b>", "I. Ivanov", "2026-05-04", "After_balancing"};
+        const Identification& found = content.outcome->identification;
+        for (const QString& language : {QStringLiteral("en"), QStringLiteral("ru")}) {
+            window_->setLanguage(language);
+            const QString path = home_.path("set-" + language + ".pdf");
+            write({content}, path);
+            const QString text = textOf(path);
+            for (const QString& told : {content.title.gyro, content.title.engineer,
+                                        content.title.date, content.title.comment}) {
+                QVERIFY2(text.contains(told), qPrintable(told));
+            }
+            for (const ReportRecording& each : content.recordings) {
+                QVERIFY2(text.contains(each.name), qPrintable(each.name));
+                QCOMPARE(each.sha256.size(), 64);
+                QVERIFY2(text.contains(each.sha256), qPrintable(each.sha256));
+            }
+            int given = 0;
+            for (const QuantityRow& row : resonatorRows(found, content.units)) {
+                const QString& value = row.cells.front().text;
+                if (value.contains(QChar(0x00B1))) {
+                    QVERIFY2(text.contains(value), qPrintable(row.name + ": " + value));
+                    ++given;
+                }
+            }
+            VYBEG_AT_LEAST(given, 6);
+            const auto budget = budgetRows(found, content.units);
+            QCOMPARE(qsizetype(budget.size()), given);
+            for (const QuantityRow& row : budget) {
+                for (const QuantityCell& cell : row.cells) {
+                    QVERIFY2(text.contains(cell.text), qPrintable(row.name + ": " + cell.text));
+                }
+            }
+            const bool russian = language == "ru";
+            const QStringList words =
+                russian ? QStringList{"Отчёт о выбеге", "Записи",  "Бюджет неопределённости",
+                                      "Предупреждения", "События", "Страница 1 из "}
+                        : QStringList{"Report of a free decay",
+                                      "Recordings",
+                                      "Uncertainty budget",
+                                      "Warnings",
+                                      "Events",
+                                      "Page 1 of "};
+            for (const QString& word : words) {
+                QVERIFY2(text.contains(word), qPrintable(word));
+            }
+            const QString info = output("pdfinfo", {path});
+            QVERIFY2(info.contains("HRG_0042"), qPrintable(info));
+            QVERIFY2(output("pdfinfo", {"-meta", path}).contains("I. Ivanov"), qPrintable(info));
+            const auto pages =
+                QRegularExpression("Pages:\\s+(\\d+)").match(info).captured(1).toInt();
+            // Four pages of plots, text before and after them.
+            VYBEG_AT_LEAST(pages, 7, qPrintable(info));
+            VYBEG_AT_MOST(pages, 12, qPrintable(info));
+            const QString last =
+                QString(russian ? "Страница %1 из %1" : "Page %1 of %1").arg(pages);
+            QVERIFY2(text.contains(last), qPrintable(last));
+        }
+    }
+
+    // A chapter for each, found by its page in the table of all.
+    void the_report_of_all_sets_has_a_chapter_for_each() {
+        openAll({home_.recording("run_1.wav"), home_.recording("run_2.csv")});
+        const auto first = document().recordings().front().id;
+        const auto second = document().recordings().back().id;
+        document().sets().add({first});
+        document().sets().add({second});
+        const auto subjects = reportSubjects(document());
+        QVERIFY(subjects.back().all_sets);
+        const auto contents = reportContentsOf(document(), subjects.back());
+        QCOMPARE(contents.size(), std::size_t{2});
+        const QString path = home_.path("all.pdf");
+        write(contents, path);
+        const QString text = textOf(path);
+        QVERIFY2(!text.contains(QChar(0x27E6)), qPrintable(text));
+        int page = 0;
+        for (const ReportContent& content : contents) {
+            // The line of the set: its name, its page, the reason.
+            const auto line = QRegularExpression(QRegularExpression::escape(content.set) +
+                                                 " (\\d+) It has not been identified")
+                                  .match(text);
+            QVERIFY2(line.hasMatch(), qPrintable(text));
+            VYBEG_MORE(line.captured(1).toInt(), page);
+            page = line.captured(1).toInt();
+            const QString chapter = output("pdftotext", {"-layout", "-f", QString::number(page),
+                                                         "-l", QString::number(page), path, "-"});
+            QVERIFY2(chapter.contains(content.set), qPrintable(chapter));
+            QVERIFY2(chapter.contains(content.recordings.front().name), qPrintable(chapter));
+            QVERIFY2(chapter.contains(content.recordings.front().sha256), qPrintable(chapter));
+        }
+    }
+
+    void fonts_are_embedded_and_plots_are_vectors() {
+        openAll({home_.recording("demo.wav")});
+        const QString path = home_.path("fonts.pdf");
+        write({reportContentOf(document(), reportSubjects(document()).front())}, path);
+        const QStringList fonts = output("pdffonts", {path}).split('\n', Qt::SkipEmptyParts).mid(2);
+        QVERIFY(!fonts.isEmpty());
+        static const QRegularExpression embedded("\\s(yes|no)\\s+(yes|no)\\s+(yes|no)\\s+\\d+");
+        for (const QString& font : fonts) {
+            const auto match = embedded.match(font);
+            QVERIFY2(match.hasMatch(), qPrintable(font));
+            QCOMPARE(match.captured(1), QStringLiteral("yes"));  // embedded
+            QCOMPARE(match.captured(3), QStringLiteral("yes"));  // with its Unicode characters
+        }
+        const QStringList images =
+            output("pdfimages", {"-list", path}).split('\n', Qt::SkipEmptyParts).mid(2);
+        QVERIFY2(images.isEmpty(), qPrintable(images.join('\n')));
+        // The names beside the axes are text.
+        QVERIFY(textOf(path).contains("Hz"));
+    }
+
+    void a_recording_without_a_resonator_says_so() {
+        openAll({home_.recording("alone.wav")});
+        const QString path = home_.path("alone.pdf");
+        write({reportContentOf(document(), reportSubjects(document()).front())}, path);
+        QVERIFY(textOf(path).contains("It has not been identified."));
+        QVERIFY(textOf(path).contains("____"));  // gyro and operator, to be filled in by hand
+    }
+
+    void the_window_asks_for_the_title_block_and_keeps_it() {
+        QAction& report = *window_->action(Command::report);
+        QVERIFY(!report.isEnabled());
+        const QString recording = home_.recording("window.wav");
+        openAll({recording});
+        QTRY_VERIFY(report.isEnabled());
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+        QTest::keyClick(window_.get(), Qt::Key_P, Qt::ControlModifier);
+        auto& dialog = childOf<ReportDialog>(*window_);
+        QCOMPARE(childOf<QComboBox>(dialog).currentText(), QStringLiteral("window.wav"));
+        childOf<QLineEdit>(dialog, "gyro").setText("HRG-7");
+        childOf<QLineEdit>(dialog, "operator").setText("Петров");
+        childOf<QCheckBox>(dialog).setChecked(true);
+        const auto save = [&](const QString& path) {
+            QTest::mouseClick(dialog.findChild<QPushButton*>("save"), Qt::LeftButton);
+            auto& question = childOf<QFileDialog>(*window_);
+            QCOMPARE(question.defaultSuffix(), QStringLiteral("pdf"));
+            emit question.fileSelected(path);
+            question.reject();
+        };
+        const QString path = home_.path("window.pdf");
+        save(path);
+        QVERIFY(QTest::qWaitFor([&] { return isPdf(path); }, 60000));
+        const QString text = textOf(path);
+        QVERIFY(text.contains("HRG-7") && text.contains("Петров"));
+        QTRY_VERIFY(!window_->findChild<ReportDialog*>());
+        report.trigger();
+        auto& again = childOf<ReportDialog>(*window_);
+        QCOMPARE(childOf<QLineEdit>(again, "gyro").text(), QStringLiteral("HRG-7"));
+        QCOMPARE(childOf<QLineEdit>(again, "operator").text(), QStringLiteral("Петров"));
+        QVERIFY(childOf<QCheckBox>(again).isChecked());
+        again.reject();
+    }
+
+    void a_report_takes_no_recordings_place_and_a_missing_folder_is_told() {
+        const QString recording = home_.recording("kept.wav");
+        openAll({recording});
+        const qint64 size = QFileInfo(recording).size();
+        const ReportContent content =
+            reportContentOf(document(), reportSubjects(document()).front());
+        QStringList messages;
+        connect(&document(), &Document::reported, this, [&](const Message& message) {
+            if (message.severity == Severity::error) {
+                messages << message.text();
+            }
+        });
+        window_->files().writeReport({content}, {}, recording);
+        QTRY_COMPARE(messages.size(), 1);
+        QCOMPARE(QFileInfo(recording).size(), size);
+        window_->files().writeReport({content}, {}, home_.path("none/report.pdf"));
+        QTRY_COMPARE(messages.size(), 2);
+    }
+
+    void the_window_stays_in_use_while_a_report_is_written() {
+        openAll({home_.recording("long.wav", 28)});
+        const ReportContent content =
+            reportContentOf(document(), reportSubjects(document()).front());
+        const QString path = home_.path("long.pdf");
+        QElapsedTimer clock;
+        clock.start();
+        Heartbeat heart;
+        write({content}, path);
+        qInfo("written after %lld ms, %s", clock.elapsed(), qPrintable(heart.text()));
+        VYBEG_LESS(heart.longestMs(), 150, qPrintable(heart.text()));
+    }
+};
+
+VYBEG_TEST(TestReport)
+
+}  // namespace test_report
+
+#include "test_report.moc"
