@@ -87,7 +87,8 @@ Status write_outputs(Outputs& outputs, const std::string& result, const std::str
     return OutputFile::commit_together(files);
 }
 
-std::string identify_timing_line(const Identification& identification, double open_s, double write_s) {
+std::string identify_timing_line(const Identification& identification, double open_s,
+                                 double write_s) {
     const IdentifyTiming& timing = identification.timing;
     std::int64_t windows = 0;
     for (const IdentifiedRun& run : identification.runs) {
@@ -155,7 +156,8 @@ int run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop)
         return log.fail(written.error());
     }
     if (request.timing) {
-        std::fputs(identify_timing_line(found, opened - begun, seconds_now() - identified).c_str(), stderr);
+        std::fputs(identify_timing_line(found, opened - begun, seconds_now() - identified).c_str(),
+                   stderr);
     }
     return 0;
 }

@@ -85,9 +85,9 @@ int Log::fail(const Error& error, const std::string& about) {
 int Log::fail_usage(const std::string& sentence) {
     const int status = exit_status(ErrorCode::setting_invalid);
     line(json_ ? json_line({{"level", "error"},
-                          {"code", code_name(ErrorCode::setting_invalid)},
-                          {"text", sentence},
-                          {"status", status}})
+                            {"code", code_name(ErrorCode::setting_invalid)},
+                            {"text", sentence},
+                            {"status", status}})
                : "vybeg-cli: " + sentence + " See vybeg-cli --help.");
     return status;
 }
@@ -102,9 +102,9 @@ void Log::progress(double fraction) {
             return;  // ten lines are enough for a log
         }
         line(json_line({{"level", "progress"},
-                      {"code", "progress"},
-                      {"text", std::to_string(percent) + " %"},
-                      {"percent", percent}}));
+                        {"code", "progress"},
+                        {"text", std::to_string(percent) + " %"},
+                        {"percent", percent}}));
     } else {
         std::fprintf(stderr, "\r%3d %% ", percent);
     }

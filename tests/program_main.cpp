@@ -1,5 +1,5 @@
-// main() of every test program: TEST_PROGRAM CLASS [Qt Test's options] runs one class; without a class
-// all of them, one after the other. VYBEG_TEST_WIDGETS: the classes need a QApplication.
+// main() of every test program: TEST_PROGRAM CLASS [Qt Test's options] runs one class; without a
+// class all of them, one after the other. VYBEG_TEST_WIDGETS: the classes need a QApplication.
 #include "tests/test_registry.h"
 
 #include <QtTest>
@@ -43,10 +43,12 @@ bool register_test(const char* name, MakeTest make) {
 
 int main(int argc, char** argv) {
     using namespace vybeg::test;
-    std::ranges::sort(registry(), {}, [](const Registered& one) { return std::string_view(one.name); });
+    std::ranges::sort(registry(), {},
+                      [](const Registered& one) { return std::string_view(one.name); });
     std::vector<Registered> chosen = registry();
     if (argc > 1 && argv[1][0] != '-') {
-        std::erase_if(chosen, [&](const Registered& one) { return std::string_view(one.name) != argv[1]; });
+        std::erase_if(chosen,
+                      [&](const Registered& one) { return std::string_view(one.name) != argv[1]; });
         if (chosen.empty()) {
             std::fprintf(stderr, "%s has no class %s. It has:\n", argv[0], argv[1]);
             for (const Registered& one : registry()) {

@@ -23,7 +23,7 @@ using Analytic = std::vector<std::complex<double>>;
 // The longest run of frames without a missing sample, as C + iD, up to most_frames; looked for in
 // no more than four times as many from `first` on.
 Result<Analytic> whole_segment(const SampleSource& source, std::int64_t first, std::int64_t end,
-                              const JobControl& job) {
+                               const JobControl& job) {
     Analytic longest;
     Analytic run;
     std::vector<double> c(static_cast<std::size_t>(read_frames));

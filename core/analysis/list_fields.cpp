@@ -19,8 +19,7 @@ namespace {
 std::optional<int> digits(std::string_view& text, std::size_t count) {
     int number = 0;
     const std::string_view front = text.substr(0, count);
-    const bool only = front.size() == count &&
-                      std::ranges::all_of(front, is_digit);
+    const bool only = front.size() == count && std::ranges::all_of(front, is_digit);
     if (!only) {
         return {};
     }

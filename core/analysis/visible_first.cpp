@@ -50,7 +50,7 @@ WindowRange visible_windows(const WindowPlan& plan, const TimeRange& visible, do
     const auto first = static_cast<std::int64_t>(std::ceil(window_at(visible.from_s)));
     const auto last = static_cast<std::int64_t>(std::floor(window_at(visible.to_s)));
     const WindowRange shown{std::clamp<std::int64_t>(first, 0, plan.count),
-                        std::clamp<std::int64_t>(last + 1, 0, plan.count)};
+                            std::clamp<std::int64_t>(last + 1, 0, plan.count)};
     return shown.count() > 0 ? shown : WindowRange{};
 }
 

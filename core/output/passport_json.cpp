@@ -84,7 +84,7 @@ Reason old_reason(const std::string& name, const std::vector<std::string>& args)
         {"kappa-still-wave", ReasonCode::as_given},
         {"kappa-not-seen", ReasonCode::as_given},
         {"not-asked", ReasonCode::as_given},
-        {"channels-one-number_of", ReasonCode::held},
+        {"channels-one-number", ReasonCode::held},
         {"amplitude-like-drift", ReasonCode::rests_on_unseen},
         {"residual-from-elsewhere", ReasonCode::rests_on_unseen},
     }};

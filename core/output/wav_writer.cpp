@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace vybeg {
@@ -17,6 +19,17 @@ constexpr std::int64_t wav_bytes = (std::int64_t{1} << 32) - 4096;
 struct Closer {
     void operator()(SNDFILE* file) const { sf_close(file); }
 };
+
+// libsndfile's words for what went wrong, without its frame around those of the system: "System
+// error : File too large."
+std::string reason(const char* told) {
+    std::string text = told;
+    if (constexpr std::string_view frame = "System error : "; text.starts_with(frame)) {
+        text.erase(0, frame.size());
+        text.erase(text.find_last_not_of(". ") + 1);
+    }
+    return text;
+}
 
 int subtype(int bits) {
     if (bits == 0) {
@@ -50,7 +63,7 @@ Status write_frames(OutputFile& file, SNDFILE* wav, const SampleStream& stream, 
         }
         const auto frames = static_cast<sf_count_t>(c.size());
         if (write(wav, interleaved.data(), frames) != frames) {
-            return file.failure(sf_strerror(wav));
+            return file.failure(reason(sf_strerror(wav)));
         }
         return {};
     });
@@ -73,7 +86,7 @@ Status write_wav(OutputFile& file, const SampleStream& stream) {
     std::unique_ptr<SNDFILE, Closer> wav(
         sf_open_fd(file.descriptor(), SFM_WRITE, &format, SF_FALSE));
     if (!wav) {
-        return file.failure(sf_strerror(nullptr));
+        return file.failure(reason(sf_strerror(nullptr)));
     }
     // The peak chunk contains the time of day, so that equal simulations would yield different
     // files.
@@ -87,7 +100,7 @@ Status write_wav(OutputFile& file, const SampleStream& stream) {
                   sf_writef_int);
     // Closing completes the header.
     if (const int error = sf_close(wav.release()); written && error != 0) {
-        return file.failure(sf_error_number(error));
+        return file.failure(reason(sf_error_number(error)));
     }
     return written;
 }

@@ -79,7 +79,7 @@ SignalCurve amplitude_curve(const Analysis& analysis, double rate_hz, double fro
     const double first = std::floor(from_s / width);
     for (double column = first; column * width < to_s; ++column) {
         append(curve, (column + 0.5) * width,
-            mean_amplitudes(analysis, rate_hz, column * width, (column + 1) * width));
+               mean_amplitudes(analysis, rate_hz, column * width, (column + 1) * width));
     }
     return curve;
 }

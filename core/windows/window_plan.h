@@ -21,8 +21,8 @@ struct WindowPlan {
     friend bool operator==(const WindowPlan&, const WindowPlan&) = default;
 };
 
-// Frames that are read and estimated at once: 1 MiB of samples, which stays in the processor's cache
-// on its way, and about a millisecond of work between two looks at the stop token.
+// Frames that are read and estimated at once: 1 MiB of samples, which stays in the processor's
+// cache on its way, and about a millisecond of work between two looks at the stop token.
 inline constexpr std::int64_t chunk_frames = std::int64_t{1} << 16;
 
 // All windows that fit into the frames [first, end). Precondition: length >= 1, hop >= 1.

@@ -125,7 +125,8 @@ QStringList ofClasses(const QList<SourceFile>& files, const ClassCeilings& ceili
 }  // namespace
 
 QStringList layeringViolations(const QDir& root, const ClassCeilings& ceilings) {
-    const FolderOrder order{{"core", foldersInOrder(root, "core")}, {"ui", foldersInOrder(root, "ui")}};
+    const FolderOrder order{{"core", foldersInOrder(root, "core")},
+                            {"ui", foldersInOrder(root, "ui")}};
     const QList<SourceFile> files = readSources(root);
     QStringList found;
     for (const SourceFile& file : files) {

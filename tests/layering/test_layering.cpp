@@ -64,7 +64,7 @@ private slots:
     void aBrokenRuleIsFound();
     void whatTheRulesAllowIsNotReported_data();
     void whatTheRulesAllowIsNotReported();
-    void aFileMayHaveFourHundredLinesAndNoMore();
+    void aFileMayHaveSixHundredLinesAndNoMore();
     void aCircleOfUnitsIsFound();
     void aUnitThatTwoIncludeIsNoCircle();
     void aFolderMayHoldThirtyUnitsAndNoMore();
@@ -198,10 +198,10 @@ void TestLayering::whatTheRulesAllowIsNotReported() {
     QCOMPARE(Tree(file, content).violations(), QStringList{});
 }
 
-void TestLayering::aFileMayHaveFourHundredLinesAndNoMore() {
-    QCOMPARE(Tree("tests/a.cpp", QByteArray("\n").repeated(400)).violations(), QStringList{});
-    QCOMPARE(Tree("tests/a.cpp", QByteArray("\n").repeated(401)).violations(),
-             QStringList{"tests/a.cpp:401: longer than 400 lines"});
+void TestLayering::aFileMayHaveSixHundredLinesAndNoMore() {
+    QCOMPARE(Tree("tests/a.cpp", QByteArray("\n").repeated(600)).violations(), QStringList{});
+    QCOMPARE(Tree("tests/a.cpp", QByteArray("\n").repeated(601)).violations(),
+             QStringList{"tests/a.cpp:601: longer than 600 lines"});
 }
 
 void TestLayering::aCircleOfUnitsIsFound() {

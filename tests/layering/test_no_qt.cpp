@@ -16,14 +16,15 @@ struct Outcome {
     QString messages;
 };
 
-// The build's command for a source, without the source and what comes of it.
-QStringList commandOf(const QString& source) {
+// The build's command for the first source, or batch of sources, of a folder, without the source and what
+// comes of it.
+QStringList commandOf(const QString& folder) {
     QFile file(VYBEG_COMPILE_COMMANDS);
     if (!file.open(QIODevice::ReadOnly)) {
         return {};
     }
     for (const QJsonValue& each : QJsonDocument::fromJson(file.readAll()).array()) {
-        if (each["file"].toString().endsWith(source)) {
+        if (each["file"].toString().contains(folder)) {
             QStringList command = QProcess::splitCommand(each["command"].toString());
             for (const char* option : {"-o", "-c"}) {
                 const auto at = command.indexOf(QLatin1String(option));
@@ -48,7 +49,7 @@ Outcome compileAsCore(const QByteArray& content) {
     }
     source.close();
 
-    QStringList arguments = commandOf("/core/base/plain_text.cpp");
+    QStringList arguments = commandOf("/core/base/");
     if (arguments.isEmpty()) {
         return {};
     }

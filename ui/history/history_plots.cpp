@@ -1,6 +1,5 @@
 #include "ui/history/history_plots.h"
 
-#include "ui/history/history_text.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/unit_text.h"
 
@@ -13,6 +12,10 @@
 #include <utility>
 
 namespace vybeg::ui {
+
+QString historyText(const char* text) {
+    return QCoreApplication::translate("History", text);
+}
 
 namespace {
 
@@ -53,7 +56,8 @@ XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_nam
                  const QString& y_unit) {
     XYPlot plot;
     plot.x_is_date = axis == HistoryAxis::date;
-    plot.x_name = axis == HistoryAxis::date ? historyText(QT_TRANSLATE_NOOP("History", "Date (UTC)"))
+    plot.x_name = axis == HistoryAxis::date
+                      ? historyText(QT_TRANSLATE_NOOP("History", "Date (UTC)"))
                   : axis == HistoryAxis::frequency
                       ? historyText(QT_TRANSLATE_NOOP("History", "Mean frequency f"))
                       : historyText(QT_TRANSLATE_NOOP("History", "Order of the results"));
@@ -63,7 +67,7 @@ XYPlot emptyPlot(const HistoryView& view, HistoryAxis axis, const QString& y_nam
     plot.empty =
         axis == HistoryAxis::date && view.axis == HistoryAxis::date
             ? historyText(QT_TRANSLATE_NOOP("History",
-                                           "No result with a date has a value of this parameter."))
+                                            "No result with a date has a value of this parameter."))
             : historyText(QT_TRANSLATE_NOOP("History", "No result has a value of this parameter."));
     return plot;
 }
@@ -185,8 +189,8 @@ HistoryPlot valuesPlot(const StoredHistory& history, const HistoryCharts& charts
     shown.points = std::move(at.points);
     shown.plot.series.push_back(std::move(values));
     const IndividualsChart& limits = charts.individuals;
-    addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "centre")), factor * limits.centre,
-             Ink::muted, false);
+    addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "centre")),
+             factor * limits.centre, Ink::muted, false);
     addLevel(shown.plot, historyText(QT_TRANSLATE_NOOP("History", "limits")), factor * limits.low,
              Ink::muted, true);
     addLevel(shown.plot, {}, factor * limits.high, Ink::muted, true);

@@ -7,6 +7,9 @@
 
 namespace vybeg::ui {
 
+// A text of the page History in the language of the window.
+QString historyText(const char* text);
+
 enum class HistoryAxis { date, frequency, order };
 
 // How the history is shown.

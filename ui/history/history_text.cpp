@@ -82,10 +82,6 @@ QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
 
 }  // namespace
 
-QString historyText(const char* text) {
-    return QCoreApplication::translate("History", text);
-}
-
 QString pointText(const StoredHistory& history, const HistoryCharts& charts,
                   const HistoryView& view, std::size_t point) {
     const HistoryPoint& at = history.points[point];

@@ -6,9 +6,6 @@
 
 namespace vybeg::ui {
 
-// A text of the page History in the language of the window.
-QString historyText(const char* text);
-
 // "HRG-17, 2026-03-31, set A: τ = 21.3(1) s; f = 5300.1 Hz; 22.5 °C; outside the limits, above".
 QString pointText(const StoredHistory& history, const HistoryCharts& charts,
                   const HistoryView& view, std::size_t point);

@@ -38,8 +38,8 @@ std::vector<Reading> readings(const PlotPanel& panel, double time_s, const QFont
             const double sd = with_sd ? graph->scale().sd(stored, data.sd(row))
                                       : std::numeric_limits<double>::quiet_NaN();
             Reading reading{valueText(graph->scale().value(stored), sd), graph, 0};
-            reading.width =
-                reading_sample_length + reading_sample_gap + metrics.horizontalAdvance(reading.text) + value_gap;
+            reading.width = reading_sample_length + reading_sample_gap +
+                            metrics.horizontalAdvance(reading.text) + value_gap;
             total += reading.width;
             list.push_back(std::move(reading));
         }
@@ -136,7 +136,8 @@ void PlotOverlay::drawReadout(QCPPainter& painter, const PlotPanel& panel) const
         }
         painter.setAntialiasing(true);
         painter.setPen(theme_.text);
-        painter.drawText(QPointF(x + reading_sample_length + reading_sample_gap, base), reading.text);
+        painter.drawText(QPointF(x + reading_sample_length + reading_sample_gap, base),
+                         reading.text);
         x += reading.width;
     }
 }

@@ -161,8 +161,8 @@ void PlotStrip::draw(QCPPainter* painter) {
     const double base = area.top() + 0.5 * (area.height() + metrics.ascent() - metrics.descent());
     for (const StripEntry& entry : shown_) {
         if (entry.line) {
-            drawSample(*painter, {x, base - 0.33 * metrics.ascent()}, legend_sample_length, entry.color,
-                       entry.dash);
+            drawSample(*painter, {x, base - 0.33 * metrics.ascent()}, legend_sample_length,
+                       entry.color, entry.dash);
             x += legend_sample_length + legend_sample_gap;
         }
         painter->setPen(text_);

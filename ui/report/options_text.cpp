@@ -15,7 +15,7 @@ namespace {
 // `listed`: of the rows that have a part, in their order, as settings_list().
 template <class S>
 QString rowsText(const std::vector<SettingRow<S>>& rows, const std::vector<NamedValue>& listed,
-               std::initializer_list<std::string_view> left_out = {}) {
+                 std::initializer_list<std::string_view> left_out = {}) {
     const S defaults;
     QStringList options;
     auto value = listed.begin();
@@ -38,7 +38,7 @@ QString rowsText(const std::vector<SettingRow<S>>& rows, const std::vector<Named
 
 QString optionsText(const Settings& settings) {
     return rowsText(analysis_settings(), settings_list(settings),
-                  {"algorithm", "window", "hop", "f0"});
+                    {"algorithm", "window", "hop", "f0"});
 }
 
 QString optionsText(const IdentifySettings& settings) {

@@ -39,7 +39,8 @@ bool isHarmonic(LineOrigin origin) {
 QString originText(const ResidualLine& line) {
     const QString base = hertz(line.base_hz, 0);
     switch (line.origin) {
-        case LineOrigin::wave: return residualsText(QT_TRANSLATE_NOOP("Residuals", "the wave itself"));
+        case LineOrigin::wave:
+            return residualsText(QT_TRANSLATE_NOOP("Residuals", "the wave itself"));
         case LineOrigin::window_rate:
             return residualsText(
                 QT_TRANSLATE_NOOP("Residuals", "the wave, at the rate of the windows"));
@@ -50,7 +51,8 @@ QString originText(const ResidualLine& line) {
         case LineOrigin::mains:
             return line.order == 1
                        ? residualsText(QT_TRANSLATE_NOOP("Residuals", "supply of %1 Hz")).arg(base)
-                       : residualsText(QT_TRANSLATE_NOOP("Residuals", "supply of %1 Hz, harmonic %2"))
+                       : residualsText(
+                             QT_TRANSLATE_NOOP("Residuals", "supply of %1 Hz, harmonic %2"))
                              .arg(base)
                              .arg(line.order);
         case LineOrigin::carrier_by_mains:
@@ -60,7 +62,8 @@ QString originText(const ResidualLine& line) {
             return residualsText(QT_TRANSLATE_NOOP("Residuals", "harmonic %1 of the carrier"))
                 .arg(line.order);
         case LineOrigin::folded_harmonic:
-            return residualsText(QT_TRANSLATE_NOOP("Residuals", "harmonic %1 of the carrier, folded"))
+            return residualsText(
+                       QT_TRANSLATE_NOOP("Residuals", "harmonic %1 of the carrier, folded"))
                 .arg(line.order);
         case LineOrigin::other_mode:
             return residualsText(QT_TRANSLATE_NOOP("Residuals", "another mode"));
@@ -83,10 +86,11 @@ QString explanation(const ResidualLine& line) {
                 "The distance from the carrier is a multiple of the rate of the windows: the wave "
                 "changes inside them. Shorter windows follow it."));
         case LineOrigin::window_image:
-            return residualsText(QT_TRANSLATE_NOOP("Residuals",
-                                                "Each window takes up a little of that line, which "
-                                                "makes images beside the carrier. "
-                                                "Without the line they are gone, too."));
+            return residualsText(
+                QT_TRANSLATE_NOOP("Residuals",
+                                  "Each window takes up a little of that line, which "
+                                  "makes images beside the carrier. "
+                                  "Without the line they are gone, too."));
         case LineOrigin::mains:
             return residualsText(
                 QT_TRANSLATE_NOOP("Residuals", "An electrical supply couples into the pick-offs."));
@@ -128,20 +132,22 @@ QString coverageText(const Residuals& found) {
                      .arg(counted(found.used()));
     if (found.examined < found.frames) {
         sentences << residualsText(QT_TRANSLATE_NOOP("Residuals",
-                                                  "The range has %1; blocks at even distances "
-                                                  "stand for all of them."))
+                                                     "The range has %1; blocks at even distances "
+                                                     "stand for all of them."))
                          .arg(counted(found.frames));
     }
     if (found.without > 0) {
-        sentences << residualsText(QT_TRANSLATE_NOOP("Residuals",
-                                                  "Left out, because no wave was found there: %1."))
+        sentences << residualsText(
+                         QT_TRANSLATE_NOOP("Residuals",
+                                           "Left out, because no wave was found there: %1."))
                          .arg(counted(found.without));
     }
     constexpr double worth_saying = 0.01;
     if (found.taken_up > worth_saying) {
-        sentences << residualsText(QT_TRANSLATE_NOOP("Residuals",
-                                                  "The windows take up %1 % of the noise, around "
-                                                  "the carrier."))
+        sentences << residualsText(
+                         QT_TRANSLATE_NOOP("Residuals",
+                                           "The windows take up %1 % of the noise, around "
+                                           "the carrier."))
                          .arg(significant(100 * found.taken_up, 2));
     }
     return sentences.join(QLatin1Char(' '));
@@ -151,8 +157,9 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
                                       const QColor& alarm) {
     constexpr double doubtful = 4;  // standard deviations
     const auto row = [&](const char* name, const QString& of_unit, const char* tip, auto&& cell) {
-        return QuantityRow{
-            withUnit(residualsText(name), of_unit), residualsText(tip), {cell(found.c), cell(found.d)}};
+        return QuantityRow{withUnit(residualsText(name), of_unit),
+                           residualsText(tip),
+                           {cell(found.c), cell(found.d)}};
     };
     const auto flagged = [&](double value, double sd) {
         return cellOf(value, sd, std::abs(value) > doubtful * sd ? alarm : QColor());
@@ -244,7 +251,8 @@ QString lineSentence(const ResidualLine& line, const Residuals& found, const QSt
     }
     sentences << explanation(line);
     if (line.filter) {
-        sentences << residualsText(QT_TRANSLATE_NOOP("Residuals", "A band-pass filter takes it out."));
+        sentences << residualsText(
+            QT_TRANSLATE_NOOP("Residuals", "A band-pass filter takes it out."));
     }
     return sentences.join(QLatin1Char(' '));
 }

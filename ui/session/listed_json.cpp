@@ -93,7 +93,8 @@ Result<ListedMember> memberFromJson(const QJsonObject& json, const QDir& folder)
     member.signal = signal->signal;
     ListedRecording& row = member.row;
     row.file = json[file_key].toString().toStdString();
-    row.path = QDir::cleanPath(folder.absoluteFilePath(json[listed_path_key].toString())).toStdU16String();
+    row.path =
+        QDir::cleanPath(folder.absoluteFilePath(json[listed_path_key].toString())).toStdU16String();
     row.open = optionsFromJson(json[listed_options_key].toObject());
     row.others = textsFromJson(json[others_key]);
     row.conditions.exchanged = json[exchanged_key].toBool();

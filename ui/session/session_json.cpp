@@ -305,9 +305,9 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     session.dossier = {gyroFromJson(json[gyro_key].toObject()),
                        limitsFromJson(json[limits_key].toObject())};
     session.view = viewFromJson(json[view_key].toObject());
-    session.unknown = without(
-        json, {session_schema_key, program_key, settings_key, tolerance_key, live_key, recordings_key,
-               current_key, sets_key, current_set_key, current_analysis_key, limits_key, view_key});
+    session.unknown = without(json, {session_schema_key, program_key, settings_key, tolerance_key,
+                                     live_key, recordings_key, current_key, sets_key,
+                                     current_set_key, current_analysis_key, limits_key, view_key});
     session.unknown[gyro_key] =
         without(json[gyro_key].toObject(), {serial_key, type_key, operator_key, comment_key});
     return session;

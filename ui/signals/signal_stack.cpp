@@ -79,8 +79,9 @@ void SignalStack::showLegend() {
     add(QStringLiteral("C"), theme.signalC);
     add(QStringLiteral("D"), theme.signalD);
     if (fitted && content_.wave) {
-        add(picture_.smooth ? signalsText(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
-                            : signalsText(QT_TRANSLATE_NOOP("SignalStack", "amplitude of the wave")),
+        add(picture_.smooth
+                ? signalsText(QT_TRANSLATE_NOOP("SignalStack", "fitted wave"))
+                : signalsText(QT_TRANSLATE_NOOP("SignalStack", "amplitude of the wave")),
             theme.text);
     }
     if (fitted && !picture_.samples) {

@@ -1,7 +1,5 @@
 #include "ui/sweep/sweep_plots.h"
 
-#include "ui/sweep/sweep_text.h"
-
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -9,6 +7,10 @@
 #include <functional>
 
 namespace vybeg::ui {
+
+QString sweepText(const char* text) {
+    return QCoreApplication::translate("Sweep", text);
+}
 
 namespace {
 

@@ -8,6 +8,9 @@
 
 namespace vybeg::ui {
 
+// A text of the page Windows in the language of the window.
+QString sweepText(const char* text);
+
 // What is shown of a sweep.
 struct SweepView {
     std::size_t variable = 0;           // of main_slow_variables

@@ -43,9 +43,9 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
     switch (advice.limit) {
         case WindowAdvice::Limit::motion:
             return sweepText(QT_TRANSLATE_NOOP(
-                                  "Sweep",
-                                  "Longer windows blur %1: at n = %2 its bend inside the window "
-                                  "shifts the mean by %3, with a scatter of %4."))
+                                 "Sweep",
+                                 "Longer windows blur %1: at n = %2 its bend inside the window "
+                                 "shifts the mean by %3, with a scatter of %4."))
                 .arg(symbol, counted(next().length),
                      valueText(next().values[advice.variable].motion),
                      valueText(next().values[advice.variable].scatter));
@@ -68,8 +68,8 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
                 "Sweep", "It is the longest of the list; longer ones are not examined."));
         case WindowAdvice::Limit::list_begin:
             return sweepText(QT_TRANSLATE_NOOP("Sweep",
-                                                "It is the shortest of the list, and %1 moves even "
-                                                "inside it by more than its scatter."))
+                                               "It is the shortest of the list, and %1 moves even "
+                                               "inside it by more than its scatter."))
                 .arg(symbol);
     }
     return {};
@@ -109,10 +109,6 @@ constexpr std::array<Column, 4> columns{
 
 }  // namespace
 
-QString sweepText(const char* text) {
-    return QCoreApplication::translate("Sweep", text);
-}
-
 QString lengthText(const WindowSweep& sweep, std::size_t length) {
     const auto n = static_cast<double>(sweep.lengths[length].length);
     return sweepText(QT_TRANSLATE_NOOP("Sweep", "n = %1, %2 ms, %3 periods"))
@@ -135,16 +131,16 @@ QString adviceText(const WindowSweep& sweep, const SweepView& view) {
     constexpr double one_sided = 2;
     text += QStringLiteral(" ");
     if (advice.loss > one_sided) {
-        text += sweepText(
-                    QT_TRANSLATE_NOOP("Sweep",
-                                      "No window suits all variables: here the expected error of "
-                                      "%1 is %2 times its least in the list."))
-                    .arg(symbolOf(advice.loser, view), shortText(advice.loss));
+        text +=
+            sweepText(QT_TRANSLATE_NOOP("Sweep",
+                                        "No window suits all variables: here the expected error of "
+                                        "%1 is %2 times its least in the list."))
+                .arg(symbolOf(advice.loser, view), shortText(advice.loss));
     } else if (advice.shortest < advice.longest) {
         text +=
             sweepText(QT_TRANSLATE_NOOP("Sweep",
-                                         "From n = %1 to %2 no expected error exceeds %3 times its "
-                                         "least in the list."))
+                                        "From n = %1 to %2 no expected error exceeds %3 times its "
+                                        "least in the list."))
                 .arg(counted(sweep.lengths[advice.shortest].length),
                      counted(sweep.lengths[advice.longest].length),
                      shortText(loss_span * advice.loss));
@@ -165,8 +161,8 @@ QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView&
     const SweepValue& value = at.values[view.variable];
     const double factor = sweepFactor(sweep, view, view.variable);
     return sweepText(QT_TRANSLATE_NOOP("Sweep",
-                                        "%1: scatter of %2 %3 %4 (stated %5, bound %6, shift by "
-                                        "motion %7); noise %8"))
+                                       "%1: scatter of %2 %3 %4 (stated %5, bound %6, shift by "
+                                       "motion %7); noise %8"))
         .arg(lengthText(sweep, length), symbolOf(view.variable, view),
              valueText(factor * value.scatter, factor * value.sd_scatter),
              sweepUnit(view, view.variable), shortText(factor * value.stated),

@@ -11,9 +11,6 @@
 
 namespace vybeg::ui {
 
-// A text of the page Windows in the language of the window.
-QString sweepText(const char* text);
-
 // E.g. "n = 60, 1.80 ms, 9.54 periods".
 QString lengthText(const WindowSweep& sweep, std::size_t length);
 // The recommended window and why, or why there is none.

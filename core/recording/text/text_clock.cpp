@@ -50,7 +50,8 @@ bool take_date(std::string_view& text) {
     }
     rest.remove_prefix(1);
     const bool named = !rest.empty() && is_letter(rest.front());
-    const std::string_view middle = named ? take_while(rest, is_letter) : take_while(rest, is_digit);
+    const std::string_view middle =
+        named ? take_while(rest, is_letter) : take_while(rest, is_digit);
     if (rest.empty() || rest.front() != separator ||
         (named ? middle.size() != 3 : small_number(middle, 32) < 1)) {
         return false;

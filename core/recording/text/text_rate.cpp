@@ -111,8 +111,7 @@ void drop_groups(std::string& number, char group) {
     const auto digits = [&](std::size_t from, std::size_t count) {
         return from + count <= number.size() &&
                std::all_of(number.begin() + static_cast<std::ptrdiff_t>(from),
-                           number.begin() + static_cast<std::ptrdiff_t>(from + count),
-                           is_digit);
+                           number.begin() + static_cast<std::ptrdiff_t>(from + count), is_digit);
     };
     std::size_t at = number.find(group);
     if (group == 0 || at == std::string::npos || at == 0 || at > 3 || number[0] == '0' ||

@@ -20,7 +20,7 @@ using Eigen::Vector2cd;
 using Matrix = Eigen::Matrix2cd;
 using std::numbers::pi;
 
-// Calls use(k, l) for windows whose distance in time is `lag` steps_of, gaps or not.
+// Calls use(k, l) for windows whose distance in time is `lag` steps, gaps or not.
 template <class Use>
 void for_pairs(const ScaledRun& run, std::size_t lag, const Use& use) {
     const double wanted = static_cast<double>(lag) * run.step_s;

@@ -88,7 +88,7 @@ struct Normal {
     double freedom = 0;
 
     void add(const Segment& segment) {
-        // The integrals of the drift_terms from the first place, by trapezoids.
+        // The integrals of the terms from the first place, by trapezoids.
         std::vector<Terms> sums(segment.size(), Terms::Zero());
         double weight = 0;
         double mean_residual = 0;
@@ -130,7 +130,7 @@ void take_fourth(const DriftTerms& terms_of_fit, DriftFunction& found) {
     found.covariance = of_terms * covariance * of_terms.transpose();
 }
 
-// Adds the information of the residual angles on all five drift_terms, if they separate them.
+// Adds the information of the residual angles on all five terms, if they separate them.
 void add_eighth(const Normal& normal, DriftFunction& found) {
     const double unit = normal.information(0, 0);
     if (!(unit > 0)) {
