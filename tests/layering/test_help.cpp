@@ -246,8 +246,8 @@ void TestHelp::theOptionsAreThoseOfTheCommandLine() {
     QStringList all =
         analyze + optionsOf("info") + optionsOf("simulate") + optionsOf("identify") +
         optionsOf("compare") + optionsOf("batch") +
-        QStringList{"--figure",  "--report",      "--gyro",   "--operator",
-                    "--comment", "--screenshots", "--windows"};  // those of the desktop program
+        QStringList{"--figure",   "--report",  "--gyro",
+                    "--operator", "--comment", "--windows"};  // those of the desktop program
     all.removeDuplicates();
     all.sort();
     for (const QString& language : languages) {
