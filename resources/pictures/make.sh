@@ -7,7 +7,7 @@ program=$(realpath "${1:?usage: make.sh VYBEG-PICTURES}")
 cd "$(dirname "${BASH_SOURCE[0]}")"
 shots=$(mktemp -d)
 trap 'rm -rf "$shots"' EXIT
-"$program" --size 1280x720 --scale 1 "$shots"
+"$program" --size 1280x720 --pixel-ratio 1 "$shots"
 
 # picture FROM TO [CROP]
 picture() {

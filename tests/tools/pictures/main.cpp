@@ -12,6 +12,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct CommandLine {
     std::vector<std::string> files;
     std::vector<std::string> sizes{"1280x720", "1600x1000", "1920x1080", "2560x1440"};
     std::vector<int> scales{1, 2};
+    bool session = false;
     OpenOptions open;
 };
 
@@ -54,9 +56,11 @@ void describe(CLI::App& app, CommandLine& line) {
     app.add_option("--size", line.sizes, "Sizes of the window, WIDTHxHEIGHT,...")
         ->delimiter(',')
         ->capture_default_str();
-    app.add_option("--scale", line.scales, "Pixels of the screen for each of the window, N,...")
+    app.add_option("--pixel-ratio", line.scales, "Pixels of the screen for each of the window, N,...")
         ->delimiter(',')
         ->capture_default_str();
+    app.add_flag("--session", line.session,
+                 "Write the session of the recordings into DIR, and no pictures");
     cli::add_open_options(app, line.open);
 }
 
@@ -93,7 +97,11 @@ int run_one(const CommandLine& line, int argc, char** argv) {
     if (!QDir().mkpath(line.folder)) {
         throw std::runtime_error("The folder cannot be made: " + line.folder.toStdString());
     }
-    test::make_pictures(request);
+    if (line.session) {
+        test::save_session(request);
+    } else {
+        test::make_pictures(request);
+    }
     return 0;
 }
 
@@ -111,8 +119,9 @@ int main(int argc, char** argv) {
         if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
             qputenv("QT_QPA_PLATFORM", "offscreen");
         }
-        return qEnvironmentVariableIsSet(scale_variable) ? run_one(line, argc, argv)
-                                                         : run_scales(line, argc, argv);
+        return line.session || qEnvironmentVariableIsSet(scale_variable)
+                   ? run_one(line, argc, argv)
+                   : run_scales(line, argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     } catch (const std::exception& error) {

@@ -11,6 +11,7 @@
 #include "ui/history/history_page.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
+#include "ui/session/session_keeper.h"
 #include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/window/file_commands.h"
@@ -122,7 +123,9 @@ std::vector<PagePicture> pages_of(const MainWindow& window) {
 
 // The status line holds how long the work took, which no two runs share.
 void clear_status(MainWindow& window) {
-    window.document().report({Severity::info, [] { return QString(); }});
+    Message nothing;
+    nothing.text = [] { return QString(); };
+    window.document().report(nothing);
 }
 
 // Cursors and an identified resonator: all that a page can show.
@@ -243,7 +246,34 @@ void picture_all(MainWindow& window, const char* content, const PictureRequest& 
     }
 }
 
+// Files to show, with paths as short as the current folder allows.
+struct Shown {
+    QStringList one;
+    QStringList all;
+};
+
+Shown shown_files(const QStringList& recordings, const QDir& own) {
+    return recordings.isEmpty() ? Shown{{write_demonstration(own)}, write_simulated_set(own)}
+                                : Shown{recordings.mid(0, 1), recordings};
+}
+
 }  // namespace
+
+void save_session(const PictureRequest& request) {
+    const GuiTestHome home;
+    const Shown files = shown_files(request.recordings, QDir(home.path({})));
+    Document document;
+    MainWindow window(document);
+    window.setLanguage(QStringLiteral("en"));
+    window.resize(request.sizes.front());
+    window.show();
+    fill(window, files.all, request.open);
+    const QString path = request.folder.filePath(QStringLiteral("session.vybeg"));
+    if (!window.session().save(path)) {
+        throw std::runtime_error("The session cannot be written: " + path.toStdString());
+    }
+    document.cancel();
+}
 
 void make_pictures(const PictureRequest& request) {
     // Paths that a window shows are short and the same in every run.
@@ -251,29 +281,25 @@ void make_pictures(const PictureRequest& request) {
     const QDir own(home.path({}));
     QDir::setCurrent(own.path());
     QApplication::setCursorFlashTime(0);
-    const QStringList one = request.recordings.isEmpty() ? QStringList{write_demonstration(own)}
-                                                         : request.recordings.mid(0, 1);
-    const QStringList all =
-        request.recordings.isEmpty() ? write_simulated_set(own) : request.recordings;
+    const Shown files = shown_files(request.recordings, own);
     const QString database = QStringLiteral("laboratory.db");
     if (const Status made = write_pictured_history(database.toStdString()); !made) {
         throw std::runtime_error(english(made.error()));
     }
     LayoutTable table(request.folder);
-    for (const auto& [content, files] : {std::pair{"none", QStringList()}, std::pair{"one", one},
-                                         std::pair{"all", all.size() > 1 ? all : QStringList()}}) {
-        const bool several = files.size() > 1;
-        if (files.isEmpty() && content != std::string("none")) {
-            continue;
-        }
+    std::vector<std::pair<const char*, QStringList>> contents{{"none", {}}, {"one", files.one}};
+    if (files.all.size() > 1) {
+        contents.emplace_back("all", files.all);
+    }
+    for (const auto& [content, recordings] : contents) {
         Document document;
         MainWindow window(document);
         window.show();
-        fill(window, files, request.open);
+        fill(window, recordings, request.open);
         // The page without a database belongs to one recording.
-        if (several) {
+        if (recordings.size() > 1) {
             show_history(window, database);
-            start_pictured_batch(window, files);
+            start_pictured_batch(window, recordings);
             settle(window);
         }
         clear_status(window);

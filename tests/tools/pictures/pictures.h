@@ -25,4 +25,8 @@ struct PictureRequest {
 // where a file cannot be written or the window does not come to rest.
 void make_pictures(const PictureRequest& request);
 
+// Writes the session of the recordings as one set, identified, with two cursors: session.vybeg in
+// the folder. Otherwise as make_pictures().
+void save_session(const PictureRequest& request);
+
 }  // namespace vybeg::test
