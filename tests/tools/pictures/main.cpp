@@ -56,7 +56,8 @@ void describe(CLI::App& app, CommandLine& line) {
     app.add_option("--size", line.sizes, "Sizes of the window, WIDTHxHEIGHT,...")
         ->delimiter(',')
         ->capture_default_str();
-    app.add_option("--pixel-ratio", line.scales, "Pixels of the screen for each of the window, N,...")
+    app.add_option("--pixel-ratio", line.scales,
+                   "Pixels of the screen for each of the window, N,...")
         ->delimiter(',')
         ->capture_default_str();
     app.add_flag("--session", line.session,

@@ -9,6 +9,7 @@
 #include "ui/batch/batch_window.h"
 #include "ui/document/document.h"
 #include "ui/history/history_page.h"
+#include "ui/panels/analysis_list.h"
 #include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
 #include "ui/session/session_keeper.h"
@@ -23,8 +24,10 @@
 #include <QDeadlineTimer>
 #include <QFile>
 #include <QKeyEvent>
+#include <QLockFile>
 #include <QPushButton>
 #include <QSaveFile>
+#include <QSignalBlocker>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
@@ -51,6 +54,20 @@ bool working(MainWindow& window) {
            window.findChild<HistoryPage*>()->reading() || (batch && batch->running());
 }
 
+// The times that the analyses took, which no two runs share, become equal.
+void level_times(const MainWindow& window) {
+    auto* list = window.findChild<AnalysisList*>();
+    const QSignalBlocker quiet(list);  // a changed text is a new name
+    for (int column = 0; column < list->columnCount(); ++column) {
+        const QString head = list->headerItem()->text(column);
+        if (head.endsWith(QStringLiteral(", ms")) || head.endsWith(QStringLiteral(", мс"))) {
+            for (int row = 0; row < list->topLevelItemCount(); ++row) {
+                list->topLevelItem(row)->setText(column, QStringLiteral("1"));
+            }
+        }
+    }
+}
+
 // Runs the event loop until the window has no work left and its picture, or that of its window
 // `pictured`, stays the same.
 QImage settled(MainWindow& window, QWidget& pictured) {
@@ -65,6 +82,7 @@ QImage settled(MainWindow& window, QWidget& pictured) {
         }
         QCoreApplication::processEvents();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        level_times(window);
         const QImage now = pictured.grab().toImage();
         if (now == last && !working(window)) {
             return now;
@@ -132,13 +150,16 @@ void clear_status(MainWindow& window) {
 void fill(MainWindow& window, const QStringList& files, const OpenOptions& open) {
     Document& document = window.document();
     document.setLive(false);
-    window.files().open(files, open);
-    settle(window);
+    for (const QString& file : files) {  // opened together, the last to arrive is the current one
+        window.files().open({file}, open);
+        settle(window);
+    }
     std::vector<ui::RecordingId> ids;
     for (const RecordingEntry& entry : document.recordings()) {
         ids.push_back(entry.id);
     }
     if (!ids.empty()) {
+        document.setCurrentRecording(ids.front());
         document.sets().addToCurrent(ids);
         document.sets().identify();
         auto& tracks = *window.findChild<TrackView*>();
@@ -246,7 +267,33 @@ void picture_all(MainWindow& window, const char* content, const PictureRequest& 
     }
 }
 
-// Files to show, with paths as short as the current folder allows.
+// The current folder while it exists, at a path that is the same in every run, as the window shows
+// it. One process has it at a time.
+class CurrentFolder {
+public:
+    CurrentFolder() {
+        lock_.setStaleLockTime(0);
+        lock_.lock();
+        folder_.removeRecursively();
+        if (!QDir().mkpath(folder_.path()) || !QDir::setCurrent(folder_.path())) {
+            throw std::runtime_error("The folder cannot be made: " + folder_.path().toStdString());
+        }
+    }
+    CurrentFolder(const CurrentFolder&) = delete;
+    CurrentFolder& operator=(const CurrentFolder&) = delete;
+    ~CurrentFolder() {
+        QDir::setCurrent(QDir::tempPath());
+        folder_.removeRecursively();
+    }
+
+    const QDir& folder() const { return folder_; }
+
+private:
+    QLockFile lock_{QDir::temp().filePath(QStringLiteral("vybeg-pictures.lock"))};
+    QDir folder_{QDir::temp().filePath(QStringLiteral("vybeg-pictures"))};
+};
+
+// Files to show.
 struct Shown {
     QStringList one;
     QStringList all;
@@ -261,7 +308,8 @@ Shown shown_files(const QStringList& recordings, const QDir& own) {
 
 void save_session(const PictureRequest& request) {
     const GuiTestHome home;
-    const Shown files = shown_files(request.recordings, QDir(home.path({})));
+    const CurrentFolder own;
+    const Shown files = shown_files(request.recordings, own.folder());
     Document document;
     MainWindow window(document);
     window.setLanguage(QStringLiteral("en"));
@@ -276,12 +324,10 @@ void save_session(const PictureRequest& request) {
 }
 
 void make_pictures(const PictureRequest& request) {
-    // Paths that a window shows are short and the same in every run.
     const GuiTestHome home;
-    const QDir own(home.path({}));
-    QDir::setCurrent(own.path());
+    const CurrentFolder own;
     QApplication::setCursorFlashTime(0);
-    const Shown files = shown_files(request.recordings, own);
+    const Shown files = shown_files(request.recordings, own.folder());
     const QString database = QStringLiteral("laboratory.db");
     if (const Status made = write_pictured_history(database.toStdString()); !made) {
         throw std::runtime_error(english(made.error()));
