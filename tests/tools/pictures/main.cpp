@@ -88,6 +88,7 @@ int run_scales(const CommandLine& line, int argc, char** argv) {
 
 int run_one(const CommandLine& line, int argc, char** argv) {
     QApplication application(argc, argv);
+    QCoreApplication::setApplicationVersion(QStringLiteral(VYBEG_VERSION));
     test::PictureRequest request{QDir(line.folder), {}, line.open, {}};
     for (const std::string& file : line.files) {
         request.recordings << absolute(file);
