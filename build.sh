@@ -41,7 +41,9 @@ Usage: ./build.sh COMMAND
                 build, then run the tests without a display, all but the long ones (label `long`); with
                 folders of tests/ (core/recording, core/recording/text, ui/plots) build and run those
                 alone; last line "N passed, M failed"
-  test-all      the same, the long ones too
+  test-quick [FOLDER...]
+                the same, without the statistical ones
+  test-all      the same, the statistical and the long ones, too
   test-sanitized [FOLDER...]
                 the same under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan,
                 without the long and the statistical tests
@@ -258,6 +260,7 @@ make_package() {
 case "${1:-}" in
     run) run_program ;;
     test) run_tests release long "${@:2}" ;;
+    test-quick) run_tests release 'statistical|long' "${@:2}" ;;
     test-all) run_tests release "" ;;
     test-sanitized) run_tests asan 'statistical|long' "${@:2}" ;;
     test-threads) run_tests tsan "" ;;

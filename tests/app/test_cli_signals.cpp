@@ -85,10 +85,10 @@ private slots:
         }
         bool given = false;
         const int wanted = qEnvironmentVariableIntValue("VYBEG_SIGNALS", &given);
-        const std::size_t signals = given ? static_cast<std::size_t>(wanted) : 30;
-        const std::size_t moments = signals / works.size();  // of each work
+        const std::size_t sent = given ? static_cast<std::size_t>(wanted) : 30;
+        const std::size_t moments = sent / works.size();  // of each work
         const std::array kinds{SIGINT, SIGTERM, SIGHUP};
-        for (std::size_t k = 0; k < signals; ++k) {
+        for (std::size_t k = 0; k < sent; ++k) {
             const Work& work = works[k % works.size()];
             const std::size_t moment = k / works.size();
             const double share = (static_cast<double>(moment) + 0.5) / static_cast<double>(moments);
@@ -100,7 +100,7 @@ private slots:
         }
         qInfo("%d interrupted, %d finished, %d ended before main()", interrupted_, finished_,
               before_main_);
-        VYBEG_AT_LEAST(interrupted_, static_cast<int>(signals / 6),
+        VYBEG_AT_LEAST(interrupted_, static_cast<int>(sent / 6),
                        "too few signals met a run at work for the test to mean much");
     }
 

@@ -8,7 +8,7 @@
 namespace vybeg::fuzz {
 namespace {
 
-constexpr std::int64_t most_read = std::int64_t{1} << 16;
+constexpr std::int64_t most_frames = std::int64_t{1} << 16;
 
 // As the program does it: the catalogue and each answer in the form in which they are sent.
 Verdict read_through(HelperFile& file) {
@@ -18,7 +18,7 @@ Verdict read_through(HelperFile& file) {
     }
     for (std::size_t i = 0; i < catalogue->variables.size(); ++i) {
         const FileVariable& variable = catalogue->variables[i];
-        const std::int64_t count = std::min(variable.frames, most_read);
+        const std::int64_t count = std::min(variable.frames, most_frames);
         for (const std::int64_t channel : {std::int64_t{0}, variable.channels - 1}) {
             for (const std::int64_t first : {std::int64_t{0}, variable.frames - count}) {
                 const SampleRequest request{static_cast<std::int64_t>(i), channel, first, count};

@@ -30,10 +30,10 @@ bool mayUseHdf5(const SourceFile& file) {
 }
 
 // The folders of core/ and of ui/, by their top folder.
-using Order = QMap<QString, QStringList>;
+using FolderOrder = QMap<QString, QStringList>;
 
 // An include within core/ or within ui/.
-QString orderViolation(const SourceFile& file, const QString& header, const Order& order) {
+QString orderViolation(const SourceFile& file, const QString& header, const FolderOrder& order) {
     const QStringList& folders = order[file.top()];
     const auto other = folders.indexOf(header.section('/', 0, -2));
     return other < 0 || other > folders.indexOf(file.folder())
@@ -41,7 +41,7 @@ QString orderViolation(const SourceFile& file, const QString& header, const Orde
                : QString();
 }
 
-QString violation(const SourceFile& file, const Include& include, const Order& order) {
+QString violation(const SourceFile& file, const Include& include, const FolderOrder& order) {
     const QString top = file.top();
     const QString& header = include.header;
     if (top == "tests") {
@@ -68,7 +68,7 @@ QString violation(const SourceFile& file, const Include& include, const Order& o
                                                     : QString();
 }
 
-QStringList ofFile(const SourceFile& file, const Order& order) {
+QStringList ofFile(const SourceFile& file, const FolderOrder& order) {
     QStringList found;
     if (order.contains(file.top()) && !order[file.top()].contains(file.folder())) {
         found += QString("%1:1: its folder is not in %2/CMakeLists.txt").arg(file.path, file.top());
@@ -125,7 +125,7 @@ QStringList ofClasses(const QList<SourceFile>& files, const ClassCeilings& ceili
 }  // namespace
 
 QStringList layeringViolations(const QDir& root, const ClassCeilings& ceilings) {
-    const Order order{{"core", foldersInOrder(root, "core")}, {"ui", foldersInOrder(root, "ui")}};
+    const FolderOrder order{{"core", foldersInOrder(root, "core")}, {"ui", foldersInOrder(root, "ui")}};
     const QList<SourceFile> files = readSources(root);
     QStringList found;
     for (const SourceFile& file : files) {

@@ -44,4 +44,9 @@ QString GuiTestHome::file(const QString& name, const QByteArray& content) const 
     return path(name);
 }
 
+void deliverPosted() {
+    QCoreApplication::sendPostedEvents();
+    QCoreApplication::processEvents();
+}
+
 }  // namespace vybeg::ui

@@ -26,4 +26,8 @@ private:
     QTemporaryDir folder_;
 };
 
+// Lets what is posted to the window's thread arrive: all that is still to come where no work is
+// under way.
+void deliverPosted();
+
 }  // namespace vybeg::ui

@@ -38,11 +38,6 @@ std::unique_ptr<MainWindow> shownWindow() {
     return window;
 }
 
-void deliverPosted() {
-    QCoreApplication::sendPostedEvents();
-    QCoreApplication::processEvents();
-}
-
 bool exportPlotsTo(MainWindow& window, const QString& path) {
     const FigureSource source = childOf<TracksPage>(window).figures();
     std::vector<int> all(static_cast<std::size_t>(source.plots.size()));

@@ -41,10 +41,6 @@ public:
 
 std::unique_ptr<MainWindow> shownWindow();
 
-// Lets what is posted to the window's thread arrive: all that is still to come where no work is
-// under way.
-void deliverPosted();
-
 // All plots of the page of the tracks, in the size they propose, as the window writes them.
 bool exportPlotsTo(MainWindow& window, const QString& path);
 
