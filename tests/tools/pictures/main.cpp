@@ -55,10 +55,12 @@ void describe(CLI::App& app, CommandLine& line) {
                    "Recordings to show; none: the demonstration, and a simulated set of four");
     app.add_option("--size", line.sizes, "Sizes of the window, WIDTHxHEIGHT,...")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->capture_default_str();
     app.add_option("--pixel-ratio", line.scales,
                    "Pixels of the screen for each of the window, N,...")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->capture_default_str();
     app.add_flag("--session", line.session,
                  "Write the session of the recordings into DIR, and no pictures");

@@ -131,11 +131,12 @@ void TestLayout::framesAreNeverEmpty() {
 void TestLayout::theScaleOfTheScreenChangesNoShare() {
     const auto window = window_with_plot({100, 50, 200, 100});
     QImage picture = plain_picture(*window, 2);
+    // Two columns of the screen: ink at the first, and after the second.
     QPainter(&picture).fillRect(20, 0, 1, 200, Qt::black);
     const Layout layout = measure_layout(*window, picture);
     VYBEG_CLOSE(layout.frame_share, 0.25, exact);
     VYBEG_CLOSE(layout.inkless_share, 0.75 - 2 / 800., exact);
-    VYBEG_CLOSE(layout.blank_share, 0.75 - (2 + 4 * blank_reach) / 800., exact);
+    VYBEG_CLOSE(layout.blank_share, 0.75 - (3 + 4 * blank_reach) / 800., exact);
 }
 
 void TestLayout::aRowHasAFieldForEachName() {
