@@ -153,13 +153,16 @@ void fill(MainWindow& window, const QStringList& files, const OpenOptions& open)
     for (const QString& file : files) {  // opened together, the last to arrive is the current one
         window.files().open({file}, open);
         settle(window);
+        if (document.recordings().empty()) {
+            throw std::runtime_error(file.toStdString() + " cannot be opened.");
+        }
     }
     std::vector<ui::RecordingId> ids;
     for (const RecordingEntry& entry : document.recordings()) {
         ids.push_back(entry.id);
     }
     if (!ids.empty()) {
-        document.setCurrentRecording(ids.front());
+        document.setCurrentRecording(ids.back());  // its analysis is the chosen one
         document.sets().addToCurrent(ids);
         document.sets().identify();
         auto& tracks = *window.findChild<TrackView*>();
