@@ -3,7 +3,6 @@
 #include "app/gui_analysis.h"
 #include "app/gui_figure.h"
 #include "app/gui_report.h"
-#include "app/gui_screenshots.h"
 #include "app/option_values.h"
 #include "app/process_guard.h"
 #include "core/analysis/idle_options.h"
@@ -19,7 +18,6 @@
 
 #include <QApplication>
 #include <QIcon>
-#include <QProcess>
 
 #include <CLI/CLI.hpp>
 
@@ -60,7 +58,6 @@ struct Requested {
     std::string gyro;
     std::string engineer;
     std::string comment;
-    std::string screenshots;
     IdentifySettings identify;  // its tolerances
 };
 
@@ -110,14 +107,8 @@ void describe(CLI::App& app, Requested& requested) {
         ->excludes(app.get_option("--window"))
         ->excludes(app.get_option("--periods"));
     add_report_options(app, requested);
-    app.add_option("--screenshots", requested.screenshots,
-                   "Write a picture of every page into this folder, in both languages, themes and "
-                   "scales; without FILE of simulated recordings")
-        ->type_name("DIR")
-        ->excludes(app.get_option("--figure"))
-        ->excludes(app.get_option("--report"));
     app.footer(
-        "Without --figure, --report and --screenshots the window opens, on the recordings named.\n"
+        "Without --figure and --report the window opens, on the recordings named.\n"
         "Exit status: 0 done, 2 wrong usage, 3 the input cannot be read, 4 the analysis is "
         "impossible,\n5 the output cannot be written, 130 interrupted.");
 }
@@ -214,31 +205,6 @@ int report_mode(int argc, char** argv, const Requested& requested) {
     return drawing_mode(argc, argv, [&](auto stop) { return write_report(report, stop); });
 }
 
-// Scale 1 in this program, scale 2, which Qt reads at its start, in another.
-int screenshot_mode(int argc, char** argv, const ScreenshotRequest& request) {
-    if (!platform_chosen()) {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-    }
-    constexpr const char* scale = "QT_SCALE_FACTOR";
-    const bool both_scales = !qEnvironmentVariableIsSet(scale);
-    std::optional<PlatformSearch> search(std::in_place, false);
-    QApplication application(argc, argv);
-    search.reset();
-    name_application();
-    int status = take_screenshots(request);
-    if (status == 0 && both_scales) {
-        QProcess twice;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(QLatin1String(scale), QStringLiteral("2"));
-        twice.setProcessEnvironment(environment);
-        twice.setProcessChannelMode(QProcess::ForwardedChannels);
-        twice.start(QCoreApplication::applicationFilePath(), QCoreApplication::arguments().mid(1));
-        twice.waitForFinished(-1);
-        status = twice.exitStatus() == QProcess::NormalExit ? twice.exitCode() : 1;
-    }
-    return status;
-}
-
 int window_mode(int argc, char** argv, const FigureRequest& request, const Tolerance& tolerance) {
     std::optional<PlatformSearch> search(std::in_place, true);
     QApplication application(argc, argv);
@@ -283,9 +249,6 @@ int run(int argc, char** argv) {
     const FigureRequest& request = requested.figure;
     if (const Status valid = validate(request.settings); !valid) {
         return usage(english(valid.error()));
-    }
-    if (!requested.screenshots.empty()) {
-        return screenshot_mode(argc, argv, {requested.screenshots, request.inputs, request.open});
     }
     if (!request.figure.empty()) {
         return figure_mode(argc, argv, requested);

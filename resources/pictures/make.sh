@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# The pictures of README and help, from the program: resources/pictures/make.sh VYBEG
+# The pictures of README and help, from the program vybeg-pictures:
+# resources/pictures/make.sh build/release/bin/vybeg-pictures
 # Needs ImageMagick (convert).
 set -euo pipefail
-program=$(realpath "${1:?usage: make.sh VYBEG}")
+program=$(realpath "${1:?usage: make.sh VYBEG-PICTURES}")
 cd "$(dirname "${BASH_SOURCE[0]}")"
 shots=$(mktemp -d)
 trap 'rm -rf "$shots"' EXIT
-QT_QPA_PLATFORM=offscreen "$program" --screenshots "$shots"
+"$program" --size 1280x720 --pixel-ratio 1 "$shots"
 
 # picture FROM TO [CROP]
 picture() {

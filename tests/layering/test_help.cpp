@@ -243,11 +243,10 @@ void TestHelp::everyQuotedMessageIsOneOfTheProgram() {
 void TestHelp::theOptionsAreThoseOfTheCommandLine() {
     const QStringList analyze = optionsOf("analyze");
     QVERIFY(analyze.contains("--algorithm"));
-    QStringList all =
-        analyze + optionsOf("info") + optionsOf("simulate") + optionsOf("identify") +
-        optionsOf("compare") + optionsOf("batch") +
-        QStringList{"--figure",  "--report",      "--gyro",   "--operator",
-                    "--comment", "--screenshots", "--windows"};  // those of the desktop program
+    QStringList all = analyze + optionsOf("info") + optionsOf("simulate") + optionsOf("identify") +
+                      optionsOf("compare") + optionsOf("batch") +
+                      QStringList{"--figure",  "--report", "--gyro", "--operator",
+                                  "--comment", "--windows"};  // those of the desktop program
     all.removeDuplicates();
     all.sort();
     for (const QString& language : languages) {

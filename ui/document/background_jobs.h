@@ -125,6 +125,8 @@ public:
     void run(int key, std::function<Result<Value>(const JobControl&)> work,
              std::function<void(Result<Value>)> done);
 
+    // Whether a job is under way or its result is still to be delivered.
+    bool busy() const { return !tasks_.empty(); }
     // Stops all jobs about a key without a result.
     void forget(int key);
     void forgetLive(int key);

@@ -74,6 +74,8 @@ public:
     void setVisibleRange(const TimeRange& visible) { live_.setVisibleRange(visible); }
     void cancel();
     bool busy() const { return queue_.busy(); }
+    // Whether any job is under way: analyses, and what is read, checked or written besides.
+    bool working() const { return queue_.busy() || job_.busy(); }
     double progress() const { return queue_.progress(); }
     std::optional<double> secondsLeft() const { return queue_.secondsLeft(); }
 

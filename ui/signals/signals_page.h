@@ -38,6 +38,8 @@ public:
     // Draws the cursors again.
     void showCursors();
     SignalsView& view() const { return *view_; }
+    // Whether samples are being read, or are about to be.
+    bool reading() const { return reading_ || pause_.isActive(); }
 
     FigureSource figures() const;
 

@@ -1,14 +1,17 @@
-#include "app/gui_pictured_batch.h"
+#include "tests/tools/pictures/pictured_batch.h"
 
 #include "ui/batch/batch_window.h"
 #include "ui/document/document.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFile>
 #include <QPushButton>
 
-namespace vybeg::cli {
+#include <stdexcept>
+
+namespace vybeg::test {
 
 namespace {
 
@@ -39,17 +42,19 @@ QByteArray list_of(const QStringList& recordings) {
 
 }  // namespace
 
-void start_pictured_batch(MainWindow& window, const QStringList& recordings, const QDir& folder) {
-    QFile list(folder.filePath(QStringLiteral("campaign.csv")));
-    if (!list.open(QIODevice::WriteOnly) || list.write(list_of(recordings)) < 0) {
-        return;
+void start_pictured_batch(MainWindow& window, const QStringList& recordings) {
+    const QString list = QStringLiteral("campaign.csv");
+    const QString passports = QStringLiteral("passports");
+    QFile file(list);
+    if (!file.open(QIODevice::WriteOnly) || file.write(list_of(recordings)) < 0 ||
+        !QDir().mkpath(passports)) {
+        throw std::runtime_error(file.errorString().toStdString());
     }
-    list.close();
+    file.close();
     window.action(Command::batch)->trigger();
     auto& batch = *window.findChild<BatchWindow*>();
-    batch.form().setPath(BatchPath::list, list.fileName());
-    const QString passports = folder.filePath(QStringLiteral("passports"));
-    folder.mkpath(passports);
+    batch.form().setPath(BatchPath::list, list);
+    batch.form().setPath(BatchPath::results, QStringLiteral("campaign_results.csv"));
     batch.form().setPath(BatchPath::passports, passports);
     window.document().sets().savePassport(
         QDir(passports).filePath(QStringLiteral("HRG-17.json")), [&batch](const Status&) {
@@ -57,4 +62,4 @@ void start_pictured_batch(MainWindow& window, const QStringList& recordings, con
         });
 }
 
-}  // namespace vybeg::cli
+}  // namespace vybeg::test

@@ -1,4 +1,4 @@
-#include "app/gui_pictured_history.h"
+#include "tests/tools/pictures/pictured_history.h"
 
 #include "core/database/results_database.h"
 #include "core/resonator/results/resonator_parameters.h"
@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-namespace vybeg::cli {
+namespace vybeg::test {
 namespace {
 
 constexpr int results = 48;
@@ -50,4 +50,4 @@ Status write_pictured_history(const std::filesystem::path& path) {
     return {};
 }
 
-}  // namespace vybeg::cli
+}  // namespace vybeg::test

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-namespace vybeg::cli {
+namespace vybeg::test {
 
 // A small laboratory's database of simulated results for the pictures: two gyros, one of which has
 // a result outside its limits. Errors: those of ResultsDatabase.
 Status write_pictured_history(const std::filesystem::path& path);
 
-}  // namespace vybeg::cli
+}  // namespace vybeg::test

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QDir>
+#include <QString>
+#include <QStringList>
+
+namespace vybeg::test {
+
+// Simulated recordings for the pictures, written into a folder. Both throw std::runtime_error where
+// a file cannot be written.
+
+// That of `vybeg-cli simulate --demo`.
+QString write_demonstration(const QDir& folder);
+
+// Four of one resonator, started at different angles.
+QStringList write_simulated_set(const QDir& folder);
+
+}  // namespace vybeg::test
