@@ -1,6 +1,6 @@
 #include "core/analysis/window_mean.h"
 
-#include <Eigen/QR>
+#include "core/numerics/dense_solvers.h"
 
 #include <algorithm>
 #include <cmath>

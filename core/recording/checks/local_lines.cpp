@@ -1,9 +1,8 @@
 #include "core/recording/checks/local_lines.h"
 
+#include "core/numerics/dense_solvers.h"
 #include "core/numerics/fft.h"
 #include "core/numerics/median.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,7 @@
 #include "core/recording/checks/sample_prediction.h"
 
-#include <Eigen/Cholesky>
+#include "core/numerics/dense_solvers.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>

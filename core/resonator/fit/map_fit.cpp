@@ -1,6 +1,6 @@
 #include "core/resonator/fit/map_fit.h"
 
-#include <Eigen/Cholesky>
+#include "core/numerics/dense_solvers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "core/resonator/fit/posterior.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/numerics/dense_solvers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ namespace {
 Eigen::MatrixXd inverse_root(const Eigen::MatrixXd& matrix) {
     const Eigen::VectorXd unit =
         matrix.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit.asDiagonal() * matrix *
-                                                               unit.asDiagonal());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+        Eigen::MatrixXd(unit.asDiagonal() * matrix * unit.asDiagonal()));
     return unit.asDiagonal() * eigen.eigenvectors() *
            eigen.eigenvalues().cwiseMax(1e-14).cwiseSqrt().cwiseInverse().asDiagonal();
 }

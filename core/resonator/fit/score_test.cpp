@@ -1,6 +1,6 @@
 #include "core/resonator/fit/score_test.h"
 
-#include <Eigen/Cholesky>
+#include "core/numerics/dense_solvers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/resonator/fit/unseen_directions.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/numerics/dense_solvers.h"
 
 #include <algorithm>
 #include <array>

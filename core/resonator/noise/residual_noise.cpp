@@ -1,7 +1,7 @@
 #include "core/resonator/noise/residual_noise.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include "core/numerics/dense_solvers.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ double log_likelihood(const Spectrum& at, double a) {
     double quadratic = square(0, 0);
     const Index absorbed = square.rows() - 1;
     if (absorbed > 0) {
-        const Eigen::LLT<MatrixXd> inner(square.bottomRightCorner(absorbed, absorbed));
+        const Eigen::LLT<MatrixXd> inner(MatrixXd(square.bottomRightCorner(absorbed, absorbed)));
         const VectorXd cross = square.col(0).tail(absorbed);
         quadratic -= cross.dot(inner.solve(cross));
         log_determinant += 2 * inner.matrixLLT().diagonal().array().log().sum();
@@ -67,7 +67,7 @@ double log_likelihood(const Spectrum& at, double a) {
 
 Block block_of(const ResidualSeries& run, std::size_t series, const MatrixXd& root) {
     const MatrixXd seen = run.by_parameter[series] * root;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> principal(seen.transpose() * seen);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> principal(MatrixXd(seen.transpose() * seen));
     const VectorXd& share = principal.eigenvalues();
     Index absorbed = 0;
     while (absorbed < share.size() && share[share.size() - 1 - absorbed] > absorbed_share) {

@@ -1,6 +1,6 @@
 #include "core/resonator/runs/between_windows.h"
 
-#include <Eigen/QR>
+#include "core/numerics/dense_solvers.h"
 
 #include <array>
 #include <cmath>

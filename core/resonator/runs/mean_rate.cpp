@@ -1,6 +1,6 @@
 #include "core/resonator/runs/mean_rate.h"
 
-#include <Eigen/Dense>
+#include "core/numerics/dense_solvers.h"
 
 #include <algorithm>
 #include <cmath>

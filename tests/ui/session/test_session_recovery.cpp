@@ -121,7 +121,7 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestSessionRecovery, long)
+VYBEG_TEST(TestSessionRecovery)
 
 }  // namespace test_session_recovery
 

@@ -1,0 +1,15 @@
+#include "core/numerics/dense_solvers.h"
+
+namespace Eigen {
+
+template class SelfAdjointEigenSolver<MatrixXd>;
+template SelfAdjointEigenSolver<MatrixXd>& SelfAdjointEigenSolver<MatrixXd>::compute(
+    const EigenBase<MatrixXd>&, int);
+template class LDLT<MatrixXd>;
+template LDLT<MatrixXd>& LDLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
+template class LLT<MatrixXd>;
+template LLT<MatrixXd>& LLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
+template class HouseholderQR<MatrixXd>;
+template class ColPivHouseholderQR<MatrixXd>;
+
+}  // namespace Eigen
