@@ -30,12 +30,11 @@ void say(const char* text) {
 
 [[noreturn]] void last_words() {
     ErrorCode code = ErrorCode::out_of_memory;
-    try {
-        if (const auto exception = std::current_exception()) {
-            code = error_of(exception).code;
-        }
-    } catch (...) {
-        std::abort();  // a defect of the program: its core file tells more than a sentence
+    if (const auto exception = std::current_exception()) {
+        code = error_of(exception).code;
+    }
+    if (code == ErrorCode::program_fault) {
+        std::abort();  // its core file tells more than a sentence
     }
     say(program_invocation_short_name);
     say(": ");

@@ -1046,6 +1046,10 @@
         <translation>Система больше не запускает потоков. Увеличьте ограничение на число процессов или задайте меньшее число параметром --threads.</translation>
     </message>
     <message>
+        <source>A fault of Vybeg stopped this work (%1). Please report it, with the recording and the settings; all else goes on.</source>
+        <translation>Работа прервана из-за ошибки в программе Vybeg (%1). Сообщите о ней, приложив запись и параметры; всё остальное продолжает работать.</translation>
+    </message>
+    <message>
         <source>%1 cannot be written: %2. Nothing was changed there.</source>
         <translation>Не удалось записать %1: %2. Прежнее содержимое не изменено.</translation>
     </message>
@@ -3931,8 +3935,8 @@
         <translation>κ ±</translation>
     </message>
     <message>
-        <source>How well the gain ratio is known: relative standard deviation. Empty: 0.01, or exact where κ is not 1.</source>
-        <translation>Насколько точно известно отношение коэффициентов передачи: относительное СКО. Пусто: 0,01, а если κ не равно 1 — точно.</translation>
+        <source>How well the gain ratio is known: relative standard deviation. Empty: the number in grey.</source>
+        <translation>Насколько точно известно отношение коэффициентов передачи: относительное СКО. Пусто: число, показанное серым.</translation>
     </message>
     <message>
         <source>Tolerance of the gain ratio</source>

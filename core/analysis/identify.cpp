@@ -65,8 +65,8 @@ Result<Windows> windows_of(const Recording& recording, const SignalSettings& sig
 ChannelTolerance tolerance_of(const IdentifySettings& settings, double f_hz) {
     const Tolerance& tolerance = settings.tolerance;
     constexpr double degree = std::numbers::pi / 180;
-    const bool told = settings.signal.calibration.kappa != 1;
-    return {.kappa = tolerance.kappa.value_or(told ? 0 : ChannelTolerance{}.kappa),
+    return {.kappa = tolerance.kappa.value_or(
+                default_kappa_tolerance(settings.signal.calibration.kappa)),
             .skew_rad = tolerance.skew_deg * degree,
             .phase_rad = 2 * std::numbers::pi * f_hz * tolerance.delay_s,
             .crosstalk = tolerance.crosstalk,

@@ -1,6 +1,7 @@
 #include "core/analysis/tolerance.h"
 
 #include "core/base/number_text.h"
+#include "core/resonator/model/channel_tolerance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,10 @@ std::string names() {
 }
 
 }  // namespace
+
+double default_kappa_tolerance(double kappa) {
+    return kappa == 1 ? ChannelTolerance{}.kappa : 0;
+}
 
 Result<Tolerance> read_tolerance(std::string_view text) {
     const auto wrong = [text](const std::string& allowed) {

@@ -12,8 +12,7 @@ namespace vybeg {
 // How well the channels are known, in the units of the command line: standard deviations about the
 // calibrated pair. Zero: known exactly.
 struct Tolerance {
-    // Relative; none: 0.01, or 0 where the calibration tells a gain ratio other than 1.
-    std::optional<double> kappa;
+    std::optional<double> kappa;  // relative; none: default_kappa_tolerance()
     double skew_deg = 0;
     double delay_s = 0;
     double crosstalk = 0;
@@ -22,6 +21,9 @@ struct Tolerance {
 
     friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
+
+// Tolerance of the gain ratio where none is given: exact where the calibration gives a ratio other than 1.
+double default_kappa_tolerance(double kappa);
 
 // The tolerances besides kappa by their names on the command line: the single list that the
 // option, the settings and the window go through.

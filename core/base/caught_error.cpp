@@ -18,12 +18,16 @@ Error error_of(const std::exception_ptr& exception) {
         if (error.code() == std::errc::resource_unavailable_try_again) {
             return {ErrorCode::out_of_threads, {}, {}};
         }
-        throw;
+        return {ErrorCode::program_fault, {}, {error.what()}};
     } catch (const std::runtime_error& error) {
         if (typeid(error) == typeid(std::runtime_error)) {
             return {ErrorCode::out_of_threads, {}, {}};  // oneTBB's, of pthread_create
         }
-        throw;
+        return {ErrorCode::program_fault, {}, {error.what()}};
+    } catch (const std::exception& error) {
+        return {ErrorCode::program_fault, {}, {error.what()}};
+    } catch (...) {
+        return {ErrorCode::program_fault, {}, {"an exception without a text"}};
     }
 }
 

@@ -61,6 +61,7 @@ enum class ErrorCode {
     channel_without_samples,  // args: channel, C or D
     out_of_memory,
     out_of_threads,
+    program_fault,  // args: what the exception says
     // The output cannot be written: exit status 5.
     output_failed,          // args: reason
     output_format_unknown,  // args: ending

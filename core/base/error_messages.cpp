@@ -285,6 +285,11 @@ MessageRow message_row(ErrorCode code) {
                               "give a smaller number with --threads."),
                 VYBEG_MESSAGE("Message",
                               "The system starts no more threads. Raise the limit of processes.")};
+        case ErrorCode::program_fault:
+            return {"program-fault", impossible,
+                    VYBEG_MESSAGE("Message",
+                                  "A fault of Vybeg stopped this work (%1). Please report it, with "
+                                  "the recording and the settings; all else goes on.")};
         case ErrorCode::output_failed:
             return {
                 "output-failed", no_output,

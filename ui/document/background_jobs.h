@@ -5,6 +5,7 @@
 #include "core/analysis/inspect.h"
 #include "core/analysis/settings.h"
 #include "core/analysis/visible_first.h"
+#include "core/base/caught_error.h"
 #include "core/recording/envelope/envelope_builder.h"
 #include "core/recording/open/quick_overview.h"
 #include "core/recording/open/recording_preview.h"
@@ -20,10 +21,10 @@
 #include <QString>
 #include <QThreadPool>
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
-#include <new>
 #include <optional>
 #include <stop_token>
 #include <utility>
@@ -208,8 +209,8 @@ void BackgroundJobs::start(QThreadPool& pool, TaskId id,
             if (!ticket.stop.stop_requested()) {
                 result = work(ticket);
             }
-        } catch (const std::bad_alloc&) {
-            result = Error{ErrorCode::out_of_memory, {}, {}};
+        } catch (...) {
+            result = error_of(std::current_exception());
         }
         auto deliver = [this, ticket, result = std::move(result), done]() mutable {
             if (isStale(ticket)) {

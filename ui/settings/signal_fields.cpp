@@ -215,8 +215,8 @@ void CalibrationFields::addTolerances() {
     addWide(tolerances_title_);
     kappa_tolerance_ = addField(
         {QT_TR_NOOP("κ ±"), "",
-         QT_TR_NOOP("How well the gain ratio is known: relative standard deviation. Empty: 0.01, "
-                    "or exact where κ is not 1."),
+         QT_TR_NOOP("How well the gain ratio is known: relative standard deviation. Empty: the "
+                    "number in grey."),
          QT_TR_NOOP("Tolerance of the gain ratio")});
     kappa_tolerance_->setOptional(true);
     kappa_tolerance_->setLimits(0, 1);
@@ -263,8 +263,8 @@ void CalibrationFields::addTolerances() {
 void CalibrationFields::showTolerances() {
     const Tolerance& tolerance = state().tolerance;
     kappa_tolerance_->setValue(tolerance.kappa);
-    const bool told = state().settings.calibration.kappa != 1;
-    kappa_tolerance_->setPlaceholderText(QLocale().toString(told ? 0.0 : 0.01));
+    kappa_tolerance_->setPlaceholderText(
+        QLocale().toString(default_kappa_tolerance(state().settings.calibration.kappa)));
     for (const ToleranceField& each : tolerances_) {
         each.field->setValue(tolerance.*each.member / each.scale);
     }

@@ -108,7 +108,8 @@ std::optional<ClockField> parse_clock(std::string_view field) {
     int parts = 1;
     for (; !field.empty() && field.front() == ':' && parts < 3; ++parts) {
         field.remove_prefix(1);
-        const int part = small_number(take_while(field, is_digit), 61);
+        // Of seconds there are 61 where one is inserted.
+        const int part = small_number(take_while(field, is_digit), parts == 1 ? 60 : 61);
         if (part < 0) {
             return std::nullopt;
         }

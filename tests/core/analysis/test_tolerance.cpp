@@ -54,6 +54,11 @@ private slots:
         QVERIFY(read_tolerance("kappa=0")->kappa == 0.0);  // exact is not "as usual"
     }
 
+    void kappa_is_exact_where_a_ratio_is_given() {
+        QCOMPARE(default_kappa_tolerance(1), 0.01);
+        QCOMPARE(default_kappa_tolerance(1.01), 0.0);
+    }
+
     void its_text_reads_back() {
         Tolerance tolerance;
         QCOMPARE(tolerance_text(tolerance), std::string("none"));

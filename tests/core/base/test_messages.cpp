@@ -113,6 +113,7 @@ private slots:
         row(ErrorCode::file_changed, 3);
         row(ErrorCode::window_too_long, 4);
         row(ErrorCode::out_of_threads, 4);
+        row(ErrorCode::program_fault, 4);
         row(ErrorCode::output_failed, 5);
         row(ErrorCode::output_incomplete, 5);
         row(ErrorCode::interrupted_partly, 130);

@@ -262,6 +262,27 @@ private slots:
         QVERIFY(messages.wait(20000));
         QVERIFY(idle(document, 1));
     }
+
+    // A defect of the program reaches whoever waits for the result; the program goes on.
+    void a_fault_in_a_worker_is_an_error_of_its_job() {
+        BackgroundJobs jobs;
+        std::optional<Result<int>> faulty;
+        std::optional<Result<int>> sound;
+        jobs.run<int>(
+            1, [](const JobControl&) -> Result<int> { return std::vector<int>().at(3); },
+            [&](Result<int> result) { faulty = std::move(result); });
+        QVERIFY(QTest::qWaitFor([&] { return faulty.has_value(); }));
+        QVERIFY(!*faulty);
+        QCOMPARE(faulty->error().code, ErrorCode::program_fault);
+        QVERIFY2(faulty->error().args.at(0).text.starts_with("vector::_M_range_check"),
+                 faulty->error().args.at(0).text.c_str());
+        jobs.run<int>(
+            1, [](const JobControl&) -> Result<int> { return 7; },
+            [&](Result<int> result) { sound = std::move(result); });
+        QVERIFY(QTest::qWaitFor([&] { return sound.has_value(); }));
+        QVERIFY(*sound);
+        QCOMPARE(**sound, 7);
+    }
 };
 
 VYBEG_TEST(TestDocument, threads)

@@ -260,9 +260,10 @@ private slots:
         QTest::newRow("Russian") << QByteArray("01.05.2024 01:02:03") << 3723.0;
         QTest::newRow("afternoon") << QByteArray("5/1/2024 1:02:03.5 PM") << 46923.5;
         QTest::newRow("midnight") << QByteArray("12:00:01 AM") << 1.0;
+        QTest::newRow("inserted second") << QByteArray("23:59:60") << 86400.0;
         QTest::newRow("named month") << QByteArray("01-May-2024 01:02:03") << 3723.0;
-        for (const char* none :
-             {"12", "12.5", "12:30", "1:2:3:", "1.2.3", "25:61:00", "5/1/24 x"}) {
+        for (const char* none : {"12", "12.5", "12:30", "1:2:3:", "1.2.3", "25:61:00", "01:60:00",
+                                 "01:02:61", "5/1/24 x"}) {
             QTest::newRow(none) << QByteArray(none) << no_value;
         }
     }
