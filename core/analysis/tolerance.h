@@ -22,7 +22,8 @@ struct Tolerance {
     friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
 
-// Tolerance of the gain ratio where none is given: exact where the calibration gives a ratio other than 1.
+// Tolerance of the gain ratio where none is given: exact where the calibration gives a ratio other
+// than 1.
 double default_kappa_tolerance(double kappa);
 
 // The tolerances besides kappa by their names on the command line: the single list that the

@@ -2,6 +2,7 @@
 
 #include "core/analysis/list_fields.h"
 #include "core/output/stored_reason.h"
+#include "core/recording/samples/open_table.h"
 
 #include <nlohmann/json.hpp>
 
@@ -119,11 +120,44 @@ std::int64_t write_head(const SqliteConnection& connection, const StoredResult& 
     return id;
 }
 
+// The options of opening that are given, by their names, as the command line has them.
+std::string opening_of(const OpenOptions& options) {
+    Json given = Json::array();
+    for (const SettingRow<OpenOptions>& row : open_settings()) {
+        if (const std::string text = row.text(options); !text.empty()) {
+            given.push_back({row.name, text});
+        }
+    }
+    return line_of(given);
+}
+
+// Pairs of a name and a value.
+std::vector<std::pair<std::string, std::string>> pairs_in(const std::string& text) {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const Json& pair : parsed(text)) {
+        const std::vector<std::string> texts = texts_in(pair.dump());
+        if (texts.size() != 2) {
+            throw DamagedRow("a name has no value");
+        }
+        pairs.emplace_back(texts[0], texts[1]);
+    }
+    return pairs;
+}
+
+void read_opening(const std::string& text, OpenOptions& options) {
+    for (const auto& [name, value] : pairs_in(text)) {
+        const auto row = std::ranges::find(open_settings(), name, &SettingRow<OpenOptions>::name);
+        if (row == open_settings().end() || !row->read(value, options)) {
+            throw DamagedRow("--" + name + " " + value + " opens no recording");
+        }
+    }
+}
+
 void write_recordings(const SqliteConnection& connection, std::int64_t id,
                       const StoredResult& result) {
     SqliteStatement row(connection,
                         "INSERT INTO recording VALUES "
-                        "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                        "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     std::int64_t position = 0;
     for (const StoredRecording& recording : result.recordings) {
         const IdentifiedInput& input = recording.input;
@@ -135,10 +169,12 @@ void write_recordings(const SqliteConnection& connection, std::int64_t id,
         row.bind(id).bind(position++).bind(recording.file).bind(recording.path);
         row.bind(input.name).bind(input.sha256).bind(input.start);
         row.bind(input.seconds).bind(input.rate_hz).bind(input.f0_hz);
-        row.bind(std::int64_t{recording.channel_c}).bind(std::int64_t{recording.channel_d});
+        row.bind(std::int64_t{recording.open.channel_c});
+        row.bind(std::int64_t{recording.open.channel_d});
         row.bind(conditions.gyro).bind(conditions.date).bind(or_nan(conditions.bias_v));
         row.bind(or_nan(conditions.temperature_c)).bind(std::int64_t{conditions.exchanged});
         row.bind(conditions.operator_name).bind(conditions.comment).bind(line_of(others));
+        row.bind(opening_of(recording.open));
         row.run();
     }
 }
@@ -157,10 +193,14 @@ void write_parameters(const SqliteConnection& connection, std::int64_t id,
 }
 
 std::vector<StoredRecording> read_recordings(const SqliteConnection& connection, std::int64_t id) {
-    SqliteStatement row(connection, R"sql(
+    SqliteStatement schema(connection, "PRAGMA user_version");
+    schema.step();
+    const std::string opening = schema.whole(0) < 2 ? "'[]'" : "opening";
+    SqliteStatement row(connection, (R"sql(
         SELECT file, path, name, sha256, start, seconds, rate_hz, f0_hz, channel_c, channel_d,
-            gyro, date, bias_v, temperature_c, exchanged, operator, comment, others
-        FROM recording WHERE result = ? ORDER BY position)sql");
+            gyro, date, bias_v, temperature_c, exchanged, operator, comment, others, )sql" +
+                                     opening + " FROM recording WHERE result = ? ORDER BY position")
+                                        .c_str());
     row.bind(id);
     std::vector<StoredRecording> recordings;
     while (row.step()) {
@@ -169,17 +209,12 @@ std::vector<StoredRecording> read_recordings(const SqliteConnection& connection,
         recording.path = row.text(1);
         recording.input = {row.text(2),   row.text(3),   row.text(4),
                            row.number(5), row.number(6), row.number(7)};
-        recording.channel_c = static_cast<int>(row.whole(8));
-        recording.channel_d = static_cast<int>(row.whole(9));
+        recording.open.channel_c = static_cast<int>(row.whole(8));
+        recording.open.channel_d = static_cast<int>(row.whole(9));
         recording.conditions = {row.text(10),       row.text(11), told(row, 12), told(row, 13),
                                 row.whole(14) != 0, row.text(15), row.text(16)};
-        for (const Json& pair : parsed(row.text(17))) {
-            const std::vector<std::string> texts = texts_in(pair.dump());
-            if (texts.size() != 2) {
-                throw DamagedRow("a column of the list has no name and value");
-            }
-            recording.others.emplace_back(texts[0], texts[1]);
-        }
+        recording.others = pairs_in(row.text(17));
+        read_opening(row.text(18), recording.open);
         recordings.push_back(std::move(recording));
     }
     return recordings;

@@ -77,6 +77,9 @@ void make_tables(SqliteConnection& connection) {
         connection.run(marks.c_str());
     } else {
         check_kind(found);
+        if (found.schema < results_schema) {
+            connection.run(opening_column);
+        }
     }
     transaction.commit();
 }
@@ -160,7 +163,7 @@ void ResultsDatabase::connect() {
     if (connection_->read_only()) {
         throw SqliteFailure(SQLITE_READONLY, 0, "");
     }
-    if (is_new(found)) {
+    if (is_new(found) || found.schema < results_schema) {
         make_tables(*connection_);
     }
 }

@@ -2,8 +2,8 @@
 
 namespace vybeg {
 
-// The tables of a database of results, `PRAGMA user_version` 1. README.md has the columns.
-inline constexpr int results_schema = 1;
+// The tables of a database of results, `PRAGMA user_version` 2. README.md has the columns.
+inline constexpr int results_schema = 2;
 // `PRAGMA application_id`: "VybR".
 inline constexpr int results_application = 0x56796252;
 
@@ -44,6 +44,7 @@ CREATE TABLE recording (
     operator TEXT NOT NULL,
     comment TEXT NOT NULL,
     others TEXT NOT NULL,
+    opening TEXT NOT NULL DEFAULT '[]',
     PRIMARY KEY (result, position)
 ) WITHOUT ROWID;
 
@@ -67,6 +68,12 @@ CREATE TABLE document (
     raw_covariance TEXT NOT NULL,
     json TEXT NOT NULL
 );
+)sql";
+
+// Makes a database of schema 1, which has no options of opening, one of schema 2.
+inline constexpr const char* opening_column = R"sql(
+ALTER TABLE recording ADD COLUMN opening TEXT NOT NULL DEFAULT '[]';
+PRAGMA user_version = 2;
 )sql";
 
 }  // namespace vybeg

@@ -110,9 +110,8 @@ Result<StoredResult> stored_result(const std::string& program, const Measurement
     result.model = found.fit.model == ResonatorModel::structured ? "structured" : "free";
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         const ListedRecording& listed = set.recordings[k];
-        StoredRecording recording{
-            listed.file,           absolute_path(listed.path), inputs[k], listed.open.channel_c,
-            listed.open.channel_d, listed.conditions,          {}};
+        StoredRecording recording{listed.file, absolute_path(listed.path), inputs[k],
+                                  listed.open, listed.conditions,          {}};
         for (std::size_t c = 0; c < std::min(other_columns.size(), listed.others.size()); ++c) {
             recording.others.emplace_back(other_columns[c], listed.others[c]);
         }

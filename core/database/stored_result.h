@@ -27,8 +27,7 @@ struct StoredRecording {
     std::string file;  // as the list names it
     std::string path;  // absolute, where it was read
     IdentifiedInput input;
-    int channel_c = 1;
-    int channel_d = 2;
+    OpenOptions open;
     Conditions conditions;
     std::vector<std::pair<std::string, std::string>> others;  // the list's unknown columns
 };

@@ -16,8 +16,8 @@ struct Outcome {
     QString messages;
 };
 
-// The build's command for the first source, or batch of sources, of a folder, without the source and what
-// comes of it.
+// The build's command for the first source, or batch of sources, of a folder, without the source
+// and what comes of it.
 QStringList commandOf(const QString& folder) {
     QFile file(VYBEG_COMPILE_COMMANDS);
     if (!file.open(QIODevice::ReadOnly)) {

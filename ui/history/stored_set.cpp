@@ -58,8 +58,7 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
         row.file = each.file;
         row.path = path.toStdU16String();
         row.conditions = each.conditions;
-        row.open.channel_c = each.channel_c;
-        row.open.channel_d = each.channel_d;
+        row.open = each.open;
         stored.list.other_columns.clear();
         for (const auto& [column, value] : each.others) {
             stored.list.other_columns.push_back(column);

@@ -141,9 +141,9 @@ double CarrierSums::rough_maximum(const ProjectionBatch& batch, std::size_t lane
     constexpr int points = 7;
     constexpr double step = 0.25;
     std::array<double, 2 * points + 1> power{};
-    for (int k = -points; k <= points; ++k) {
-        const double x = step * k;
-        power[static_cast<std::size_t>(k + points)] =
+    for (std::size_t k = 0; k < power.size(); ++k) {
+        const double x = step * (static_cast<double>(k) - points);
+        power[k] =
             profile_power(jets_of(lane_projections(batch, lane, x), frame().kernel(x))).value;
     }
     const auto peak = std::max_element(power.begin() + 1, power.end() - 1);

@@ -21,7 +21,7 @@ constexpr double weakest = 1e-4;    // power, relative to the strongest line
 constexpr double above_noise = 20;  // power, relative to the median of the spectrum
 constexpr double least_apart_bins = 1.5;
 
-int order_of(std::size_t samples) {
+Eigen::Index order_of(std::size_t samples) {
     return samples >= 192 ? 2 : samples >= 48 ? 1 : 0;
 }
 
@@ -134,7 +134,7 @@ Eigen::Vector2cd LocalLines::phasor(std::size_t line, double j) const {
     const Eigen::Index at = column(line);
     Eigen::Vector2cd sum = Eigen::Vector2cd::Zero();
     double power = 1;
-    for (int q = 0; q <= order_; ++q) {
+    for (Eigen::Index q = 0; q <= order_; ++q) {
         for (Eigen::Index channel = 0; channel < 2; ++channel) {
             sum[channel] += power * Complex(coefficients_(at + 2 * q, channel),
                                             coefficients_(at + 2 * q + 1, channel));
@@ -147,11 +147,11 @@ Eigen::Vector2cd LocalLines::phasor(std::size_t line, double j) const {
 double LocalLines::variance(std::size_t line, double j) const {
     const Eigen::Index at = column(line);
     double sum = 0;
-    for (int p = 0; p <= order_; ++p) {
-        for (int q = 0; q <= order_; ++q) {
+    for (Eigen::Index p = 0; p <= order_; ++p) {
+        for (Eigen::Index q = 0; q <= order_; ++q) {
             const double both =
                 inverse_(at + 2 * p, at + 2 * q) + inverse_(at + 2 * p + 1, at + 2 * q + 1);
-            sum += 0.5 * both * std::pow(u(j), p + q);
+            sum += 0.5 * both * std::pow(u(j), static_cast<double>(p + q));
         }
     }
     return noise_variance_ * sum;
@@ -169,7 +169,7 @@ double LocalLines::power(std::size_t line) const {
 Eigen::Vector2d LocalLines::sample(double j) const {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double power = 1;
-    for (int q = 0; q <= order_; ++q) {
+    for (Eigen::Index q = 0; q <= order_; ++q) {
         sum += power * coefficients_.row(q).transpose();
         power *= u(j);
     }

@@ -45,7 +45,7 @@ private:
 
     std::vector<double> w_;
     double length_;
-    int order_;
+    Eigen::Index order_;
     double noise_variance_ = 0;      // of a sample, the mean of both channels
     Eigen::MatrixX2d coefficients_;  // offset's powers of u, then lines' cos and sin of each power
     Eigen::MatrixXd inverse_;        // of the normal matrix

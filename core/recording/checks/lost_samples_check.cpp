@@ -210,6 +210,7 @@ void PhaseStepCheck::evaluate(bool is_end) {
     const std::size_t end =
         is_end ? blocks_.size() : blocks_.size() - std::min(blocks_.size(), reach_blocks_ + 3);
     std::vector<double> sizes;
+    sizes.reserve(suspects.size());
     for (const Suspect& suspect : suspects) {
         sizes.push_back(suspect.size);
     }

@@ -87,7 +87,7 @@ std::optional<SlowRates> rates_of(const PencilSums& pencil, double seconds) {
         return std::nullopt;
     }
     const Eigen::ComplexEigenSolver<Matrix> modes(pencil.late * pencil.early.inverse());
-    const Matrix v = modes.eigenvectors();
+    const Matrix& v = modes.eigenvectors();
     const Complex determinant = v.determinant();
     if (modes.eigenvalues().cwiseAbs().minCoeff() < 1e-6 || std::abs(determinant) < 1e-6) {
         return std::nullopt;

@@ -14,7 +14,7 @@ using Eigen::Index;
 using std::numbers::pi;
 
 constexpr double band = 0.25;  // cycles per window
-constexpr int frequencies = 64;
+constexpr Index frequencies = 64;
 // Weight of the noise gain, so small that it costs 1e-6 of the signal.
 constexpr double regularisation = 1e-6;
 
@@ -24,8 +24,9 @@ BetweenWindows::BetweenWindows() {
     constexpr auto taps = static_cast<Index>(2 * reach);
     Eigen::MatrixXd passed = Eigen::MatrixXd::Zero(2 * frequencies + taps, taps);
     Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(passed.rows(), parts + 1);
-    for (int k = 0; k < frequencies; ++k) {
-        const double turn = 2 * pi * band * (k + 0.5) / frequencies;  // per window
+    for (Index k = 0; k < frequencies; ++k) {
+        const double turn = 2 * pi * band * (static_cast<double>(k) + 0.5) /
+                            static_cast<double>(frequencies);  // per window
         const double mean = std::sin(turn / 2) / (turn / 2);
         for (Index tap = 0; tap < taps; ++tap) {
             const double off = static_cast<double>(tap) - (static_cast<double>(reach) - 1);
@@ -38,7 +39,8 @@ BetweenWindows::BetweenWindows() {
             wanted(2 * k + 1, part) = std::sin(turn * off);
         }
     }
-    passed.bottomRows(taps).diagonal().setConstant(regularisation * std::sqrt(frequencies));
+    passed.bottomRows(taps).diagonal().setConstant(regularisation *
+                                                   std::sqrt(static_cast<double>(frequencies)));
     weights_ = passed.colPivHouseholderQr().solve(wanted).transpose();
 }
 

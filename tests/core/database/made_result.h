@@ -8,6 +8,19 @@
 
 namespace vybeg::test {
 
+// Options of opening with something in each that text can have; a file of raw samples has others.
+inline OpenOptions made_opening() {
+    OpenOptions options{.rate_hz = 33333.5, .channel_c = 3, .channel_d = 2};
+    options.text = TextChoice{};
+    options.text->delimiter = ';';
+    options.text->decimal_comma = true;
+    options.text->lines_to_skip = 3;
+    options.text->time_column = 1;
+    options.text->time_unit_s = 1e-3;
+    options.unit = "mV";
+    return options;
+}
+
 // A result with something in every field; `number` makes it another one.
 inline StoredResult made_result(int number, const std::string& gyro = "G7") {
     StoredResult result;
@@ -25,8 +38,7 @@ inline StoredResult made_result(int number, const std::string& gyro = "G7") {
         recording.path = "/data/" + recording.file;
         recording.input = {"run.wav", "sha " + std::to_string(k), "2026-03-31", 28.5, 33333,
                            5300.25};
-        recording.channel_c = 2;
-        recording.channel_d = 1;
+        recording.open = made_opening();
         recording.conditions = {gyro, result.date.text, 60.5, 20.0 + k, true, "И. О.", "quiet"};
         recording.others = {{"lot", "L1"}, {"bench", ""}};
         result.recordings.push_back(recording);

@@ -93,8 +93,7 @@ private slots:
             QCOMPARE(a.file, b.file);
             QCOMPARE(a.path, b.path);
             QVERIFY(a.input == b.input);
-            QCOMPARE(a.channel_c, b.channel_c);
-            QCOMPARE(a.channel_d, b.channel_d);
+            QVERIFY(a.open == b.open);
             QCOMPARE(a.conditions.gyro, b.conditions.gyro);
             QCOMPARE(a.conditions.date, b.conditions.date);
             QVERIFY(a.conditions.bias_v == b.conditions.bias_v);
@@ -216,6 +215,38 @@ private slots:
         QVERIFY(bool(database->add(made_result(1))));
     }
 
+    // Schema 1 keeps the channels of a recording and no other option of opening it.
+    void a_database_of_schema_1_is_read_and_goes_on() {
+        const QString file = folder_.filePath("schema1.db");
+        std::int64_t id = 0;
+        {
+            auto database = open(path("schema1.db"));
+            QVERIFY(bool(database));
+            id = *database->add(made_result(1));
+        }
+        QVERIFY(run_sql(file, "ALTER TABLE recording DROP COLUMN opening"));
+        QVERIFY(run_sql(file, "PRAGMA user_version = 1"));
+        const QByteArray before = content(file);
+        {
+            auto database = open(path("schema1.db"), Access::read);
+            QVERIFY(bool(database));
+            auto got = database->result(id);
+            QVERIFY(got && *got);
+            QVERIFY((**got).recordings[0].open ==
+                    (OpenOptions{.channel_c = made_opening().channel_c,
+                                 .channel_d = made_opening().channel_d}));
+        }
+        QCOMPARE(content(file), before);
+        auto database = open(path("schema1.db"));
+        QVERIFY(bool(database));
+        const auto later = database->add(made_result(2));
+        QVERIFY(bool(later));
+        const auto got = database->result(*later);
+        QVERIFY(got && *got);
+        QVERIFY((**got).recordings[0].open == made_opening());
+        QVERIFY(bool(*database->result(id)));
+    }
+
     void other_files_stay_as_they_are() {
         QVERIFY(put(folder_.filePath("text.db"), "set,gyro\nA,G7\n"));
         refuses("text.db", "it is another kind of file");
@@ -228,7 +259,7 @@ private slots:
 
         QVERIFY(bool(open(path("newer.db"))));
         QVERIFY(run_sql(folder_.filePath("newer.db"), "PRAGMA user_version = 7"));
-        refuses("newer.db", "a later version of Vybeg has made it (schema 7; this one knows 1)");
+        refuses("newer.db", "a later version of Vybeg has made it (schema 7; this one knows 2)");
 
         QVERIFY(QDir(folder_.path()).mkdir("folder"));
         refuses("folder", "it is a folder");

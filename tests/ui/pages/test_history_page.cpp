@@ -74,8 +74,7 @@ class TestHistoryPage : public QObject {
                 0.01 + normal(random) + (k == out ? 1e-3 : 0), 1e-5, {}, 2e-5};
             for (StoredRecording& each : result.recordings) {
                 each.path = recording.isEmpty() ? each.path : recording.toStdString();
-                each.channel_c = 1;
-                each.channel_d = 2;
+                each.open = OpenOptions{.unit = "mV"};
             }
             if (!recording.isEmpty()) {
                 result.recordings.resize(1);
@@ -217,6 +216,7 @@ private slots:
         QCOMPARE(set.model, FitOptions::Model::structured);
         QCOMPARE(document().sets().measured(set).settings.signal.from_s, std::optional(0.25));
         QCOMPARE(document().sets().measured(set).recordings[0].conditions.gyro, std::string("G0"));
+        QCOMPARE(document().recordings()[0].options.unit, std::string("mV"));
         QVERIFY(!page().isVisible());
         QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 20000));
     }
