@@ -132,7 +132,7 @@ build_program() {
     say "From nothing on two cores: 2 minutes to install what is missing, 5 to build the program."
     install_packages "${packages[@]}"
     mkdir -p build
-    if [ ! -e build/release/build.ninja ]; then
+    if [ ! -e build/release/build.ninja ] || [ ! -e build/release/CMakeCache.txt ]; then
         configure release -DBUILD_TESTING=OFF
     fi
     build release --target "$@"
@@ -177,16 +177,17 @@ run_tests() {
     shift 2
     configure_tests "$preset"
     if [ $# -gt 0 ]; then
-        filter=(--tests-regex "^($(IFS='|' && printf '%s' "${*%/}"))/")
         for folder in "$@"; do
+            if ! [[ $folder =~ ^[A-Za-z0-9_/]+$ ]] ||
+                ! grep -q "^${folder%/}/" "build/$preset/test_programs.txt"; then
+                fail "no tests in: $folder. Folders of tests/ are: $(cut -d' ' -f1 "build/$preset/test_programs.txt" |
+                    xargs -n 1 dirname | sort -u | grep -v '^/' | xargs)"
+            fi
             mapfile -t -O ${#targets[@]} targets < <(
                 awk -v folder="${folder%/}/" 'index($1, folder) == 1 { print $2 }' \
                     "build/$preset/test_programs.txt" | sort -u)
         done
-        if [ ${#targets[@]} -eq 0 ]; then
-            fail "no tests in: $*. Folders of tests/ are: $(cut -d' ' -f1 "build/$preset/test_programs.txt" |
-                xargs -n 1 dirname | sort -u | xargs)"
-        fi
+        filter=(--tests-regex "^($(IFS='|' && printf '%s' "${*%/}"))/")
         targets=(--target "${targets[@]}")
     fi
     if ! build "$preset" "${targets[@]}"; then
@@ -218,6 +219,7 @@ run_tidy() {
 run_fuzzer() {
     local format=$1 seconds=$2 corpus=build/fuzz/corpus-$1
     install_packages "${fuzz_packages[@]}"
+    configure_tests fuzz
     build fuzz --target "fuzz-$format" fuzz-corpus
     build/fuzz/bin/fuzz-corpus "$format" "$corpus"
     "build/fuzz/bin/fuzz-$format" "$corpus" -max_total_time="$seconds" -timeout=5 \
