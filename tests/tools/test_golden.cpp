@@ -26,10 +26,10 @@ class TestGolden : public QObject {
         }
     }
 
-    Compared compared() const {
+    Compared compared(const QString& with = "two") const {
         QProcess golden;
         golden.setWorkingDirectory(folder_.path());
-        golden.start(VYBEG_GOLDEN, {"compare", "one", "two"});
+        golden.start(VYBEG_GOLDEN, {"compare", "one", with});
         if (!golden.waitForFinished() || golden.exitStatus() != QProcess::NormalExit) {
             return {};
         }
@@ -88,6 +88,16 @@ private slots:
 
     void aMissingFolderIsAnError() {
         QVERIFY(QDir(folder_.filePath("two")).removeRecursively());
+        QCOMPARE(compared().status, 2);
+    }
+
+    // Nothing compared is no equality.
+    void oneFolderOrEmptyFoldersAreAnError() {
+        QCOMPARE(compared("one").status, 2);
+        for (const QString one : {"one", "two"}) {
+            QVERIFY(QDir(folder_.filePath(one)).removeRecursively());
+            QVERIFY(QDir(folder_.path()).mkpath(one));
+        }
         QCOMPARE(compared().status, 2);
     }
 };
