@@ -21,6 +21,8 @@ namespace {
 using namespace vybeg;
 
 constexpr const char* scale_variable = "QT_SCALE_FACTOR";
+// Marks the process of one scale; a desktop may set the scale's own variable for all programs.
+constexpr const char* child_variable = "VYBEG_PICTURES_OF_ONE_SCALE";
 
 struct CommandLine {
     QString folder;
@@ -77,6 +79,7 @@ int run_scales(const CommandLine& line, int argc, char** argv) {
         QProcess process;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QLatin1String(scale_variable), QString::number(scale));
+        environment.insert(QLatin1String(child_variable), QStringLiteral("1"));
         process.setProcessEnvironment(environment);
         process.setProcessChannelMode(QProcess::ForwardedChannels);
         process.start(QFileInfo(QStringLiteral("/proc/self/exe")).canonicalFilePath(), arguments);
@@ -123,7 +126,7 @@ int main(int argc, char** argv) {
         if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
             qputenv("QT_QPA_PLATFORM", "offscreen");
         }
-        return line.session || qEnvironmentVariableIsSet(scale_variable)
+        return line.session || qEnvironmentVariableIsSet(child_variable)
                    ? run_one(line, argc, argv)
                    : run_scales(line, argc, argv);
     } catch (const CLI::ParseError& error) {
