@@ -76,4 +76,15 @@ struct Diagnostic {
 // The name of a kind as it stands in JSON, e.g. "time-gap".
 std::string kind_name(DiagnosticKind kind);
 
+// Weight of a diagnostic: the worst are shown first.
+enum class Severity {
+    note,     // the numbers are unaffected
+    warning,  // deviations are enlarged, or windows flagged
+    serious   // numbers are refused, or may be off by more than their deviations
+};
+Severity severity(DiagnosticKind kind);
+
+// Its name in JSON: "note", "warning" or "serious".
+std::string severity_name(Severity severity);
+
 }  // namespace vybeg

@@ -4,7 +4,10 @@
 namespace vybeg {
 namespace {
 
-constexpr int goes_on = 0;  // no exit status
+// Grades, by Severity.
+constexpr int note = 0;
+constexpr int warning = 1;
+constexpr int serious = 2;
 
 }  // namespace
 
@@ -12,69 +15,69 @@ MessageRow message_row(DiagnosticKind kind) {
     switch (kind) {
         case DiagnosticKind::time_uneven:
             return {
-                "time-uneven", goes_on,
+                "time-uneven", warning,
                 VYBEG_MESSAGE("Message",
                               "The time column is uneven, by up to %1 s (%2 samples); the signals "
                               "were resampled to a uniform grid by local cubic interpolation.")};
         case DiagnosticKind::time_gap:
             return {
-                "time-gap", goes_on,
+                "time-gap", warning,
                 VYBEG_MESSAGE("Message",
                               "%1 samples are missing at %2 s; windows over them are flagged.")};
         case DiagnosticKind::missing_samples:
             return {
-                "missing-samples", goes_on,
+                "missing-samples", warning,
                 VYBEG_MESSAGE("Message",
                               "%1 samples are NaN or infinite; windows over them are flagged.")};
         case DiagnosticKind::file_ends_early:
-            return {"file-ends-early", goes_on,
+            return {"file-ends-early", warning,
                     VYBEG_MESSAGE("Message",
                                   "The file ends early: its header promises %1 frames, %2 are "
                                   "there. Those are used.")};
         case DiagnosticKind::file_not_closed:
-            return {"file-not-closed", goes_on,
+            return {"file-not-closed", warning,
                     VYBEG_MESSAGE("Message",
                                   "The file is still being written, was never closed or has been "
                                   "cut off: nothing in it says how many frames there are to be. "
                                   "The %1 that are there are used.")};
         case DiagnosticKind::channels_unequal:
             return {
-                "channels-unequal", goes_on,
+                "channels-unequal", warning,
                 VYBEG_MESSAGE(
                     "Message",
                     "The channels differ in length: %1 has %2 samples, %3 has %4. Both are counted "
                     "from their first sample, and the end of the longer one is left out.")};
         case DiagnosticKind::filter_transients:
-            return {"filter-transients", goes_on,
+            return {"filter-transients", note,
                     VYBEG_MESSAGE("Message",
                                   "The band-pass takes %1 s at each end for its transient; those "
                                   "windows are flagged.")};
         case DiagnosticKind::context_missing:
-            return {"context-missing", goes_on,
+            return {"context-missing", warning,
                     VYBEG_MESSAGE("Message",
                                   "This algorithm needs %1 samples on both sides of a window; "
                                   "windows without them are flagged.")};
         case DiagnosticKind::not_converged:
             return {
-                "not-converged", goes_on,
+                "not-converged", warning,
                 VYBEG_MESSAGE("Message", "%1 of %2 windows did not converge; they are flagged.")};
         case DiagnosticKind::over_range:
-            return {"over-range", goes_on,
+            return {"over-range", warning,
                     VYBEG_MESSAGE("Message",
                                   "Channel %1: %2 samples lie beyond its range and are missing. "
                                   "Record with a larger range.")};
         case DiagnosticKind::unit_converted:
-            return {"unit-converted", goes_on,
+            return {"unit-converted", note,
                     VYBEG_MESSAGE("Message",
                                   "Channel %1 is in %2 in the file; it was converted to %3, the "
                                   "unit of channel C.")};
         case DiagnosticKind::unit_of_one:
-            return {"unit-of-one", goes_on,
+            return {"unit-of-one", warning,
                     VYBEG_MESSAGE("Message",
                                   "Channel %1 is in %2 and channel %3 states no unit: both are "
                                   "taken to be in the same one.")};
         case DiagnosticKind::units_differ:
-            return {"units-differ", goes_on,
+            return {"units-differ", serious,
                     VYBEG_MESSAGE("Message",
                                   "Channel %1 is in %2 and channel %3 in %4, units without a known "
                                   "ratio: amplitudes and angles are wrong. Choose channels of one "
@@ -85,7 +88,7 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "unit, or give the gain ratio.")};
         case DiagnosticKind::time_unit_unknown:
             return {
-                "time-unit-unknown", goes_on,
+                "time-unit-unknown", warning,
                 VYBEG_MESSAGE(
                     "Message",
                     "The times are in '%1', an unknown unit, and are read as seconds. Choose their "
@@ -95,7 +98,7 @@ MessageRow message_row(DiagnosticKind kind) {
                     "The times are in '%1', an unknown unit, and are read as seconds. Choose their "
                     "unit, or open the file without a time column and give the sample rate.")};
         case DiagnosticKind::rates_disagree:
-            return {"rates-disagree", goes_on,
+            return {"rates-disagree", warning,
                     VYBEG_MESSAGE("Message",
                                   "The file states a sample rate of %1 Hz, and its times give %2 "
                                   "Hz, which counts. Check the unit of the times (--time-unit)."),
@@ -104,52 +107,52 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "Hz, which counts. Check the unit of the times.")};
         case DiagnosticKind::leakage:
             return {
-                "leakage", goes_on,
+                "leakage", warning,
                 VYBEG_MESSAGE(
                     "Message",
                     "In %1 of %2 windows the algorithm is off by more than one standard deviation, "
                     "by leakage; they are flagged. A window of whole half-periods (Snap) makes it "
                     "smallest; conjugate gradient and maximum likelihood have none.")};
         case DiagnosticKind::wave_moves:
-            return {"wave-moves", goes_on,
+            return {"wave-moves", warning,
                     VYBEG_MESSAGE("Message",
                                   "In %1 of %2 windows the wave moves inside the window, or turns "
                                   "too far from one window to the next; they are flagged. Choose a "
                                   "shorter window or a smaller hop.")};
         case DiagnosticKind::text_lines_ignored:
-            return {"text-lines-ignored", goes_on,
+            return {"text-lines-ignored", note,
                     VYBEG_MESSAGE("Message", "%1 header or comment lines were passed over.")};
         case DiagnosticKind::clipped:
-            return {"clipped", goes_on,
+            return {"clipped", warning,
                     VYBEG_MESSAGE("Message",
                                   "Channel %1 is clipped: %2 samples at its rail, %3. Windows over "
                                   "them are flagged.")};
         case DiagnosticKind::samples_lost:
-            return {"samples-lost", goes_on,
+            return {"samples-lost", warning,
                     VYBEG_MESSAGE("Message",
                                   "Samples lost: %1 at %2 s. Windows over the place are flagged.")};
         case DiagnosticKind::samples_doubled:
             return {
-                "samples-doubled", goes_on,
+                "samples-doubled", warning,
                 VYBEG_MESSAGE("Message",
                               "Samples doubled: %1 at %2 s. Windows over the place are flagged.")};
         case DiagnosticKind::phase_step:
-            return {"phase-step", goes_on,
+            return {"phase-step", warning,
                     VYBEG_MESSAGE("Message",
                                   "A step of %1 rad in the phase of both channels at %2 s. Samples "
                                   "doubled: %3, or lost: %4; the phase shows them only modulo the "
                                   "period. Windows over the place are flagged.")};
         case DiagnosticKind::more_samples_lost:
             return {
-                "more-samples-lost", goes_on,
+                "more-samples-lost", warning,
                 VYBEG_MESSAGE("Message", "Further places where samples were lost or doubled: %1.")};
         case DiagnosticKind::below_one_bit:
-            return {"below-one-bit", goes_on,
+            return {"below-one-bit", warning,
                     VYBEG_MESSAGE("Message",
                                   "Channel %1 stays within %2 levels of the converter: its signal "
                                   "is below one bit.")};
         case DiagnosticKind::offset:
-            return {"offset", goes_on,
+            return {"offset", warning,
                     VYBEG_MESSAGE("Message",
                                   "Channel %1 has an offset of %2, %3 % of the amplitude. The "
                                   "calibration takes it out (--offset auto)."),
@@ -157,7 +160,7 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "Channel %1 has an offset of %2, %3 % of the amplitude. The "
                                   "calibration takes it out.")};
         case DiagnosticKind::mains:
-            return {"mains", goes_on,
+            return {"mains", warning,
                     VYBEG_MESSAGE("Message",
                                   "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass "
                                   "takes it out (--filter)."),
@@ -166,7 +169,7 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "takes it out.")};
         case DiagnosticKind::start_transient:
             return {
-                "start-transient", goes_on,
+                "start-transient", warning,
                 VYBEG_MESSAGE("Message",
                               "The first %1 s do not decay as what follows. The range can leave "
                               "them out (--from)."),
@@ -174,76 +177,76 @@ MessageRow message_row(DiagnosticKind kind) {
                     "Message",
                     "The first %1 s do not decay like the rest. The range can leave them out.")};
         case DiagnosticKind::gaps_inserted:
-            return {"gaps-inserted", goes_on,
+            return {"gaps-inserted", warning,
                     VYBEG_MESSAGE("Message",
                                   "Lost samples made gaps, as asked for: %1; places: %2. Windows "
                                   "over them have no values.")};
         case DiagnosticKind::lost_counted:
-            return {"lost-counted", goes_on,
+            return {"lost-counted", note,
                     VYBEG_MESSAGE("Message",
                                   "Lost samples counted in the time behind them, so that the phase "
                                   "runs on: %1; places: %2.")};
         case DiagnosticKind::phase_unknown:
-            return {"phase-unknown", goes_on,
+            return {"phase-unknown", warning,
                     VYBEG_MESSAGE("Message",
                                   "Places where an unknown number of samples was lost or doubled: "
                                   "%1. The phase after each is a parameter of its own; time moves "
                                   "by the smallest possible number.")};
         case DiagnosticKind::carrier_elsewhere:
-            return {"carrier-elsewhere", goes_on,
+            return {"carrier-elsewhere", serious,
                     VYBEG_MESSAGE(
                         "Message",
                         "The carrier given is %1 Hz, and the signal is at %2 Hz: that is used.")};
         case DiagnosticKind::strike_left_out:
-            return {"strike-left-out", goes_on,
+            return {"strike-left-out", note,
                     VYBEG_MESSAGE("Message",
                                   "The first %1 s are left out of the fit: a strike, or what a "
                                   "band-pass makes of the beginning, is no free decay.")};
         case DiagnosticKind::frequency_drifts:
             return {
-                "frequency-drifts", goes_on,
+                "frequency-drifts", note,
                 VYBEG_MESSAGE("Message",
                               "Recording %1: the frequency drifts by %2 Hz per second (standard "
                               "deviation %3); the drift is fitted, and Q is free of it.")};
         case DiagnosticKind::frequency_follows_amplitude:
-            return {"frequency-follows-amplitude", goes_on,
+            return {"frequency-follows-amplitude", warning,
                     VYBEG_MESSAGE("Message",
                                   "The frequency depends on the amplitude: %1 Hz per squared "
                                   "recording unit (standard deviation %2); this is fitted.")};
         case DiagnosticKind::q_disagrees:
-            return {"q-disagrees", goes_on,
+            return {"q-disagrees", serious,
                     VYBEG_MESSAGE("Message",
                                   "Recording %1: Q from the envelope, %2, and from the coherent "
                                   "fit, %3, differ by more than three standard deviations: the "
                                   "motion is not that of a resonator with constant parameters.")};
         case DiagnosticKind::decay_of_one_direction:
-            return {"decay-of-one-direction", goes_on,
+            return {"decay-of-one-direction", warning,
                     VYBEG_MESSAGE("Message",
                                   "The damping was seen in one direction only: the recording's own "
                                   "decay time is given, not the resonator's.")};
         case DiagnosticKind::structured_refused:
-            return {"structured-refused", goes_on,
+            return {"structured-refused", serious,
                     VYBEG_MESSAGE("Message",
                                   "The channels are no calibrated pair of pick-offs (%1): the free "
                                   "model gives the modes, and the resonator has no axes.")};
         case DiagnosticKind::residual_above_noise:
-            return {"residual-above-noise", goes_on,
+            return {"residual-above-noise", warning,
                     VYBEG_MESSAGE(
                         "Message",
                         "The residual is above the noise of the windows (chi square per degree of "
                         "freedom %1); the standard deviations are enlarged to match.")};
         case DiagnosticKind::residual_below_noise:
-            return {"residual-below-noise", goes_on,
+            return {"residual-below-noise", note,
                     VYBEG_MESSAGE("Message",
                                   "The residual is below the noise of the windows (chi square per "
                                   "degree of freedom %1): the standard deviations are too large.")};
         case DiagnosticKind::residual_coloured:
-            return {"residual-coloured", goes_on,
+            return {"residual-coloured", serious,
                     VYBEG_MESSAGE("Message",
                                   "The residual is not white (chi square per degree of freedom "
                                   "%1); the standard deviations follow its spectrum.")};
         case DiagnosticKind::noise_too_narrow:
-            return {"noise-too-narrow", goes_on,
+            return {"noise-too-narrow", serious,
                     VYBEG_MESSAGE(
                         "Message",
                         "The noise about the carrier is as narrow as the residual can show. Noise "
@@ -251,7 +254,7 @@ MessageRow message_row(DiagnosticKind kind) {
                         "may be too small. Record longer, or repeat the recording.")};
         case DiagnosticKind::misfit_damping:
             return {
-                "misfit-damping", goes_on,
+                "misfit-damping", serious,
                 VYBEG_MESSAGE(
                     "Message",
                     "The residual is that of a damping that follows the amplitude (about %1 1/s "
@@ -265,7 +268,7 @@ MessageRow message_row(DiagnosticKind kind) {
                     "anisotropy, rotation and drifts may be off by more than their deviations. Fit "
                     "later parts of the recordings, where the wave is smaller.")};
         case DiagnosticKind::misfit_settling:
-            return {"misfit-settling", goes_on,
+            return {"misfit-settling", serious,
                     VYBEG_MESSAGE(
                         "Message",
                         "The residual is that of a frequency that settles by about %1 Hz in %2 s, "
@@ -277,7 +280,7 @@ MessageRow message_row(DiagnosticKind kind) {
                         "which the model does not hold: the resonator's numbers may be off by more "
                         "than their deviations. Leave the first seconds out of the range.")};
         case DiagnosticKind::misfit_neighbour:
-            return {"misfit-neighbour", goes_on,
+            return {"misfit-neighbour", serious,
                     VYBEG_MESSAGE(
                         "Message",
                         "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, "
@@ -291,7 +294,7 @@ MessageRow message_row(DiagnosticKind kind) {
                         "axes, rotation and the wave's own numbers may be off by more than their "
                         "deviations. Take it out with a narrower band-pass.")};
         case DiagnosticKind::misfit_channel:
-            return {"misfit-channel", goes_on,
+            return {"misfit-channel", serious,
                     VYBEG_MESSAGE(
                         "Message",
                         "The residual is that of an error of the channels that is taken as zero: "
@@ -301,7 +304,7 @@ MessageRow message_row(DiagnosticKind kind) {
                                   "as zero: %1, about %2. Calibrate it, or state its tolerance.")};
         case DiagnosticKind::misfit_pickoff:
             return {
-                "misfit-pickoff", goes_on,
+                "misfit-pickoff", serious,
                 VYBEG_MESSAGE(
                     "Message",
                     "The residual is that of pick-offs whose gain follows the amplitude: by about "
@@ -309,21 +312,21 @@ MessageRow message_row(DiagnosticKind kind) {
                     "does not hold. Split, damping, axes and rotation may be off by more than "
                     "their deviations. Linearise the channels, or record smaller amplitudes.")};
         case DiagnosticKind::fitted_phase_step:
-            return {"fitted-phase-step", goes_on,
+            return {"fitted-phase-step", warning,
                     VYBEG_MESSAGE(
                         "Message",
                         "%1: the phase of both channels steps by %2 rad at %3 s; samples are lost "
                         "or doubled there. The fit leaves the phase open at that place.")};
         case DiagnosticKind::fit_not_converged:
-            return {"fit-not-converged", goes_on,
+            return {"fit-not-converged", serious,
                     VYBEG_MESSAGE("Message",
                                   "The fit of the resonator stopped before it converged: its "
                                   "values are refused.")};
         case DiagnosticKind::option_without_effect:
-            return {"option-without-effect", goes_on,
+            return {"option-without-effect", warning,
                     VYBEG_MESSAGE("Message", "%1 has no effect: %2.")};
         case DiagnosticKind::column_like_option:
-            return {"column-like-option", goes_on,
+            return {"column-like-option", note,
                     VYBEG_MESSAGE("Message",
                                   "The column \"%1\" of the list is kept as it is and changes "
                                   "nothing. If \"%2\" is meant, rename it.")};

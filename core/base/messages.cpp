@@ -11,7 +11,20 @@ std::string kind_name(DiagnosticKind kind) {
 }
 
 int exit_status(ErrorCode code) {
-    return message_row(code).exit_status;
+    return message_row(code).grade;
+}
+
+Severity severity(DiagnosticKind kind) {
+    return static_cast<Severity>(message_row(kind).grade);
+}
+
+std::string severity_name(Severity severity) {
+    switch (severity) {
+        case Severity::note: return "note";
+        case Severity::warning: return "warning";
+        case Severity::serious: return "serious";
+    }
+    return "";
 }
 
 std::vector<MessageArg> message_args(const Error& error) {

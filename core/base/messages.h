@@ -7,13 +7,13 @@
 
 namespace vybeg {
 
-// One code: its name in JSON, the exit status of the command line, its English sentence, and the
+// One code: its name in JSON, its grade, its English sentence, and the
 // window's sentence where that of the command line names options. %1 stands for `where` and %2, %3,
 // ... for the arguments of an error; %1, %2, ... for the arguments of a diagnostic. The desktop
 // program translates a sentence (context "Message") before it fills it.
 struct MessageRow {
     const char* name;
-    int exit_status;  // of an error
+    int grade;  // of an error the exit status of the command line, of a diagnostic its Severity
     const char* sentence;
     const char* in_window = nullptr;
 };
