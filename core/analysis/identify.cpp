@@ -192,18 +192,12 @@ Error named(Error error, std::span<const PhasorRun> runs, std::span<const Record
 
 // Warnings about one recording name it by its file.
 void name_runs(std::span<const Recording> recordings, std::vector<Diagnostic>& warnings) {
+    std::vector<std::string> names;
+    for (const Recording& recording : recordings) {
+        names.push_back(recording_name(recording));
+    }
     for (Diagnostic& warning : warnings) {
-        if (warning.kind != DiagnosticKind::frequency_drifts &&
-            warning.kind != DiagnosticKind::q_disagrees &&
-            warning.kind != DiagnosticKind::fitted_phase_step) {
-            continue;
-        }
-        for (std::size_t k = 0; k < recordings.size(); ++k) {
-            if (warning.args[0] == count_arg(static_cast<std::int64_t>(k) + 1)) {
-                warning.args[0] = recording_name(recordings[k]);
-                break;
-            }
-        }
+        name_recordings(names, warning.args);
     }
 }
 

@@ -34,6 +34,27 @@ MessageArg count_arg(std::int64_t count) {
     return number(integer_text(count));
 }
 
+MessageArg recording_arg(std::size_t recording) {
+    MessageArg arg = count_arg(static_cast<std::int64_t>(recording) + 1);
+    arg.kind = MessageArg::Kind::recording;
+    return arg;
+}
+
+void name_recordings(std::span<const std::string> names, std::vector<MessageArg>& args) {
+    for (MessageArg& arg : args) {
+        if (arg.kind != MessageArg::Kind::recording) {
+            name_recordings(names, arg.args);
+            continue;
+        }
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            if (arg.text == integer_text(static_cast<std::int64_t>(k) + 1)) {
+                arg = MessageArg(names[k]);
+                break;
+            }
+        }
+    }
+}
+
 MessageArg unit_arg(const std::string& unit) {
     return number("", unit);
 }
@@ -73,6 +94,7 @@ std::string english(const MessageArg& arg) {
         case MessageArg::Kind::number:
             return arg.text + (arg.text.empty() || arg.unit.empty() ? "" : " ") + arg.unit;
         case MessageArg::Kind::words: return english(arg.text, arg.args);
+        case MessageArg::Kind::recording: return arg.text;
     }
     return {};
 }

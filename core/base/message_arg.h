@@ -2,7 +2,9 @@
 
 #include "core/base/translatable.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,10 +12,10 @@
 namespace vybeg {
 
 // One argument of a message: a text as it is (a name, a path, what a file holds), a number with its
-// unit, or fixed words with arguments of their own, which the desktop program translates (context
-// "Words").
+// unit, fixed words with arguments of their own, which the desktop program translates (context
+// "Words"), or the number of a recording of a set, until name_recordings() puts its name there.
 struct MessageArg {
-    enum class Kind : std::uint8_t { text, number, words };
+    enum class Kind : std::uint8_t { text, number, words, recording };
 
     MessageArg() = default;
     // NOLINTBEGIN(google-explicit-constructor): most arguments are texts
@@ -22,7 +24,7 @@ struct MessageArg {
     // NOLINTEND(google-explicit-constructor)
 
     Kind kind = Kind::text;
-    std::string text;              // of a number, its digits; of words, their template with %1, ...
+    std::string text;              // digits of a number; template of words, with %1, ...
     std::string unit;              // of a number, e.g. "Hz"
     std::vector<MessageArg> args;  // of words
 
@@ -35,6 +37,10 @@ MessageArg number_arg(double value, int digits = 6, const std::string& unit = {}
 // As round_trip_text().
 MessageArg exact_arg(double value);
 MessageArg count_arg(std::int64_t count);
+// A recording of a set, counted from 0 here and from 1 in a sentence.
+MessageArg recording_arg(std::size_t recording);
+// Replaces numbers of recordings by their names, in words too.
+void name_recordings(std::span<const std::string> names, std::vector<MessageArg>& args);
 // A unit without its number.
 MessageArg unit_arg(const std::string& unit);
 // E.g. words(VYBEG_MESSAGE("Words", "a line is longer than %1 MiB"), {count_arg(1)}).

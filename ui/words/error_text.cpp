@@ -36,6 +36,7 @@ QString filled(const char* context, const std::string& text, const std::vector<M
 
 QString argText(const MessageArg& arg) {
     switch (arg.kind) {
+        case MessageArg::Kind::recording:
         case MessageArg::Kind::text: return QString::fromStdString(english(arg));
         case MessageArg::Kind::number: {
             const QString number = localised(QString::fromStdString(arg.text));

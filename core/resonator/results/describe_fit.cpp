@@ -26,10 +26,6 @@ constexpr double unfinished_gain = 0.01;
 constexpr double vector_needs = 3;
 constexpr double vector_needs_coloured = 5;
 
-std::string recording_number(std::size_t run) {
-    return integer_text(static_cast<std::int64_t>(run) + 1);
-}
-
 class Description {
 public:
     Description(const SolvedSet& solved, const JobControl& job)
@@ -143,7 +139,7 @@ private:
         q = tau.given() ? Estimate{factor * tau.value, factor * tau.sd, {}} : tau;
         if (std::abs(envelope.per_s - envelope.model_per_s) > 3 * sd) {
             fit_.warnings.push_back({DiagnosticKind::q_disagrees,
-                                     {recording_number(run), number_arg(factor / envelope.per_s, 4),
+                                     {recording_arg(run), number_arg(factor / envelope.per_s, 4),
                                       number_arg(factor / envelope.model_per_s, 4)}});
         }
     }
@@ -154,7 +150,7 @@ private:
             if (drift.given() && std::abs(drift.value) > 4 * drift.uncertainty()) {
                 fit_.warnings.push_back(
                     {DiagnosticKind::frequency_drifts,
-                     {recording_number(k), number_arg(drift.value, 3), number_arg(drift.sd, 2)}});
+                     {recording_arg(k), number_arg(drift.value, 3), number_arg(drift.sd, 2)}});
             }
         }
         const Estimate& power = fit_.resonator.frequency_per_power;

@@ -371,9 +371,9 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     ResonatorFit fit = set->described();
     for (PhaseBreak& step : opened.breaks) {
         step.step_rad = set->step_at(step.run, step.time_s).value_or(step.step_rad);
-        fit.warnings.push_back({DiagnosticKind::fitted_phase_step,
-                                {count_arg(static_cast<std::int64_t>(step.run) + 1),
-                                 number_arg(step.step_rad, 3), number_arg(step.time_s, 4)}});
+        fit.warnings.push_back(
+            {DiagnosticKind::fitted_phase_step,
+             {recording_arg(step.run), number_arg(step.step_rad, 3), number_arg(step.time_s, 4)}});
     }
     fit.phase_breaks = std::move(opened.breaks);
     if (job.cancelled()) {
