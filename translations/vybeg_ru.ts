@@ -1425,6 +1425,30 @@
         <source>The list has several sets. Choose one by %2: %3.</source>
         <translation>В списке несколько наборов. Выберите один параметром %2: %3.</translation>
     </message>
+    <message>
+        <source>%1 does not fit the other recordings of the set: %2. The resonator is that of the others.</source>
+        <translation>%1 не подходит к остальным записям набора: %2. Резонатор определён по остальным.</translation>
+    </message>
+    <message>
+        <source>The recordings do not fit one resonator, but without %1 the others do (%2). Modes and resonator are refused: correct or leave out a recording.</source>
+        <translation>Записи не подходят к одному резонатору, но без %1 остальные подходят (%2). Моды и резонатор не приводятся: исправьте или исключите запись.</translation>
+    </message>
+    <message>
+        <source>The recordings do not fit one resonator, and no single one of them makes the difference. Modes and resonator are refused: identify fewer recordings together.</source>
+        <translation>Записи не подходят к одному резонатору, и исключение любой одной из них этого не меняет. Моды и резонатор не приводятся: определяйте резонатор по меньшему числу записей.</translation>
+    </message>
+    <message>
+        <source>The recordings differ by more than their noise: the decay rate by %1 %, the split by %2 %, the gain ratio by %3 % (standard deviations). The combined uncertainties hold this spread.</source>
+        <translation>Записи различаются больше, чем их шум: скорость затухания на %1 %, расщепление на %2 %, отношение усилений на %3 % (стандартные отклонения). Суммарные неопределённости включают этот разброс.</translation>
+    </message>
+    <message>
+        <source>Two or three recordings do not show whether all are of one resonator. The combined uncertainties hold an assumed spread between them: of the decay rate by %1 %, of the split by %2 %, of the gain ratio by %3 %.</source>
+        <translation>По двум или трём записям не видно, все ли они от одного резонатора. Суммарные неопределённости включают принятый разброс между ними: скорости затухания на %1 %, расщепления на %2 %, отношения усилений на %3 %.</translation>
+    </message>
+    <message>
+        <source>The frequencies of the recordings lie %1 ppm apart (%2: %3 Hz, %4: %5 Hz). A mean frequency and modes are refused.</source>
+        <translation>Частоты записей отличаются на %1 млн⁻¹ (%2: %3 Гц, %4: %5 Гц). Средняя частота и моды не приводятся.</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1556,6 +1580,18 @@
     <message>
         <source>The modes of both sides are not named by the same: one by frequency, the other by decay.</source>
         <translation>Моды двух сторон названы по-разному: одни по частоте, другие по затуханию.</translation>
+    </message>
+    <message>
+        <source>The recordings do not fit one resonator (see the warnings).</source>
+        <translation>Записи не подходят к одному резонатору (см. предупреждения).</translation>
+    </message>
+    <message>
+        <source>The recording does not fit the others and is left out of the set.</source>
+        <translation>Запись не подходит к остальным и исключена из набора.</translation>
+    </message>
+    <message>
+        <source>The frequencies of the recordings lie %1 ppm apart: each recording has its own.</source>
+        <translation>Частоты записей отличаются на %1 млн⁻¹: у каждой записи своя.</translation>
     </message>
 </context>
 <context>
@@ -3488,6 +3524,42 @@
     <message>
         <source>it is an input, the table or the database</source>
         <translation>это исходный файл, таблица или база данных</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 или %2</translation>
+    </message>
+    <message>
+        <source>the channels C and D of %1 are exchanged</source>
+        <translation>каналы C и D записи %1 переставлены</translation>
+    </message>
+    <message>
+        <source>the sign of channel D of %1 is reversed</source>
+        <translation>знак канала D записи %1 обратный</translation>
+    </message>
+    <message>
+        <source>the gain ratio of %1 is %2 times that of the others</source>
+        <translation>отношение усилений записи %1 в %2 раза отличается от остальных</translation>
+    </message>
+    <message>
+        <source>%1 hardly decays, the decay time of the others is %2 s</source>
+        <translation>%1 почти не затухает, время затухания остальных %2 с</translation>
+    </message>
+    <message>
+        <source>the decay time of %1 is %2 s, that of the others %3 s</source>
+        <translation>время затухания записи %1 равно %2 с, остальных %3 с</translation>
+    </message>
+    <message>
+        <source>the split or the stiffness axis of %1 is another</source>
+        <translation>расщепление или ось жёсткости записи %1 другие</translation>
+    </message>
+    <message>
+        <source>the wave of %1 turns at another rate</source>
+        <translation>волна записи %1 поворачивается с другой скоростью</translation>
+    </message>
+    <message>
+        <source>more than one number of %1 differs</source>
+        <translation>у записи %1 отличается не одно число</translation>
     </message>
 </context>
 <context>

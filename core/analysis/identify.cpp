@@ -192,9 +192,9 @@ Error named(Error error, std::span<const PhasorRun> runs, std::span<const Record
 
 // Warnings about one recording name it by its file.
 void name_runs(std::span<const Recording> recordings, std::vector<Diagnostic>& warnings) {
-    std::vector<std::string> names;
+    std::vector<MessageArg> names;
     for (const Recording& recording : recordings) {
-        names.push_back(recording_name(recording));
+        names.emplace_back(recording_name(recording));
     }
     for (Diagnostic& warning : warnings) {
         name_recordings(names, warning.args);

@@ -48,6 +48,12 @@ enum class DiagnosticKind {
     q_disagrees,                  // args: recording, Q from the envelope, Q from the coherent fit
     decay_of_one_direction,       // tau is refused: the decay of the direction is given
     structured_refused,           // args: what speaks against it. The free model is taken.
+    foreign_recording,            // args: recording, what differs. It is left out of the set.
+    foreign_among,                // args: recordings without which the others agree, what differs
+    set_inconsistent,             // no single recording makes the difference
+    recordings_differ,            // args: sd of 1/tau, split, gain ratio between recordings, %
+    set_too_small,                // args: the same, assumed, as two or three recordings
+    frequencies_apart,            // args: ppm, recording, its f (Hz), another, its f (Hz)
     residual_above_noise,         // args: chi^2 per degree of freedom. Deviations enlarged.
     residual_below_noise,         // args: chi^2 per degree of freedom. Deviations too large.
     residual_coloured,            // args: chi^2 per degree of freedom. Deviations hold its colour.

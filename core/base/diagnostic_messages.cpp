@@ -229,6 +229,41 @@ MessageRow message_row(DiagnosticKind kind) {
                     VYBEG_MESSAGE("Message",
                                   "The channels are no calibrated pair of pick-offs (%1): the free "
                                   "model gives the modes, and the resonator has no axes.")};
+        case DiagnosticKind::foreign_recording:
+            return {"foreign-recording", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "%1 does not fit the other recordings of the set: %2. The "
+                                  "resonator is that of the others.")};
+        case DiagnosticKind::foreign_among:
+            return {"foreign-among", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The recordings do not fit one resonator, but without %1 the "
+                                  "others do (%2). Modes and resonator are refused: correct or "
+                                  "leave out a recording.")};
+        case DiagnosticKind::set_inconsistent:
+            return {"set-inconsistent", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The recordings do not fit one resonator, and no single one of "
+                                  "them makes the difference. Modes and resonator are refused: "
+                                  "identify fewer recordings together.")};
+        case DiagnosticKind::recordings_differ:
+            return {"recordings-differ", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "The recordings differ by more than their noise: the decay rate "
+                                  "by %1 %, the split by %2 %, the gain ratio by %3 % (standard "
+                                  "deviations). The combined uncertainties hold this spread.")};
+        case DiagnosticKind::set_too_small:
+            return {"set-too-small", note,
+                    VYBEG_MESSAGE("Message",
+                                  "Two or three recordings do not show whether all are of one "
+                                  "resonator. The combined uncertainties hold an assumed spread "
+                                  "between them: of the decay rate by %1 %, of the split by %2 %, "
+                                  "of the gain ratio by %3 %.")};
+        case DiagnosticKind::frequencies_apart:
+            return {"frequencies-apart", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The frequencies of the recordings lie %1 ppm apart (%2: %3 Hz, "
+                                  "%4: %5 Hz). A mean frequency and modes are refused.")};
         case DiagnosticKind::residual_above_noise:
             return {"residual-above-noise", warning,
                     VYBEG_MESSAGE(

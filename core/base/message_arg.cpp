@@ -40,7 +40,7 @@ MessageArg recording_arg(std::size_t recording) {
     return arg;
 }
 
-void name_recordings(std::span<const std::string> names, std::vector<MessageArg>& args) {
+void name_recordings(std::span<const MessageArg> names, std::vector<MessageArg>& args) {
     for (MessageArg& arg : args) {
         if (arg.kind != MessageArg::Kind::recording) {
             name_recordings(names, arg.args);
@@ -48,7 +48,7 @@ void name_recordings(std::span<const std::string> names, std::vector<MessageArg>
         }
         for (std::size_t k = 0; k < names.size(); ++k) {
             if (arg.text == integer_text(static_cast<std::int64_t>(k) + 1)) {
-                arg = MessageArg(names[k]);
+                arg = names[k];
                 break;
             }
         }

@@ -39,8 +39,8 @@ MessageArg exact_arg(double value);
 MessageArg count_arg(std::int64_t count);
 // A recording of a set, counted from 0 here and from 1 in a sentence.
 MessageArg recording_arg(std::size_t recording);
-// Replaces numbers of recordings by their names, in words too.
-void name_recordings(std::span<const std::string> names, std::vector<MessageArg>& args);
+// Replaces recordings by their names, or by their places in a larger set, in words too.
+void name_recordings(std::span<const MessageArg> names, std::vector<MessageArg>& args);
 // A unit without its number.
 MessageArg unit_arg(const std::string& unit);
 // E.g. words(VYBEG_MESSAGE("Words", "a line is longer than %1 MiB"), {count_arg(1)}).

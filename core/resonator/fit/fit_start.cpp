@@ -141,18 +141,7 @@ void try_alone(FitProblem& problem, const JobControl& job, MapFit& best) {
     std::vector<Alone> alone;
     Eigen::VectorXd own = best.p;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const std::array breaks{problem.runs[k].breaks_s.size()};
-        FitProblem one{problem.runs.subspan(k, 1),
-                       ParameterLayout(breaks),
-                       {},
-                       problem.noise_ratio,
-                       problem.damping_share};
-        const auto part = [&](const Eigen::VectorXd& of_all) {
-            Eigen::VectorXd of_one(one.layout.size());
-            of_one << of_all.head(shared_count), own_of(problem.layout, of_all, k);
-            return of_one;
-        };
-        one.priors = {part(problem.priors.mean), part(problem.priors.sd)};
+        FitProblem one = part_of(problem, std::array{k}, problem.runs.subspan(k, 1));
         const MapFit fit = fit_from_nothing(one, job);
         own.segment(problem.layout.at(k, 0), problem.layout.own_size(k)) =
             own_of(one.layout, fit.p, 0);

@@ -29,9 +29,8 @@ double prior_cost(const FitProblem& problem, const Eigen::VectorXd& p) {
             sum += off * off;
         }
     }
-    if (problem.held) {
-        const double off =
-            (problem.held->direction.dot(p) - problem.held->value) / problem.held->sd;
+    for (const HeldDirection& held : problem.held) {
+        const double off = (held.direction.dot(p) - held.value) / held.sd;
         sum += off * off;
     }
     return sum;
@@ -82,10 +81,10 @@ Normal normal_of(const FitProblem& problem, const std::vector<Eigen::Index>& act
             right[k] += weight * (problem.priors.mean[k] - p[k]);
         }
     }
-    if (problem.held) {
-        const Eigen::VectorXd row = problem.held->direction / problem.held->sd;
+    for (const HeldDirection& held : problem.held) {
+        const Eigen::VectorXd row = held.direction / held.sd;
         matrix += row * row.transpose();
-        right += row * (problem.held->value / problem.held->sd - row.dot(p));
+        right += row * (held.value / held.sd - row.dot(p));
     }
     return {matrix(active, active), right(active)};
 }
@@ -101,6 +100,38 @@ void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::
     sum.block(first, 0, own, shared_count) += square.bottomLeftCorner(own, shared_count);
     sum.block(0, first, shared_count, own) += square.topRightCorner(shared_count, own);
     sum.block(first, first, own, own) += square.bottomRightCorner(own, own);
+}
+
+Eigen::VectorXd part_of(const ParameterLayout& layout, const Eigen::VectorXd& p,
+                        std::span<const std::size_t> which) {
+    Eigen::Index size = shared_count;
+    for (const std::size_t k : which) {
+        size += layout.own_size(k);
+    }
+    Eigen::VectorXd part(size);
+    part.head(shared_count) = p.head(shared_count);
+    Eigen::Index next = shared_count;
+    for (const std::size_t k : which) {
+        part.segment(next, layout.own_size(k)) = own_of(layout, p, k);
+        next += layout.own_size(k);
+    }
+    return part;
+}
+
+FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which,
+                   std::span<const ScaledRun> runs) {
+    std::vector<std::size_t> breaks;
+    for (const ScaledRun& run : runs) {
+        breaks.push_back(run.breaks_s.size());
+    }
+    const auto part = [&](const Eigen::VectorXd& of_all) {
+        return part_of(problem.layout, of_all, which);
+    };
+    return {runs,
+            ParameterLayout(breaks),
+            {part(problem.priors.mean), part(problem.priors.sd)},
+            problem.noise_ratio,
+            problem.damping_share};
 }
 
 Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, std::size_t run) {

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,7 +23,7 @@ struct HeldDirection {
 };
 
 // Sum of squares whose minimum is the maximum of the posterior: weighted residuals of the windows,
-// priors, and a held direction if set.
+// priors, and held directions.
 struct FitProblem {
     std::span<const ScaledRun> runs;
     ParameterLayout layout;
@@ -32,8 +31,15 @@ struct FitProblem {
     double noise_ratio =
         2;  // ratio of chi^2 to the number of residuals above which other starts are tried
     double damping_share = 1;  // width of the damping anisotropy's prior, in units of 1/tau
-    std::optional<HeldDirection> held = {};
+    std::vector<HeldDirection> held = {};
 };
+
+// The problem of some of its runs, `which`, with the same priors. `runs`: those runs.
+FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which,
+                   std::span<const ScaledRun> runs);
+// Their parameters among all.
+Eigen::VectorXd part_of(const ParameterLayout& layout, const Eigen::VectorXd& p,
+                        std::span<const std::size_t> which);
 
 // A run's own parameters among all.
 Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, std::size_t run);

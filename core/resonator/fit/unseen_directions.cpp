@@ -82,7 +82,7 @@ private:
         int in_a_row = 0;
         for (; std::abs(side) * sd <= prior_sd && !job_.cancelled(); side *= 2) {
             p += response * (side - direction.dot(p - fit_.p) / sd);
-            problem.held = HeldDirection{direction, direction.dot(fit_.p) + side * sd, sd / 100};
+            problem.held = {{direction, direction.dot(fit_.p) + side * sd, sd / 100}};
             const MapFit refit = minimise(problem, p, refit_steps, job_);
             p = refit.p;
             const double rise = (refit.cost - fit_.cost) / scale_;

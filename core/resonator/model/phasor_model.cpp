@@ -186,6 +186,15 @@ Vector2cd seen(const Channels& channels, const Vector2cd& z) {
 
 }  // namespace
 
+Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared) {
+    Eigen::VectorXd own = shared;
+    own[decay_at] *= 1 + run.deviation.decay;
+    own[split_cos_at] *= 1 + run.deviation.split;
+    own[split_sin_at] *= 1 + run.deviation.split;
+    own[kappa_at] *= 1 + run.deviation.kappa;
+    return own;
+}
+
 SlowRates rates_of(const Eigen::VectorXd& shared) {
     SlowRates rates;
     for (int k = 0; k < rate_count; ++k) {
@@ -199,8 +208,9 @@ Vector2cd start_of(const Eigen::VectorXd& own) {
             Complex{own[start_at + 2], own[start_at + 3]}};
 }
 
-std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
+std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& of_set,
                                         const Eigen::VectorXd& own, std::size_t windows) {
+    const Eigen::VectorXd shared = shared_of(run, of_set);
     std::vector<Vector2cd> expected;
     expected.reserve(windows);
     if (shared[cubic_at] == 0) {
@@ -223,8 +233,9 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
     return expected;
 }
 
-Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& shared,
+Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
                       const Eigen::VectorXd& own, std::size_t windows, bool with_cubic) {
+    const Eigen::VectorXd shared = shared_of(run, of_set);
     const auto rows = static_cast<Eigen::Index>(4 * windows);
     Linearised out{Eigen::VectorXd(rows), RowMajor::Zero(rows, shared_count + own.size())};
     MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0);
@@ -269,6 +280,9 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& shared,
             }
         }
     }
+    out.by_parameter.col(decay_at) *= 1 + run.deviation.decay;
+    out.by_parameter.middleCols<2>(split_cos_at) *= 1 + run.deviation.split;
+    out.by_parameter.col(kappa_at) *= 1 + run.deviation.kappa;
     return out;
 }
 

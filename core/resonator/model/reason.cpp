@@ -95,6 +95,20 @@ ReasonRow reason_row(ReasonCode code) {
         case ReasonCode::too_few_windows:
             return {"too-few-windows",
                     VYBEG_MESSAGE("Reason", "This recording has too few windows for it.")};
+        case ReasonCode::set_refused:
+            return {"set-refused",
+                    VYBEG_MESSAGE("Reason",
+                                  "The recordings do not fit one resonator (see the warnings).")};
+        case ReasonCode::left_out:
+            return {"left-out",
+                    VYBEG_MESSAGE("Reason",
+                                  "The recording does not fit the others and is left out of the "
+                                  "set.")};
+        case ReasonCode::frequencies_apart:
+            return {"frequencies-apart",
+                    VYBEG_MESSAGE("Reason",
+                                  "The frequencies of the recordings lie %1 ppm apart: each "
+                                  "recording has its own.")};
         case ReasonCode::not_converged:
             return {"not-converged",
                     VYBEG_MESSAGE("Reason", "The fit stopped before it converged.")};

@@ -30,6 +30,9 @@ enum class ReasonCode {
     amplitude_or_time,   // a settling frequency explains the phasors as well
     rests_on_unseen,     // more than half of its variance is due to undetermined parameters
     too_few_windows,     // not enough windows for it in this run
+    set_refused,         // the recordings are not of one resonator
+    left_out,            // this recording does not belong to the set
+    frequencies_apart,   // args: ppm. Those of the recordings.
     not_converged,       // the fit stopped early
 };
 

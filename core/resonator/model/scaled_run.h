@@ -25,6 +25,13 @@ struct PowerSums {
     }
 };
 
+// How much 1/tau, split and gain ratio of one run differ from those of its set, relative.
+struct RunDeviation {
+    double decay = 0;
+    double split = 0;
+    double kappa = 0;
+};
+
 // A run for the fit: phasors divided by a scale common to the set.
 struct ScaledRun {
     std::vector<double> time_s;  // centres of the windows
@@ -40,6 +47,7 @@ struct ScaledRun {
     double power_kept = 1;
     double power = 0;  // power of the run's frequency in recorded channels
     PowerSums power_sums;
+    RunDeviation deviation;  // zero unless the runs of the set differ
 
     std::size_t size() const { return time_s.size(); }
 };

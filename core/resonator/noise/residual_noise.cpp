@@ -375,4 +375,15 @@ MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
     return posterior.data + posterior.root.transpose() * sum * posterior.root;
 }
 
+double widening(const FitProblem& problem, const Posterior& white) {
+    const Eigen::MatrixXd coloured = NoiseEstimate(problem, white).covariance(white);
+    double most = 1;
+    for (std::size_t k = 0; k < white.active.size() && white.active[k] < rate_count; ++k) {
+        const auto at = static_cast<Eigen::Index>(k);
+        const Eigen::RowVectorXd row = white.root.row(at);
+        most = std::max(most, (row * coloured).dot(row) / (row * white.data).dot(row));
+    }
+    return most;
+}
+
 }  // namespace vybeg

@@ -27,4 +27,7 @@ private:
     ResidualNoise noise_;
 };
 
+// Largest factor by which the colour of a fit's residual widens the variances of its rates.
+double widening(const FitProblem& problem, const Posterior& posterior);
+
 }  // namespace vybeg

@@ -1,6 +1,7 @@
 #include "core/resonator/results/describe_fit.h"
 
 #include "core/base/number_text.h"
+#include "core/resonator/fit/run_information.h"
 #include "core/resonator/fit/unseen_directions.h"
 #include "core/resonator/noise/residual_noise.h"
 #include "core/resonator/results/given_or_refused.h"
@@ -10,6 +11,7 @@
 #include "core/resonator/runs/envelope_decay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -53,6 +55,7 @@ public:
             set.context.power_kept.push_back(problem_.runs[k].power_kept);
         }
         set_covariance(ratio, dof, set);
+        add_spread(set.posterior);
         std::vector<ProfilePoint> beside;
         if (fit_.model == ResonatorModel::structured) {
             beside =
@@ -74,7 +77,7 @@ private:
         if (ratio > 1 + scatter) {
             if (const auto cause =
                     misfit_cause(problem_, set.posterior, solved_.fine, solved_.scale)) {
-                fit_.warnings.push_back(*cause);
+                fit_.warnings.push_back(cause->diagnostic);
             }
         }
         const NoiseEstimate noise(problem_, set.posterior);
@@ -98,6 +101,29 @@ private:
             fit_.warnings.push_back({DiagnosticKind::residual_above_noise, {number_arg(ratio, 3)}});
         } else if (ratio < 1 - 2 * scatter) {
             fit_.warnings.push_back({DiagnosticKind::residual_below_noise, {number_arg(ratio, 3)}});
+        }
+    }
+
+    // What deviations of the runs from the set, of that size, make of the parameters.
+    void add_spread(Posterior& at) const {
+        const std::array<double, deviation_count> sizes{solved_.spread.decay, solved_.spread.split,
+                                                        solved_.spread.kappa};
+        for (std::size_t k = 0; k < at.runs.size(); ++k) {
+            const RowMajor& by = at.runs[k].by_parameter;
+            Eigen::MatrixXd effect(by.rows(), deviation_count);
+            effect << by.col(decay_at) * at.p[decay_at],
+                by.middleCols<2>(split_cos_at) * at.p.segment<2>(split_cos_at),
+                by.col(kappa_at) * at.p[kappa_at];
+            const Eigen::MatrixXd cross = by.transpose() * effect;
+            for (int size = 0; size < deviation_count; ++size) {
+                Eigen::VectorXd along = Eigen::VectorXd::Zero(at.p.size());
+                along.head(shared_count) = cross.col(size).head(shared_count);
+                along.segment(problem_.layout.at(k, 0), problem_.layout.own_size(k)) =
+                    cross.col(size).tail(problem_.layout.own_size(k));
+                const Eigen::VectorXd moved = sizes[static_cast<std::size_t>(size)] *
+                                              (at.root.transpose() * along(at.active));
+                at.known += moved * moved.transpose();
+            }
         }
     }
 

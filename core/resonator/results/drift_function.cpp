@@ -216,6 +216,9 @@ DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit
     Normal normal;
     const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
     for (std::size_t run = 0; run < runs.size(); ++run) {
+        if (fit.left_out == run) {
+            continue;
+        }
         for (const Segment& segment : segments_of(runs[run], fit.motion, run)) {
             normal.add(segment);
             add_points(run, segment, m, found.points);

@@ -48,6 +48,7 @@ public:
             add_free();
         }
         add_modes();
+        refuse_mean_frequency();
     }
 
 private:
@@ -308,6 +309,36 @@ private:
             }
             fit_.runs.push_back(run);
         }
+    }
+
+    // No frequency is common to recordings that lie further apart than a temperature explains.
+    void refuse_mean_frequency() {
+        constexpr double most_apart = 300e-6;
+        std::size_t low = 0;
+        std::size_t high = 0;
+        const auto f_hz = [&](std::size_t run) {
+            return runs_[run].f_ref_hz + at_.value[of_run(run, f_of)];
+        };
+        for (std::size_t k = 1; k < runs_.size(); ++k) {
+            low = f_hz(k) < f_hz(low) ? k : low;
+            high = f_hz(k) > f_hz(high) ? k : high;
+        }
+        const double apart = (f_hz(high) - f_hz(low)) / f_hz(low);
+        // A spring has another frequency at each amplitude.
+        if (set_.problem->priors.sd[cubic_at] > 0 || !(apart > most_apart)) {
+            return;
+        }
+        const MessageArg ppm = number_arg(1e6 * apart, 3);
+        const Reason reason{ReasonCode::frequencies_apart, {ppm}};
+        fit_.resonator.f_mean_hz = fit_.resonator.q = Estimate{.reason = reason};
+        for (RunEstimate& run : fit_.runs) {
+            run.f_offset_hz = Estimate{.reason = reason};
+        }
+        fit_.modes.clear();
+        fit_.no_modes = reason;
+        fit_.warnings.push_back({DiagnosticKind::frequencies_apart,
+                                 {ppm, recording_arg(low), number_arg(f_hz(low), 7),
+                                  recording_arg(high), number_arg(f_hz(high), 7)}});
     }
 
     void add_drift_terms() {

@@ -204,19 +204,19 @@ struct ChannelError {
 
 }  // namespace
 
-std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterior& posterior,
-                                       std::span<const PhasorRun> fine, double scale) {
+std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posterior& posterior,
+                                        std::span<const PhasorRun> fine, double scale) {
     std::vector<double> f_ref_hz;
     for (const PhasorRun& run : fine) {
         f_ref_hz.push_back(run.f_ref_hz);
     }
     const double beyond = posterior.chi2() - degrees_of_freedom(problem);
     double best = std::max(most_of_it * beyond, least_fall);
-    std::optional<Diagnostic> cause;
+    std::optional<MisfitCause> cause;
     const auto consider = [&](double fall, DiagnosticKind kind, std::vector<MessageArg> args) {
         if (fall > best) {
             best = fall;
-            cause = Diagnostic{kind, std::move(args)};
+            cause = MisfitCause{{kind, std::move(args)}, fall};
         }
     };
     const std::array<ChannelError, 5> errors{

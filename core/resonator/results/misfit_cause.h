@@ -14,7 +14,11 @@ namespace vybeg {
 // mode within the windows' band. None if no cause explains the larger part, or if chi^2 is that of
 // noise. `fine`: the runs before merging of windows, which distinguish a mode's frequency from its
 // aliases; `scale`: recording units of a scaled unit.
-std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterior& posterior,
-                                       std::span<const PhasorRun> fine, double scale);
+struct MisfitCause {
+    Diagnostic diagnostic;
+    double fall = 0;  // of chi^2 if it is fitted
+};
+std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posterior& posterior,
+                                        std::span<const PhasorRun> fine, double scale);
 
 }  // namespace vybeg

@@ -6,11 +6,16 @@
 #include "core/resonator/fit/refit_in_phase.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/results/describe_fit.h"
+#include "core/resonator/results/given_or_refused.h"
+#include "core/resonator/results/misfit_cause.h"
+#include "core/resonator/results/run_parameters.h"
+#include "core/resonator/results/set_examination.h"
 #include "core/resonator/results/structured_verdict.h"
 #include "core/resonator/runs/merge_windows.h"
 #include "core/resonator/runs/needed_windows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -33,6 +38,7 @@ constexpr int cubic_steps = 200;
 // frequency, or if it falls so slowly that the remaining steps would not show the term.
 constexpr int first_cubic_steps = 8;
 constexpr int later_cubic_steps = 60;
+constexpr int own_steps = 40;
 constexpr double hopeless = 100;
 
 double largest_amplitude(std::span<const PhasorRun> runs) {
@@ -73,9 +79,35 @@ public:
     NeededWindows solve() {
         find_main();
         try_cubic();
-        choose_model();
-        main_ = refit_in_phase(problem_, main_, job_);
+        if (options_.model != FitOptions::Model::free) {
+            examine();
+        }
+        if (agrees()) {
+            choose_model();
+            if (model_ == ResonatorModel::free) {
+                examine();
+            }
+            main_ = refit_in_phase(problem_, main_, job_);
+        }
         return needed_windows(motion_of(solved()), fine_);
+    }
+
+    const SetExamination& examination() const { return examination_; }
+
+    // Whether the runs are those of one resonator.
+    bool agrees() const {
+        return examination_.verdict == SetVerdict::fits ||
+               examination_.verdict == SetVerdict::spread;
+    }
+
+    // A run's own parameters that fit it best with the shared ones of another set.
+    Eigen::VectorXd own_given(const Eigen::VectorXd& shared, std::size_t run) const {
+        FitProblem one = part_of(problem_, std::array{run}, problem_.runs.subspan(run, 1));
+        one.priors.mean.head(shared_count) = shared;
+        one.priors.sd.head(shared_count).setZero();
+        Eigen::VectorXd start(one.layout.size());
+        start << shared, own_of(problem_.layout, main_.p, run);
+        return own_of(one.layout, minimise(one, start, own_steps, job_).p, 0);
     }
 
     // Whether this solution explains its windows about as well as `other`.
@@ -121,11 +153,20 @@ public:
                               2 * std::numbers::pi);
     }
 
+    FittedMotion motion() const { return motion_of(solved()); }
+
     // Results of the present parameters.
     ResonatorFit described() const {
         ResonatorFit fit = describe(solved(), job_);
         fit.free_over_structured = free_over_structured_;
         fit.warnings.insert(fit.warnings.begin(), warnings_.begin(), warnings_.end());
+        SetExamination told = examination_;
+        if (!agrees()) {
+            refuse_all({ReasonCode::set_refused, {}}, fit);
+            told.verdict = told.verdict == SetVerdict::foreign ? SetVerdict::several : told.verdict;
+        }
+        const std::vector<Diagnostic> findings = findings_of(told, runs_.size());
+        fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
         return fit;
     }
 
@@ -139,7 +180,37 @@ private:
     }
 
     SolvedSet solved() const {
-        return {runs_, fine_, &problem_, main_, model_, scale_, cubic_limit_, amplitude_or_time_};
+        return {runs_,
+                fine_,
+                &problem_,
+                main_,
+                model_,
+                scale_,
+                cubic_limit_,
+                amplitude_or_time_,
+                examination_.spread};
+    }
+
+    // Whether the set is one at all. A cause common to all runs that leaves only noise, or without
+    // which no single run makes the difference, is named instead.
+    void examine() {
+        examination_ = examine_set(problem_, main_, job_);
+        if (examination_.verdict == SetVerdict::spread) {
+            for (std::size_t k = 0; k < scaled_.size(); ++k) {
+                scaled_[k].deviation = examination_.deviation[k];
+            }
+            main_ = minimise(problem_, examination_.p, cubic_steps, job_);
+        }
+        if (agrees() || model_ == ResonatorModel::free) {
+            return;
+        }
+        const std::optional<MisfitCause> cause =
+            misfit_cause(problem_, posterior(problem_, main_), fine_, scale_);
+        const double dof = degrees_of_freedom(problem_);
+        if (cause && (examination_.verdict == SetVerdict::refused ||
+                      main_.chi2 - cause->fall < noise_bound(dof) * dof)) {
+            examination_ = {};
+        }
     }
 
     void find_main() {
@@ -254,6 +325,7 @@ private:
     FitProblem problem_;
     MapFit main_;
     bool phase_left_ = false;  // still waves explain everything except the phase
+    SetExamination examination_;
     Estimate cubic_limit_;
     bool amplitude_or_time_ = false;
     ResonatorModel model_{};
@@ -343,6 +415,56 @@ OpenedPhases with_open_phases(const std::vector<PhasorRun>& good, const SetFit& 
     return {};
 }
 
+// Leaves out the run that does not belong to the set, if the others agree; returns the set with it,
+// else null.
+std::unique_ptr<SetFit> without_foreign(std::vector<PhasorRun>& runs, std::unique_ptr<SetFit>& set,
+                                        double scale, const FitOptions& options,
+                                        const JobControl& job) {
+    if (set->examination().verdict != SetVerdict::foreign || runs.size() < 3) {
+        return nullptr;
+    }
+    std::vector<PhasorRun> others = runs;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(set->examination().foreign.front()));
+    std::unique_ptr<SetFit> rest = solved_set(others, scale, options, job);
+    if (!rest->agrees()) {
+        return nullptr;
+    }
+    // The sets refer to their runs, which stay where they are.
+    std::swap(set, rest);
+    std::swap(runs, others);
+    return rest;
+}
+
+// The results of a set without its foreign run, with a place for that run.
+void add_foreign(const SetFit& whole, std::size_t count, ResonatorFit& fit) {
+    const SetExamination& examination = whole.examination();
+    const std::size_t out = examination.foreign.front();
+    std::vector<MessageArg> numbers;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (k != out) {
+            numbers.push_back(recording_arg(k));
+        }
+    }
+    for (Diagnostic& warning : fit.warnings) {
+        name_recordings(numbers, warning.args);
+    }
+    for (PhaseBreak& step : fit.phase_breaks) {
+        step.run += step.run >= out ? 1 : 0;
+    }
+    const std::vector<Diagnostic> findings = findings_of(examination, count);
+    fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
+    const auto at = static_cast<std::ptrdiff_t>(out);
+    RunEstimate none;
+    for (const RunParameter& parameter : run_parameters) {
+        none.*parameter.member = Estimate{.reason = {ReasonCode::left_out, {}}};
+    }
+    fit.runs.insert(fit.runs.begin() + at, none);
+    FittedMotion::Run motion = whole.motion().runs[out];
+    motion.own = whole.own_given(fit.motion.shared, out);
+    fit.motion.runs.insert(fit.motion.runs.begin() + at, std::move(motion));
+    fit.left_out = out;
+}
+
 }  // namespace
 
 Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOptions& options,
@@ -364,7 +486,11 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
                      {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
     }
     std::unique_ptr<SetFit> set = solved_set(good, scale, options, job);
-    OpenedPhases opened = with_open_phases(good, *set, scale, options, job);
+    const std::unique_ptr<SetFit> whole = without_foreign(good, set, scale, options, job);
+    OpenedPhases opened;
+    if (set->agrees()) {
+        opened = with_open_phases(good, *set, scale, options, job);
+    }
     if (opened.set) {
         set = std::move(opened.set);
     }
@@ -376,6 +502,9 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
              {recording_arg(step.run), number_arg(step.step_rad, 3), number_arg(step.time_s, 4)}});
     }
     fit.phase_breaks = std::move(opened.breaks);
+    if (whole) {
+        add_foreign(*whole, runs.size(), fit);
+    }
     if (job.cancelled()) {
         return Error{ErrorCode::interrupted, {}, {}};
     }

@@ -8,6 +8,8 @@
 #include "core/resonator/noise/noise_shape.h"
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -131,6 +133,7 @@ struct ResonatorFit {
     RawParameters raw;
     FittedMotion motion;
     std::vector<PhaseBreak> phase_breaks;  // found by the fit and left open
+    std::optional<std::size_t> left_out;   // the run that does not belong to the set
     std::vector<Diagnostic> warnings;
 };
 

@@ -39,19 +39,6 @@ constexpr std::array<Term, 5> terms{{{kappa_at, "kappa", 1, ""},
                                      {damping_sin_at, "g sin 4theta_tau", 1, "1/s"},
                                      {rotation_at, "r", 1, "rad/s"}}};
 
-// Largest factor by which the colour of the free fit's residual widens the variances of its rates.
-double widening(const FitProblem& free_problem, const MapFit& free) {
-    const Posterior white = posterior(free_problem, free);
-    const Eigen::MatrixXd coloured = NoiseEstimate(free_problem, white).covariance(white);
-    double most = 1;
-    for (std::size_t k = 0; k < white.active.size() && white.active[k] < rate_count; ++k) {
-        const auto at = static_cast<Eigen::Index>(k);
-        const Eigen::RowVectorXd row = white.root.row(at);
-        most = std::max(most, (row * coloured).dot(row) / (row * white.data).dot(row));
-    }
-    return most;
-}
-
 // The runs with `scale` times the noise variance.
 std::vector<ScaledRun> with_noise(std::span<const ScaledRun> runs, double scale) {
     std::vector<ScaledRun> noisier(runs.begin(), runs.end());
@@ -144,7 +131,7 @@ StructuredVerdict test_structured(const FitProblem& problem, const MapFit& main,
     const double ratio = std::max(1.0, free.chi2 / degrees_of_freedom(free_problem));
     StructuredVerdict verdict = judge(problem, main, free, ratio, tolerance, job);
     if (!verdict.structured) {
-        const double scale = std::max(ratio, widening(free_problem, free));
+        const double scale = std::max(ratio, widening(free_problem, posterior(free_problem, free)));
         if (scale > ratio) {
             verdict = judge(problem, main, free, scale, tolerance, job);
         }

@@ -1,0 +1,399 @@
+#include "core/resonator/results/set_examination.h"
+
+#include "core/numerics/dense_solvers.h"
+#include "core/resonator/fit/fit_start.h"
+#include "core/resonator/noise/residual_noise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace vybeg {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Chi^2 between the first suspect and the next; by which an exchange has to lower it.
+constexpr double margin = 12;
+// Chi^2 above that of its own fit up to which a run counts as brought back.
+constexpr double brought_back = 25;
+// Sets without one run that are fitted.
+constexpr std::size_t most_trials = 4;
+constexpr int refit_steps = 60;
+
+// Some runs of a set with their fit; the problem refers to the runs.
+struct PartFit {
+    std::vector<ScaledRun> runs;
+    FitProblem problem;
+    MapFit fit;
+};
+
+PartFit part_fit(const FitProblem& whole, const MapFit& joint, std::span<const std::size_t> which,
+                 std::vector<ScaledRun> runs, const JobControl& job) {
+    FitProblem problem = part_of(whole, which, runs);
+    FitProblem from_joint = problem;
+    MapFit fit = fit_from_nothing(problem, job);
+    MapFit near = fit_from(from_joint, part_of(whole.layout, joint.p, which), job);
+    if (near.cost < fit.cost) {
+        fit = std::move(near);
+        problem = std::move(from_joint);
+    }
+    // The problem keeps referring to the runs where they are.
+    return {std::move(runs), std::move(problem), std::move(fit)};
+}
+
+PartFit part_fit(const FitProblem& whole, const MapFit& joint, std::span<const std::size_t> which,
+                 const JobControl& job) {
+    std::vector<ScaledRun> runs;
+    for (const std::size_t k : which) {
+        runs.push_back(whole.runs[k]);
+    }
+    return part_fit(whole, joint, which, std::move(runs), job);
+}
+
+std::vector<std::size_t> all_but(std::size_t count, std::size_t out) {
+    std::vector<std::size_t> kept(count);
+    std::iota(kept.begin(), kept.end(), std::size_t{0});
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(out));
+    return kept;
+}
+
+// The variance of a run's noise in units of that of its windows, by its own fit: what it misses
+// itself is a matter of its model and noise, not of the set.
+double own_noise(const PartFit& alone) {
+    const double dof = degrees_of_freedom(alone.problem);
+    const double ratio = alone.fit.chi2 / dof;
+    if (!(ratio > noise_bound(dof))) {
+        return std::max(1.0, std::isfinite(ratio) ? ratio : 1.0);
+    }
+    return std::max(ratio, widening(alone.problem, posterior(alone.problem, alone.fit)));
+}
+
+ScaledRun exchanged(ScaledRun run) {
+    for (Eigen::Vector2cd& z : run.z) {
+        z.reverseInPlace();
+    }
+    return run;
+}
+
+ScaledRun with_sign(ScaledRun run) {
+    for (Eigen::Vector2cd& z : run.z) {
+        z[1] = -z[1];
+    }
+    return run;
+}
+
+class Examination {
+public:
+    Examination(const FitProblem& problem, const MapFit& joint, const JobControl& job)
+        : problem_(problem), joint_(joint), job_(job), count_(problem.runs.size()) {}
+
+    SetExamination made() {
+        SetExamination out;
+        noise_.assign(count_, 1);
+        const bool structured = problem_.priors.sd[free_rotation_at] == 0;
+        if (disagree(problem_, joint_.p, noise_).deviate < most_disagreement) {
+            return with_small_spread(std::move(out), structured);
+        }
+        for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
+            alone_.push_back(part_fit(problem_, joint_, std::array{k}, job_));
+            noise_[k] = own_noise(alone_.back());
+        }
+        if (job_.cancelled()) {
+            return out;
+        }
+        if (disagree(problem_, joint_.p, noise_).deviate < most_disagreement) {
+            return with_small_spread(std::move(out), structured);
+        }
+        if (structured) {
+            Spread spread = spread_of(problem_, joint_.p, noise_, true, job_);
+            if (spread.explains) {
+                out.spread = spread.sd;
+                if (name_turned(out)) {
+                    return out;
+                }
+                out.verdict = SetVerdict::spread;
+                out.deviation = std::move(spread.deviation);
+                out.p = std::move(spread.p);
+                return out;
+            }
+        }
+        leave_one_out(out);
+        return out;
+    }
+
+private:
+    Disagreement disagree(const FitProblem& problem, const VectorXd& p,
+                          const std::vector<double>& noise) const {
+        return disagreement(problem, p, run_information(problem, p, noise));
+    }
+
+    // What two or three runs cannot show is assumed.
+    SetExamination with_small_spread(SetExamination out, bool structured) const {
+        if (structured && count_ < least_to_show) {
+            out.spread = spread_of(problem_, joint_.p, noise_, false, job_).sd;
+        }
+        return out;
+    }
+
+    // Exchanged channels or a changed sign of D in one run that a spread would hide.
+    bool name_turned(SetExamination& out) const {
+        if (count_ > 2 * most_trials) {
+            return false;
+        }
+        for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
+            for (const auto& [cause, run] :
+                 {std::pair{ForeignCause::exchanged, exchanged(problem_.runs[k])},
+                  {ForeignCause::sign, with_sign(problem_.runs[k])}}) {
+                std::vector<ScaledRun> runs(problem_.runs.begin(), problem_.runs.end());
+                runs[k] = run;
+                std::vector<std::size_t> which(count_);
+                std::iota(which.begin(), which.end(), std::size_t{0});
+                const PartFit turned = part_fit(problem_, joint_, which, std::move(runs), job_);
+                const double fall = joint_.cost - turned.fit.cost;
+                if (fall > margin &&
+                    disagree(turned.problem, turned.fit.p, noise_).deviate < most_disagreement) {
+                    out.foreign.push_back(k);
+                    out.cause = cause;
+                    out.fall = fall;
+                }
+            }
+        }
+        out.verdict = out.foreign.size() > 1 ? SetVerdict::several : SetVerdict::foreign;
+        return !out.foreign.empty();
+    }
+
+    // The runs whose removal to try, the likeliest first.
+    std::vector<std::size_t> suspects() const {
+        std::vector<std::size_t> order(count_);
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        if (count_ > most_trials) {
+            const std::vector<double> falls =
+                falls_without(problem_, joint_.p, run_information(problem_, joint_.p, noise_));
+            std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+                return falls[a] > falls[b];  // NaN before none
+            });
+            order.resize(most_trials);
+        }
+        return order;
+    }
+
+    void leave_one_out(SetExamination& out) {
+        struct Trial {
+            std::size_t run = 0;
+            double apart = 0;  // chi^2 of the others together and of the run alone
+        };
+        const double mean_noise =
+            std::accumulate(noise_.begin(), noise_.end(), 0.0) / static_cast<double>(count_);
+        std::vector<Trial> fitting;
+        for (const std::size_t k : suspects()) {
+            if (job_.cancelled()) {
+                return;
+            }
+            std::vector<double> noise = noise_;
+            noise.erase(noise.begin() + static_cast<std::ptrdiff_t>(k));
+            const PartFit& rest =
+                rest_.emplace(k, part_fit(problem_, joint_, all_but(count_, k), job_))
+                    .first->second;
+            if (count_ == 2 ||
+                disagree(rest.problem, rest.fit.p, noise).deviate < most_disagreement) {
+                fitting.push_back({k, (rest.fit.cost + alone_[k].fit.cost) / mean_noise});
+            }
+        }
+        out.verdict = SetVerdict::refused;
+        if (fitting.empty()) {
+            return;
+        }
+        std::ranges::stable_sort(fitting, {}, &Trial::apart);
+        for (const Trial& trial : fitting) {
+            if (trial.apart < fitting.front().apart + margin) {
+                out.foreign.push_back(trial.run);
+            }
+        }
+        out.fall = joint_.cost - mean_noise * fitting.front().apart;
+        out.verdict = out.foreign.size() > 1 ? SetVerdict::several : SetVerdict::foreign;
+        name_cause(out);
+    }
+
+    // Least chi^2 above that of its own fit of a run, its start and frequency free, the shared
+    // parameters from the others with their covariance; those of `open` as well free.
+    struct Prediction {
+        double beyond = 0;
+        VectorXd p;
+    };
+
+    Prediction predicted(std::size_t k, const ScaledRun& run, const MapFit& own,
+                         std::initializer_list<int> open) const {
+        const PartFit& others = rest_.at(k);
+        const Posterior at = posterior(others.problem, others.fit);
+        const std::vector<Index> active = active_shared(others.problem);
+        const auto n = static_cast<Index>(active.size());
+        MatrixXd covariance = at.covariance.topLeftCorner(n, n);
+        const std::vector<ScaledRun> one{run};
+        FitProblem trial = part_of(problem_, std::array{k}, one);
+        for (const int parameter : open) {
+            const double wide =
+                parameter == kappa_at ? 0.1 : std::max(1 / run.duration_s, others.fit.p[decay_at]);
+            const auto place = std::ranges::find(active, Index{parameter}) - active.begin();
+            if (place < n) {
+                covariance(place, place) += wide * wide;
+            } else {
+                trial.priors.sd[parameter] = wide;
+            }
+        }
+        const VectorXd unit =
+            covariance.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
+        const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(MatrixXd(
+            unit.cwiseInverse().asDiagonal() * covariance * unit.cwiseInverse().asDiagonal()));
+        for (Index row = 0; row < n; ++row) {
+            HeldDirection held{VectorXd::Zero(trial.layout.size()), 0,
+                               std::sqrt(std::max(eigen.eigenvalues()[row], 1e-14) * noise_[k])};
+            held.direction(active) = eigen.eigenvectors().col(row).cwiseQuotient(unit);
+            held.value = held.direction.head(shared_count).dot(others.fit.p.head(shared_count));
+            trial.held.push_back(std::move(held));
+            trial.priors.sd[active[static_cast<std::size_t>(row)]] =
+                std::numeric_limits<double>::infinity();
+        }
+        VectorXd from_others = own.p;
+        from_others.head(shared_count) = others.fit.p.head(shared_count);
+        Prediction best{std::numeric_limits<double>::infinity(), own.p};
+        for (const VectorXd& start : {own.p, from_others}) {
+            const MapFit fit = minimise(trial, start, refit_steps, job_);
+            const double beyond = (fit.cost - own.cost) / noise_[k];
+            if (beyond < best.beyond) {
+                best = {beyond, fit.p};
+            }
+        }
+        return best;
+    }
+
+    void name_cause(SetExamination& out) const {
+        const std::size_t k = out.foreign.front();
+        const ScaledRun& run = problem_.runs[k];
+        const MapFit& own = alone_[k].fit;
+        const double plain = predicted(k, run, own, {}).beyond;
+        const double enough = std::min(brought_back, plain - margin);
+        double best = enough;
+        const auto consider = [&](double beyond, ForeignCause cause) {
+            if (beyond < best) {
+                best = beyond;
+                out.cause = cause;
+            }
+        };
+        for (const auto& [cause, turned] : {std::pair{ForeignCause::exchanged, exchanged(run)},
+                                            {ForeignCause::sign, with_sign(run)}}) {
+            const PartFit alone = part_fit(problem_, joint_, std::array{k}, {turned}, job_);
+            consider(predicted(k, turned, alone.fit, {}).beyond, cause);
+        }
+        if (out.cause != ForeignCause::unknown || problem_.priors.sd[free_rotation_at] != 0) {
+            return;
+        }
+        // A parameter of its own: each of them costs one.
+        const Prediction kappa = predicted(k, run, own, {kappa_at});
+        const Prediction decay = predicted(k, run, own, {decay_at});
+        const Prediction split = predicted(k, run, own, {split_cos_at, split_sin_at});
+        const Prediction turn = predicted(k, run, own, {rotation_at});
+        best = brought_back;
+        consider(kappa.beyond, ForeignCause::kappa);
+        consider(decay.beyond, ForeignCause::decay);
+        consider(split.beyond, ForeignCause::split);
+        consider(turn.beyond, ForeignCause::turn);
+        const PartFit& others = rest_.at(k);
+        if (out.cause == ForeignCause::kappa) {
+            out.its_value = kappa.p[kappa_at] / others.fit.p[kappa_at];
+            out.their_value = 1;
+        } else if (out.cause == ForeignCause::decay) {
+            out.its_value = decay.p[decay_at];
+            out.their_value = others.fit.p[decay_at];
+        }
+    }
+
+    const FitProblem& problem_;
+    const MapFit& joint_;
+    const JobControl& job_;
+    std::size_t count_;
+    std::vector<double> noise_;
+    std::vector<PartFit> alone_;
+    std::map<std::size_t, PartFit> rest_;  // without a run
+};
+
+// "A", "A or B", ...
+MessageArg either(const std::vector<std::size_t>& runs) {
+    MessageArg list = recording_arg(runs.front());
+    for (std::size_t k = 1; k < runs.size(); ++k) {
+        list = words(VYBEG_MESSAGE("Words", "%1 or %2"), {list, recording_arg(runs[k])});
+    }
+    return list;
+}
+
+MessageArg cause_words(const SetExamination& examination) {
+    const MessageArg run = recording_arg(examination.foreign.front());
+    switch (examination.cause) {
+        case ForeignCause::exchanged:
+            return words(VYBEG_MESSAGE("Words", "the channels C and D of %1 are exchanged"), {run});
+        case ForeignCause::sign:
+            return words(VYBEG_MESSAGE("Words", "the sign of channel D of %1 is reversed"), {run});
+        case ForeignCause::kappa:
+            return words(
+                VYBEG_MESSAGE("Words", "the gain ratio of %1 is %2 times that of the others"),
+                {run, number_arg(examination.its_value, 4)});
+        case ForeignCause::decay:
+            if (!(examination.its_value > 0.1 * examination.their_value)) {
+                return words(VYBEG_MESSAGE(
+                                 "Words", "%1 hardly decays, the decay time of the others is %2 s"),
+                             {run, number_arg(1 / examination.their_value, 3)});
+            }
+            return words(
+                VYBEG_MESSAGE("Words", "the decay time of %1 is %2 s, that of the others %3 s"),
+                {run, number_arg(1 / examination.its_value, 4),
+                 number_arg(1 / examination.their_value, 4)});
+        case ForeignCause::split:
+            return words(VYBEG_MESSAGE("Words", "the split or the stiffness axis of %1 is another"),
+                         {run});
+        case ForeignCause::turn:
+            return words(VYBEG_MESSAGE("Words", "the wave of %1 turns at another rate"), {run});
+        case ForeignCause::unknown: break;
+    }
+    return words(VYBEG_MESSAGE("Words", "more than one number of %1 differs"), {run});
+}
+
+}  // namespace
+
+SetExamination examine_set(const FitProblem& problem, const MapFit& joint, const JobControl& job) {
+    if (problem.runs.size() < 2 || !joint.p.allFinite()) {
+        return {};
+    }
+    return Examination(problem, joint, job).made();
+}
+
+std::vector<Diagnostic> findings_of(const SetExamination& examination, std::size_t runs) {
+    const auto sizes = [&]() -> std::vector<MessageArg> {
+        const RunDeviation& sd = examination.spread;
+        return {number_arg(100 * sd.decay, 2), number_arg(100 * sd.split, 2),
+                number_arg(100 * sd.kappa, 2)};
+    };
+    switch (examination.verdict) {
+        case SetVerdict::fits:
+            if (runs > 1 && runs < least_to_show && examination.spread.decay > 0) {
+                return {{DiagnosticKind::set_too_small, sizes()}};
+            }
+            return {};
+        case SetVerdict::spread: return {{DiagnosticKind::recordings_differ, sizes()}};
+        case SetVerdict::refused: return {{DiagnosticKind::set_inconsistent, {}}};
+        case SetVerdict::foreign:
+        case SetVerdict::several: break;
+    }
+    const MessageArg cause = cause_words(examination);
+    const bool one = examination.verdict == SetVerdict::foreign;
+    return {{one ? DiagnosticKind::foreign_recording : DiagnosticKind::foreign_among,
+             {either(examination.foreign), cause}}};
+}
+
+}  // namespace vybeg

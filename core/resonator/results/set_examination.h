@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/resonator/fit/map_fit.h"
+#include "core/resonator/fit/run_information.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace vybeg {
+
+// Whether the runs of a set are of one resonator (FIT section 9). A set is a hypothesis: it is
+// tested before its numbers are believed.
+enum class SetVerdict {
+    fits,     // the runs agree
+    spread,   // 1/tau, split and gain ratio differ a little from run to run
+    foreign,  // without one run the others agree
+    several,  // so they do without either of two or more
+    refused   // no single run makes the difference
+};
+
+// What makes a foreign run one of the set again, and which of its numbers disagrees otherwise.
+enum class ForeignCause { unknown, exchanged, sign, kappa, decay, split, turn };
+
+struct SetExamination {
+    SetVerdict verdict = SetVerdict::fits;
+    std::vector<std::size_t> foreign;            // the suspects, the likeliest first
+    ForeignCause cause = ForeignCause::unknown;  // of the likeliest
+    double its_value = 0;                        // of kappa (over that of the set) or of 1/tau
+    double their_value = 0;
+    double fall = 0;                      // of chi^2 where the likeliest has parameters of its own
+    std::vector<RunDeviation> deviation;  // of each run; of verdict `spread`
+    Eigen::VectorXd p;                    // likewise: the set's parameters
+    RunDeviation spread;                  // sd of the deviations; of small sets, too
+};
+
+// Sets of fewer runs do not show whether they belong together: free parameters absorb what differs.
+inline constexpr std::size_t least_to_show = 4;
+
+// `joint`: the fit of `problem`. A set whose runs agree takes one look at the information of each;
+// otherwise each run is fitted alone, and the set without each of the four that disagree most.
+SetExamination examine_set(const FitProblem& problem, const MapFit& joint, const JobControl& job);
+
+// What is said of it; `runs`: their number.
+std::vector<Diagnostic> findings_of(const SetExamination& examination, std::size_t runs);
+
+}  // namespace vybeg
