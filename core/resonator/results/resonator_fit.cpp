@@ -191,8 +191,8 @@ private:
                 examination_.spread};
     }
 
-    // Whether the set is one at all. A cause common to all runs that leaves only noise, or without
-    // which no single run makes the difference, is named instead.
+    // Whether the set is one at all. A cause common to all runs that leaves only noise is named
+    // instead; nearly so where no single run makes the difference.
     void examine() {
         examination_ = examine_set(problem_, main_, job_);
         if (examination_.verdict == SetVerdict::spread) {
@@ -207,8 +207,11 @@ private:
         const std::optional<MisfitCause> cause =
             misfit_cause(problem_, posterior(problem_, main_), fine_, scale_);
         const double dof = degrees_of_freedom(problem_);
-        if (cause && (examination_.verdict == SetVerdict::refused ||
-                      main_.chi2 - cause->fall < noise_bound(dof) * dof)) {
+        const double left = cause ? main_.chi2 - cause->fall : main_.chi2;
+        // One parameter that explains that much is no chance.
+        constexpr double nearly_all = 0.05;
+        if (left < noise_bound(dof) * dof || (examination_.verdict == SetVerdict::refused &&
+                                              left - dof < nearly_all * (main_.chi2 - dof))) {
             examination_ = {};
         }
     }

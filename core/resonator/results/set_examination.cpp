@@ -76,6 +76,18 @@ double own_noise(const PartFit& alone) {
     return std::max(ratio, widening(alone.problem, posterior(alone.problem, alone.fit)));
 }
 
+// What a run alone shows of the rates: the logarithm of their volume under the priors over that
+// after the fit.
+double known_by(const PartFit& alone) {
+    const Posterior at = posterior(alone.problem, alone.fit);
+    double sum = 0;
+    for (std::size_t k = 0; k < at.active.size() && at.active[k] < rate_count; ++k) {
+        const auto row = static_cast<Index>(k);
+        sum -= std::log(at.covariance(row, row));
+    }
+    return std::isfinite(sum) ? sum : -std::numeric_limits<double>::infinity();
+}
+
 ScaledRun exchanged(ScaledRun run) {
     for (Eigen::Vector2cd& z : run.z) {
         z.reverseInPlace();
@@ -105,6 +117,7 @@ public:
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
             alone_.push_back(part_fit(problem_, joint_, std::array{k}, job_));
             noise_[k] = own_noise(alone_.back());
+            known_.push_back(known_by(alone_.back()));
         }
         if (job_.cancelled()) {
             return out;
@@ -185,6 +198,43 @@ private:
         return order;
     }
 
+    // The set without a run, from the set's parameters and from those of the two runs that tell the
+    // most alone: where the others agree, one of these is near.
+    PartFit without(std::size_t out) const {
+        const std::vector<std::size_t> which = all_but(count_, out);
+        std::vector<ScaledRun> runs;
+        VectorXd own = part_of(problem_.layout, joint_.p, which);
+        std::vector<std::size_t> order = which;
+        std::ranges::stable_sort(
+            order, [this](std::size_t a, std::size_t b) { return known_[a] > known_[b]; });
+        order.resize(std::min<std::size_t>(order.size(), 2));
+        std::vector<VectorXd> starts{own};
+        Index next = shared_count;
+        for (const std::size_t k : which) {
+            runs.push_back(problem_.runs[k]);
+            const VectorXd& alone = alone_[k].fit.p;
+            own.segment(next, alone.size() - shared_count) =
+                alone.tail(alone.size() - shared_count);
+            next += alone.size() - shared_count;
+        }
+        for (const std::size_t k : order) {
+            own.head(shared_count) = alone_[k].fit.p.head(shared_count);
+            starts.push_back(own);
+        }
+        FitProblem problem = part_of(problem_, which, runs);
+        MapFit best;
+        best.cost = std::numeric_limits<double>::infinity();
+        for (const VectorXd& start : starts) {
+            FitProblem trial = problem;
+            MapFit fit = fit_from(trial, start, job_);
+            if (fit.cost < best.cost || best.p.size() == 0) {
+                best = std::move(fit);
+                problem = std::move(trial);
+            }
+        }
+        return {std::move(runs), std::move(problem), std::move(best)};
+    }
+
     void leave_one_out(SetExamination& out) {
         struct Trial {
             std::size_t run = 0;
@@ -199,9 +249,7 @@ private:
             }
             std::vector<double> noise = noise_;
             noise.erase(noise.begin() + static_cast<std::ptrdiff_t>(k));
-            const PartFit& rest =
-                rest_.emplace(k, part_fit(problem_, joint_, all_but(count_, k), job_))
-                    .first->second;
+            const PartFit& rest = rest_.emplace(k, without(k)).first->second;
             if (count_ == 2 ||
                 disagree(rest.problem, rest.fit.p, noise).deviate < most_disagreement) {
                 fitting.push_back({k, (rest.fit.cost + alone_[k].fit.cost) / mean_noise});
@@ -321,6 +369,7 @@ private:
     std::size_t count_;
     std::vector<double> noise_;
     std::vector<PartFit> alone_;
+    std::vector<double> known_;            // what each run shows of the rates alone, logarithm
     std::map<std::size_t, PartFit> rest_;  // without a run
 };
 

@@ -1,0 +1,153 @@
+#include "tests/closeness.h"
+#include "tests/statistical/each_seed.h"
+#include "tests/statistical/violated_sets.h"
+#include "tests/test_registry.h"
+
+#include <cmath>
+
+namespace test_violated_sets {
+
+using namespace vybeg;
+using test::SetKind;
+
+namespace {
+
+// What became of many sets of one kind.
+struct Tally {
+    int fits = 0;
+    int spread = 0;
+    int right = 0;      // the run with the violation is named, alone
+    int wrong = 0;      // another one is
+    int among = 0;      // it is among those named
+    int elsewhere = 0;  // others are named without it
+    int refused = 0;
+    int beyond = 0;  // a given number is further than four u from the truth
+    int given = 0;   // split, decay or rotation is
+};
+
+bool names(const ResonatorFit& fit, std::size_t run) {
+    for (const Diagnostic& warning : fit.warnings) {
+        if (warning.kind == DiagnosticKind::foreign_among) {
+            const std::string named = " " + english(warning.args[0]) + " ";
+            return named.find(" " + std::to_string(run + 1) + " ") != std::string::npos;
+        }
+    }
+    return false;
+}
+
+Tally tally(SetKind kind, int count, std::size_t runs, double least, double most) {
+    std::vector<Tally> each(static_cast<std::size_t>(count));
+    test::for_each_seed(count, [&](int k) {
+        // Sizes in a fixed order without a relation to the seeds' sets.
+        const double share = std::fmod(k * 0.618034, 1.0);
+        const double size = least * std::pow(most / least, share);
+        const auto seed = static_cast<std::uint64_t>(k) + 1;
+        const test::ViolatedSet set = test::violated_set(kind, seed, size, runs);
+        const Result<ResonatorFit> fit = fit_resonator(set.runs, {}, {});
+        if (!fit) {
+            qFatal("the fit failed");
+        }
+        Tally& out = each[static_cast<std::size_t>(k)];
+        if (fit->left_out) {
+            (*fit->left_out == set.bad ? out.right : out.wrong) = 1;
+        } else if (test::has(*fit, DiagnosticKind::foreign_among)) {
+            (names(*fit, set.bad) ? out.among : out.elsewhere) = 1;
+        } else if (test::has(*fit, DiagnosticKind::set_inconsistent)) {
+            out.refused = 1;
+        } else if (test::has(*fit, DiagnosticKind::recordings_differ)) {
+            out.spread = 1;
+        } else {
+            out.fits = 1;
+        }
+        out.beyond = test::worst_pull(*fit, set.resonator) > 4 ? 1 : 0;
+        out.given = fit->resonator.split_hz.given() || fit->resonator.tau_s.given() ? 1 : 0;
+    });
+    Tally sum;
+    for (const Tally& one : each) {
+        sum.fits += one.fits;
+        sum.spread += one.spread;
+        sum.right += one.right;
+        sum.wrong += one.wrong;
+        sum.among += one.among;
+        sum.elsewhere += one.elsewhere;
+        sum.refused += one.refused;
+        sum.beyond += one.beyond;
+        sum.given += one.given;
+    }
+    return sum;
+}
+
+}  // namespace
+
+class TestViolatedSets : public QObject {
+    Q_OBJECT
+
+private slots:
+    void faultless_sets_fit_and_their_numbers_are_right() {
+        const Tally sets = tally(SetKind::faultless, 60, 0, 0, 0);
+        VYBEG_EQUAL(sets.fits, 60);
+        VYBEG_EQUAL(sets.beyond, 0);
+        VYBEG_AT_LEAST(sets.given, 55);
+    }
+
+    void one_recording_that_does_not_belong_is_named_data() {
+        QTest::addColumn<int>("kind");
+        QTest::newRow("another gyro") << static_cast<int>(SetKind::foreign);
+        QTest::newRow("channels exchanged") << static_cast<int>(SetKind::exchanged);
+        QTest::newRow("sign of D") << static_cast<int>(SetKind::sign);
+        QTest::newRow("drive left on") << static_cast<int>(SetKind::drive);
+    }
+
+    // Sets of four (rows 28 to 30).
+    void one_recording_that_does_not_belong_is_named() {
+        QFETCH(int, kind);
+        const Tally sets = tally(static_cast<SetKind>(kind), 24, 4, 0, 0);
+        VYBEG_EQUAL(sets.wrong + sets.elsewhere, 0);
+        VYBEG_AT_LEAST(sets.right, 22);
+        VYBEG_EQUAL(sets.fits + sets.spread, 0);
+        VYBEG_EQUAL(sets.beyond, 0);
+    }
+
+    void a_recording_of_another_gyro_in_a_small_set_is_refused_or_named() {
+        for (const std::size_t runs : {std::size_t{2}, std::size_t{3}}) {
+            const Tally sets = tally(SetKind::foreign, 20, runs, 0, 0);
+            VYBEG_EQUAL(sets.wrong + sets.elsewhere, 0);
+            VYBEG_AT_MOST(sets.fits + sets.spread, 4);
+            VYBEG_AT_MOST(sets.beyond, 1);
+        }
+    }
+
+    void small_differences_are_in_u_or_named_data() {
+        QTest::addColumn<int>("kind");
+        QTest::newRow("gain ratio of one") << static_cast<int>(SetKind::kappa);
+        QTest::newRow("decay of one") << static_cast<int>(SetKind::tau);
+        QTest::newRow("split of one") << static_cast<int>(SetKind::split);
+        QTest::newRow("partly another gyro") << static_cast<int>(SetKind::part);
+    }
+
+    // Sizes from a tenth of the harm to many times it (row 31).
+    void small_differences_are_in_u_or_named() {
+        QFETCH(int, kind);
+        const Tally sets = tally(static_cast<SetKind>(kind), 24, 4, 3e-4, 0.3);
+        VYBEG_EQUAL(sets.wrong + sets.elsewhere, 0);
+        VYBEG_AT_MOST(sets.beyond, 1);
+    }
+
+    // Temperatures: decay by 1 %, split by 3 %, gain ratio by 0.1 %.
+    void a_spread_between_recordings_is_in_u() {
+        const Tally sets = tally(SetKind::all_differ, 24, 4, 0, 0);
+        VYBEG_AT_LEAST(sets.spread, 22);
+        VYBEG_AT_MOST(sets.beyond, 1);
+    }
+
+    void recordings_that_differ_widely_have_no_resonator() {
+        const Tally sets = tally(SetKind::widely, 24, 4, 0, 0);
+        VYBEG_AT_LEAST(sets.refused + sets.among + sets.right, 18);
+        VYBEG_AT_MOST(sets.beyond, 1);
+    }
+};
+
+}  // namespace test_violated_sets
+
+VYBEG_TEST(TestViolatedSets)
+#include "test_violated_sets.moc"
