@@ -147,7 +147,8 @@ private slots:
     }
 };
 
+VYBEG_TEST(TestViolatedSets)
+
 }  // namespace test_violated_sets
 
-VYBEG_TEST(TestViolatedSets)
 #include "test_violated_sets.moc"
