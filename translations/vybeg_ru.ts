@@ -2890,8 +2890,8 @@
         <translation>допустимо от 2 до %1</translation>
     </message>
     <message>
-        <source>it must be 0 or more bytes</source>
-        <translation>допустимо 0 байт или больше</translation>
+        <source>it must be 0 to 1e15 bytes</source>
+        <translation>допустимо от 0 до 1e15 байт</translation>
     </message>
     <message>
         <source>it must be a number other than 0</source>
@@ -5300,6 +5300,10 @@
     <message>
         <source>A whole number is needed.</source>
         <translation>Нужно целое число.</translation>
+    </message>
+    <message>
+        <source>A number above zero is needed.</source>
+        <translation>Нужно число больше нуля.</translation>
     </message>
     <message>
         <source>At least %1 is needed.</source>
