@@ -4817,6 +4817,10 @@
 <context>
     <name>vybeg::ui::ImportFields</name>
     <message>
+        <source>A number other than 0 is needed.</source>
+        <translation>Нужно число, отличное от нуля.</translation>
+    </message>
+    <message>
         <source>16 bit integer</source>
         <translation>целые 16 бит</translation>
     </message>

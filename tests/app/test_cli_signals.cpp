@@ -1,5 +1,6 @@
 // 30 signals, or as many as VYBEG_SIGNALS says, at moments spread over runs with one and two
-// outputs: all outputs are new, or all are as they were, and the sentence says which.
+// outputs: all outputs are new, or all are as they were, and the sentence says which. As many to
+// sets that do not fit the model, whose fits take long: the program is gone within a second.
 #include "tests/app/cli_run.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <csignal>
+#include <random>
 
 namespace test_cli_signals {
 
@@ -64,6 +66,78 @@ class TestCliSignals : public QObject, private CliFolder {
         QCOMPARE(temporaries(), QStringList());
     }
 
+    // From the signal to the end of the program; 0 where it had ended before.
+    qint64 timeToLeave(const QString& work, int signal, int after_ms, int& interrupted) {
+        QFile::remove(path("o.json"));
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(VYBEG_CLI, work.split(' '));
+        if (process.waitForFinished(after_ms)) {
+            return 0;
+        }
+        QElapsedTimer timer;
+        timer.start();
+        kill(static_cast<pid_t>(process.processId()), signal);
+        const bool ended = process.waitForFinished(20000);
+        const qint64 took_ms = timer.elapsed();
+        if (!ended) {
+            process.kill();
+            process.waitForFinished();
+        }
+        // Before main() the program ends by the signal itself; at its end all is written.
+        const bool done = ended && process.exitStatus() == QProcess::NormalExit;
+        [&] {
+            QVERIFY2(ended, qPrintable(work));
+            if (done && process.exitCode() != 0) {
+                ++interrupted;
+                VYBEG_EQUAL(process.exitCode(), 130, process.readAllStandardError());
+                // A batch keeps the rows of the sets that it has finished.
+                QVERIFY(work.startsWith("batch") || !QFile::exists(path("o.json")));
+            }
+            QCOMPARE(temporaries(), QStringList());
+        }();
+        return took_ms;
+    }
+
+    void simulate(const QString& name, const QString& options) {
+        const Outcome outcome =
+            run(("simulate --noise 1e-3 --rate 20000 " + options + " -o " + name).split(' '));
+        VYBEG_EQUAL(outcome.status, 0, outcome.err);
+    }
+
+    // The first half of a recording and the second of another: a knock in between.
+    void join(const QString& first, const QString& second, const QString& name) {
+        QByteArray bytes = file(first);
+        const QByteArray other = file(second);
+        QCOMPARE(bytes.size(), other.size());
+        const qsizetype frames = bytes.size() / 32;
+        bytes.replace(bytes.size() - 16 * frames, 16 * frames, other.last(16 * frames));
+        QVERIFY(put(path(name), bytes));
+    }
+
+    void makeMisfits() {
+        QByteArray list = "set,file\n";
+        for (int k = 1; k <= 3; ++k) {
+            const QString common =
+                QString("--tau 30 --split 0.05 --two-theta-A %1 --seed %2").arg(0.9 * k).arg(k);
+            const QString number = QString::number(k) + ".wav";
+            simulate("g" + number, "--seconds 6 " + common);
+            simulate("s" + number,
+                     "--seconds 6 --settling 1 --settling-time 2 --phase-noise 1e-6 " + common);
+            simulate("t" + number,
+                     QString("--seconds 7 --f0 3100 --tau 0.1 --split 0.01 --two-theta-A %1 "
+                             "--seed %2")
+                         .arg(0.9 * k)
+                         .arg(k));
+            list += QString("g,g%1\ns,s%1\nt,t%1\n").arg(number).toUtf8();
+        }
+        simulate("foreign.wav",
+                 "--seconds 6 --f0 5303 --tau 60 --split 0.4 --two-theta-A 1.2 --seed 4");
+        join("g1.wav", "g2.wav", "k1.wav");
+        join("g2.wav", "g3.wav", "k2.wav");
+        QVERIFY(put(path("misfits.csv"), list + "g,foreign.wav\n"));
+    }
+
 private slots:
     void signals_at_any_moment_leave_all_outputs_old_or_all_new() {
         QCOMPARE(run({"simulate", "--demo", "--seconds", "2", "-o", "a.wav"}).status, 0);
@@ -102,6 +176,45 @@ private slots:
               before_main_);
         VYBEG_AT_LEAST(interrupted_, static_cast<int>(sent / 6),
                        "too few signals met a run at work for the test to mean much");
+    }
+
+    void a_set_that_does_not_fit_is_left_within_a_second() {
+        makeMisfits();
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        const std::array<QString, 5> works{
+            "identify g1.wav g2.wav g3.wav foreign.wav -o o.json --quiet",
+            "identify k1.wav k2.wav g3.wav -o o.json --quiet",
+            "identify t1.wav t2.wav t3.wav -o o.json --quiet",
+            "identify s1.wav s2.wav s3.wav -o o.json --quiet",
+            "batch misfits.csv -o o.json --jobs 2 --quiet"};
+        bool given = false;
+        const int wanted = qEnvironmentVariableIntValue("VYBEG_SIGNALS", &given);
+        const int sent = given ? wanted : 30;
+        const int longest_ms = 4000;  // of a run that would go on
+        std::mt19937_64 random(24);
+        std::uniform_int_distribution<int> any_ms(20, longest_ms);
+        int interrupted = 0;
+        for (int k = 0; k < sent; ++k) {
+            const QString& work = works[static_cast<std::size_t>(k) % works.size()];
+            const int after_ms = any_ms(random);
+            const int signal = k % 2 == 0 ? SIGINT : SIGTERM;
+            // A moment at which a busy machine gave no time is tried again.
+            qint64 took_ms = 0;
+            for (int trial = 0; trial < 3; ++trial) {
+                took_ms = timeToLeave(work, signal, after_ms, interrupted);
+                if (QTest::currentTestFailed()) {
+                    return;
+                }
+                if (took_ms < 1000) {
+                    break;
+                }
+            }
+            VYBEG_LESS(took_ms, 1000,
+                       qPrintable(QString("%1, after %2 ms").arg(work).arg(after_ms)));
+        }
+        VYBEG_AT_LEAST(interrupted, sent / 3, "too few signals met a run at work");
     }
 
     void what_has_gone_out_to_a_pipe_is_not_called_nothing() {

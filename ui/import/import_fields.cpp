@@ -219,8 +219,9 @@ OpenOptions ImportFields::options() const {
 
 bool ImportFields::isValid() const {
     return std::ranges::all_of(
-        std::array{skip_lines_, raw_skip_, rate_, scale_},
-        [](const NumberField* field) { return field->isHidden() || field->isValid(); });
+        std::array{skip_lines_, raw_skip_, rate_, scale_}, [](const NumberField* field) {
+            return field->isHidden() || (field->isValid() && field->fault().isEmpty());
+        });
 }
 
 void ImportFields::setPreview(const RecordingPreview& preview) {
@@ -242,6 +243,7 @@ void ImportFields::showRows() {
     }
     form_->setRowVisible(variables_, hasVariables());
     form_->setRowVisible(scale_, raw || isText());
+    scale_->setConflict(typed(*scale_) == 0 ? tr("A number other than 0 is needed.") : QString());
 }
 
 // Shows the automatic values in the first entry of each list and in empty fields.

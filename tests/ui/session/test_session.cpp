@@ -346,7 +346,7 @@ private slots:
         QVERIFY(dialog && dialog->isVisible());
         const QString path = home_.path("asked.vybeg");
         emit dialog->fileSelected(path);
-        QVERIFY(!window_->isVisible());
+        QTRY_VERIFY(!window_->isVisible());
         QCOMPARE(jsonOf(path)["settings"].toObject()["window"].toString(), "99");
     }
 
@@ -367,7 +367,7 @@ private slots:
         const QString path = home_.path("keys/one.vybeg");
         emit dialog->fileSelected(path);
         dialog->close();
-        QVERIFY(QFile::exists(path));
+        QTRY_VERIFY(QFile::exists(path));
         session().end();
         window_ = shownWindow();
         QMimeData data;
