@@ -19,8 +19,9 @@ using Rows = std::vector<SettingRow<S>>;
 
 template <class S, class Access>
 SettingRow<S> band_row(SettingRow<S> row, Access access) {
-    const Bounds edge{0, most_number, "a band needs a low edge of at least 0 Hz and a higher edge"};
-    row.bounds = {edge, edge};
+    const Bounds low{0, most_number, "a band needs a low edge of at least 0 Hz and a higher edge"};
+    const Bounds high{above_zero, low.most, low.allowed};
+    row.bounds = {low, high};
     return value_row<Band>(
         row, access,
         [option = row.option()](const std::string& from) -> Result<Band> {
@@ -31,12 +32,12 @@ SettingRow<S> band_row(SettingRow<S> row, Access access) {
         [](const Band& band) {
             return joined({band.low_hz, band.high_hz});
         },
-        [edge, option = row.option()](const Band& band) {
+        [low, option = row.option()](const Band& band) {
             // False for NaN.
-            const bool rises = band.low_hz >= edge.least && band.high_hz > band.low_hz &&
-                               band.high_hz <= edge.most;
+            const bool rises =
+                band.low_hz >= low.least && band.high_hz > band.low_hz && band.high_hz <= low.most;
             return rises ? Status()
-                         : refused_value(option, short_text(band.low_hz, 12), edge.allowed);
+                         : refused_value(option, short_text(band.low_hz, 12), low.allowed);
         });
 }
 
