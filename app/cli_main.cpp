@@ -7,7 +7,6 @@
 #include "app/option_values.h"
 #include "app/process_guard.h"
 #include "core/base/caught_error.h"
-#include "core/base/plain_text.h"
 #include "core/simulation/simulate.h"
 
 #include <CLI/CLI.hpp>
@@ -101,22 +100,6 @@ void add_identification(CLI::App& app, IdentifyRequest& request) {
     add_open_options(app, request.open);
     app.add_flag("--timing", request.timing,
                  "Last line of standard error: where the time went, JSON, s");
-}
-
-// What is wrong with the command line, as one sentence: CLI11's own words where they are clear.
-std::string sentence(const CLI::ParseError& error, std::span<char*> words) {
-    std::string text = error.what();
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-        return text.substr(0, text.find(':')) + " needs a value.";
-    }
-    const bool without_command = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
-                                 text.starts_with("A subcommand");
-    if (without_command && words.size() > 1 && words[1][0] != '-') {
-        return "there is no subcommand \"" + plain_text(words[1]) + "\".";
-    }
-    std::ranges::replace(text, '\n', ' ');
-    text = plain_text(text);
-    return text.ends_with('.') ? text : text + ".";
 }
 
 bool asks_for_json(std::span<char*> words) {
@@ -215,11 +198,11 @@ int run(int argc, char** argv) {
             return printed(app, error);
         }
         // The parse has failed, and with it perhaps its knowledge of --json-log.
-        return Log(asks_for_json(words), false).fail_usage(sentence(error, words));
+        return Log(asks_for_json(words), false).fail_usage(parse_fault(app, error, words));
     }
 
     Log log(log_options.json, log_options.quiet);
-    if (const std::string fault = usage_fault(app); !fault.empty()) {
+    if (const std::string fault = usage_fault(app, words); !fault.empty()) {
         return log.fail_usage(fault);
     }
     if (identify_command->parsed() && identification.inputs.empty() &&

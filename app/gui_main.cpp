@@ -28,6 +28,7 @@
 #include <exception>
 #include <functional>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <stop_token>
 #include <unistd.h>
@@ -43,7 +44,7 @@ std::vector<std::int64_t> window_list(const std::string& option, const std::stri
     const auto count = static_cast<std::size_t>(std::ranges::count(text, ',')) + 1;
     std::vector<std::int64_t> windows;
     for (const double value : list_value(option, text, count, allowed)) {
-        if (value < 5 || value > 1e15 || value != std::floor(value)) {
+        if (!within(bounds_of("window"), option, value) || value != std::floor(value)) {
             reject(option, text, allowed);
         }
         windows.push_back(static_cast<std::int64_t>(value));
@@ -234,6 +235,7 @@ int printed(const CLI::App& app, const CLI::ParseError& asked) {
 }
 
 int run(int argc, char** argv) {
+    const std::span words(argv, static_cast<std::size_t>(argc));
     Requested requested;
     CLI::App app("Vybeg: standing waves in the free decay of a hemispherical resonator gyroscope.");
     describe(app, requested);
@@ -241,9 +243,10 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return error.get_exit_code() == 0 ? printed(app, error) : usage(error.what());
+        return error.get_exit_code() == 0 ? printed(app, error)
+                                          : usage(parse_fault(app, error, words));
     }
-    if (const std::string fault = usage_fault(app); !fault.empty()) {
+    if (const std::string fault = usage_fault(app, words); !fault.empty()) {
         return usage(fault);
     }
     const FigureRequest& request = requested.figure;

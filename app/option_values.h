@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,13 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<do
 // twice parses, so that usage_fault() can name it.
 void let_repeated_options_parse(CLI::App& app);
 
-// What is wrong with a command line that parses: an option given twice, or with an empty value. A
-// sentence; empty where nothing is.
-std::string usage_fault(const CLI::App& app);
+// What is wrong with a command line that does not parse, as one sentence; `words` are the program's
+// own name and the line. An option that does not exist comes first, with the one whose name it
+// resembles.
+std::string parse_fault(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words);
+
+// What is wrong with a command line that parses: a misspelt option that was read as something else,
+// an option given twice, or with an empty value. A sentence; empty where nothing is.
+std::string usage_fault(const CLI::App& app, std::span<char*> words);
 
 }  // namespace vybeg::cli

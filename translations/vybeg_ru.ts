@@ -2926,8 +2926,8 @@
         <translation>допустимо от 2 до %1</translation>
     </message>
     <message>
-        <source>it must be 0 or more bytes</source>
-        <translation>допустимо 0 байт или больше</translation>
+        <source>it must be 0 to 1e15 bytes</source>
+        <translation>допустимо от 0 до 1e15 байт</translation>
     </message>
     <message>
         <source>it must be a number other than 0</source>
@@ -4889,6 +4889,10 @@
 <context>
     <name>vybeg::ui::ImportFields</name>
     <message>
+        <source>A number other than 0 is needed.</source>
+        <translation>Нужно число, отличное от нуля.</translation>
+    </message>
+    <message>
         <source>16 bit integer</source>
         <translation>целые 16 бит</translation>
     </message>
@@ -5372,6 +5376,10 @@
     <message>
         <source>A whole number is needed.</source>
         <translation>Нужно целое число.</translation>
+    </message>
+    <message>
+        <source>A number above zero is needed.</source>
+        <translation>Нужно число больше нуля.</translation>
     </message>
     <message>
         <source>At least %1 is needed.</source>

@@ -1,8 +1,7 @@
 #include "core/analysis/setting_table.h"
 
-#include <cmath>
-#include <iterator>
-#include <span>
+#include <algorithm>
+#include <array>
 
 namespace vybeg {
 namespace {
@@ -20,6 +19,9 @@ using Rows = std::vector<SettingRow<S>>;
 
 template <class S, class Access>
 SettingRow<S> band_row(SettingRow<S> row, Access access) {
+    const Bounds low{0, most_number, "a band needs a low edge of at least 0 Hz and a higher edge"};
+    const Bounds high{above_zero, low.most, low.allowed};
+    row.bounds = {low, high};
     return value_row<Band>(
         row, access,
         [option = row.option()](const std::string& from) -> Result<Band> {
@@ -30,13 +32,12 @@ SettingRow<S> band_row(SettingRow<S> row, Access access) {
         [](const Band& band) {
             return joined({band.low_hz, band.high_hz});
         },
-        [option = row.option()](const Band& band) {
+        [low, option = row.option()](const Band& band) {
+            // False for NaN.
             const bool rises =
-                band.low_hz >= 0 && band.high_hz > band.low_hz && std::isfinite(band.high_hz);
+                band.low_hz >= low.least && band.high_hz > band.low_hz && band.high_hz <= low.most;
             return rises ? Status()
-                         : refused_value(
-                               option, short_text(band.low_hz, 12),
-                               "a band needs a low edge of at least 0 Hz and a higher edge");
+                         : refused_value(option, short_text(band.low_hz, 12), low.allowed);
         });
 }
 
@@ -64,8 +65,9 @@ SettingRow<S> offset_row(Access access) {
         return calibration.offset_auto ? std::string("auto")
                                        : joined({calibration.offset_c, calibration.offset_d});
     };
+    const Bounds bounds{-most_amplitude, most_amplitude, "it must lie within +-1e30"};
+    row.bounds = {bounds, bounds};
     row.check = [=](const S& settings) -> Status {
-        const Bounds bounds{-most_amplitude, most_amplitude, "it must lie within +-1e30"};
         const Calibration& calibration = access(settings);
         const Status c = within(bounds, "--offset", calibration.offset_c);
         return c ? within(bounds, "--offset", calibration.offset_d) : c;
@@ -86,13 +88,14 @@ Rows<S> signal_rows(Part part) {
     const auto calibration = [=](auto& s) -> auto& {
         return part(s).calibration;
     };
+    const Bounds time{0, most_number, "it cannot be negative"};
     return {
         number_row<S>(
             {"from", "S", "Start of the part to analyse, s"},
-            [=](auto& s) -> auto& { return part(s).from_s; }),
+            [=](auto& s) -> auto& { return part(s).from_s; }, time),
         number_row<S>(
             {"to", "S", "End of the part to analyse, s"},
-            [=](auto& s) -> auto& { return part(s).to_s; }),
+            [=](auto& s) -> auto& { return part(s).to_s; }, time),
         band_row<S>(
             {"band", "LO,HI", "Look for the carrier between two frequencies, Hz"},
             [=](auto& s) -> auto& { return part(s).band; }),
@@ -183,29 +186,30 @@ std::string initial_text(const StartValues& initial) {
     return joined({state.a_A, state.a_B, state.two_theta_A, state.alpha, initial.f_hz});
 }
 
-Status check_initial(const StartValues& initial) {
-    const WaveState& state = initial.state;
-    const Bounds amplitude{-most_amplitude, most_amplitude, "an amplitude must lie within +-1e30"};
-    const Bounds angle{-most_angle, most_angle, "an angle must lie within +-1e6 rad"};
-    const Bounds above{above_zero, most_number, "the amplitude a_A must be above zero"};
-    const Bounds frequency{above_zero, most_number, "the frequency must be above zero"};
-    for (const auto& [bounds, value] :
-         {std::pair{above, state.a_A}, std::pair{frequency, initial.f_hz},
-          std::pair{amplitude, state.a_A}, std::pair{amplitude, state.a_B},
-          std::pair{angle, state.two_theta_A}, std::pair{angle, state.alpha}}) {
-        if (Status valid = within(bounds, "--initial", value); !valid) {
-            return valid;
-        }
-    }
-    return {};
-}
-
 SettingRow<Settings> initial_row() {
+    SettingRow<Settings> row{"initial", "aA,aB,2thetaA,alpha,f",
+                             "Start values of conjugate-gradient: recording units, rad, Hz; alpha "
+                             "at the centre of the first window"};
+    const Bounds angle{-most_angle, most_angle, "an angle must lie within +-1e6 rad"};
+    row.bounds = {{above_zero, most_amplitude,
+                   "the amplitude a_A must be above zero and at most "
+                   "1e30"},
+                  {-most_amplitude, most_amplitude, "an amplitude must lie within +-1e30"},
+                  angle,
+                  angle,
+                  {above_zero, most_number, "the frequency must be above zero"}};
+    const auto check = [bounds = row.bounds](const StartValues& initial) -> Status {
+        const WaveState& state = initial.state;
+        const std::array values{state.a_A, state.a_B, state.two_theta_A, state.alpha, initial.f_hz};
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            if (Status valid = within(bounds[k], "--initial", values[k]); !valid) {
+                return valid;
+            }
+        }
+        return {};
+    };
     return value_row<StartValues, Settings>(
-        {"initial", "aA,aB,2thetaA,alpha,f",
-         "Start values of conjugate-gradient: recording units, rad, Hz; alpha "
-         "at the centre of the first window"},
-        [](auto& s) -> auto& { return s.initial; }, read_initial, initial_text, check_initial);
+        row, [](auto& s) -> auto& { return s.initial; }, read_initial, initial_text, check);
 }
 
 constexpr std::array<std::pair<const char*, FitOptions::Model>, 3> models{
@@ -325,6 +329,13 @@ const std::vector<SettingRow<Settings>>& analysis_settings() {
 const std::vector<SettingRow<IdentifySettings>>& identify_settings() {
     static const Rows<IdentifySettings> rows = rows_of_identification();
     return rows;
+}
+
+const Bounds& bounds_of(const std::string& name, std::size_t number) {
+    const auto& rows = analysis_settings();
+    return std::ranges::find(rows, name, &SettingRow<Settings>::name) != rows.end()
+               ? bounds_in(rows, name, number)
+               : bounds_in(identify_settings(), name, number);
 }
 
 Status validate(const SignalSettings& settings) {

@@ -4,6 +4,7 @@
 #include "core/analysis/settings.h"
 #include "core/base/setting_rows.h"
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,10 @@ namespace vybeg {
 // line's help.
 const std::vector<SettingRow<Settings>>& analysis_settings();
 const std::vector<SettingRow<IdentifySettings>>& identify_settings();
+
+// Bounds of a number of an analysis, or of an identification alone, by its option's name without
+// dashes and its place in the option's value: what validate() takes.
+const Bounds& bounds_of(const std::string& name, std::size_t number = 0);
 
 // Checks what can be checked without a recording, and that no value is so large or small that what
 // is computed with it loses its digits. Errors: setting_invalid with the setting's command-line

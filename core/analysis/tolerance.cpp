@@ -53,7 +53,7 @@ Reading read_number(std::string_view text, std::string_view unit) {
         }
     }
     const std::optional<double> number = parse_number(std::string(text));
-    if (!number || !std::isfinite(*number) || *number < 0) {
+    if (!number || !within(tolerance_bounds, "--tolerance", factor * *number)) {
         return {};
     }
     return {factor * *number, true};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/setting_rows.h"
 
 #include <array>
 #include <optional>
@@ -25,6 +26,9 @@ struct Tolerance {
 // Tolerance of the gain ratio where none is given: exact where the calibration gives a ratio other
 // than 1.
 double default_kappa_tolerance(double kappa);
+
+// Of each number of a tolerance.
+inline constexpr Bounds tolerance_bounds{0};
 
 // The tolerances besides kappa by their names on the command line: the single list that the
 // option, the settings and the window go through.

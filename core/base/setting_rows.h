@@ -4,8 +4,10 @@
 #include "core/base/read_value.h"
 #include "core/base/result.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -14,11 +16,19 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace vybeg {
 
+// Least and most of a number, both allowed.
+struct Bounds {
+    double least = std::numeric_limits<double>::lowest();
+    double most = std::numeric_limits<double>::max();
+    const char* allowed = "it must be a number";
+};
+
 // What command line, track header, JSON, measurement list and session know of one field of the
-// settings S.
+// settings S; the window's fields take their bounds from it.
 template <class S>
 struct SettingRow {
     std::string name;  // on the command line, without its dashes; the same in header and JSON
@@ -32,6 +42,8 @@ struct SettingRow {
     std::function<Status(const S& settings)> check = [](const S&) { return Status(); };
     // In the texts of a result: not the number of threads, nor what a result states on its own.
     bool has_part = true;
+    // Of each number of the value, in their order on the command line.
+    std::vector<Bounds> bounds = {};
 
     std::string option() const { return "--" + name; }
 };
@@ -40,11 +52,12 @@ struct SettingRow {
 
 inline const std::string not_set = "none";
 
-struct Bounds {
-    double least = std::numeric_limits<double>::lowest();
-    double most = std::numeric_limits<double>::max();
-    const char* allowed = "it must be a number";
-};
+// Bounds of a number of the row with that name. Precondition: there is one.
+template <class S>
+const Bounds& bounds_in(const std::vector<SettingRow<S>>& rows, const std::string& name,
+                        std::size_t number = 0) {
+    return std::ranges::find(rows, name, &SettingRow<S>::name)->bounds.at(number);
+}
 
 inline Status within(const Bounds& bounds, const std::string& option, double value) {
     // False for NaN.
@@ -93,6 +106,7 @@ SettingRow<S> value_row(SettingRow<S> row, Access access, Read read, Text text, 
 
 template <class S, class Access>
 SettingRow<S> number_row(SettingRow<S> row, Access access, Bounds bounds = {}) {
+    row.bounds = {bounds};
     return value_row<double>(
         row, access,
         [option = row.option()](const std::string& from) { return read_number(option, from); },
@@ -102,6 +116,7 @@ SettingRow<S> number_row(SettingRow<S> row, Access access, Bounds bounds = {}) {
 
 template <class S, class Access>
 SettingRow<S> whole_row(SettingRow<S> row, Access access, Bounds bounds, const std::string& unset) {
+    row.bounds = {bounds};
     return value_row<std::int64_t>(
         row, access,
         [option = row.option()](const std::string& from) { return read_whole(option, from); },
@@ -116,6 +131,7 @@ SettingRow<S> whole_row(SettingRow<S> row, Access access, Bounds bounds, const s
 template <class S, class Access>
 SettingRow<S> count_row(SettingRow<S> row, Access access, const std::string& unset, Bounds bounds) {
     using Field = std::remove_reference_t<std::invoke_result_t<Access, S&>>;
+    row.bounds = {bounds};
     row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
         const Result<std::int64_t> value = from == unset ? 0 : read_whole(option, from);
         if (!value) {

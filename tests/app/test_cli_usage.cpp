@@ -23,6 +23,7 @@ private slots:
                 .status,
             0);
         QVERIFY(QFile::copy(path("a.wav"), path("copy.wav")));
+        QVERIFY(QFile::copy(path("a.wav"), path("-c.wav")));
         QByteArray text = "t,C,D\n";
         for (int k = 0; k < 3000; ++k) {
             text += QByteArray::number(k / 33333.0, 'g', 17) + "," +
@@ -55,6 +56,27 @@ private slots:
         row("analyze a.wav b\x1b[31m.wav -o x.csv", 2, "b\\x1b[31m.wav");
         row("analyse\x1b[31m a.wav", 2, "\\x1b[31m");
         row("analyze a.wav -o x.csv --\x1b[31m", 2, "\\x1b[31m");
+
+        row("identify --foo a.wav", 2, "There is no option --foo.");
+        row("identify a.wav --windw 60", 2, "no option --windw. Did you mean --window?");
+        row("identify a.wav b.wav --wind=60", 2, "no option --wind=60. Did you mean --window?");
+        row("identify a.wav ---window 60", 2, "no option ---window. Did you mean --window?");
+        row("identify a.wav -window 60", 2, "no option -window. Did you mean --window?");
+        row("identify a.wav -output x.csv", 2, "no option -output. Did you mean --output?");
+        row("identify --f_0 5300 a.wav", 2, "There is no option --f_0.");
+        row("compare p.json a.wav --Window 60", 2, "no option --Window. Did you mean --window?");
+        row("batch l.csv -o x.csv --resum", 2, "no option --resum. Did you mean --resume?");
+        row("info --jsn a.wav", 2, "no option --jsn.");
+        row("info a.wav --jason", 2, "no option --jason. Did you mean --json?");
+        row("analyze a.wav -o x.csv --windw 60", 2, "no option --windw. Did you mean --window?");
+        row("simulate --sed 3 -o x.csv", 2, "no option --sed.");
+        row("simulate --ceed 3 -o x.csv", 2, "no option --ceed. Did you mean --seed?");
+        row("--quite info a.wav", 2, "no option --quite. Did you mean --quiet?");
+        row("--quiet info a.wav", 2, "--quiet follows its command, as in info --quiet.");
+        row("info -c.wav", 2, "no option -c.wav. The file of this name is ./-c.wav.");
+        row("info -b.wav", 2, "There is no option -b.wav.");
+        row("identfy a.wav", 2, "There is no subcommand \"identfy\".");
+        row("identify -- --foo", 3, "--foo: there is no such file");
 
         row("analyze a.wav -o x.csv --angle-zero 1e308", 2, "--angle-zero cannot be");
         row("analyze a.wav -o x.csv --angle-zero 361", 2, "--angle-zero cannot be");
@@ -103,6 +125,20 @@ private slots:
         QCOMPARE(sentences.size(), 1);
         QVERIFY2(sentences[0].contains(part.toUtf8()), outcome.err);
         QVERIFY(!QFile::exists(path("x.csv")));
+    }
+
+    void a_file_whose_name_begins_with_a_dash_is_read_after_two_or_by_its_folder() {
+        for (const QStringList& command :
+             {QStringList{"info", "--", "-c.wav"}, QStringList{"info", "./-c.wav"},
+              QStringList{"info", "--rate", "8000", "--", "-c.wav"}}) {
+            const Outcome outcome = run(command);
+            VYBEG_EQUAL(outcome.status, 0, outcome.err);
+            QVERIFY2(outcome.out.contains("-c.wav"), outcome.out);
+        }
+        // What begins with a dash is a value where an option takes it.
+        VYBEG_EQUAL(run({"info", "a.wav", "--unit", "-V"}).status, 0, "--unit -V");
+        VYBEG_EQUAL(run({"analyze", "a.wav", "-o", "y.csv", "--delay", "-1e-6"}).status, 0,
+                    "--delay -1e-6");
     }
 
     void an_empty_name_is_no_value() {

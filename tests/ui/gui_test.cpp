@@ -1,5 +1,6 @@
 #include "tests/ui/gui_test.h"
 
+#include "ui/session/session_keeper.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/tracks_page.h"
 
@@ -36,6 +37,12 @@ std::unique_ptr<MainWindow> shownWindow() {
         qFatal("the window does not appear");
     }
     return window;
+}
+
+bool savedTo(MainWindow& window, const QString& path) {
+    bool saved = false;
+    window.session().save(path, [&saved] { saved = true; });
+    return QTest::qWaitFor([&window] { return !window.session().isSaving(); }, 20000) && saved;
 }
 
 bool exportPlotsTo(MainWindow& window, const QString& path) {

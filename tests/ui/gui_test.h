@@ -41,6 +41,9 @@ public:
 
 std::unique_ptr<MainWindow> shownWindow();
 
+// Whether the window's session is in a file, as a person sees it after saving.
+bool savedTo(MainWindow& window, const QString& path);
+
 // All plots of the page of the tracks, in the size they propose, as the window writes them.
 bool exportPlotsTo(MainWindow& window, const QString& path);
 

@@ -11,7 +11,9 @@
 #include "ui/document/kept_result.h"
 #include "ui/document/track_export.h"
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QEvent>
 
 #include <algorithm>
 #include <filesystem>
@@ -70,6 +72,15 @@ BackgroundJobs::~BackgroundJobs() {
     }
     for (QThreadPool* pool : {&openings_, &analyses_, &live_, &others_}) {
         pool->waitForDone();
+    }
+}
+
+void BackgroundJobs::finish() {
+    while (busy()) {
+        for (QThreadPool* pool : {&openings_, &analyses_, &live_, &others_}) {
+            pool->waitForDone();
+        }
+        QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);
     }
 }
 

@@ -128,6 +128,8 @@ public:
 
     // Whether a job is under way or its result is still to be delivered.
     bool busy() const { return !tasks_.empty(); }
+    // Waits until every job has ended and its result is delivered.
+    void finish();
     // Stops all jobs about a key without a result.
     void forget(int key);
     void forgetLive(int key);

@@ -1,5 +1,6 @@
 #include "ui/import/import_fields.h"
 
+#include "core/recording/samples/open_table.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/wheel_guard.h"
 
@@ -77,9 +78,9 @@ ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLa
         connect(box, &QComboBox::currentIndexChanged, this, &ImportFields::edited);
         return box;
     };
-    const auto number = [this, &add](Row row, const char* name, double lowest, double highest) {
+    const auto number = [this, &add](Row row, const char* name, const char* option) {
         auto* field = add(row, name, new NumberField(this));
-        field->setLimits(lowest, highest);
+        field->setLimits(bounds_in(open_settings(), option));
         connect(field, &QLineEdit::textEdited, this, &ImportFields::edited);
         connect(field, &NumberField::valueEdited, this, &ImportFields::edited);
         return field;
@@ -92,7 +93,7 @@ ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLa
     read_as_ = list(read_as, "read_as", 3);
     delimiter_ = list(delimiter, "delimiter", static_cast<int>(delimiters.size()) + 1);
     decimal_ = list(decimal, "decimal", 3);
-    skip_lines_ = number(skip_lines, "skip_lines", 0, static_cast<double>(most_skipped_lines));
+    skip_lines_ = number(skip_lines, "skip_lines", "skip-lines");
     skip_lines_->setInteger(true);
     skip_lines_->setOptional(true);
     time_column_ = list(time_column, "time_column", 2);
@@ -100,16 +101,17 @@ ImportFields::ImportFields(QWidget* parent) : QWidget(parent), form_(new QFormLa
     raw_type_ = list(raw_type, "raw_type", 4);
     raw_order_ = list(raw_order, "raw_order", 2);
     raw_channels_ = add(raw_channels, "raw_channels", new QSpinBox(this));
-    raw_channels_->setRange(1, 4096);
+    const Bounds& channels = bounds_in(open_settings(), "raw-channels");
+    raw_channels_->setRange(static_cast<int>(channels.least), static_cast<int>(channels.most));
     connect(raw_channels_, &QSpinBox::valueChanged, this, &ImportFields::edited);
-    raw_skip_ = number(raw_skip, "raw_skip", 0, 1e15);
+    raw_skip_ = number(raw_skip, "raw_skip", "skip");
     raw_skip_->setInteger(true);
     variables_ = words(variables, "variables");
     channel_c_ = list(channel_c, "channel_c", 0);
     channel_d_ = list(channel_d, "channel_d", 0);
-    rate_ = number(rate, "rate", 1e-9, 1e12);
+    rate_ = number(rate, "rate", "rate");
     rate_->setOptional(true);
-    scale_ = number(scale, "scale", -1e30, 1e30);
+    scale_ = number(scale, "scale", "scale");
     unit_ = words(unit, "unit");
     time_column_->setItemData(1, 0);
     setOptions({});
@@ -217,8 +219,9 @@ OpenOptions ImportFields::options() const {
 
 bool ImportFields::isValid() const {
     return std::ranges::all_of(
-        std::array{skip_lines_, raw_skip_, rate_, scale_},
-        [](const NumberField* field) { return field->isHidden() || field->isValid(); });
+        std::array{skip_lines_, raw_skip_, rate_, scale_}, [](const NumberField* field) {
+            return field->isHidden() || (field->isValid() && field->fault().isEmpty());
+        });
 }
 
 void ImportFields::setPreview(const RecordingPreview& preview) {
@@ -240,6 +243,7 @@ void ImportFields::showRows() {
     }
     form_->setRowVisible(variables_, hasVariables());
     form_->setRowVisible(scale_, raw || isText());
+    scale_->setConflict(typed(*scale_) == 0 ? tr("A number other than 0 is needed.") : QString());
 }
 
 // Shows the automatic values in the first entry of each list and in empty fields.

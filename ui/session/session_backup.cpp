@@ -1,7 +1,5 @@
 #include "ui/session/session_backup.h"
 
-#include "core/output/output_file.h"
-
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -9,7 +7,6 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-#include <string_view>
 #include <utility>
 
 namespace vybeg::ui {
@@ -30,20 +27,14 @@ QString lockOf(const QString& path) {
 
 }  // namespace
 
-SessionBackup::SessionBackup(std::function<QByteArray()> content, QObject* parent)
+SessionBackup::SessionBackup(std::function<QJsonObject()> content, QObject* parent)
     : QObject(parent), content_(std::move(content)) {
-    // Writing waits for the disk, in the order of asking.
-    writer_.setMaxThreadCount(1);
     timer_.setInterval(interval_ms);
     soon_.setInterval(soon_ms);
     soon_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &SessionBackup::write);
     connect(&soon_, &QTimer::timeout, this, &SessionBackup::write);
     timer_.start();
-}
-
-SessionBackup::~SessionBackup() {
-    writer_.waitForDone();
 }
 
 void SessionBackup::soon() {
@@ -53,7 +44,7 @@ void SessionBackup::soon() {
 }
 
 void SessionBackup::write() {
-    QByteArray content = content_();
+    QJsonObject content = content_();
     if (content == written_ || content.isEmpty()) {
         return;
     }
@@ -72,11 +63,9 @@ void SessionBackup::write() {
         }
     }
     written_ = std::move(content);
-    writer_.start([path = path_.toStdU16String(), bytes = written_] {
-        // A failed copy is no failure of the work: the next one may succeed.
-        Result<OutputFile> file = OutputFile::create(path, {});
-        if (file && file->write(std::string_view(bytes.data(), bytes.size()))) {
-            (void)file->commit();
+    writer_.write(path_, written_, [this](const Result<QByteArray>& result) {
+        if (!result) {
+            written_ = {};  // no failure of the work: the next copy may succeed
         }
     });
 }
@@ -84,7 +73,7 @@ void SessionBackup::write() {
 void SessionBackup::end() {
     timer_.stop();
     soon_.stop();
-    writer_.waitForDone();
+    writer_.finish();
     if (lock_) {
         QFile::remove(path_);
         lock_->unlock();

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <QByteArray>
+#include "ui/session/session_writer.h"
+
+#include <QJsonObject>
 #include <QLockFile>
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <QThreadPool>
 #include <QTimer>
 
 #include <functional>
@@ -19,13 +20,12 @@ class SessionBackup : public QObject {
     Q_OBJECT
 
 public:
-    // `content`: the bytes of the file; empty where nothing is worth a copy.
-    explicit SessionBackup(std::function<QByteArray()> content, QObject* parent = nullptr);
-    ~SessionBackup() override;
+    // `content`: the state to be copied; empty where nothing is worth a copy.
+    explicit SessionBackup(std::function<QJsonObject()> content, QObject* parent = nullptr);
 
     // A copy at the next turn of the event loop: something was computed.
     void soon();
-    // Removes the copy; there are no more.
+    // Waits for the copy that is being written and removes it; there are no more.
     void end();
     // Copies of programs that are not running any more, oldest first.
     static QStringList abandoned();
@@ -34,13 +34,13 @@ public:
 private:
     void write();
 
-    std::function<QByteArray()> content_;
+    std::function<QJsonObject()> content_;
     QString path_;
     std::unique_ptr<QLockFile> lock_;
-    QByteArray written_;
+    QJsonObject written_;
     QTimer timer_;
     QTimer soon_;
-    QThreadPool writer_;
+    SessionWriter writer_;
 };
 
 }  // namespace vybeg::ui

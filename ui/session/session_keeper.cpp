@@ -1,6 +1,5 @@
 #include "ui/session/session_keeper.h"
 
-#include "core/output/output_file.h"
 #include "ui/document/measured_set.h"
 #include "ui/session/session_file.h"
 #include "ui/session/session_json.h"
@@ -14,7 +13,6 @@
 #include <QJsonDocument>
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace vybeg::ui {
@@ -32,10 +30,7 @@ QJsonObject valueOf(const std::map<Id, QJsonObject>& values, Id id) {
 }  // namespace
 
 SessionKeeper::SessionKeeper(Document& document, TrackView& tracks, QObject* parent)
-    : QObject(parent),
-      document_(document),
-      tracks_(tracks),
-      backup_([this] { return backupBytes(); }) {
+    : QObject(parent), document_(document), tracks_(tracks), backup_([this] { return backup(); }) {
     connect(&document_, &Document::busyChanged, this, &SessionKeeper::finishWhenComputed,
             Qt::QueuedConnection);
     connect(&document_, &Document::recordingsChanged, this, &SessionKeeper::finishWhenComputed,
@@ -329,33 +324,39 @@ bool SessionKeeper::isChangedElsewhere() const {
            digest(file.readAll()) != in_file_;
 }
 
-bool SessionKeeper::save(const QString& path) {
+void SessionKeeper::save(const QString& path, std::function<void()> then) {
     const QString target = QFileInfo(path).absoluteFilePath();
-    const QByteArray bytes = bytesOf(sessionToJson(present(), QFileInfo(target).absoluteDir()));
-    Result<OutputFile> file = OutputFile::create(target.toStdU16String(), {});
-    Status written =
-        file ? file->write(std::string_view(bytes.data(), bytes.size())) : Status(file.error());
-    written = written ? file->commit() : written;
-    if (!written) {
-        document_.report(errorMessage(written.error()));
-        return false;
-    }
-    path_ = target;
-    in_file_ = digest(bytes);
-    recovered_ = false;
-    saved_ = content();
-    document_.undoStack().setClean();
-    emit pathChanged();
-    return true;
+    const auto ended = [this, target, content = content(), undo = document_.undoStack().index(),
+                        then = std::move(then)](const Result<QByteArray>& in_file) {
+        if (in_file) {
+            path_ = target;
+            in_file_ = *in_file;
+            recovered_ = false;
+            saved_ = content;
+            if (document_.undoStack().index() == undo) {
+                document_.undoStack().setClean();
+            }
+            emit pathChanged();
+        } else {
+            document_.report(errorMessage(in_file.error()));
+        }
+        if (in_file && then) {
+            then();
+        }
+        if (!isSaving()) {
+            emit saveEnded();
+        }
+    };
+    writer_.write(target, sessionToJson(present(), QFileInfo(target).absoluteDir()), ended);
 }
 
-QByteArray SessionKeeper::backupBytes() const {
+QJsonObject SessionKeeper::backup() const {
     if (opening_ || (document_.recordings().empty() && absent_.empty())) {
         return {};
     }
     QJsonObject json = sessionToJson(present(), QDir::root());
     json[backup_key] = path_;
-    return bytesOf(json);
+    return json;
 }
 
 void SessionKeeper::offerAbandoned() {
@@ -377,6 +378,7 @@ void SessionKeeper::offerAbandoned() {
 }
 
 void SessionKeeper::end() {
+    writer_.finish();
     backup_.end();
 }
 

@@ -4,6 +4,7 @@
 #include "ui/document/document.h"
 #include "ui/session/session.h"
 #include "ui/session/session_backup.h"
+#include "ui/session/session_writer.h"
 #include "ui/values/ids.h"
 
 #include <QJsonObject>
@@ -30,7 +31,10 @@ public:
     void open(const QStringList& paths, const OpenOptions& options = {});
     // Errors are reported.
     void openSession(const QString& path);
-    bool save(const QString& path);
+    // In the background; `then` after it has succeeded.
+    void save(const QString& path, std::function<void()> then = {});
+    // Whether a session that is to be saved is not in its file yet.
+    bool isSaving() const { return writer_.busy(); }
     QString path() const { return path_; }
     // Whether the session's file is not as it was opened or saved here.
     bool isChangedElsewhere() const;
@@ -47,10 +51,12 @@ public:
     void offerAbandoned();
     // Opens a recording that was not found in the place of one of the session.
     void supply(std::size_t absent, const QString& path);
-    // The window closes: the backup is not needed any more.
+    // The window closes: waits for what is being saved; the backup is not needed any more.
     void end();
 
 signals:
+    // No session waits to be saved any more, whether its file was written or not.
+    void saveEnded();
     void pathChanged();
     void unitsWanted(const DisplayUnits& units);
     void viewRestored(const SessionView& view);
@@ -70,7 +76,7 @@ private:
     Session present() const;
     // What saving keeps from a change: the session without its view and hashes.
     QJsonObject content() const;
-    QByteArray backupBytes() const;
+    QJsonObject backup() const;
     void begin(Session session);
     void keepAbsent(Session& session);
     void finishWhenComputed();
@@ -98,6 +104,7 @@ private:
     Session wanted_;
     std::vector<RecordingId> wanted_ids_;
     bool recovered_ = false;  // from a copy, and not saved since
+    SessionWriter writer_;
 };
 
 }  // namespace vybeg::ui

@@ -1,5 +1,7 @@
 #include "ui/settings/signal_fields.h"
 
+#include "core/analysis/setting_table.h"
+
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -26,7 +28,7 @@ RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
     addWide(buttons);
     for (NumberField* field : {from_, to_}) {
         field->setOptional(true);
-        field->setLimits(0, 1e12);
+        field->setLimits(bounds_of(field == from_ ? "from" : "to"));
         field->setDigits(7);
     }
     connect(from_, &NumberField::valueEdited, this, [this](auto value) {
@@ -71,7 +73,7 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
                                "for its ω by (7), (25). Empty: the peak common to both channels' "
                                "spectra.")});
     f0_->setOptional(true);
-    f0_->setLimits(1e-9, 1e12);
+    f0_->setLimits(bounds_of("f0"));
     const char* band_tip = QT_TR_NOOP(
         "Look for the carrier between these frequencies. Empty: everywhere. Both are needed.");
     const auto band =
@@ -84,8 +86,8 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
     const auto filter =
         addPair({QT_TR_NOOP("Filter"), QT_TR_NOOP("Hz"), filter_tip, QT_TR_NOOP("Filter from")},
                 {"", QT_TR_NOOP("Hz"), filter_tip, QT_TR_NOOP("Filter to")});
-    bands_ = {BandFields{&Settings::band, band.first, band.second, std::nullopt},
-              BandFields{&Settings::filter, filter.first, filter.second, std::nullopt}};
+    bands_ = {BandFields{"band", &Settings::band, band.first, band.second, std::nullopt},
+              BandFields{"filter", &Settings::filter, filter.first, filter.second, std::nullopt}};
     connect(f0_, &NumberField::valueEdited, this, [this](auto value) {
         Settings settings = state().settings;
         settings.f0_hz = value;
@@ -94,7 +96,7 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
     for (const BandFields& fields : bands_) {
         for (NumberField* field : {fields.low, fields.high}) {
             field->setOptional(true);
-            field->setLimits(0, 1e12);
+            field->setLimits(bounds_of(fields.option, field == fields.low ? 0 : 1));
             field->setStep(10);
             connect(field, &NumberField::valueEdited, this, [this, &fields] { editBand(fields); });
             // A field restored to its old value emits no edit, but its band may have changed.
@@ -164,7 +166,7 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
     kappa_ = addField({QT_TR_NOOP("Gain ratio κ"), "",
                        QT_TR_NOOP("Channel D is recorded as D/κ, the scaling below (30): κ = 1 "
                                   "for balanced channels.")});
-    kappa_->setLimits(1e-9, 1e9);
+    kappa_->setLimits(bounds_of("kappa"));
     kappa_->setStep(0.001);
     const char* offset_tip = QT_TR_NOOP(
         "Constant in each channel, recording units; it is subtracted. The averages of (13), (15) "
@@ -174,14 +176,18 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
                 {"", "", offset_tip, QT_TR_NOOP("Offset of D")});
     offset_c_ = offsets.first;
     offset_d_ = offsets.second;
+    offset_c_->setLimits(bounds_of("offset", 0));
+    offset_d_->setLimits(bounds_of("offset", 1));
     offset_auto_ = new QCheckBox(this);
     addWide(offset_auto_);
     delay_ = addField({QT_TR_NOOP("Delay of D"), QT_TR_NOOP("µs"),
                        QT_TR_NOOP("By how much channel D is sampled later than C. It would "
                                   "otherwise count as Δφ_CD of (9).")});
+    delay_->setLimits(bounds_of("delay"), 1e-6);
     angle_zero_ = addField({QT_TR_NOOP("Angle zero"), QT_TR_NOOP("°"),
                             QT_TR_NOOP("Angle of the first electrode, subtracted from θ_A of (2): "
                                        "the article counts the angle from there.")});
+    angle_zero_->setLimits(bounds_of("angle-zero"));
 
     connect(kappa_, &NumberField::valueEdited, this,
             [this](auto value) { edit(&Calibration::kappa, *value); });
@@ -219,7 +225,7 @@ void CalibrationFields::addTolerances() {
                     "number in grey."),
          QT_TR_NOOP("Tolerance of the gain ratio")});
     kappa_tolerance_->setOptional(true);
-    kappa_tolerance_->setLimits(0, 1);
+    kappa_tolerance_->setLimits(tolerance_bounds);
     kappa_tolerance_->setStep(0.001);
     connect(kappa_tolerance_, &NumberField::valueEdited, this, [this](auto value) {
         Tolerance tolerance = state().tolerance;
@@ -227,9 +233,9 @@ void CalibrationFields::addTolerances() {
         emit toleranceEdited(tolerance);
     });
     const auto add = [this](const Texts& texts, double Tolerance::*member, double scale,
-                            double most, double step) {
+                            double step) {
         NumberField* field = addField(texts);
-        field->setLimits(0, most);
+        field->setLimits(tolerance_bounds, scale);
         field->setStep(step);
         tolerances_.push_back({field, member, scale});
         connect(field, &NumberField::valueEdited, this, [this, member, scale](auto value) {
@@ -241,23 +247,23 @@ void CalibrationFields::addTolerances() {
     add({QT_TR_NOOP("Skew ε ±"), QT_TR_NOOP("°"),
          QT_TR_NOOP("Non-orthogonality of the pick-offs: D holds sin ε of C. 0: none."),
          QT_TR_NOOP("Tolerance of the non-orthogonality")},
-        &Tolerance::skew_deg, 1, 45, 0.1);
+        &Tolerance::skew_deg, 1, 0.1);
     add({QT_TR_NOOP("Delay ±"), QT_TR_NOOP("ns"),
          QT_TR_NOOP("Of D against C, beyond the delay above. 0: exact."),
          QT_TR_NOOP("Tolerance of the delay")},
-        &Tolerance::delay_s, 1e-9, 1e9, 1);
+        &Tolerance::delay_s, 1e-9, 1);
     add({QT_TR_NOOP("Crosstalk ±"), "",
          QT_TR_NOOP("Of C into D with its phase turned by 90 degrees, relative. 0: none."),
          QT_TR_NOOP("Tolerance of the crosstalk")},
-        &Tolerance::crosstalk, 1, 1, 1e-4);
+        &Tolerance::crosstalk, 1, 1e-4);
     add({QT_TR_NOOP("Phase drift ±"), QT_TR_NOOP("rad"),
          QT_TR_NOOP("Of D against C over a recording, in proportion to time. 0: none."),
          QT_TR_NOOP("Tolerance of the phase drift")},
-        &Tolerance::phase_drift_rad, 1, 1, 1e-4);
+        &Tolerance::phase_drift_rad, 1, 1e-4);
     add({QT_TR_NOOP("Gain drift ±"), "",
          QT_TR_NOOP("Of D against C over a recording, relative, in proportion to time. 0: none."),
          QT_TR_NOOP("Tolerance of the gain drift")},
-        &Tolerance::gain_drift, 1, 1, 1e-4);
+        &Tolerance::gain_drift, 1, 1e-4);
 }
 
 void CalibrationFields::showTolerances() {

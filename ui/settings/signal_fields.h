@@ -46,6 +46,7 @@ protected:
 
 private:
     struct BandFields {
+        const char* option;  // its name
         std::optional<Band> Settings::*member;
         NumberField* low;
         NumberField* high;

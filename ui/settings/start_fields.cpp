@@ -1,5 +1,6 @@
 #include "ui/settings/start_fields.h"
 
+#include "core/analysis/setting_table.h"
 #include "ui/words/rich_text.h"
 
 #include <QCheckBox>
@@ -21,19 +22,19 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
     const char* tip =
         QT_TR_NOOP("Start value of the functional F's parameter, in the notation of (6).");
     a_A_ = addField({QT_TR_NOOP("a_A"), "", tip});
-    a_A_->setLimits(1e-300, 1e300);
     a_B_ = addField({QT_TR_NOOP("a_B"), "", tip});
     two_theta_A_ = addField({QT_TR_NOOP("2θ_A"), QT_TR_NOOP("rad"), tip});
     alpha_ = addField({QT_TR_NOOP("α"), QT_TR_NOOP("rad"),
                        QT_TR_NOOP("Phase at the centre of the first window; it is carried on to "
                                   "the others with the frequency.")});
     f_ = addField({QT_TR_NOOP("f"), QT_TR_NOOP("Hz"), tip});
-    f_->setLimits(1e-300, 1e300);
     every_window_ = new QCheckBox(this);
     addWide(every_window_);
 
     connect(start_, &QComboBox::activated, this, &StartFields::chooseStart);
+    std::size_t number = 0;
     for (NumberField* field : {a_A_, a_B_, two_theta_A_, alpha_, f_}) {
+        field->setLimits(bounds_of("initial", number++));
         field->setStep(0.1);
         connect(field, &NumberField::valueEdited, this, &StartFields::editTyped);
     }

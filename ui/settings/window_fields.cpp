@@ -1,5 +1,6 @@
 #include "ui/settings/window_fields.h"
 
+#include "core/analysis/setting_table.h"
 #include "core/windows/window_plan.h"
 #include "ui/words/rich_text.h"
 
@@ -40,16 +41,15 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
                                     "(7). The slow variables are constant inside it. At least 5 "
                                     "samples and three quarters of a period.")});
     samples_->setInteger(true);
-    samples_->setLimits(5, 1e12);
+    samples_->setLimits(bounds_of("window"));
     periods_ = addField({"", QT_TR_NOOP("periods"),
                          QT_TR_NOOP("The same window in periods of the carrier; may be a "
                                     "fraction. The article varies T from 1 to 10 periods."),
                          QT_TR_NOOP("Length in periods")});
-    periods_->setLimits(0.5, 1e12);
+    periods_->setLimits(bounds_of("periods"));
     periods_->setDigits(6);
     milliseconds_ = addField({"", QT_TR_NOOP("ms"), QT_TR_NOOP("The same window in milliseconds."),
                               QT_TR_NOOP("Length in milliseconds")});
-    milliseconds_->setLimits(1e-6, 1e12);
     milliseconds_->setDigits(6);
 
     auto* check = new QWidget(this);
@@ -76,15 +76,14 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
                                     "repeats.")});
     hop_->setInteger(true);
     hop_->setOptional(true);
-    hop_->setLimits(1, 1e12);
+    hop_->setLimits(bounds_of("hop"));
     overlap_->setLimits(0, 99.999);
     overlap_->setDigits(4);
     overlap_->setStep(10);
 
     connect(samples_, &NumberField::valueEdited, this, [this](auto value) { setSamples(*value); });
-    connect(milliseconds_, &NumberField::valueEdited, this, [this](auto value) {
-        setSamples(std::max(1.0, std::round(*value * *state().rate_hz / 1000)));
-    });
+    connect(milliseconds_, &NumberField::valueEdited, this,
+            [this](auto value) { setSamples(std::round(*value * *state().rate_hz / 1000)); });
     connect(periods_, &NumberField::valueEdited, this, [this](auto value) {
         Settings settings = state().settings;
         settings.periods = *value;
@@ -144,6 +143,9 @@ void WindowFields::refresh() {
     } else {
         periods_->setValue(known ? std::optional(length * *state().f0_hz / *state().rate_hz)
                                  : std::nullopt);
+    }
+    if (state().rate_hz) {
+        milliseconds_->setLimits(bounds_of("window"), *state().rate_hz / 1000);
     }
     milliseconds_->setValue(state().rate_hz ? std::optional(1000 * length / *state().rate_hz)
                                             : std::nullopt);

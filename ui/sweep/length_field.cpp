@@ -1,5 +1,6 @@
 #include "ui/sweep/length_field.h"
 
+#include "core/analysis/setting_table.h"
 #include "core/sweep/window_lengths.h"
 #include "ui/words/rich_text.h"
 
@@ -15,7 +16,6 @@ namespace vybeg::ui {
 
 namespace {
 
-constexpr std::int64_t least = 5;
 constexpr std::int64_t most = 1'000'000'000;
 constexpr std::size_t most_lengths = 60;
 
@@ -31,6 +31,7 @@ LengthList readLengthList(const QString& text) {
     const auto refused = [](const QString& sentence) { return LengthList{{}, sentence}; };
     static const QRegularExpression separators(QStringLiteral("[\\s,;]+"));
     static const QRegularExpression dots(QStringLiteral("\\s*(\\.\\.+|…)\\s*"));
+    const auto least = static_cast<std::int64_t>(bounds_of("window").least);
     LengthList list;
     QString joined = text;
     joined.replace(dots, QStringLiteral("…"));

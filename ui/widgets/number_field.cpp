@@ -1,6 +1,7 @@
 #include "ui/widgets/number_field.h"
 
 #include "core/base/number_text.h"
+#include "core/base/setting_rows.h"
 
 #include <QAction>
 #include <QEvent>
@@ -49,6 +50,10 @@ void NumberField::setLimits(double lowest, double highest) {
     lowest_ = lowest;
     highest_ = highest;
     update();
+}
+
+void NumberField::setLimits(const Bounds& bounds, double unit) {
+    setLimits(bounds.least / unit, bounds.most / unit);
 }
 
 void NumberField::setValue(std::optional<double> value) {
@@ -101,6 +106,9 @@ QString NumberField::refusalOf(std::optional<double> number) const {
         return tr("A whole number is needed.");
     }
     if (*number < lowest_) {
+        if (lowest_ == std::numeric_limits<double>::min()) {
+            return tr("A number above zero is needed.");
+        }
         return tr("At least %1 is needed.").arg(locale.toString(lowest_, 'g', digits_));
     }
     if (*number > highest_) {

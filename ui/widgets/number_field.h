@@ -5,6 +5,10 @@
 #include <limits>
 #include <optional>
 
+namespace vybeg {
+struct Bounds;
+}
+
 namespace vybeg::ui {
 
 // A field for one number with its unit inside the frame. Accepts decimal point and decimal comma in
@@ -23,6 +27,8 @@ public:
     QString unit() const { return unit_; }
     // Inclusive limits, in the unit of the field.
     void setLimits(double lowest, double highest);
+    // Those of core, `unit` of whose units are one of the field's.
+    void setLimits(const Bounds& bounds, double unit = 1);
     void setInteger(bool integer) { integer_ = integer; }
     void setOptional(bool optional) { optional_ = optional; }
     void setStep(double step) { step_ = step; }

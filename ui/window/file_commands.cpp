@@ -92,10 +92,10 @@ void FileCommands::openDemonstration() {
 void FileCommands::saveSession(const std::function<void()>& then) {
     if (session_.path().isEmpty()) {
         saveSessionAs(then);
-    } else if (session_.isChangedElsewhere()) {
+    } else if (!session_.isSaving() && session_.isChangedElsewhere()) {
         askToReplaceAndThen(then);
-    } else if (session_.save(session_.path())) {
-        then();
+    } else {
+        session_.save(session_.path(), then);
     }
 }
 
@@ -112,8 +112,8 @@ void FileCommands::askToReplaceAndThen(const std::function<void()>& then) {
             [this, then, replace, other](const QAbstractButton* pressed) {
                 if (pressed == other) {
                     saveSessionAs(then);
-                } else if (pressed == replace && session_.save(session_.path())) {
-                    then();
+                } else if (pressed == replace) {
+                    session_.save(session_.path(), then);
                 }
             });
     question->open();
@@ -128,13 +128,19 @@ void FileCommands::saveSessionAs(const std::function<void()>& then) {
     ask_.sessionTarget(name, [this, then](const QString& path) {
         if (const Status possible = stayAsTheyAre(document_, path); !possible) {
             reportSaved(possible, path);
-        } else if (session_.save(path)) {
-            then();
+        } else {
+            session_.save(path, then);
         }
     });
 }
 
 void FileCommands::askToSaveAndThen(const std::function<void()>& then) {
+    if (session_.isSaving()) {
+        connect(
+            &session_, &SessionKeeper::saveEnded, this, [this, then] { askToSaveAndThen(then); },
+            Qt::SingleShotConnection);
+        return;
+    }
     if (!session_.isModified()) {
         then();
         return;

@@ -86,7 +86,7 @@ void MainWindow::saveState() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!leaving_ && session_->isModified()) {
+    if (!leaving_ && (session_->isSaving() || session_->isModified())) {
         event->ignore();
         files_->askToSaveAndThen([this] {
             leaving_ = true;

@@ -1,8 +1,8 @@
 #include "core/recording/arrays/raw_reader.h"
 
-#include "core/base/number_text.h"
 #include "core/base/translatable.h"
 #include "core/recording/samples/column_source.h"
+#include "core/recording/samples/open_table.h"
 #include "core/recording/samples/reader_rules.h"
 
 #include <algorithm>
@@ -11,8 +11,6 @@
 
 namespace vybeg {
 namespace {
-
-constexpr int most_raw_channels = 4096;
 
 std::int64_t frame_count(const FileBytes& file, const RawLayout& layout) {
     const std::int64_t stride = std::int64_t{bytes_of(number_type(layout.type))} * layout.channels;
@@ -33,29 +31,6 @@ std::shared_ptr<const SampleSource> raw_source(const std::shared_ptr<const FileB
             bytes, type, {even_run(frames, offset, stride, layout.big_endian)}, layout.scale, 0};
     };
     return column_source(column(options.channel_c), column(options.channel_d));
-}
-
-Status check_layout(const RawLayout& layout) {
-    if (layout.channels < 1 || layout.channels > most_raw_channels) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--raw-channels", count_arg(layout.channels),
-                      words(VYBEG_MESSAGE("Words", "it must lie between 2 and %1"),
-                            {count_arg(most_raw_channels)})}};
-    }
-    if (layout.skip_bytes < 0) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--skip", count_arg(layout.skip_bytes),
-                      words(VYBEG_MESSAGE("Words", "it must be 0 or more bytes"))}};
-    }
-    if (!std::isfinite(layout.scale) || layout.scale == 0) {
-        return Error{ErrorCode::setting_invalid,
-                     "",
-                     {"--scale", number_arg(layout.scale),
-                      words(VYBEG_MESSAGE("Words", "it must be a number other than 0"))}};
-    }
-    return {};
 }
 
 }  // namespace

@@ -14,6 +14,13 @@ namespace {
 
 using Row = SettingRow<OpenOptions>;
 
+const Bounds rate_bounds{1e-6, 1e12};
+constexpr int most_raw_channels = 4096;
+const Bounds raw_channels_bounds{1, most_raw_channels};
+const Bounds skip_bounds{0, 1e15};  // exact as a double
+const Bounds skip_lines_bounds{0, most_skipped_lines};
+const Bounds any_number{};
+
 // Row of an option whose reader gets the option's name, dashes included.
 template <class Read, class Text>
 Row row(const char* name, const char* placeholder, const char* help, Read read, Text text) {
@@ -23,6 +30,11 @@ Row row(const char* name, const char* placeholder, const char* help, Read read, 
     };
     made.text = text;
     return made;
+}
+
+Row bounded(Row row, const Bounds& bounds) {
+    row.bounds = {bounds};
+    return row;
 }
 
 // One that the results state on their own.
@@ -255,8 +267,9 @@ Status read_unit(const std::string& /*option*/, const std::string& text, OpenOpt
 
 const std::vector<SettingRow<OpenOptions>>& open_settings() {
     static const std::vector<Row> rows{
-        without_part(
-            row("rate", "HZ", "Sample rate where the file has none, Hz", read_rate, rate_text)),
+        without_part(bounded(
+            row("rate", "HZ", "Sample rate where the file has none, Hz", read_rate, rate_text),
+            rate_bounds)),
         without_part(
             row("channels", "I,J",
                 "Which two channels or columns are C and D, from 1; a time column does not count "
@@ -268,10 +281,13 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
             read_variables, variables_text),
         row("raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]", read_raw,
             raw_text(type_text)),
-        row("raw-channels", "N", "Channels of --raw (default 2)", read_raw_channels,
-            raw_text([](const RawLayout& raw) { return integer_text(raw.channels); })),
-        row("skip", "BYTES", "Bytes before the first sample of --raw (default 0)", read_skip,
-            raw_text([](const RawLayout& raw) { return integer_text(raw.skip_bytes); })),
+        bounded(row("raw-channels", "N", "Channels of --raw (default 2)", read_raw_channels,
+                    raw_text([](const RawLayout& raw) { return integer_text(raw.channels); })),
+                raw_channels_bounds),
+        bounded(
+            row("skip", "BYTES", "Bytes before the first sample of --raw (default 0)", read_skip,
+                raw_text([](const RawLayout& raw) { return integer_text(raw.skip_bytes); })),
+            skip_bounds),
         text_row("delimiter", "NAME",
                  "Between the columns of a text file: comma, semicolon, tab, space or bar "
                  "(default: guessed, as is all that follows)",
@@ -283,11 +299,12 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
                  [](const TextChoice& choice) {
                      return !choice.decimal_comma ? "" : *choice.decimal_comma ? "comma" : "point";
                  }),
-        text_row("skip-lines", "N", "Lines of a text file above its first row of numbers",
-                 read_skip_lines,
-                 [](const TextChoice& choice) {
-                     return choice.lines_to_skip ? integer_text(*choice.lines_to_skip) : "";
-                 }),
+        bounded(text_row("skip-lines", "N", "Lines of a text file above its first row of numbers",
+                         read_skip_lines,
+                         [](const TextChoice& choice) {
+                             return choice.lines_to_skip ? integer_text(*choice.lines_to_skip) : "";
+                         }),
+                skip_lines_bounds),
         text_row("time-column", "N|none",
                  "Column of a text file that is the time, from 1; none: every column is a channel",
                  read_time_column,
@@ -300,9 +317,10 @@ const std::vector<SettingRow<OpenOptions>>& open_settings() {
                  [](const TextChoice& choice) {
                      return choice.time_unit_s ? time_unit_name(*choice.time_unit_s) : "";
                  }),
-        row("scale", "X",
-            "Recording units per count of --raw, or per unit of a text file (default 1)",
-            read_scale, scale_text),
+        bounded(row("scale", "X",
+                    "Recording units per count of --raw, or per unit of a text file (default 1)",
+                    read_scale, scale_text),
+                any_number),
         row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)", read_unit,
             [](const OpenOptions& options) { return options.unit; }),
     };
@@ -321,10 +339,31 @@ std::string options_text(const OpenOptions& options) {
     return text;
 }
 
+Status check_layout(const RawLayout& layout) {
+    if (!within(raw_channels_bounds, "--raw-channels", layout.channels)) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--raw-channels", count_arg(layout.channels),
+                      words(VYBEG_MESSAGE("Words", "it must lie between 2 and %1"),
+                            {count_arg(most_raw_channels)})}};
+    }
+    if (!within(skip_bounds, "--skip", static_cast<double>(layout.skip_bytes))) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--skip", count_arg(layout.skip_bytes),
+                      words(VYBEG_MESSAGE("Words", "it must be 0 to 1e15 bytes"))}};
+    }
+    if (!std::isfinite(layout.scale) || layout.scale == 0) {
+        return Error{ErrorCode::setting_invalid,
+                     "",
+                     {"--scale", number_arg(layout.scale),
+                      words(VYBEG_MESSAGE("Words", "it must be a number other than 0"))}};
+    }
+    return {};
+}
+
 Status check_options(const OpenOptions& options) {
-    constexpr double least_hz = 1e-6;
-    constexpr double most_hz = 1e12;
-    if (options.rate_hz && !(*options.rate_hz >= least_hz && *options.rate_hz <= most_hz)) {
+    if (options.rate_hz && !within(rate_bounds, "--rate", *options.rate_hz)) {
         return Error{ErrorCode::setting_invalid,
                      "",
                      {"--rate", number_arg(*options.rate_hz),
@@ -342,6 +381,9 @@ Status check_options(const OpenOptions& options) {
                      "",
                      {"--raw", options_text({.text = options.text}),
                       words(VYBEG_MESSAGE("Words", "a file is read as text or as raw"))}};
+    }
+    if (options.raw) {
+        return check_layout(*options.raw);
     }
     return options.text ? check_choice(*options.text) : Status{};
 }

@@ -10,7 +10,7 @@ namespace vybeg {
 
 // How a recording is opened, a row for each option, in the order of the command line's help: an
 // option that needs another one comes after it. The text of an option that is not given is empty.
-// check_options() checks the values together.
+// check_options() checks the values and their bounds together.
 const std::vector<SettingRow<OpenOptions>>& open_settings();
 
 // Text of `options` other than rate and channels, as on the command line; empty without such
@@ -20,5 +20,8 @@ std::string options_text(const OpenOptions& options);
 // Checks the options without a file: a positive rate, two different channels. Errors:
 // setting_invalid.
 Status check_options(const OpenOptions& options);
+
+// Its part about headerless samples.
+Status check_layout(const RawLayout& layout);
 
 }  // namespace vybeg

@@ -78,6 +78,17 @@ Eigen::MatrixXd Posterior::covariance_of(Eigen::Index first, Eigen::Index count)
     return rows * (data + known + nothing) * rows.transpose();
 }
 
+Eigen::MatrixXd Posterior::root_of(const std::vector<Eigen::Index>& places) const {
+    const auto count = static_cast<Eigen::Index>(places.size());
+    const Eigen::HouseholderQR<Eigen::MatrixXd> factor(
+        Eigen::MatrixXd(root(places, Eigen::all).transpose()));
+    return factor.matrixQR()
+        .topRows(count)
+        .triangularView<Eigen::Upper>()
+        .toDenseMatrix()
+        .transpose();
+}
+
 Posterior posterior(const FitProblem& problem, const MapFit& fit) {
     Posterior out;
     out.p = fit.p;

@@ -34,6 +34,9 @@ struct Posterior {
     Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& gradient) const;
     // That of the active parameters from `first` on.
     Eigen::MatrixXd covariance_of(Eigen::Index first, Eigen::Index count) const;
+    // A square root of the block of S at some places among the active parameters, which keeps the
+    // digits of nearly degenerate ones.
+    Eigen::MatrixXd root_of(const std::vector<Eigen::Index>& places) const;
 };
 
 // With white noise.

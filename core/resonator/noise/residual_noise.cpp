@@ -65,6 +65,7 @@ double log_likelihood(const Spectrum& at, double a) {
     return -(log_determinant + quadratic) / 2;
 }
 
+// `root`: of the covariance of the run's parameters.
 Block block_of(const ResidualSeries& run, std::size_t series, const MatrixXd& root) {
     const MatrixXd seen = run.by_parameter[series] * root;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> principal(MatrixXd(seen.transpose() * seen));
@@ -133,8 +134,10 @@ bool concerns(const NoiseShape& shape, std::size_t series) {
 
 class Search {
 public:
-    Search(const std::vector<ResidualSeries>& series, const MatrixXd& root, double longest_s) {
+    Search(const std::vector<ResidualSeries>& series, const Posterior& posterior,
+           double longest_s) {
         for (const ResidualSeries& run : series) {
+            const MatrixXd root = posterior.root_of(run.places);
             for (std::size_t k = 0; k < 4; ++k) {
                 blocks_.push_back(block_of(run, k, root));
             }
@@ -348,7 +351,7 @@ NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posteri
         series_.push_back(residual_series(problem, posterior, k, merge));
         longest_s = std::max(longest_s, problem.runs[k].duration_s);
     }
-    noise_ = Search(series_, posterior.root, longest_s).find();
+    noise_ = Search(series_, posterior, longest_s).find();
 }
 
 MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
@@ -366,9 +369,9 @@ MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
         }
         for (std::size_t k = 0; k < 4; ++k) {
             const MatrixXd& x = run.by_parameter[k];
-            sum += x.transpose() * common * x;
+            sum(run.places, run.places) += x.transpose() * common * x;
             if (k == ResidualSeries::phase) {
-                sum += x.transpose() * of_phase * x;
+                sum(run.places, run.places) += x.transpose() * of_phase * x;
             }
         }
     }

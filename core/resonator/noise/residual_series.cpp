@@ -46,30 +46,29 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
     const ScaledRun& run = problem.runs[index];
     const Linearised& at = posterior.runs[index];
     const auto points = static_cast<Eigen::Index>(run.size() / merge);
-    // Columns of a run's derivatives among the active parameters.
-    const auto columns = static_cast<Eigen::Index>(posterior.active.size());
-    std::vector<Eigen::Index> column_of(posterior.active.size(), -1);
+    ResidualSeries out;
+    std::vector<Eigen::Index> column_of;  // a run's derivatives at each of the places
     const Eigen::Index first_own = problem.layout.at(index, 0);
     for (std::size_t k = 0; k < posterior.active.size(); ++k) {
         const Eigen::Index parameter = posterior.active[k];
-        if (parameter < shared_count) {
-            column_of[k] = parameter;
-        } else if (parameter >= first_own &&
-                   parameter < first_own + problem.layout.own_size(index)) {
-            column_of[k] = parameter - first_own + shared_count;
+        const bool own =
+            parameter >= first_own && parameter < first_own + problem.layout.own_size(index);
+        if (parameter < shared_count || own) {
+            out.places.push_back(static_cast<Eigen::Index>(k));
+            column_of.push_back(own ? parameter - first_own + shared_count : parameter);
         }
     }
 
     const double usual_sd = 1 / median(run.weight);
     const double share = 1 / static_cast<double>(merge);
     const double keeps_noise = std::sqrt(share);
-    ResidualSeries out;
     out.window_s = run.window_s * static_cast<double>(merge);
     out.correlation = merged_correlation(run.correlation, merge, points);
     out.time_s.assign(static_cast<std::size_t>(points), 0);
     out.size = out.noise = Eigen::VectorXd::Zero(points);
     out.residual.fill(Eigen::VectorXd::Zero(points));
-    out.by_parameter.fill(Eigen::MatrixXd::Zero(points, columns));
+    out.by_parameter.fill(
+        Eigen::MatrixXd::Zero(points, static_cast<Eigen::Index>(column_of.size())));
     for (Eigen::Index k = 0; k < points * static_cast<Eigen::Index>(merge); ++k) {
         const auto window = static_cast<std::size_t>(k);
         const Eigen::Index point = k / static_cast<Eigen::Index>(merge);
@@ -97,12 +96,7 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
             const Eigen::RowVector4d row(axis[s][0].real(), axis[s][0].imag(), axis[s][1].real(),
                                          axis[s][1].imag());
             const Eigen::RowVectorXd by = row * at.by_parameter.middleRows<4>(4 * k);
-            for (Eigen::Index column = 0; column < columns; ++column) {
-                const Eigen::Index from = column_of[static_cast<std::size_t>(column)];
-                if (from >= 0) {
-                    out.by_parameter[s](point, column) += keeps_noise * by[from];
-                }
-            }
+            out.by_parameter[s].row(point) += keeps_noise * by(column_of);
         }
     }
     return out;

@@ -23,7 +23,10 @@ struct ResidualSeries {
     Eigen::VectorXd noise;        // of the windows' noise: that of the median over it
     Eigen::MatrixXd correlation;  // of the windows' noise; empty: white
     std::array<Eigen::VectorXd, 4> residual;
-    std::array<Eigen::MatrixXd, 4> by_parameter;  // columns as posterior.active
+    // Places in posterior.active of the shared parameters and the run's own: others do not change
+    // the run.
+    std::vector<Eigen::Index> places;
+    std::array<Eigen::MatrixXd, 4> by_parameter;  // columns as `places`
 };
 
 // The series of a run, `merge` consecutive windows averaged into one; a remainder at the end is

@@ -11,6 +11,9 @@
 #include <QtTest>
 
 #include <numbers>
+#include <random>
+#include <stop_token>
+#include <thread>
 
 namespace test_window_sweep {
 
@@ -335,6 +338,38 @@ private slots:
         const auto stopped = sweep_windows(recording, Settings(), lengths, stopping);
         QVERIFY(!stopped);
         QCOMPARE(stopped.error().code, ErrorCode::interrupted);
+    }
+
+    // At 20 moments, or as many as VYBEG_SIGNALS says.
+    void a_sweep_is_left_within_a_second() {
+        FreeDecay short_decay = still_wave();
+        short_decay.tau_s = 0.1;
+        const std::array recordings{test::simulated_recording(beating_wave()),
+                                    test::simulated_recording(short_decay)};
+        const auto lengths = spaced_lengths(6, 6000);
+        bool given = false;
+        const int wanted = qEnvironmentVariableIntValue("VYBEG_SIGNALS", &given);
+        std::mt19937_64 random(24);
+        int stopped = 0;
+        for (int k = 0; k < (given ? wanted : 20); ++k) {
+            const Recording& recording = recordings[static_cast<std::size_t>(k) % 2];
+            std::stop_source stop;
+            bool interrupted = false;
+            std::thread work([&] {
+                const auto sweep =
+                    sweep_windows(recording, Settings(), lengths, JobControl(stop.get_token()));
+                interrupted = !sweep && sweep.error().code == ErrorCode::interrupted;
+            });
+            const int after_ms = std::uniform_int_distribution<int>(0, 400)(random);
+            QTest::qSleep(after_ms);  // the moment of the stop
+            QElapsedTimer timer;
+            timer.start();
+            stop.request_stop();
+            work.join();
+            stopped += interrupted ? 1 : 0;
+            VYBEG_LESS(timer.elapsed(), 1000, qPrintable(QString("after %1 ms").arg(after_ms)));
+        }
+        VYBEG_MORE(stopped, 0);
     }
 };
 

@@ -124,7 +124,7 @@ private slots:
                  qPrintable(state()));
         // A session keeps that the set is a part of its list.
         const QString path = home_.path("half.vybeg");
-        QVERIFY(window_->session().save(path));
+        QVERIFY(savedTo(*window_, path));
         window_ = shownWindow();
         window_->files().open({path});
         waitUntilOpen(1);
@@ -136,7 +136,7 @@ private slots:
         window_->files().open({list("back.csv")});
         waitUntilOpen(2);
         const QString path = home_.path("back.vybeg");
-        QVERIFY(window_->session().save(path));
+        QVERIFY(savedTo(*window_, path));
         const QString recording = home_.path("runs-45.wav");
         const QString aside = home_.path("aside");  // without its ending it is not looked at
         QVERIFY(QFile::rename(recording, aside));
@@ -147,7 +147,7 @@ private slots:
             const bool back = there == 2;
             QTRY_COMPARE(childOf<QLabel>(*window_, "state").text().contains("runs-45.wav"), !back);
             QVERIFY(QTest::qWaitFor([&] { return !window_->session().isOpening(); }));
-            QVERIFY(window_->session().save(path));
+            QVERIFY(savedTo(*window_, path));
             if (!back) {
                 QVERIFY(QFile::rename(aside, recording));
             }
@@ -230,7 +230,7 @@ private slots:
         waitUntilOpen(2);
         const auto before = sets().measured(sets().all()[1]);
         const QString path = home_.path("kept.vybeg");
-        QVERIFY(window_->session().save(path));
+        QVERIFY(savedTo(*window_, path));
         window_ = shownWindow();
         window_->files().open({path});
         QTRY_COMPARE(sets().all().size(), std::size_t(2));

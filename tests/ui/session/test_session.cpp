@@ -138,7 +138,7 @@ private slots:
         arrange("same");
         const QString path = home_.path("same/one.vybeg");
         QVERIFY(session().isModified());
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         QVERIFY(!session().isModified());
         const QImage before = picture();
         QVERIFY(!before.isNull());
@@ -187,7 +187,7 @@ private slots:
         wait(1);
         window_->action(Command::page_signals)->trigger();
         const QString path = home_.path("page.vybeg");
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         session().end();
         window_ = shownWindow();
         openSession(path, 1);
@@ -215,7 +215,7 @@ private slots:
         document().setSettings(settings);
         wait(1);
         const QString path = home_.path("live.vybeg");
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         session().end();
         window_ = shownWindow();
         openSession(path, 1);
@@ -252,20 +252,20 @@ private slots:
     void what_a_later_version_wrote_is_kept() {
         arrange("later");
         const QString path = home_.path("later/one.vybeg");
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         QJsonObject json = jsonOf(path);
         json["vybeg_session"] = 2;
         json["gyro"] = QJsonObject{{"serial", "17"}};
         home_.file("later/one.vybeg", QJsonDocument(json).toJson());
         openSession(path, 4);
         QVERIFY(messages().contains("later version"));
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         QCOMPARE(jsonOf(path)["gyro"].toObject()["serial"].toString(), "17");
     }
 
     void a_session_moves_with_its_recordings() {
         arrange("from");
-        QVERIFY(session().save(home_.path("from/one.vybeg")));
+        QVERIFY(savedTo(*window_, home_.path("from/one.vybeg")));
         QVERIFY(QDir().rename(home_.path("from"), home_.path("to")));
         QVERIFY(QDir().mkpath(home_.path("to/raw")));
         QVERIFY(QFile::rename(home_.path("to/b.wav"), home_.path("to/raw/b.wav")));
@@ -278,14 +278,14 @@ private slots:
     void a_recording_that_is_gone_is_asked_for_and_its_place_kept() {
         arrange("gone");
         const QString path = home_.path("gone/one.vybeg");
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         QVERIFY(QFile::rename(home_.path("gone/b.wav"), home_.path("elsewhere.wav")));
         window_->files().open({path});
         QTRY_VERIFY(!document().busy() && document().analyses().size() == 1);
         QVERIFY(messages().contains("b.wav is not there"));
         // Saved without it, the session still has its runs and its place in the set.
         QTRY_COMPARE(the<TrackView>().cursor(Cursor::b), std::optional(1.25));
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         QCOMPARE(jsonOf(path)["recordings"].toArray().size(), 2);
         QCOMPARE(jsonOf(path)["recordings"].toArray()[1].toObject()["runs"].toArray().size(), 3);
         QCOMPARE(jsonOf(path)["sets"].toArray()[0].toObject()["recordings"].toArray().size(), 2);
@@ -304,7 +304,7 @@ private slots:
     void another_file_in_the_place_of_a_recording_is_told() {
         arrange("other");
         const QString path = home_.path("other/one.vybeg");
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         home_.recording("other/b.wav", 2.5);
         openSession(path, 4);
         QTRY_VERIFY(messages().contains("SHA-256 differs"));
@@ -346,7 +346,7 @@ private slots:
         QVERIFY(dialog && dialog->isVisible());
         const QString path = home_.path("asked.vybeg");
         emit dialog->fileSelected(path);
-        QVERIFY(!window_->isVisible());
+        QTRY_VERIFY(!window_->isVisible());
         QCOMPARE(jsonOf(path)["settings"].toObject()["window"].toString(), "99");
     }
 
@@ -367,7 +367,7 @@ private slots:
         const QString path = home_.path("keys/one.vybeg");
         emit dialog->fileSelected(path);
         dialog->close();
-        QVERIFY(QFile::exists(path));
+        QTRY_VERIFY(QFile::exists(path));
         session().end();
         window_ = shownWindow();
         QMimeData data;

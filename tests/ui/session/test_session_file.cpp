@@ -42,7 +42,7 @@ class TestSessionFile : public QObject {
         [&] { QTRY_COMPARE_WITH_TIMEOUT(document().analyses().size(), std::size_t(1), 20000); }();
         document().sets().addToCurrent({document().recordings()[0].id});
         const QString path = home_.path(name + ".vybeg");
-        return session().save(path) ? path : QString();
+        return savedTo(*window_, path) ? path : QString();
     }
 
     void opened(const QString& path) {
@@ -81,7 +81,7 @@ private slots:
         home_.file("later.vybeg", QJsonDocument(json).toJson());
         opened(path);
         document().dossier().setGyro({"17", {}, {}, {}});
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         for (const char* list : {"recordings", "sets"}) {
             QCOMPARE(jsonOf(path)[list].toArray()[0].toObject()["later"].toString(), list);
         }
@@ -107,7 +107,7 @@ private slots:
     void a_recording_under_another_name_is_found_by_its_content() {
         const QString path = saved("renamed");
         QTRY_VERIFY(!document().recordings()[0].sha256.isEmpty());
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         QVERIFY(QFile::rename(home_.path("renamed.wav"), home_.path("another.wav")));
         opened(path);
         QCOMPARE(document().recordings().size(), std::size_t(1));
@@ -132,11 +132,13 @@ private slots:
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         window_->files().saveSession();
         press("Replace");
+        QTRY_VERIFY(!session().isSaving());
         QCOMPARE(jsonOf(path)["gyro"].toObject()["serial"].toString(), QString("here"));
         // Its own file is no other program's.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         document().dossier().setGyro({"here again", {}, {}, {}});
         window_->files().saveSession();
+        QTRY_VERIFY(!session().isSaving());
         QVERIFY(!window_->findChild<QMessageBox*>());
         QCOMPARE(jsonOf(path)["gyro"].toObject()["serial"].toString(), QString("here again"));
     }

@@ -79,7 +79,7 @@ class TestSessionResults : public QObject {
     void store(Stored& stored, const QString& name) {
         stored = {home_.path(name), numbers("resonator"), numbers("modes"), numbers("runs"),
                   numbers("waves"), warnings(),           state()};
-        QVERIFY(session().save(stored.path));
+        QVERIFY(savedTo(*window_, stored.path));
     }
 
     // A copy, which a function may change.
@@ -162,7 +162,7 @@ private slots:
         QVERIFY(!childOf<QuantityTable>(*window_, QStringLiteral("waves")).isVisible());
         // Saved again, nothing of it is lost.
         const QJsonArray sets = jsonOf(path)["sets"].toArray();
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         QCOMPARE(jsonOf(path)["sets"].toArray()[0].toObject()["result"],
                  sets[0].toObject()["result"]);
     }
@@ -196,7 +196,7 @@ private slots:
         reopen(path);
         QVERIFY2(state().contains("99"), qPrintable(state()));
         QVERIFY(!childOf<QuantityTable>(*window_, QStringLiteral("resonator")).isVisible());
-        QVERIFY(session().save(path));
+        QVERIFY(savedTo(*window_, path));
         QCOMPARE(jsonOf(path)["sets"].toArray()[0].toObject()["result"].toObject(), result);
     }
 

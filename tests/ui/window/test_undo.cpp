@@ -178,7 +178,7 @@ private slots:
         open({"a.wav"});
         sets().add(ids());
         const QString path = home_.path("s.vybeg");
-        QVERIFY(window_->session().save(path));
+        QVERIFY(savedTo(*window_, path));
         window_ = shownWindow();
         window_->files().open({path});
         QVERIFY(QTest::qWaitFor([&] { return sets().all().size() == 1; }));
