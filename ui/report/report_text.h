@@ -29,6 +29,7 @@ ReportText reportTextOf(const ReportContent& content, const QString& program,
 struct ReportChapter {
     QStringList line;  // in the table of all sets: cells, each an HTML text
     QString html;      // its pages
+    bool assumed = false;  // u holds tolerances that are not told
 };
 
 // Of a content with a number.

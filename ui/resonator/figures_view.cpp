@@ -167,8 +167,8 @@ void FiguresView::retranslate() {
     drift_->setAccessibleName(tr("Harmonics of the drift function"));
     drift_plot_->setToolTip(
         richTip(tr("Drift of the wave angle against the angle: measured points with their standard "
-                   "deviations, and the harmonics fitted to them; dashed: by the fitted resonator. "
-                   "Without what the quadrature adds")));
+                   "deviations, and the harmonics fitted to them with their combined uncertainty u as "
+                   "a band; dashed: by the fitted resonator. Without what the quadrature adds")));
     balance_plot_->setToolTip(
         richTip(tr("Zero within its band while the channels are balanced as the fit has them")));
     rebuild();

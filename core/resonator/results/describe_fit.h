@@ -18,6 +18,7 @@ struct SolvedSet {
     double scale = 1;                // recording units of a scaled unit
     Estimate cubic_limit;            // b and its sd where it is held at zero; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
+    ChannelTolerance tolerance;      // told or assumed: the sizes of the errors in u
 };
 
 FittedMotion motion_of(const SolvedSet& set);
