@@ -84,8 +84,7 @@ std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double
     std::vector<ToleranceInUse> used;
     for (const ToleranceParameter& parameter : tolerance_parameters) {
         const std::optional<double>& told = tolerance.*parameter.member;
-        const double value =
-            told ? *told : assumed_tolerance(parameter.source, calibrated_kappa);
+        const double value = told ? *told : assumed_tolerance(parameter.source, calibrated_kappa);
         if (value > 0) {
             used.push_back({parameter, value, !told});
         }

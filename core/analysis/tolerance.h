@@ -14,7 +14,7 @@ namespace vybeg {
 // How well the channels and the clock are known, in the units of the command line: standard
 // deviations about the calibrated pair. Zero: known exactly; none: see assumed_tolerance().
 struct Tolerance {
-    std::optional<double> kappa;            // relative
+    std::optional<double> kappa;  // relative
     std::optional<double> skew_deg;
     std::optional<double> delay_s;
     std::optional<double> crosstalk;
@@ -60,7 +60,8 @@ std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double
 
 // Reads NAME=X[,NAME=X]: the names above, each at most once. X is a number of zero or more in the
 // parameter's unit, or with a unit after it: deg, rad, mrad (skew, phase-drift), s, ms, us, ns, ps
-// (delay), %, ppm (ratios), ppm, ppb, % (rate). "none" is the default of all. Error: setting_invalid of
+// (delay), %, ppm (ratios), ppm, ppb, % (rate). "none" is the default of all. Error:
+// setting_invalid of
 // --tolerance with what is wrong.
 Result<Tolerance> read_tolerance(std::string_view text);
 

@@ -89,9 +89,8 @@ Json tolerances_json(const IdentifySettings& settings) {
     Json object = Json::object();
     for (const ToleranceInUse& each :
          tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
-        object[each.parameter.name()] = {{"value", each.value},
-                                         {"unit", each.parameter.unit},
-                                         {"assumed", each.assumed}};
+        object[each.parameter.name()] = {
+            {"value", each.value}, {"unit", each.parameter.unit}, {"assumed", each.assumed}};
     }
     return object;
 }

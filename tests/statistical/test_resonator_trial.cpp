@@ -225,8 +225,8 @@ private slots:
             RandomSet set = random_set(static_cast<std::uint64_t>(seed) + 5001);
             std::mt19937_64 random(static_cast<std::uint64_t>(seed) + 9001);
             spoil(set, random, tolerance);
-            const FitOptions options = told ? FitOptions{.tolerance = tolerance}
-                                            : FitOptions{.assumed = tolerance};
+            const FitOptions options =
+                told ? FitOptions{.tolerance = tolerance} : FitOptions{.assumed = tolerance};
             const Result<ResonatorFit> fit = fit_resonator(set.runs, options, {});
             const std::lock_guard lock(mutex);
             if (!fit || fit->model != ResonatorModel::structured) {

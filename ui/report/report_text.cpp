@@ -75,8 +75,7 @@ ReportText reportTextOf(const ReportContent& content, const QString& program,
 }
 
 ReportChapter chapterOf(const ReportContent& content) {
-    const bool assumed =
-        content.outcome && anyAssumed(content.outcome->identification.settings);
+    const bool assumed = content.outcome && anyAssumed(content.outcome->identification.settings);
     return {lineOf(content),
             QStringLiteral("<h1 style=\"page-break-before:always\">%1</h1>")
                     .arg(content.set.toHtmlEscaped()) +
@@ -119,8 +118,7 @@ ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& 
         paragraph(QStringLiteral("%1: %2").arg(
             reportText(QT_TRANSLATE_NOOP("Report", "Report made")), madeText(program, made))) +
         heading(reportText(QT_TRANSLATE_NOOP("Report", "All sets"))) +
-        paragraph(reportText(combined)) +
-        html(table) + pages;
+        paragraph(reportText(combined)) + html(table) + pages;
     return text;
 }
 

@@ -135,7 +135,8 @@ void NumbersView::retranslate() {
     };
     name(waves_section_, waves_, tr("What the waves did"));
     name(resonator_section_, resonator_, tr("Resonator"));
-    name(sensitivities_section_, sensitivities_, tr("Sensitivity: by how much a value would be wrong"));
+    name(sensitivities_section_, sensitivities_,
+         tr("Sensitivity: by how much a value would be wrong"));
     name(modes_section_, modes_, tr("Modes"));
     name(runs_section_, runs_, tr("Runs of the set"));
     rebuild();

@@ -158,8 +158,7 @@ std::vector<QuantityRow> sensitivityRows(const Identification& found, const Disp
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
         QuantityRow row{withUnit(shown.title, shown.unit), shown.tip, {}};
         for (const UsualError& error : usual_errors) {
-            const double change =
-                shown.factor * error.size * fit.sensitivities[k][error.source];
+            const double change = shown.factor * error.size * fit.sensitivities[k][error.source];
             const bool felt = std::abs(change) > negligible * shown.factor * estimate.sd;
             row.cells.push_back(
                 {felt ? threeDigits(change) : QStringLiteral("≈ 0"), {exactText(change)}, {}});
@@ -275,9 +274,8 @@ std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUni
     }
     const double factor = angleRateFactor(units);
     for (Eigen::Index k = 0; k < drift.coefficients.size(); ++k) {
-        rows.push_back({withUnit(names[k], angleRateUnit(units)),
-                        {},
-                        {cellOf(drift.coefficient(k), factor)}});
+        rows.push_back(
+            {withUnit(names[k], angleRateUnit(units)), {}, {cellOf(drift.coefficient(k), factor)}});
     }
     return rows;
 }
@@ -305,8 +303,7 @@ QStringList toleranceTexts(const IdentifySettings& settings) {
         const ErrorSource source = each.parameter.source;
         const bool delay = source == delay_error;
         const QString number = shortNumberText(each.value * (delay ? 1e9 : 1), digits);
-        const QString unit = source == skew_error
-                                 ? QStringLiteral("°")
+        const QString unit = source == skew_error ? QStringLiteral("°")
                              : *each.parameter.unit == '\0'
                                  ? QString()
                                  : QLatin1Char(' ') + unitText(delay ? "ns" : each.parameter.unit);
@@ -330,13 +327,14 @@ QString clockText(const IdentifySettings& settings) {
 
 QString uncertaintyText(const Identification& found) {
     const QStringList tolerances = toleranceTexts(found.settings);
-    QString text = resonatorText(
-        QT_TRANSLATE_NOOP("Resonator", "± is the statistical standard deviation."));
+    QString text =
+        resonatorText(QT_TRANSLATE_NOOP("Resonator", "± is the statistical standard deviation."));
     if (!tolerances.isEmpty()) {
-        text += QLatin1Char(' ') +
-                resonatorText(QT_TRANSLATE_NOOP("Resonator", "u, where it differs, holds the "
-                                                             "tolerances (Calibration) too: %1."))
-                    .arg(tolerances.join(QStringLiteral("; ")));
+        text +=
+            QLatin1Char(' ') + resonatorText(QT_TRANSLATE_NOOP("Resonator",
+                                                               "u, where it differs, holds the "
+                                                               "tolerances (Calibration) too: %1."))
+                                   .arg(tolerances.join(QStringLiteral("; ")));
     }
     return QStringLiteral("%1 %2").arg(text, clockText(found.settings)).trimmed();
 }

@@ -285,8 +285,9 @@ void CalibrationFields::retranslate() {
     repair_lost_->setToolTip(
         tr("Where the recording check finds lost samples, as many missing ones are put in, so that "
            "time runs on behind them. Windows over them have no values."));
-    tolerances_title_->setText(tr("How well the channels and the clock are known, for u. Empty: the number in "
-                                  "grey is assumed; 0: exact."));
+    tolerances_title_->setText(
+        tr("How well the channels and the clock are known, for u. Empty: the number in "
+           "grey is assumed; 0: exact."));
     SettingsFields::retranslate();
 }
 

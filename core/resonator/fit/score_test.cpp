@@ -50,7 +50,7 @@ using Pair = std::array<Vector2cd, 2>;
 // deviation moves as the wave itself, which also shows the phase that the run's frequency adds.
 template <class Terms>
 Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms& terms_at) {
-    const SlowDynamics dynamics(rates_of(at.p));
+    const SlowDynamics dynamics(vybeg::rates_of(at.p));
     Effect effect;
     for (std::size_t k = 0; k < problem.runs.size(); ++k) {
         const ScaledRun& run = problem.runs[k];
@@ -66,8 +66,8 @@ Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms
                 Eigen::Matrix2cd step = dynamics.propagator(step_s);
                 step *= std::polar(1.0, std::arg((step * before).dot(z)));
                 for (std::size_t term = 0; term < terms.size(); ++term) {
-                    moved[term] = step * (moved[term] + step_s / 2 * last[term]) +
-                                  step_s / 2 * terms[term];
+                    moved[term] =
+                        step * (moved[term] + step_s / 2 * last[term]) + step_s / 2 * terms[term];
                 }
             } else {
                 for (std::size_t term = 0; term < terms.size(); ++term) {

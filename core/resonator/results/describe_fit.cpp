@@ -73,9 +73,9 @@ public:
         if (fit_.model == ResonatorModel::structured) {
             const bool white =
                 fit_.noise.white() && ratio < 1 + residual_scatter * std::sqrt(2 / dof);
-            std::ranges::copy(channel_findings(set, solved_.tolerance, fit_.resonator, fit_.runs,
-                                               white),
-                              std::back_inserter(fit_.warnings));
+            std::ranges::copy(
+                channel_findings(set, solved_.tolerance, fit_.resonator, fit_.runs, white),
+                std::back_inserter(fit_.warnings));
         }
         warn();
         return std::move(fit_);

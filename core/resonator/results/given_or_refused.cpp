@@ -326,8 +326,7 @@ private:
         terms.given = seen(out.damping_anisotropy_per_s) && out.angle_rate_rad_s.given();
         const std::array<Index, 3> parameters{rotation_at, damping_cos_at, damping_sin_at};
         const Posterior& p = set_.posterior;
-        const Eigen::MatrixXd statistical =
-            p.root * (p.data + p.nothing) * p.root.transpose();
+        const Eigen::MatrixXd statistical = p.root * (p.data + p.nothing) * p.root.transpose();
         const Eigen::MatrixXd tolerances = set_.moved * set_.moved.transpose();
         for (std::size_t k = 0; k < 3; ++k) {
             terms.value[k] = p.p[parameters[k]];

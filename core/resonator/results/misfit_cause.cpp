@@ -225,7 +225,8 @@ std::optional<Diagnostic> misfit_cause(const FitProblem& problem, const Posterio
     }
     if (structured) {
         const Score springs = score(problem, posterior, springs_effect(problem, posterior));
-        consider(springs.fall, DiagnosticKind::misfit_springs, {number_arg(springs.size.norm(), 2)});
+        consider(springs.fall, DiagnosticKind::misfit_springs,
+                 {number_arg(springs.size.norm(), 2)});
     }
     const Score damping = score(problem, posterior, damping_effect(problem, posterior));
     consider(damping.fall, DiagnosticKind::misfit_damping,

@@ -94,7 +94,7 @@ struct ResonatorFit {
     // Contribution of each tolerance to u, in the same order and in the parameter's unit: u^2 is
     // the sum of their squares and of sd^2. Zeros if the parameter is not given.
     std::vector<BySource> shares;
-    std::vector<RunEstimate> runs;        // in the order of the given runs
+    std::vector<RunEstimate> runs;  // in the order of the given runs
     Identifiable identifiable;
     DriftTerms drift_terms;
     double residual_rms = 0;          // of the windows' phasors per signal, recording units

@@ -125,8 +125,7 @@ std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimat
         for (int source = 0; source < error_sources; ++source) {
             const Eigen::MatrixXd& by = wrong[static_cast<std::size_t>(source)];
             if (by.cols() == 1) {
-                sensitivity[source] =
-                    place.factor * at.gradient.row(place.quantity).dot(by.col(0));
+                sensitivity[source] = place.factor * at.gradient.row(place.quantity).dot(by.col(0));
             } else if (by.cols() > 1) {
                 sensitivity[source] =
                     std::abs(place.factor) * (at.gradient.row(place.quantity) * by).norm();

@@ -111,9 +111,9 @@ private slots:
         QVERIFY(std::isnan(exact->drift.coefficient(0).u));
 
         VYBEG_CLOSE_RATIO(clocked->fit.resonator.f_mean_hz.u, 1e-5 * 5300, 0.01);
-        VYBEG_CLOSE_RATIO(std::sqrt(std::pow(clocked->fit.resonator.tau_s.u, 2) -
-                                    std::pow(none.tau_s.sd, 2)),
-                          1e-5 * 40, 0.05);
+        VYBEG_CLOSE_RATIO(
+            std::sqrt(std::pow(clocked->fit.resonator.tau_s.u, 2) - std::pow(none.tau_s.sd, 2)),
+            1e-5 * 40, 0.05);
         VYBEG_CLOSE_RATIO(clocked->runs[0].wave.f_hz.u, 1e-5 * 5300, 0.01);
         QVERIFY(std::isnan(clocked->fit.runs[0].f_offset_hz.u));
         QVERIFY(std::isnan(clocked->fit.resonator.q.u));

@@ -70,8 +70,10 @@ private slots:
         const auto used = [](const Tolerance& tolerance, double kappa) {
             QStringList texts;
             for (const ToleranceInUse& each : tolerances_in_use(tolerance, kappa)) {
-                texts << QString("%1=%2%3").arg(each.parameter.name()).arg(each.value).arg(
-                    each.assumed ? "?" : "");
+                texts << QString("%1=%2%3")
+                             .arg(each.parameter.name())
+                             .arg(each.value)
+                             .arg(each.assumed ? "?" : "");
             }
             return texts.join(' ');
         };
@@ -105,7 +107,8 @@ private slots:
         row("", "NAME=X");
         row("skew", "NAME=X");
         row("skew=0.1,", "NAME=X");
-        row("tilt=0.1", "\"tilt\" is none of kappa, skew, delay, crosstalk, phase-drift, gain-drift, rate");
+        row("tilt=0.1",
+            "\"tilt\" is none of kappa, skew, delay, crosstalk, phase-drift, gain-drift, rate");
         row("skew=-0.1", "skew must be a number of zero or more, in deg");
         row("skew=nan", "skew must be");
         row("delay=inf", "delay must be a number of zero or more, in s");

@@ -1,4 +1,5 @@
 // What a fit says of channel errors that are far from what is known of them.
+#include "core/base/messages.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
 #include "tests/test_registry.h"
@@ -40,15 +41,14 @@ const Diagnostic* warning_of(const ResonatorFit& fit, DiagnosticKind kind) {
 void spoil(std::vector<PhasorRun>& runs, double phase_rad, double crosstalk) {
     for (PhasorRun& run : runs) {
         for (std::size_t k = 0; k < run.d.size(); ++k) {
-            run.d[k] = run.d[k] * std::polar(1.0, phase_rad) +
-                       std::complex(0.0, crosstalk) * run.c[k];
+            run.d[k] =
+                run.d[k] * std::polar(1.0, phase_rad) + std::complex(0.0, crosstalk) * run.c[k];
         }
     }
 }
 
 constexpr std::array kinds{DiagnosticKind::prior_left, DiagnosticKind::quadrature_by_channel,
-                           DiagnosticKind::misfit_channel,
-                           DiagnosticKind::anisotropy_not_passive};
+                           DiagnosticKind::misfit_channel, DiagnosticKind::anisotropy_not_passive};
 
 }  // namespace
 

@@ -262,8 +262,7 @@ private slots:
         const FitOptions told{.tolerance = {.kappa = 0}};
         const ResonatorFit before = fitted(runs_of(decay), told);
         for (const Effect& effect :
-             {Effect{cubic_error, 1e-5, &FreeDecay::frequency_per_power_hz,
-                     1 / power},
+             {Effect{cubic_error, 1e-5, &FreeDecay::frequency_per_power_hz, 1 / power},
               Effect{damping_error, 2e-3, &FreeDecay::damping_per_power_per_s,
                      1 / (power * decay.tau_s)}}) {
             FreeDecay with = decay;

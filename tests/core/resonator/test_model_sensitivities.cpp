@@ -29,7 +29,7 @@ FreeDecay resonator() {
 }
 
 struct Effects {
-    std::array<double, 2> springs_hz{};   // per power: cos and sin
+    std::array<double, 2> springs_hz{};    // per power: cos and sin
     std::array<double, 2> eighth_rad_s{};  // likewise
 };
 
