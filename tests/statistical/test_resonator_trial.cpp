@@ -236,11 +236,11 @@ private slots:
             add(set, *fit, tally);
             warned += std::ranges::any_of(fit->warnings, [](const Diagnostic& each) {
                 return each.kind == DiagnosticKind::prior_left ||
-                       each.kind == DiagnosticKind::misfit_channel ||
                        each.kind == DiagnosticKind::quadrature_by_channel ||
                        each.kind == DiagnosticKind::anisotropy_not_passive;
             });
         });
+        qInfo("warned: %d", warned);
         VYBEG_AT_MOST(warned, sets / 100);
         Pulls all;
         for (const auto& [name, pulls] : tally) {

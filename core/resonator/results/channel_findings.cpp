@@ -1,6 +1,7 @@
 #include "core/resonator/results/channel_findings.h"
 
 #include "core/base/number_text.h"
+#include "core/numerics/dense_solvers.h"
 #include "core/resonator/fit/score_test.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ constexpr double clear_fall = 25;      // of chi^2: five standard deviations
 constexpr double by_chance = 1e-3;     // probability of a quadrature that follows the angle
 constexpr std::size_t least_runs = 4;  // for the line through the quadratures and its scatter
 constexpr double least_spread = 0.1;   // of the angles: sum of squares of an error's shape
-constexpr double passive_within = 2;   // standard deviations
+constexpr double passive_share = 0.9;  // of the greatest anisotropy
+constexpr double passive_within = 2;   // combined uncertainties
 
 double f_ref_of(const FittedSet& set) {
     double sum = 0;
@@ -34,6 +36,42 @@ double chance_of(double rest, std::size_t n) {
     const double half = static_cast<double>(n - 2) / 2;
     const double beta = std::tgamma(half) * std::tgamma(0.5) / std::tgamma(half + 0.5);
     return std::pow(rest, half) / (half * beta * std::sqrt(std::max(1 - rest, 1e-6)));
+}
+
+// The error held at zero that leaves its assumed tolerance by most if all of them are opened, each
+// with its tolerance: alone each imitates the others.
+std::optional<Diagnostic> held_finding(const FitProblem& problem, const Posterior& posterior,
+                                       const ChannelTolerance& tolerance, double f_ref_hz) {
+    std::vector<ChannelError> held;
+    for (const ChannelError& error : channel_errors) {
+        if (problem.priors.sd[error.parameter] == 0 && tolerance.*error.tolerance > 0) {
+            held.push_back(error);
+        }
+    }
+    if (held.empty()) {
+        return {};
+    }
+    const auto count = static_cast<Eigen::Index>(held.size());
+    Effect effect;
+    for (const Linearised& run : posterior.runs) {
+        Eigen::MatrixXd by(run.by_parameter.rows(), count);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            by.col(k) = tolerance.*held[static_cast<std::size_t>(k)].tolerance *
+                        run.by_parameter.col(held[static_cast<std::size_t>(k)].parameter);
+        }
+        effect.push_back(std::move(by));
+    }
+    // In tolerances; their prior has the precision of one.
+    const Score free = score(problem, posterior, effect);
+    const Eigen::VectorXd size =
+        (Eigen::MatrixXd::Identity(count, count) + free.inverse).ldlt().solve(free.size);
+    Eigen::Index most = 0;
+    if (!(size.cwiseAbs().maxCoeff(&most) > most_tolerances)) {
+        return {};
+    }
+    const ChannelError& error = held[static_cast<std::size_t>(most)];
+    return Diagnostic{DiagnosticKind::misfit_channel,
+                      named_error(error, size[most] * (tolerance.*error.tolerance), f_ref_hz)};
 }
 
 // A ratio a_B/a_A at the start of a recording.
@@ -133,43 +171,33 @@ std::vector<Diagnostic> channel_findings(const FittedSet& set, const ChannelTole
     const FitProblem& problem = *set.problem;
     const Posterior& posterior = set.posterior;
     const double f_ref_hz = f_ref_of(set);
-    double most = clear_fall;
-    std::optional<Diagnostic> held;
     for (const ChannelError& error : channel_errors) {
         const double told = problem.priors.sd[error.parameter];
-        if (told > 0) {
-            const double off = posterior.p[error.parameter] - problem.priors.mean[error.parameter];
-            if (std::abs(off) > most_tolerances * told) {
-                Diagnostic left{DiagnosticKind::prior_left, named_error(error, off, f_ref_hz)};
-                left.args.push_back(number_arg(std::abs(off) / told, 2));
-                found.push_back(std::move(left));
-            }
+        const double off = posterior.p[error.parameter] - problem.priors.mean[error.parameter];
+        const auto active = std::ranges::find(posterior.active, Eigen::Index{error.parameter});
+        if (active == posterior.active.end()) {
             continue;
         }
-        if (!white || error.source == kappa_error) {
-            continue;
-        }
-        Effect effect;
-        for (const Linearised& run : posterior.runs) {
-            effect.emplace_back(run.by_parameter.col(error.parameter));
-        }
-        const Score score_of = score(problem, posterior, effect);
-        if (score_of.fall > most &&
-            std::abs(score_of.size[0]) > most_tolerances * (tolerance.*error.tolerance)) {
-            most = score_of.fall;
-            held = Diagnostic{DiagnosticKind::misfit_channel,
-                              named_error(error, score_of.size[0], f_ref_hz)};
+        // Other errors within their tolerances move it, too.
+        const double known =
+            std::hypot(told, set.moved.row(active - posterior.active.begin()).norm());
+        if (std::abs(off) > most_tolerances * known) {
+            Diagnostic left{DiagnosticKind::prior_left, named_error(error, off, f_ref_hz)};
+            left.args.push_back(number_arg(std::abs(off) / told, 2));
+            found.push_back(std::move(left));
         }
     }
-    if (held) {
-        found.push_back(*std::move(held));
+    if (white) {
+        if (auto held = held_finding(problem, posterior, tolerance, f_ref_hz)) {
+            found.push_back(*std::move(held));
+        }
     }
     if (auto quadrature = quadrature_finding(runs, tolerance, f_ref_hz)) {
         found.push_back(*std::move(quadrature));
     }
     const Estimate& g = resonator.damping_anisotropy_per_s;
     const double passive = 2 * posterior.p[decay_at];
-    if (g.given() && g.value > passive - passive_within * g.sd) {
+    if (g.given() && g.value - passive_within * g.uncertainty() > passive_share * passive) {
         found.push_back({DiagnosticKind::anisotropy_not_passive,
                          {number_arg(g.value, 3), number_arg(passive, 3)}});
     }

@@ -13,7 +13,8 @@ std::vector<MessageArg> named_error(const ChannelError& error, double size, doub
 
 // Warnings about the channels of a structured fit, each for errors of more than three tolerances:
 // - an error that the fit has moved from its prior by more (prior_left);
-// - an error held at zero that a score test of the residual shows (misfit_channel);
+// - an error held at zero that a score test of the residual shows if all of them are opened, each
+//   with its tolerance (misfit_channel);
 // - a delay or crosstalk that the quadratures at the starts of four recordings or more follow by
 //   their angles (quadrature_by_channel). The motion does not show it: it looks like a rotation.
 // And an anisotropy that reaches that of a passive resonator. `white`: the residual is noise.

@@ -66,7 +66,7 @@ inline constexpr std::array<UsualError, 11> usual_errors{{
     {damping_error, "damping", "damping_share", "1 %", 1e-2},
     {pickoff_error, "pick-offs", "pickoff_share", "0.1 %", 1e-3},
     {springs_error, "springs", "springs_hz", "10 uHz", 1e-5},
-    {eighth_error, "8th harmonic", "eighth_rad_s", "1e-6 rad/s", 1e-6},
+    {eighth_error, "harmonic 8", "eighth_rad_s", "1e-6 rad/s", 1e-6},
 }};
 
 }  // namespace vybeg
