@@ -220,10 +220,11 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
                           const Identification& identification,
                           const PassportComparison* comparison) {
     const ResonatorFit& fit = identification.fit;
-    std::string text = tolerances_text(identification.settings);
+    std::string text;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         text += wave_text(inputs[k], identification.runs[k].wave);
     }
+    text += tolerances_text(identification.settings);
     if (fit.model == ResonatorModel::structured) {
         text += "resonator, structured model\n";
         for (const ResonatorParameter& parameter : resonator_parameters) {
