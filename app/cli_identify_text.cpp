@@ -81,7 +81,25 @@ std::string padded(const std::string& text, std::size_t width) {
     return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 
-// The change of each parameter by a usual error of the channels.
+// "kappa 0.01 (assumed), skew 0.1 deg (assumed)": what u holds besides sd.
+std::string tolerances_text(const IdentifySettings& settings) {
+    std::string list;
+    for (const ToleranceInUse& each :
+         tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
+        const std::string unit = each.parameter.unit;
+        list += (list.empty() ? "" : ", ") + std::string(each.parameter.name()) + " " +
+                short_text(each.value, 3) + (unit.empty() ? "" : " " + unit) +
+                (each.assumed ? " (assumed)" : "");
+    }
+    std::string text = "± is statistical";
+    if (!list.empty()) {
+        text += "; u holds the tolerances " + list;
+    }
+    return text + "\n" +
+           (settings.tolerance.rate_ppm ? "" : "frequencies by the clock of the recorder\n");
+}
+
+// By how much each parameter is wrong by an error of a usual size.
 std::string sensitivities_text(const ResonatorFit& fit) {
     std::string rows;
     for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
@@ -95,7 +113,7 @@ std::string sensitivities_text(const ResonatorFit& fit) {
         std::string row = "  " + label_of(parameter.name) + (unit.empty() ? "" : ", " + unit);
         row.resize(std::max<std::size_t>(row.size() + 1, 38), ' ');
         for (const UsualError& error : usual_errors) {
-            const double change = error.size * fit.sensitivities[k].*error.member;
+            const double change = error.size * fit.sensitivities[k][error.source];
             const bool felt = std::abs(change) > negligible * estimate.sd;
             row += padded(felt ? short_text(angle ? change * degrees : change, 3) : "~0", 12);
         }
@@ -104,17 +122,18 @@ std::string sensitivities_text(const ResonatorFit& fit) {
     if (rows.empty()) {
         return "";
     }
-    std::string head = "  change of a parameter by";
+    std::string head = "  error of a parameter by";
     head.resize(38, ' ');
     std::string names(38, ' ');
     for (const UsualError& error : usual_errors) {
         head += padded(error.amount, 12);
         names += padded(error.name, 12);
     }
-    return "sensitivity: what errors of the channels would change (u holds those with a tolerance, "
-           "sd none),\n"
-           "and a cubic spring, a damping or pick-offs that follow the amplitude, at the largest "
-           "amplitude\n" +
+    return "sensitivity: by how much a value would be wrong by errors of the channels (u holds "
+           "those with a tolerance),\n"
+           "by a cubic spring, a damping or pick-offs that follow the amplitude, by springs unlike "
+           "along the axes\n"
+           "(at the largest amplitude), and by an eighth harmonic of the drift\n" +
            head + "\n" + names + "\n" + rows;
 }
 
@@ -159,9 +178,7 @@ std::string drift_text(const Identification& identification) {
                                                "sin 8 theta"};
     std::string text = "drift function, d theta_A/dt\n";
     for (Eigen::Index k = 0; k < drift.coefficients.size(); ++k) {
-        text +=
-            line(names[static_cast<std::size_t>(k)],
-                 text_of({drift.coefficients[k], std::sqrt(drift.covariance(k, k)), {}}, "rad/s"));
+        text += line(names[static_cast<std::size_t>(k)], text_of(drift.coefficient(k), "rad/s"));
     }
     return text;
 }
@@ -207,6 +224,7 @@ std::string identify_text(std::span<const IdentifiedInput> inputs,
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         text += wave_text(inputs[k], identification.runs[k].wave);
     }
+    text += tolerances_text(identification.settings);
     if (fit.model == ResonatorModel::structured) {
         text += "resonator, structured model\n";
         for (const ResonatorParameter& parameter : resonator_parameters) {

@@ -1298,6 +1298,26 @@
         <translation>Невязка такая, как при ошибке каналов, принятой за ноль: %1, около %2. Откалибруйте её или задайте её допуск (--tolerance).</translation>
     </message>
     <message>
+        <source>The quadrature of the recordings at their starts follows the angle, as an error of the channels makes it: %1, about %2. Split, axes and rotation may be off by more than their uncertainties. Measure it and correct the signals (--delay), or state its tolerance (--tolerance).</source>
+        <translation>Квадратура записей в их начале следует за углом, как при ошибке каналов: %1, около %2. Разночастотность, оси и вращение могут быть ошибочны больше своих неопределённостей. Измерьте её и исправьте сигналы (--delay) или задайте её допуск (--tolerance).</translation>
+    </message>
+    <message>
+        <source>The quadrature of the recordings at their starts follows the angle, as an error of the channels makes it: %1, about %2. Split, axes and rotation may be off by more than their uncertainties. Measure it and correct the signals, or state its tolerance.</source>
+        <translation>Квадратура записей в их начале следует за углом, как при ошибке каналов: %1, около %2. Разночастотность, оси и вращение могут быть ошибочны больше своих неопределённостей. Измерьте её и исправьте сигналы или задайте её допуск.</translation>
+    </message>
+    <message>
+        <source>The recordings need a channel error far beyond its tolerance: %1 of %2, %3 tolerances. The tolerance is too small, or the motion is not that of the model: the numbers may be off by more than their uncertainties.</source>
+        <translation>Для записей нужна ошибка каналов далеко за её допуском: %1, равная %2, то есть %3 допуска. Допуск слишком мал, или движение не соответствует модели: числа могут быть ошибочны больше своих неопределённостей.</translation>
+    </message>
+    <message>
+        <source>The damping anisotropy, %1 1/s, reaches the greatest value of a passive resonator, 2/tau = %2 1/s: one mode hardly decays. The motion may not be that of the model, and the numbers may be off by more than their uncertainties.</source>
+        <translation>Разнодобротность, %1 1/с, достигает наибольшего значения пассивного резонатора, 2/tau = %2 1/с: одна мода почти не затухает. Движение может не соответствовать модели, и числа могут быть ошибочны больше своих неопределённостей.</translation>
+    </message>
+    <message>
+        <source>The residual is that of springs that follow the amplitude differently along the axes (about %1 Hz at the largest amplitude), which the model does not hold: split, axes and rotation may be off by more than their uncertainties. Record smaller amplitudes.</source>
+        <translation>Невязка такая, как при жёсткости, которая вдоль осей зависит от амплитуды по-разному (около %1 Гц при наибольшей амплитуде); в модели этого нет: разночастотность, оси и вращение могут быть ошибочны больше своих неопределённостей. Запишите меньшие амплитуды.</translation>
+    </message>
+    <message>
         <source>The residual is that of pick-offs whose gain follows the amplitude: by about %1 % in channel C and %2 % in D at the largest amplitude, which the model does not hold. Split, damping, axes and rotation may be off by more than their deviations. Linearise the channels, or record smaller amplitudes.</source>
         <translation>Невязка такая, как у датчиков, усиление которых зависит от амплитуды: примерно на %1 % в канале C и на %2 % в D при наибольшей амплитуде; в модели этого нет. Разночастотность, затухание, оси и вращение могут быть ошибочны больше своих СКО. Линеаризуйте каналы или запишите меньшие амплитуды.</translation>
     </message>
@@ -1597,34 +1617,6 @@
 <context>
     <name>Report</name>
     <message>
-        <source>Gain ratio</source>
-        <translation>Отнош. усиления</translation>
-    </message>
-    <message>
-        <source>Skew</source>
-        <translation>Неортог.</translation>
-    </message>
-    <message>
-        <source>Delay</source>
-        <translation>Задержка</translation>
-    </message>
-    <message>
-        <source>Crosstalk</source>
-        <translation>Перекр. помеха</translation>
-    </message>
-    <message>
-        <source>Phase drift</source>
-        <translation>Уход фазы</translation>
-    </message>
-    <message>
-        <source>Gain drift</source>
-        <translation>Уход усиления</translation>
-    </message>
-    <message>
-        <source>Sample rate</source>
-        <translation>Частота дискр.</translation>
-    </message>
-    <message>
         <source>Statistical</source>
         <translation>Статист.</translation>
     </message>
@@ -1801,6 +1793,10 @@
         <translation>Значения с суммарной стандартной неопределённостью u. Прочерк: записи не показывают этой величины; причина названа на странице набора.</translation>
     </message>
     <message>
+        <source>Values with their combined standard uncertainties u, with assumed tolerances of the channels. A dash: the recordings do not show it; the page of the set gives the reason.</source>
+        <translation>Значения с суммарными стандартными неопределённостями u, с принятыми допусками каналов. Прочерк: записи этого не показывают; причина — на странице набора.</translation>
+    </message>
+    <message>
         <source>Model: calibrated pair of pick-offs</source>
         <translation>Модель с калиброванными датчиками</translation>
     </message>
@@ -1809,8 +1805,8 @@
         <translation>Свободная модель</translation>
     </message>
     <message>
-        <source>After the GUM (JCGM 100:2008): standard uncertainties in the unit of each parameter; u² is the sum of the squares; U has the coverage factor 2. Tolerances of the channels (standard deviations): %1.</source>
-        <translation>По GUM (JCGM 100:2008, ГОСТ Р 54500.3): стандартные неопределённости в единицах каждого параметра; u² — сумма квадратов; коэффициент охвата U равен 2. Допуски каналов (СКО): %1.</translation>
+        <source>After the GUM (JCGM 100:2008): standard uncertainties in the unit of each parameter; u² is the sum of the squares; U has the coverage factor 2. Tolerances (standard deviations): %1. %2</source>
+        <translation>По GUM (JCGM 100:2008, ГОСТ Р 54500.3): стандартные неопределённости в единицах параметра; u² — сумма квадратов; у U коэффициент охвата 2. Допуски (СКО): %1. %2</translation>
     </message>
     <message>
         <source>none</source>
@@ -2397,6 +2393,66 @@
     <message>
         <source>0.1° of skew</source>
         <translation>0,1° неортогон.</translation>
+    </message>
+    <message>
+        <source>ppm</source>
+        <translation>ppm</translation>
+    </message>
+    <message>
+        <source>10⁻⁶ rad/s of the 8th harmonic of drift</source>
+        <translation>10⁻⁶ рад/с 8-й гармоники дрейфа</translation>
+    </message>
+    <message>
+        <source>10 µHz between the axes by amplitude</source>
+        <translation>10 мкГц между осями от амплитуды</translation>
+    </message>
+    <message>
+        <source>10⁻⁴ of crosstalk</source>
+        <translation>10⁻⁴ проникания</translation>
+    </message>
+    <message>
+        <source>Frequencies by the clock of the recorder.</source>
+        <translation>Частоты — по часам регистратора.</translation>
+    </message>
+    <message>
+        <source>u, where it differs, holds the tolerances (Calibration) too: %1.</source>
+        <translation>u, если отличается, содержит и допуски (Калибровка): %1.</translation>
+    </message>
+    <message>
+        <source>± is the statistical standard deviation.</source>
+        <translation>± — статистическое СКО.</translation>
+    </message>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1 (принято)</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Частота дискр.</translation>
+    </message>
+    <message>
+        <source>Gain drift</source>
+        <translation>Уход усиления</translation>
+    </message>
+    <message>
+        <source>Phase drift</source>
+        <translation>Уход фазы</translation>
+    </message>
+    <message>
+        <source>Crosstalk</source>
+        <translation>Перекр. помеха</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Задержка</translation>
+    </message>
+    <message>
+        <source>Skew</source>
+        <translation>Неортог.</translation>
+    </message>
+    <message>
+        <source>Gain ratio</source>
+        <translation>Отнош. усиления</translation>
     </message>
     <message>
         <source>10 ns of delay</source>
@@ -4007,20 +4063,36 @@
         <translation>κ ±</translation>
     </message>
     <message>
-        <source>How well the gain ratio is known: relative standard deviation. Empty: the number in grey.</source>
-        <translation>Насколько точно известно отношение коэффициентов передачи: относительное СКО. Пусто: число, показанное серым.</translation>
+        <source>How well the gain ratio is known: relative standard deviation.</source>
+        <translation>Насколько точно известно отношение коэффициентов передачи: относительное СКО.</translation>
     </message>
     <message>
         <source>Tolerance of the gain ratio</source>
         <translation>Допуск отношения усилений</translation>
     </message>
     <message>
+        <source>ppm</source>
+        <translation>ppm</translation>
+    </message>
+    <message>
+        <source>Tolerance of the sample rate</source>
+        <translation>Допуск частоты дискретизации</translation>
+    </message>
+    <message>
+        <source>Of the recorder&apos;s sample rate, for absolute frequencies and decay times.</source>
+        <translation>Частоты дискретизации регистратора: для абсолютных частот и времён затухания.</translation>
+    </message>
+    <message>
+        <source>Clock ±</source>
+        <translation>Часы ±</translation>
+    </message>
+    <message>
         <source>Skew ε ±</source>
         <translation>Неортогон. ε ±</translation>
     </message>
     <message>
-        <source>Non-orthogonality of the pick-offs: D holds sin ε of C. 0: none.</source>
-        <translation>Неортогональность датчиков: в D входит sin ε от C. 0: её нет.</translation>
+        <source>Non-orthogonality of the pick-offs: D holds sin ε of C.</source>
+        <translation>Неортогональность датчиков: в D входит sin ε от C.</translation>
     </message>
     <message>
         <source>Tolerance of the non-orthogonality</source>
@@ -4035,8 +4107,8 @@
         <translation>нс</translation>
     </message>
     <message>
-        <source>Of D against C, beyond the delay above. 0: exact.</source>
-        <translation>D относительно C сверх задержки, заданной выше. 0: точно.</translation>
+        <source>Of D against C, beyond the delay above.</source>
+        <translation>D относительно C сверх задержки, заданной выше.</translation>
     </message>
     <message>
         <source>Tolerance of the delay</source>
@@ -4047,8 +4119,8 @@
         <translation>Помеха C→D ±</translation>
     </message>
     <message>
-        <source>Of C into D with its phase turned by 90 degrees, relative. 0: none.</source>
-        <translation>Проникание C в D со сдвигом фазы на 90 градусов, относительное. 0: его нет.</translation>
+        <source>Of C into D with its phase turned by 90 degrees, relative.</source>
+        <translation>Проникание C в D со сдвигом фазы на 90 градусов, относительное.</translation>
     </message>
     <message>
         <source>Tolerance of the crosstalk</source>
@@ -4063,8 +4135,8 @@
         <translation>рад</translation>
     </message>
     <message>
-        <source>Of D against C over a recording, in proportion to time. 0: none.</source>
-        <translation>D относительно C за запись, пропорционально времени. 0: его нет.</translation>
+        <source>Of D against C over a recording, in proportion to time.</source>
+        <translation>D относительно C за запись, пропорционально времени.</translation>
     </message>
     <message>
         <source>Tolerance of the phase drift</source>
@@ -4075,16 +4147,16 @@
         <translation>Уход усил. ±</translation>
     </message>
     <message>
-        <source>Of D against C over a recording, relative, in proportion to time. 0: none.</source>
-        <translation>D относительно C за запись, относительный, пропорционально времени. 0: его нет.</translation>
+        <source>Of D against C over a recording, relative, in proportion to time.</source>
+        <translation>D относительно C за запись, относительный, пропорционально времени.</translation>
     </message>
     <message>
         <source>Tolerance of the gain drift</source>
         <translation>Допуск ухода усиления</translation>
     </message>
     <message>
-        <source>How well the channels are known, for u of the resonator:</source>
-        <translation>Насколько точно известны каналы (для u резонатора):</translation>
+        <source>How well the channels and the clock are known, for u. Empty: the number in grey is assumed; 0: exact.</source>
+        <translation>Точность каналов и часов, для u. Пусто: принимается число серым; 0: точно.</translation>
     </message>
 </context>
 <context>
@@ -4481,8 +4553,8 @@
         <translation>Гармоники функции дрейфа</translation>
     </message>
     <message>
-        <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them; dashed: by the fitted resonator. Without what the quadrature adds</source>
-        <translation>Дрейф угла волны в зависимости от угла: измеренные точки с их СКО и подогнанные к ним гармоники; штриховая — по найденному резонатору. Без того, что добавляет квадратура</translation>
+        <source>Drift of the wave angle against the angle: measured points with their standard deviations, and the harmonics fitted to them with their combined uncertainty u as a band; dashed: by the fitted resonator. Without what the quadrature adds</source>
+        <translation>Дрейф угла волны в зависимости от угла: измеренные точки с СКО и подогнанные гармоники с полосой суммарной неопределённости u; штриховая линия — найденный резонатор. Без вклада квадратуры</translation>
     </message>
     <message>
         <source>Zero within its band while the channels are balanced as the fit has them</source>
@@ -5413,16 +5485,12 @@
         <translation>Резонатор</translation>
     </message>
     <message>
-        <source>Sensitivity to the channels</source>
-        <translation>Чувствительность к ошибкам каналов</translation>
+        <source>Sensitivity: by how much a value would be wrong</source>
+        <translation>Чувствительность: насколько было бы ошибочно значение</translation>
     </message>
     <message>
         <source>Runs of the set</source>
         <translation>Пуски набора</translation>
-    </message>
-    <message>
-        <source>± is the statistical standard deviation; u, where it differs, holds the tolerances of the channels (Calibration) too. Errors of the channels without a tolerance count as none: the next table shows what they would change.</source>
-        <translation>± — статистическое СКО; u, если отличается, включает и допуски каналов (Калибровка). Ошибки каналов без допуска считаются отсутствующими: что они изменили бы, показывает следующая таблица.</translation>
     </message>
     <message>
         <source>Value</source>

@@ -61,17 +61,29 @@ Result<Windows> windows_of(const Recording& recording, const SignalSettings& sig
     return Windows{std::move(*windows), choice->prepared.calibration, choice->prepared.carrier_s};
 }
 
-// A delay of D is a phase at the carrier.
-ChannelTolerance tolerance_of(const IdentifySettings& settings, double f_hz) {
-    const Tolerance& tolerance = settings.tolerance;
-    constexpr double degree = std::numbers::pi / 180;
-    return {.kappa = tolerance.kappa.value_or(
-                default_kappa_tolerance(settings.signal.calibration.kappa)),
-            .skew_rad = tolerance.skew_deg * degree,
-            .phase_rad = 2 * std::numbers::pi * f_hz * tolerance.delay_s,
-            .crosstalk = tolerance.crosstalk,
-            .phase_drift = tolerance.phase_drift_rad,
-            .gain_drift = tolerance.gain_drift};
+// Tolerances of the channels: all, or those that the fit takes for its priors, which are the told
+// ones and that of the gain ratio. A delay of D is a phase at the carrier.
+enum class Taken { all, by_fit };
+ChannelTolerance tolerance_of(const IdentifySettings& settings, double f_hz, Taken taken) {
+    ChannelTolerance tolerance{.kappa = 0};
+    for (const ToleranceInUse& each :
+         tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
+        const ErrorSource source = each.parameter.source;
+        const auto error = std::ranges::find(channel_errors, source, &ChannelError::source);
+        const bool held = each.assumed && source != kappa_error;
+        if (error == channel_errors.end() || (held && taken == Taken::by_fit)) {
+            continue;
+        }
+        const double unit = source == skew_error    ? std::numbers::pi / 180
+                            : source == delay_error ? 2 * std::numbers::pi * f_hz
+                                                    : 1;
+        tolerance.*error->tolerance = unit * each.value;
+    }
+    return tolerance;
+}
+
+WaveMotion motion_of(const PhasorRun& run, const IdentifySettings& settings) {
+    return wave_motion(run, tolerance_of(settings, run.f_ref_hz, Taken::all));
 }
 
 IdentifiedRun run_of(const Windows& from, const IdentifySettings& settings) {
@@ -84,7 +96,7 @@ IdentifiedRun run_of(const Windows& from, const IdentifySettings& settings) {
             from.calibration,
             windows.diagnostics,
             run_track(windows.run, track_points),
-            wave_motion(windows.run, tolerance_of(settings, windows.run.f_ref_hz))};
+            motion_of(windows.run, settings)};
 }
 
 // The recordings' phasors, several recordings at a time.
@@ -112,7 +124,7 @@ void open_phases(std::span<const PhaseBreak> steps, const IdentifySettings& sett
         run = with_break(run, step);
         IdentifiedRun& identified = found.runs[step.run];
         identified.track = run_track(run, track_points);
-        identified.wave = wave_motion(run, tolerance_of(settings, run.f_ref_hz));
+        identified.wave = motion_of(run, settings);
     }
 }
 
@@ -124,51 +136,73 @@ void refer_to_recorded(double calibrated, ResonatorFit& fit) {
     kappa.u *= calibrated;
     for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
         if (resonator_parameters[k].member == &ResonatorEstimate::kappa) {
-            ChannelSensitivity& by = fit.sensitivities[k];
-            for (double* each :
-                 {&by.kappa, &by.skew_deg, &by.delay_s, &by.crosstalk, &by.phase_drift_rad,
-                  &by.gain_drift, &by.cubic_hz, &by.damping_share, &by.pickoff_share}) {
-                *each *= calibrated;
+            for (double& each : fit.sensitivities[k]) {
+                each *= calibrated;
             }
-            ToleranceShares& shares = fit.shares[k];
-            for (double* each : {&shares.kappa, &shares.skew, &shares.delay, &shares.crosstalk,
-                                 &shares.phase_drift, &shares.gain_drift}) {
-                *each *= std::abs(calibrated);
+            for (double& each : fit.shares[k]) {
+                each *= std::abs(calibrated);
             }
         }
     }
 }
 
-// Every absolute frequency is wrong by as much as the sample rates are, where the file's digits
-// leave them open.
+// An error of the clock falsifies every absolute frequency and decay time by as much; Q, a number
+// of periods, is free of it.
 void add_clock(std::span<const Recording> recordings, Identification& found) {
-    double relative = 0;
+    const double told = found.settings.tolerance.rate_ppm.value_or(0) * 1e-6;
+    // What the digits of a file leave open of its rate. A told tolerance is that of one recorder,
+    // so that it leaves the differences between the recordings.
+    double digits = 0;
+    const auto widen = [](Estimate& number, double relative, double size) {
+        if (number.given() && relative > 0) {
+            number.u = std::hypot(number.uncertainty(), relative * size);
+        }
+    };
+    const auto scale = [&widen](Estimate& number, double relative) {
+        widen(number, relative, number.value);
+    };
     for (std::size_t k = 0; k < recordings.size(); ++k) {
         const double own = recordings[k].rate_relative_sd;
-        relative = std::max(relative, own);
-        Estimate& wave = found.runs[k].wave.f_hz;
-        wave.u = own > 0 ? std::hypot(wave.uncertainty(), own * wave.value) : wave.u;
+        digits = std::max(digits, own);
+        WaveMotion& wave = found.runs[k].wave;
+        scale(wave.f_hz, std::hypot(own, told));
+        scale(wave.tau_s, std::hypot(own, told));
     }
-    if (relative == 0) {
-        return;
-    }
-    const auto widen = [relative](Estimate& f, double f_hz) {
-        f.u = std::hypot(f.uncertainty(), relative * f_hz);
-    };
+    const double relative = std::hypot(digits, told);
     ResonatorFit& fit = found.fit;
-    widen(fit.resonator.f_mean_hz, fit.resonator.f_mean_hz.value);
     for (std::size_t k = 0; k < fit.shares.size(); ++k) {
-        if (resonator_parameters[k].member == &ResonatorEstimate::f_mean_hz) {
-            fit.shares[k].sample_rate = relative * fit.resonator.f_mean_hz.value;
+        const auto member = resonator_parameters[k].member;
+        Estimate& number = fit.resonator.*member;
+        const bool clocked =
+            member == &ResonatorEstimate::f_mean_hz || member == &ResonatorEstimate::tau_s;
+        if (clocked && number.given()) {
+            scale(number, relative);
+            fit.shares[k][rate_error] = relative * number.value;
         }
     }
     for (ModeEstimate& mode : fit.modes) {
-        widen(mode.f_hz, mode.f_hz.value);
+        scale(mode.f_hz, relative);
+        scale(mode.tau_s, relative);
     }
     for (std::size_t k = 0; k < fit.runs.size(); ++k) {
-        widen(fit.runs[k].direction_f_hz, fit.runs[k].direction_f_hz.value);
+        RunEstimate& run = fit.runs[k];
+        scale(run.direction_f_hz, relative);
+        scale(run.direction_tau_s, relative);
         if (fit.runs.size() > 1) {
-            widen(fit.runs[k].f_offset_hz, found.runs[k].f0_hz);
+            widen(run.f_offset_hz, digits, found.runs[k].f0_hz);
+        }
+    }
+}
+
+// Q of the envelope rests on the same decay as the wave's, and errors of the channels move both
+// alike.
+void add_envelopes(Identification& found) {
+    for (std::size_t k = 0; k < found.runs.size(); ++k) {
+        const Estimate& decay = found.runs[k].wave.decay_per_s;
+        Estimate& q = found.fit.runs[k].q_envelope;
+        if (q.given() && decay.given() && decay.u > decay.sd) {
+            const double tolerances = std::sqrt(decay.u * decay.u - decay.sd * decay.sd);
+            q.u = std::hypot(q.sd, q.value * tolerances / decay.value);
         }
     }
 }
@@ -258,7 +292,9 @@ Result<Identification> identify(std::span<const Recording> recordings,
     found.timing.windows_s = fitted_from - begun;
     FitOptions options;
     options.model = settings.model;
-    options.tolerance = tolerance_of(settings, phasors.front().f_ref_hz);
+    const double f_hz = phasors.front().f_ref_hz;
+    options.tolerance = tolerance_of(settings, f_hz, Taken::by_fit);
+    options.assumed = tolerance_of(settings, f_hz, Taken::all);
     Result<ResonatorFit> fit = fit_resonator(phasors, options, job.silent());
     if (!fit) {
         return named(fit.error(), phasors, recordings);
@@ -266,6 +302,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
     found.fit = std::move(*fit);
     open_phases(found.fit.phase_breaks, settings, phasors, found);
     refer_to_recorded(settings.signal.calibration.kappa, found.fit);
+    add_envelopes(found);
     add_clock(recordings, found);
     name_runs(recordings, found.fit.warnings);
     if (found.fit.model == ResonatorModel::structured) {

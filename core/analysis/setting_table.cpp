@@ -217,14 +217,22 @@ constexpr std::array<std::pair<const char*, FitOptions::Model>, 3> models{
      {"structured", FitOptions::Model::structured},
      {"free", FitOptions::Model::free}}};
 
+Tolerance assumed() {
+    Tolerance tolerance;
+    for (const ToleranceInUse& each : tolerances_in_use({}, 1)) {
+        tolerance.*each.parameter.member = each.value;
+    }
+    return tolerance;
+}
+
 SettingRow<IdentifySettings> tolerance_row() {
     return value_row<Tolerance, IdentifySettings>(
         {"tolerance", "NAME=X[,NAME=X]",
-         "How well the channels are known, standard deviations: kappa (relative, default " +
-             short_text(default_kappa_tolerance(1), 3) +
-             "), skew (deg), delay (s), crosstalk (relative), phase-drift (rad over a run), "
-             "gain-drift (relative, over a run); default 0, but for kappa. Units may follow, as in "
-             "skew=0.1deg,delay=10ns"},
+         "How well the channels are known, standard deviations: kappa (relative), skew (deg), "
+         "delay (s), crosstalk (relative), phase-drift (rad over a run), gain-drift (relative, "
+         "over a run); and rate (ppm), the recorder's clock. 0 is exact; where none is told, u "
+         "assumes " +
+             tolerance_text(assumed()) + ". Units may follow, as in skew=0.1deg,delay=10ns"},
         [](auto& s) -> auto& { return s.tolerance; }, read_tolerance, tolerance_text, any_value);
 }
 

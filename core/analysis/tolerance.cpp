@@ -1,7 +1,7 @@
 #include "core/analysis/tolerance.h"
 
 #include "core/base/number_text.h"
-#include "core/resonator/model/channel_tolerance.h"
+#include "core/resonator/results/run_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ struct UnitSuffix {
 
 constexpr double degree = std::numbers::pi / 180;
 
-constexpr std::array<UnitSuffix, 13> suffixes{{
+constexpr std::array<UnitSuffix, 16> suffixes{{
     {"deg", "deg", 1},
     {"deg", "mrad", 1e-3 / degree},  // before rad, of which it is a longer form
     {"deg", "rad", 1 / degree},
@@ -36,6 +36,9 @@ constexpr std::array<UnitSuffix, 13> suffixes{{
     {"s", "s", 1},
     {"", "%", 1e-2},
     {"", "ppm", 1e-6},
+    {"ppm", "ppm", 1},
+    {"ppm", "ppb", 1e-3},
+    {"ppm", "%", 1e4},
 }};
 
 struct Reading {
@@ -60,17 +63,33 @@ Reading read_number(std::string_view text, std::string_view unit) {
 }
 
 std::string names() {
-    std::string list = "kappa";
-    for (const ToleranceParameter& parameter : tolerance_parameters) {
-        list += std::string(", ") + parameter.name;
+    std::string list;
+    for (const char* name : tolerance_names) {
+        list += std::string(list.empty() ? "" : ", ") + name;
     }
     return list;
 }
 
 }  // namespace
 
-double default_kappa_tolerance(double kappa) {
-    return kappa == 1 ? ChannelTolerance{}.kappa : 0;
+double assumed_tolerance(ErrorSource source, double calibrated_kappa) {
+    if (source == kappa_error) {
+        return calibrated_kappa == 1 ? ChannelTolerance{}.kappa : 0;
+    }
+    const auto usual = std::ranges::find(usual_errors, source, &UsualError::source);
+    return usual == usual_errors.end() ? 0 : usual->size;
+}
+
+std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double calibrated_kappa) {
+    std::vector<ToleranceInUse> used;
+    for (const ToleranceParameter& parameter : tolerance_parameters) {
+        const std::optional<double>& told = tolerance.*parameter.member;
+        const double value = told ? *told : assumed_tolerance(parameter.source, calibrated_kappa);
+        if (value > 0) {
+            used.push_back({parameter, value, !told});
+        }
+    }
+    return used;
 }
 
 Result<Tolerance> read_tolerance(std::string_view text) {
@@ -92,42 +111,31 @@ Result<Tolerance> read_tolerance(std::string_view text) {
         }
         const std::string name(part.substr(0, equals));
         const auto parameter = std::ranges::find_if(
-            tolerance_parameters, [&](const auto& known) { return name == known.name; });
-        const bool is_kappa = name == "kappa";
-        if (!is_kappa && parameter == tolerance_parameters.end()) {
+            tolerance_parameters, [&](const auto& known) { return name == known.name(); });
+        if (parameter == tolerance_parameters.end()) {
             return wrong("\"" + name + "\" is none of " + names());
         }
         if (!given.insert(name).second) {
             return wrong(name + " is given twice");
         }
-        const std::string unit = is_kappa ? "" : parameter->unit;
+        const std::string unit = parameter->unit;
         const Reading reading = read_number(part.substr(equals + 1), unit);
         if (!reading.valid) {
             return wrong(name + " must be a number of zero or more" +
                          (unit.empty() ? "" : ", in " + unit));
         }
-        if (is_kappa) {
-            tolerance.kappa = reading.value;
-        } else {
-            tolerance.*parameter->member = reading.value;
-        }
+        tolerance.*parameter->member = reading.value;
     }
     return tolerance;
 }
 
 std::string tolerance_text(const Tolerance& tolerance) {
     std::string text;
-    const auto add = [&text](const char* name, double value) {
-        text += text.empty() ? "" : ",";
-        text += name;
-        text += '=' + round_trip_text(value);
-    };
-    if (tolerance.kappa) {
-        add("kappa", *tolerance.kappa);
-    }
     for (const ToleranceParameter& parameter : tolerance_parameters) {
-        if (tolerance.*parameter.member != 0) {
-            add(parameter.name, tolerance.*parameter.member);
+        if (const std::optional<double>& told = tolerance.*parameter.member) {
+            text += text.empty() ? "" : ",";
+            text += parameter.name();
+            text += '=' + round_trip_text(*told);
         }
     }
     return text.empty() ? none : text;

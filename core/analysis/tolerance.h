@@ -2,53 +2,70 @@
 
 #include "core/base/result.h"
 #include "core/base/setting_rows.h"
+#include "core/resonator/model/channel_tolerance.h"
 
 #include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vybeg {
 
-// How well the channels are known, in the units of the command line: standard deviations about the
-// calibrated pair. Zero: known exactly.
+// How well the channels and the clock are known, in the units of the command line: standard
+// deviations about the calibrated pair. Zero: known exactly; none: see assumed_tolerance().
 struct Tolerance {
-    std::optional<double> kappa;  // relative; none: default_kappa_tolerance()
-    double skew_deg = 0;
-    double delay_s = 0;
-    double crosstalk = 0;
-    double phase_drift_rad = 0;  // over a run
-    double gain_drift = 0;       // over a run
+    std::optional<double> kappa;  // relative
+    std::optional<double> skew_deg;
+    std::optional<double> delay_s;
+    std::optional<double> crosstalk;
+    std::optional<double> phase_drift_rad;  // over a run
+    std::optional<double> gain_drift;       // over a run
+    std::optional<double> rate_ppm;         // of the recorder's sample rate
 
     friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
 
-// Tolerance of the gain ratio where none is given: exact where the calibration gives a ratio other
-// than 1.
-double default_kappa_tolerance(double kappa);
-
 // Of each number of a tolerance.
 inline constexpr Bounds tolerance_bounds{0};
 
-// The tolerances besides kappa by their names on the command line: the single list that the
-// option, the settings and the window go through.
+// The tolerances: the single list that the option, the settings, the results and the window go
+// through.
 struct ToleranceParameter {
-    const char* name;
+    ErrorSource source;
     const char* unit;  // of the member; "" for a ratio
-    double Tolerance::*member;
+    std::optional<double> Tolerance::*member;
+
+    const char* name() const { return tolerance_names[source]; }
 };
 
-inline constexpr std::array<ToleranceParameter, 5> tolerance_parameters{{
-    {"skew", "deg", &Tolerance::skew_deg},
-    {"delay", "s", &Tolerance::delay_s},
-    {"crosstalk", "", &Tolerance::crosstalk},
-    {"phase-drift", "rad", &Tolerance::phase_drift_rad},
-    {"gain-drift", "", &Tolerance::gain_drift},
+inline constexpr std::array<ToleranceParameter, 7> tolerance_parameters{{
+    {kappa_error, "", &Tolerance::kappa},
+    {skew_error, "deg", &Tolerance::skew_deg},
+    {delay_error, "s", &Tolerance::delay_s},
+    {crosstalk_error, "", &Tolerance::crosstalk},
+    {phase_drift_error, "rad", &Tolerance::phase_drift_rad},
+    {gain_drift_error, "", &Tolerance::gain_drift},
+    {rate_error, "ppm", &Tolerance::rate_ppm},
 }};
 
-// Reads NAME=X[,NAME=X]: kappa and the names above, each at most once. X is a number of zero or
-// more in the parameter's unit, or with a unit after it: deg, rad, mrad (skew, phase-drift), s, ms,
-// us, ns, ps (delay), %, ppm (ratios). "none" is the default of all. Error: setting_invalid of
+// Tolerance where none is told: the usual size of the error; kappa 0.01, or zero where the
+// calibration gives a ratio other than 1; of the clock zero, as its frequencies are those of the
+// recorder.
+double assumed_tolerance(ErrorSource source, double calibrated_kappa);
+
+// The tolerances that an identification takes, those of zero left out.
+struct ToleranceInUse {
+    ToleranceParameter parameter;
+    double value = 0;
+    bool assumed = false;
+};
+std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double calibrated_kappa);
+
+// Reads NAME=X[,NAME=X]: the names above, each at most once. X is a number of zero or more in the
+// parameter's unit, or with a unit after it: deg, rad, mrad (skew, phase-drift), s, ms, us, ns, ps
+// (delay), %, ppm (ratios), ppm, ppb, % (rate). "none" is the default of all. Error:
+// setting_invalid of
 // --tolerance with what is wrong.
 Result<Tolerance> read_tolerance(std::string_view text);
 

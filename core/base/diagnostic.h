@@ -62,6 +62,10 @@ enum class DiagnosticKind {
     misfit_settling,              // args: Hz, s. A frequency that settles.
     misfit_neighbour,             // args: frequency (Hz), per cent of the wave. Another mode.
     misfit_channel,               // args: error as --tolerance names it, its size; held at zero
+    quadrature_by_channel,        // args: error as --tolerance names it, its size. a_B by angle.
+    prior_left,                   // args: error as --tolerance names it, its size, in tolerances
+    anisotropy_not_passive,       // args: damping anisotropy, its greatest value 2/tau (1/s)
+    misfit_springs,               // args: Hz at the largest amplitude. Unlike along the axes.
     misfit_pickoff,               // args: change of the gain of C, of D at the largest amplitude, %
     fitted_phase_step,            // args: recording, step (rad), at time (s). The phase is fitted.
     fit_not_converged,            // the fit stopped early

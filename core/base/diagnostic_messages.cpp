@@ -337,6 +337,42 @@ MessageRow message_row(DiagnosticKind kind) {
                     VYBEG_MESSAGE("Message",
                                   "The residual is that of an error of the channels that is taken "
                                   "as zero: %1, about %2. Calibrate it, or state its tolerance.")};
+        case DiagnosticKind::quadrature_by_channel:
+            return {"quadrature-by-channel", serious,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The quadrature of the recordings at their starts follows the angle, as an "
+                        "error of the channels makes it: %1, about %2. Split, axes and rotation "
+                        "may be off by more than their uncertainties. Measure it and correct the "
+                        "signals (--delay), or state its tolerance (--tolerance)."),
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The quadrature of the recordings at their starts follows the angle, as an "
+                        "error of the channels makes it: %1, about %2. Split, axes and rotation "
+                        "may be off by more than their uncertainties. Measure it and correct the "
+                        "signals, or state its tolerance.")};
+        case DiagnosticKind::prior_left:
+            return {"prior-left", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The recordings need a channel error far beyond its tolerance: "
+                                  "%1 of %2, %3 tolerances. The tolerance is too small, or the "
+                                  "motion is not that of the model: the numbers may be off by more "
+                                  "than their uncertainties.")};
+        case DiagnosticKind::anisotropy_not_passive:
+            return {"anisotropy-not-passive", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The damping anisotropy, %1 1/s, reaches the greatest value of a "
+                                  "passive resonator, 2/tau = %2 1/s: one mode hardly decays. The "
+                                  "motion may not be that of the model, and the numbers may be off "
+                                  "by more than their uncertainties.")};
+        case DiagnosticKind::misfit_springs:
+            return {"misfit-springs", serious,
+                    VYBEG_MESSAGE("Message",
+                                  "The residual is that of springs that follow the amplitude "
+                                  "differently along the axes (about %1 Hz at the largest "
+                                  "amplitude), which the model does not hold: split, axes and "
+                                  "rotation may be off by more than their uncertainties. Record "
+                                  "smaller amplitudes.")};
         case DiagnosticKind::misfit_pickoff:
             return {
                 "misfit-pickoff", serious,

@@ -75,13 +75,24 @@ Json residual_json(const Identification& identification) {
     return quantity_json({rms, rms / std::sqrt(2 * std::max(freedom, 1.0)), {}});
 }
 
-// The change of a parameter per unit of each channel error.
-Json sensitivity_json(const ChannelSensitivity& sensitivity) {
-    return {{"skew_deg", number_json(sensitivity.skew_deg)},
-            {"delay_s", number_json(sensitivity.delay_s)},
-            {"phase_drift_rad", number_json(sensitivity.phase_drift_rad)},
-            {"gain_drift", number_json(sensitivity.gain_drift)},
-            {"kappa", number_json(sensitivity.kappa)}};
+// By how much a parameter is wrong per unit of each error.
+Json sensitivity_json(const BySource& sensitivity) {
+    Json object;
+    for (const UsualError& error : usual_errors) {
+        object[error.key] = number_json(sensitivity[error.source]);
+    }
+    return object;
+}
+
+// The tolerances in u, and whether they are told or assumed.
+Json tolerances_json(const IdentifySettings& settings) {
+    Json object = Json::object();
+    for (const ToleranceInUse& each :
+         tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
+        object[each.parameter.name()] = {
+            {"value", each.value}, {"unit", each.parameter.unit}, {"assumed", each.assumed}};
+    }
+    return object;
 }
 
 Json resonator_json(const Identification& identification) {
@@ -184,17 +195,20 @@ Json curve_json(const DriftFunction& drift, const ResonatorFit& fit) {
     std::vector<double> theta;
     std::vector<double> rate;
     std::vector<double> sd;
+    std::vector<double> u;
     std::vector<double> fitted;
     const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
     for (int k = 0; k <= steps; ++k) {
         theta.push_back((static_cast<double>(k) / steps - 0.5) * std::numbers::pi / 2);
         rate.push_back(drift.rate(theta.back()));
         sd.push_back(drift.sd_rate(theta.back()));
+        u.push_back(drift.u_rate(theta.back()));
         fitted.push_back(drift_of_dynamics(m, theta.back()));
     }
     Json curve{{"theta_rad", numbers_json(theta)},
                {"rate_rad_s", numbers_json(rate)},
-               {"sd_rad_s", numbers_json(sd)}};
+               {"sd_rad_s", numbers_json(sd)},
+               {"u_rad_s", numbers_json(u)}};
     if (fit.model == ResonatorModel::structured) {
         curve["of_resonator_rad_s"] = numbers_json(fitted);
     }
@@ -219,9 +233,7 @@ Json drift_json(const Identification& identification) {
     for (std::size_t k = 0; k < names.size(); ++k) {
         const auto at = static_cast<Eigen::Index>(k);
         harmonics[names[k]] = quantity_json(
-            at < drift.coefficients.size()
-                ? Estimate{drift.coefficients[at], std::sqrt(drift.covariance(at, at)), {}}
-                : Estimate{.reason = none});
+            at < drift.coefficients.size() ? drift.coefficient(at) : Estimate{.reason = none});
     }
     return {{"order", drift.order},
             {"harmonics", harmonics},
@@ -306,6 +318,9 @@ std::string identify_json(const std::string& program, std::span<const Identified
     Json json{{"program", program},
               {"inputs", inputs_json(inputs)},
               {"settings", settings_json(identification.settings)},
+              {"tolerances", tolerances_json(identification.settings)},
+              {"frequencies_by",
+               identification.settings.tolerance.rate_ppm ? "tolerance" : "clock of the recorder"},
               {"warnings", warnings_json(identification, inputs)}};
     if (comparison != nullptr) {
         json["passport"] = {{"file", comparison->file},

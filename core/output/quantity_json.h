@@ -15,8 +15,8 @@ namespace vybeg {
 nlohmann::ordered_json number_json(double value);
 nlohmann::ordered_json numbers_json(std::span<const double> values);
 
-// A quantity as JSON: {"value": x, "sd": s} or {"value": null, "reason": "..."}; with "u" where the
-// tolerances of the channels contribute.
+// A quantity as JSON: {"value": x, "sd": s} or {"value": null, "reason": "..."}; with "u" where
+// tolerances contribute.
 nlohmann::ordered_json quantity_json(const Estimate& estimate);
 
 // The JSON as text, indented, with a line feed at its end. Invalid UTF-8 in names from files is

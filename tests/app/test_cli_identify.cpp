@@ -130,11 +130,26 @@ private slots:
                  QString("kappa=0.001,skew=0.1,delay=1e-08,phase-drift=1e-04,gain-drift=1e-04"));
         const QJsonObject usual = identified({});
         QCOMPARE(usual["settings"]["tolerance"].toString(), QString("none"));
+        // What is not told is assumed, and marked so; zero is told.
+        QCOMPARE(json["tolerances"]["skew"]["assumed"].toBool(true), false);
+        QCOMPARE(json["tolerances"]["crosstalk"]["assumed"].toBool(), true);
+        QCOMPARE(usual["tolerances"]["delay"]["value"].toDouble(), 1e-8);
+        QCOMPARE(usual["tolerances"]["delay"]["assumed"].toBool(), true);
+        QCOMPARE(usual["frequencies_by"].toString(), QString("clock of the recorder"));
+        const QJsonObject axis = usual["resonator"]["theta_w_rad"].toObject();
+        VYBEG_MORE(axis["u"].toDouble(),
+                   0.9 * std::abs(axis["sensitivity"]["skew_deg"].toDouble()) * 0.1);
+        const QJsonObject clocked = identified({"--tolerance", "skew=0,rate=10ppm"});
+        QVERIFY(!clocked["tolerances"].toObject().contains("skew"));
+        QCOMPARE(clocked["frequencies_by"].toString(), QString("tolerance"));
+        VYBEG_CLOSE_RATIO(clocked["resonator"]["f_mean_hz"]["u"].toDouble(), 0.053, 0.01);
+        VYBEG_LESS(clocked["resonator"]["theta_w_rad"]["u"].toDouble(), axis["u"].toDouble());
         const QJsonObject tau = json["resonator"]["tau_s"].toObject();
         QVERIFY2(is_quantity(tau), QJsonDocument(tau).toJson().constData());
         const QJsonObject by = tau["sensitivity"].toObject();
-        QCOMPARE(by.keys(),
-                 (QStringList{"delay_s", "gain_drift", "kappa", "phase_drift_rad", "skew_deg"}));
+        QCOMPARE(by.keys(), (QStringList{"crosstalk", "cubic_hz", "damping_share", "delay_s",
+                                         "eighth_rad_s", "gain_drift", "kappa", "phase_drift_rad",
+                                         "pickoff_share", "skew_deg", "springs_hz"}));
         for (const QString& name : by.keys()) {
             QVERIFY2(by[name].isDouble(), qPrintable(name));
         }
@@ -183,9 +198,13 @@ private slots:
         VYBEG_MORE(table, resonator);
         QVERIFY(
             text.mid(table).contains("0.1 deg       10 ns    1e-4 rad        1e-4       0.001      "
-                                     "10 uHz         1 %       0.1 %"));
-        VYBEG_EQUAL(line_of("  tau, s", table).simplified().split(' ').size(), 10);
-        VYBEG_EQUAL(line_of("  theta_w, deg", table).simplified().split(' ').size(), 10);
+                                     "  1e-4      10 uHz         1 %       0.1 %      10 uHz  "
+                                     "1e-6 rad/s"));
+        QVERIFY(text.contains("crosstalk 0.0001 (assumed)"));
+        QVERIFY(text.contains("skew 1 deg, "));
+        QVERIFY(text.contains("frequencies by the clock of the recorder"));
+        VYBEG_EQUAL(line_of("  tau, s", table).simplified().split(' ').size(), 13);
+        VYBEG_EQUAL(line_of("  theta_w, deg", table).simplified().split(' ').size(), 13);
     }
 
     void any_number_of_threads_gives_the_same_bytes() {

@@ -199,29 +199,49 @@ private slots:
         }
     }
 
-    void errors_of_the_channels_lie_within_the_stated_tolerances() {
+    void errors_of_the_channels_lie_within_their_tolerances_data() {
+        QTest::addColumn<bool>("told");
+        QTest::addColumn<double>("phase_rad");
+        QTest::newRow("told") << true << 1e-3;
+        QTest::newRow("assumed: 10 ns at 5300 Hz") << false << 3.3e-4;
+    }
+
+    // The fit holds assumed ones at zero, so that only the sensitivities bring them into u.
+    void errors_of_the_channels_lie_within_their_tolerances() {
+        QFETCH(bool, told);
+        QFETCH(double, phase_rad);
         constexpr int sets = 400;
         const ChannelTolerance tolerance{.kappa = 0.01,
                                          .skew_rad = 0.1 * pi / 180,
-                                         .phase_rad = 1e-3,
+                                         .phase_rad = phase_rad,
                                          .crosstalk = 1e-4,
                                          .phase_drift = 1e-4,
                                          .gain_drift = 1e-4};
         Tally tally;
         int free = 0;
+        int warned = 0;
         std::mutex mutex;
         for_each_seed(sets, [&](int seed) {
             RandomSet set = random_set(static_cast<std::uint64_t>(seed) + 5001);
             std::mt19937_64 random(static_cast<std::uint64_t>(seed) + 9001);
             spoil(set, random, tolerance);
-            const Result<ResonatorFit> fit = fit_resonator(set.runs, {.tolerance = tolerance}, {});
+            const FitOptions options =
+                told ? FitOptions{.tolerance = tolerance} : FitOptions{.assumed = tolerance};
+            const Result<ResonatorFit> fit = fit_resonator(set.runs, options, {});
             const std::lock_guard lock(mutex);
             if (!fit || fit->model != ResonatorModel::structured) {
                 ++free;
                 return;
             }
             add(set, *fit, tally);
+            warned += std::ranges::any_of(fit->warnings, [](const Diagnostic& each) {
+                return each.kind == DiagnosticKind::prior_left ||
+                       each.kind == DiagnosticKind::quadrature_by_channel ||
+                       each.kind == DiagnosticKind::anisotropy_not_passive;
+            });
         });
+        qInfo("warned: %d", warned);
+        VYBEG_AT_MOST(warned, sets / 100);
         Pulls all;
         for (const auto& [name, pulls] : tally) {
             qInfo("%-9s %s", name.c_str(), qPrintable(pulls.text()));

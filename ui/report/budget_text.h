@@ -15,7 +15,4 @@ QString reportText(const char* text);
 QStringList budgetHeaders(const Identification& found);
 std::vector<QuantityRow> budgetRows(const Identification& found, const DisplayUnits& units);
 
-// The tolerances that the identification was told, a text for each, e.g. "Delay: 10 ns".
-QStringList toleranceTexts(const Identification& found);
-
 }  // namespace vybeg::ui

@@ -5,10 +5,12 @@
 #include "ui/report/report_sections.h"
 #include "ui/report/resonator_section.h"
 #include "ui/resonator/parameter_text.h"
+#include "ui/resonator/resonator_text.h"
 #include "ui/words/unit_text.h"
 
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -73,9 +75,12 @@ ReportText reportTextOf(const ReportContent& content, const QString& program,
 }
 
 ReportChapter chapterOf(const ReportContent& content) {
-    return {lineOf(content), QStringLiteral("<h1 style=\"page-break-before:always\">%1</h1>")
-                                     .arg(content.set.toHtmlEscaped()) +
-                                 titleBlock(content.title, {}) + reportSections(content)};
+    const bool assumed = content.outcome && anyAssumed(content.outcome->identification.settings);
+    return {lineOf(content),
+            QStringLiteral("<h1 style=\"page-break-before:always\">%1</h1>")
+                    .arg(content.set.toHtmlEscaped()) +
+                titleBlock(content.title, {}) + reportSections(content),
+            assumed};
 }
 
 ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
@@ -92,6 +97,16 @@ ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& 
         {},
         {17, 7, 25, 23, 14, 14},
         true};
+    const char* const combined =
+        std::ranges::any_of(chapters, &ReportChapter::assumed)
+            ? QT_TRANSLATE_NOOP(
+                  "Report",
+                  "Values with their combined standard uncertainties u, with assumed tolerances of "
+                  "the channels. A dash: the recordings do not show it; the page of the set gives "
+                  "the reason.")
+            : QT_TRANSLATE_NOOP("Report",
+                                "Values with their combined standard uncertainties u. A dash: the "
+                                "recordings do not show it; the page of the set gives the reason.");
     QString pages;
     for (const ReportChapter& chapter : chapters) {
         table.rows.push_back(chapter.line);
@@ -103,11 +118,7 @@ ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& 
         paragraph(QStringLiteral("%1: %2").arg(
             reportText(QT_TRANSLATE_NOOP("Report", "Report made")), madeText(program, made))) +
         heading(reportText(QT_TRANSLATE_NOOP("Report", "All sets"))) +
-        paragraph(reportText(QT_TRANSLATE_NOOP(
-            "Report",
-            "Values with their combined standard uncertainties u. A dash: the "
-            "recordings do not show it; the page of the set gives the reason."))) +
-        html(table) + pages;
+        paragraph(reportText(combined)) + html(table) + pages;
     return text;
 }
 

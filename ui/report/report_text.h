@@ -27,8 +27,9 @@ ReportText reportTextOf(const ReportContent& content, const QString& program,
 
 // One set in a report of several.
 struct ReportChapter {
-    QStringList line;  // in the table of all sets: cells, each an HTML text
-    QString html;      // its pages
+    QStringList line;      // in the table of all sets: cells, each an HTML text
+    QString html;          // its pages
+    bool assumed = false;  // u holds tolerances that are not told
 };
 
 // Of a content with a number.

@@ -34,15 +34,16 @@ QString budget(const Identification& found, const DisplayUnits& units) {
     if (rows.empty()) {
         return {};
     }
-    const QStringList tolerances = toleranceTexts(found);
+    const QStringList tolerances = toleranceTexts(found.settings);
     const QString sources =
         reportText(QT_TRANSLATE_NOOP(
                        "Report",
                        "After the GUM (JCGM 100:2008): standard uncertainties in the unit of each "
                        "parameter; u² is the sum of the squares; U has the coverage factor 2. "
-                       "Tolerances of the channels (standard deviations): %1."))
+                       "Tolerances (standard deviations): %1. %2"))
             .arg(tolerances.isEmpty() ? reportText(QT_TRANSLATE_NOOP("Report", "none"))
-                                      : tolerances.join(QStringLiteral("; ")));
+                                      : tolerances.join(QStringLiteral("; ")),
+                 clockText(found.settings));
     return part(
         reportText(QT_TRANSLATE_NOOP("Report", "Uncertainty budget")),
         paragraph(sources) + quantityTables(budgetHeaders(found), rows, most_sources, true));

@@ -165,10 +165,10 @@ void FiguresView::retranslate() {
     balance_axis_->setItemText(static_cast<int>(BalanceAxis::time), tr("over time"));
     balance_axis_->setItemText(static_cast<int>(BalanceAxis::angle), tr("over the wave angle"));
     drift_->setAccessibleName(tr("Harmonics of the drift function"));
-    drift_plot_->setToolTip(
-        richTip(tr("Drift of the wave angle against the angle: measured points with their standard "
-                   "deviations, and the harmonics fitted to them; dashed: by the fitted resonator. "
-                   "Without what the quadrature adds")));
+    drift_plot_->setToolTip(richTip(
+        tr("Drift of the wave angle against the angle: measured points with their standard "
+           "deviations, and the harmonics fitted to them with their combined uncertainty u as "
+           "a band; dashed: by the fitted resonator. Without what the quadrature adds")));
     balance_plot_->setToolTip(
         richTip(tr("Zero within its band while the channels are balanced as the fit has them")));
     rebuild();

@@ -42,6 +42,7 @@ NumbersView::NumbersView(QWidget* parent)
       runs_(table("runs")) {
     findings_->setObjectName(QStringLiteral("findings"));
     warnings_->setObjectName(QStringLiteral("warnings"));
+    statistical_->setObjectName(QStringLiteral("statistical"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
@@ -104,6 +105,7 @@ void NumbersView::rebuild() {
     const QStringList headers{tr("Value"), tr("Limits")};
     resonator_->setContent(limits_.empty() ? QStringList() : headers, rows);
     resonator_section_->setVisible(!rows.empty());
+    statistical_->setText(uncertaintyText(found));
     const auto sensitivities = sensitivityRows(found, units_);
     sensitivities_->setContent(sensitivityHeaders(), sensitivities);
     sensitivities_section_->setVisible(!sensitivities.empty());
@@ -133,13 +135,10 @@ void NumbersView::retranslate() {
     };
     name(waves_section_, waves_, tr("What the waves did"));
     name(resonator_section_, resonator_, tr("Resonator"));
-    name(sensitivities_section_, sensitivities_, tr("Sensitivity to the channels"));
+    name(sensitivities_section_, sensitivities_,
+         tr("Sensitivity: by how much a value would be wrong"));
     name(modes_section_, modes_, tr("Modes"));
     name(runs_section_, runs_, tr("Runs of the set"));
-    statistical_->setText(
-        tr("± is the statistical standard deviation; u, where it differs, holds the tolerances of "
-           "the channels (Calibration) too. Errors of the channels without a tolerance count as "
-           "none: the next table shows what they would change."));
     rebuild();
 }
 

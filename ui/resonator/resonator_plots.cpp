@@ -104,7 +104,7 @@ XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
         const double theta = curveAngle(k);
         curve.x.push_back(angle * theta);
         curve.y.push_back(rate * drift.rate(theta));
-        curve.sd.push_back(rate * drift.sd_rate(theta));
+        curve.sd.push_back(rate * drift.u_rate(theta));
     }
     return curve;
 }

@@ -125,15 +125,18 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
 
 QStringList sensitivityHeaders() {
     // As usual_errors.
-    static constexpr std::array<const char*, 8> texts{
+    static constexpr std::array<const char*, 11> texts{
         QT_TRANSLATE_NOOP("Resonator", "0.1° of skew"),
         QT_TRANSLATE_NOOP("Resonator", "10 ns of delay"),
         QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ rad of phase drift"),
         QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of gain drift"),
         QT_TRANSLATE_NOOP("Resonator", "0.001 of κ"),
+        QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of crosstalk"),
         QT_TRANSLATE_NOOP("Resonator", "10 µHz by amplitude"),
         QT_TRANSLATE_NOOP("Resonator", "1 % of damping by amplitude"),
         QT_TRANSLATE_NOOP("Resonator", "0.1 % of gain by amplitude"),
+        QT_TRANSLATE_NOOP("Resonator", "10 µHz between the axes by amplitude"),
+        QT_TRANSLATE_NOOP("Resonator", "10⁻⁶ rad/s of the 8th harmonic of drift"),
     };
     static_assert(texts.size() == usual_errors.size());
     QStringList headers;
@@ -155,7 +158,7 @@ std::vector<QuantityRow> sensitivityRows(const Identification& found, const Disp
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
         QuantityRow row{withUnit(shown.title, shown.unit), shown.tip, {}};
         for (const UsualError& error : usual_errors) {
-            const double change = shown.factor * error.size * fit.sensitivities[k].*error.member;
+            const double change = shown.factor * error.size * fit.sensitivities[k][error.source];
             const bool felt = std::abs(change) > negligible * shown.factor * estimate.sd;
             row.cells.push_back(
                 {felt ? threeDigits(change) : QStringLiteral("≈ 0"), {exactText(change)}, {}});
@@ -271,12 +274,69 @@ std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUni
     }
     const double factor = angleRateFactor(units);
     for (Eigen::Index k = 0; k < drift.coefficients.size(); ++k) {
-        rows.push_back({withUnit(names[k], angleRateUnit(units)),
-                        {},
-                        {valueCell(factor * drift.coefficients[k],
-                                   factor * std::sqrt(drift.covariance(k, k)))}});
+        rows.push_back(
+            {withUnit(names[k], angleRateUnit(units)), {}, {cellOf(drift.coefficient(k), factor)}});
     }
     return rows;
+}
+
+QString toleranceName(ErrorSource source, const IdentifySettings& settings) {
+    // As tolerance_names.
+    static constexpr std::array<const char*, tolerance_names.size()> names{
+        QT_TRANSLATE_NOOP("Resonator", "Gain ratio"),  QT_TRANSLATE_NOOP("Resonator", "Skew"),
+        QT_TRANSLATE_NOOP("Resonator", "Delay"),       QT_TRANSLATE_NOOP("Resonator", "Crosstalk"),
+        QT_TRANSLATE_NOOP("Resonator", "Phase drift"), QT_TRANSLATE_NOOP("Resonator", "Gain drift"),
+        QT_TRANSLATE_NOOP("Resonator", "Sample rate")};
+    const QString name = resonatorText(names[static_cast<std::size_t>(source)]);
+    const auto used = tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa);
+    const bool assumed = std::ranges::any_of(used, [source](const ToleranceInUse& each) {
+        return each.parameter.source == source && each.assumed;
+    });
+    return assumed ? resonatorText(QT_TRANSLATE_NOOP("Resonator", "%1 (assumed)")).arg(name) : name;
+}
+
+QStringList toleranceTexts(const IdentifySettings& settings) {
+    constexpr int digits = 3;
+    QStringList texts;
+    for (const ToleranceInUse& each :
+         tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
+        const ErrorSource source = each.parameter.source;
+        const bool delay = source == delay_error;
+        const QString number = shortNumberText(each.value * (delay ? 1e9 : 1), digits);
+        const QString unit = source == skew_error ? QStringLiteral("°")
+                             : *each.parameter.unit == '\0'
+                                 ? QString()
+                                 : QLatin1Char(' ') + unitText(delay ? "ns" : each.parameter.unit);
+        texts << QStringLiteral("%1: %2%3").arg(toleranceName(source, settings), number, unit);
+    }
+    return texts;
+}
+
+bool anyAssumed(const IdentifySettings& settings) {
+    return std::ranges::any_of(
+        tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa),
+        &ToleranceInUse::assumed);
+}
+
+QString clockText(const IdentifySettings& settings) {
+    return settings.tolerance.rate_ppm
+               ? QString()
+               : resonatorText(
+                     QT_TRANSLATE_NOOP("Resonator", "Frequencies by the clock of the recorder."));
+}
+
+QString uncertaintyText(const Identification& found) {
+    const QStringList tolerances = toleranceTexts(found.settings);
+    QString text =
+        resonatorText(QT_TRANSLATE_NOOP("Resonator", "± is the statistical standard deviation."));
+    if (!tolerances.isEmpty()) {
+        text +=
+            QLatin1Char(' ') + resonatorText(QT_TRANSLATE_NOOP("Resonator",
+                                                               "u, where it differs, holds the "
+                                                               "tolerances (Calibration) too: %1."))
+                                   .arg(tolerances.join(QStringLiteral("; ")));
+    }
+    return QStringLiteral("%1 %2").arg(text, clockText(found.settings)).trimmed();
 }
 
 QStringList findingTexts(const ResonatorOutcome& outcome) {

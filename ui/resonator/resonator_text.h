@@ -21,7 +21,7 @@ std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnit
 std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units,
                                        const std::vector<ParameterLimit>& limits = {},
                                        const Theme& theme = lightTheme());
-// Effects of usual errors of the channels on the given parameters, one column per error.
+// By how much errors of a usual size falsify the given parameters, one column per error.
 QStringList sensitivityHeaders();
 std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units);
 // One column; one row with the reason if the modes are not separated.
@@ -30,6 +30,16 @@ std::vector<QuantityRow> modeRows(const ResonatorFit& fit);
 std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units);
 // One column: mean and harmonics of the drift function, or the reason for its absence.
 std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units);
+
+// The source of a part of u, e.g. "Delay (assumed)" where its tolerance is not told.
+QString toleranceName(ErrorSource source, const IdentifySettings& settings);
+// The tolerances in u, a text for each, e.g. "Delay (assumed): 10 ns".
+QStringList toleranceTexts(const IdentifySettings& settings);
+bool anyAssumed(const IdentifySettings& settings);
+// Whose clock the frequencies follow, where no tolerance of it is told; or empty.
+QString clockText(const IdentifySettings& settings);
+// What ± and u hold, and whose clock the frequencies follow.
+QString uncertaintyText(const Identification& found);
 
 // Sentences about the result.
 QStringList warningTexts(const ResonatorOutcome& outcome);

@@ -8,6 +8,8 @@
 #include <QLocale>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace vybeg::ui {
 
 RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
@@ -219,60 +221,60 @@ void CalibrationFields::addTolerances() {
     tolerances_title_ = new QLabel(this);
     tolerances_title_->setWordWrap(true);
     addWide(tolerances_title_);
-    kappa_tolerance_ = addField(
-        {QT_TR_NOOP("κ ±"), "",
-         QT_TR_NOOP("How well the gain ratio is known: relative standard deviation. Empty: the "
-                    "number in grey."),
-         QT_TR_NOOP("Tolerance of the gain ratio")});
-    kappa_tolerance_->setOptional(true);
-    kappa_tolerance_->setLimits(tolerance_bounds);
-    kappa_tolerance_->setStep(0.001);
-    connect(kappa_tolerance_, &NumberField::valueEdited, this, [this](auto value) {
-        Tolerance tolerance = state().tolerance;
-        tolerance.kappa = value;
-        emit toleranceEdited(tolerance);
-    });
-    const auto add = [this](const Texts& texts, double Tolerance::*member, double scale,
-                            double step) {
+    const auto add = [this](const Texts& texts, std::optional<double> Tolerance::*member,
+                            double scale, double step) {
         NumberField* field = addField(texts);
+        field->setOptional(true);
         field->setLimits(tolerance_bounds, scale);
         field->setStep(step);
         tolerances_.push_back({field, member, scale});
         connect(field, &NumberField::valueEdited, this, [this, member, scale](auto value) {
             Tolerance tolerance = state().tolerance;
-            tolerance.*member = *value * scale;
+            tolerance.*member = value ? std::optional(*value * scale) : std::nullopt;
             emit toleranceEdited(tolerance);
         });
     };
+    add({QT_TR_NOOP("κ ±"), "",
+         QT_TR_NOOP("How well the gain ratio is known: relative standard deviation."),
+         QT_TR_NOOP("Tolerance of the gain ratio")},
+        &Tolerance::kappa, 1, 0.001);
     add({QT_TR_NOOP("Skew ε ±"), QT_TR_NOOP("°"),
-         QT_TR_NOOP("Non-orthogonality of the pick-offs: D holds sin ε of C. 0: none."),
+         QT_TR_NOOP("Non-orthogonality of the pick-offs: D holds sin ε of C."),
          QT_TR_NOOP("Tolerance of the non-orthogonality")},
         &Tolerance::skew_deg, 1, 0.1);
     add({QT_TR_NOOP("Delay ±"), QT_TR_NOOP("ns"),
-         QT_TR_NOOP("Of D against C, beyond the delay above. 0: exact."),
+         QT_TR_NOOP("Of D against C, beyond the delay above."),
          QT_TR_NOOP("Tolerance of the delay")},
         &Tolerance::delay_s, 1e-9, 1);
     add({QT_TR_NOOP("Crosstalk ±"), "",
-         QT_TR_NOOP("Of C into D with its phase turned by 90 degrees, relative. 0: none."),
+         QT_TR_NOOP("Of C into D with its phase turned by 90 degrees, relative."),
          QT_TR_NOOP("Tolerance of the crosstalk")},
         &Tolerance::crosstalk, 1, 1e-4);
     add({QT_TR_NOOP("Phase drift ±"), QT_TR_NOOP("rad"),
-         QT_TR_NOOP("Of D against C over a recording, in proportion to time. 0: none."),
+         QT_TR_NOOP("Of D against C over a recording, in proportion to time."),
          QT_TR_NOOP("Tolerance of the phase drift")},
         &Tolerance::phase_drift_rad, 1, 1e-4);
     add({QT_TR_NOOP("Gain drift ±"), "",
-         QT_TR_NOOP("Of D against C over a recording, relative, in proportion to time. 0: none."),
+         QT_TR_NOOP("Of D against C over a recording, relative, in proportion to time."),
          QT_TR_NOOP("Tolerance of the gain drift")},
         &Tolerance::gain_drift, 1, 1e-4);
+    add({QT_TR_NOOP("Clock ±"), QT_TR_NOOP("ppm"),
+         QT_TR_NOOP("Of the recorder's sample rate, for absolute frequencies and decay times."),
+         QT_TR_NOOP("Tolerance of the sample rate")},
+        &Tolerance::rate_ppm, 1, 1);
 }
 
 void CalibrationFields::showTolerances() {
     const Tolerance& tolerance = state().tolerance;
-    kappa_tolerance_->setValue(tolerance.kappa);
-    kappa_tolerance_->setPlaceholderText(
-        QLocale().toString(default_kappa_tolerance(state().settings.calibration.kappa)));
+    const double kappa = state().settings.calibration.kappa;
     for (const ToleranceField& each : tolerances_) {
-        each.field->setValue(tolerance.*each.member / each.scale);
+        const std::optional<double>& told = tolerance.*each.member;
+        each.field->setValue(told ? std::optional(*told / each.scale) : std::nullopt);
+        const auto row =
+            std::ranges::find(tolerance_parameters, each.member, &ToleranceParameter::member);
+        const double assumed = assumed_tolerance(row->source, kappa) / each.scale;
+        each.field->setPlaceholderText(row->source == rate_error ? QString()
+                                                                 : QLocale().toString(assumed));
     }
 }
 
@@ -289,7 +291,9 @@ void CalibrationFields::retranslate() {
     repair_lost_->setToolTip(
         tr("Where the recording check finds lost samples, as many missing ones are put in, so that "
            "time runs on behind them. Windows over them have no values."));
-    tolerances_title_->setText(tr("How well the channels are known, for u of the resonator:"));
+    tolerances_title_->setText(
+        tr("How well the channels and the clock are known, for u. Empty: the number in "
+           "grey is assumed; 0: exact."));
     SettingsFields::retranslate();
 }
 

@@ -83,7 +83,7 @@ private:
     // A field of a tolerance, in units of `scale`.
     struct ToleranceField {
         NumberField* field;
-        double Tolerance::*member;
+        std::optional<double> Tolerance::*member;
         double scale;
     };
 
@@ -95,7 +95,6 @@ private:
     NumberField* delay_;
     NumberField* angle_zero_;
     QLabel* tolerances_title_;
-    NumberField* kappa_tolerance_;
     std::vector<ToleranceField> tolerances_;
 };
 

@@ -1,5 +1,6 @@
 #include "core/resonator/fit/score_test.h"
 
+#include "core/estimators/wave/wave_state.h"
 #include "core/numerics/dense_solvers.h"
 
 #include <algorithm>
@@ -43,6 +44,47 @@ Effect settling_effect(const FitProblem& problem, const Posterior& at, double se
     return effect;
 }
 
+using Pair = std::array<Vector2cd, 2>;
+
+// Phasors moved by two small terms of dz/dt: `terms_at` has both at a wave. From window to window a
+// deviation moves as the wave itself, which also shows the phase that the run's frequency adds.
+template <class Terms>
+Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms& terms_at) {
+    const SlowDynamics dynamics(vybeg::rates_of(at.p));
+    Effect effect;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        const ScaledRun& run = problem.runs[k];
+        MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 2);
+        Pair moved{Vector2cd::Zero(), Vector2cd::Zero()};
+        Pair last = moved;
+        Vector2cd before = Vector2cd::Zero();
+        for (std::size_t window = 0; window < run.size(); ++window) {
+            const Vector2cd z = expected_phasor(run, at.runs[k], window);
+            const Pair terms = terms_at(run, z);
+            if (window > 0) {
+                const double step_s = run.time_s[window] - run.time_s[window - 1];
+                Eigen::Matrix2cd step = dynamics.propagator(step_s);
+                step *= std::polar(1.0, std::arg((step * before).dot(z)));
+                for (std::size_t term = 0; term < terms.size(); ++term) {
+                    moved[term] =
+                        step * (moved[term] + step_s / 2 * last[term]) + step_s / 2 * terms[term];
+                }
+            } else {
+                for (std::size_t term = 0; term < terms.size(); ++term) {
+                    moved[term] = run.time_s[0] * terms[term];
+                }
+            }
+            for (std::size_t term = 0; term < terms.size(); ++term) {
+                put_effect(by, window, static_cast<Index>(term), run.weight[window] * moved[term]);
+            }
+            last = terms;
+            before = z;
+        }
+        effect.push_back(std::move(by));
+    }
+    return effect;
+}
+
 // Derivatives of the phasors, weighted, by the parameters along an effect's columns.
 MatrixXd along_parameters(const FitProblem& problem, const Posterior& at, const Effect& effect) {
     MatrixXd along = MatrixXd::Zero(at.information.rows(), effect.front().cols());
@@ -58,9 +100,9 @@ MatrixXd along_parameters(const FitProblem& problem, const Posterior& at, const 
 
 }  // namespace
 
-VectorXd followed(const FitProblem& problem, const Posterior& at, const Effect& effect) {
-    const VectorXd along = along_parameters(problem, at, effect);
-    return -at.root * (at.root.transpose() * along(at.active));
+MatrixXd followed(const FitProblem& problem, const Posterior& at, const Effect& effect) {
+    const MatrixXd along = along_parameters(problem, at, effect);
+    return at.root * (at.root.transpose() * along(at.active, Eigen::all));
 }
 
 Effect damping_effect(const FitProblem& problem, const Posterior& at) {
@@ -97,6 +139,28 @@ Effect pickoff_effect(const FitProblem& problem, const Posterior& at) {
         effect.push_back(std::move(by));
     }
     return effect;
+}
+
+Effect springs_effect(const FitProblem& problem, const Posterior& at) {
+    return driven_effect(problem, at, [](const ScaledRun& run, const Vector2cd& z) {
+        const Complex c = z[0];
+        const Complex d = z[1];
+        const double cc = std::norm(c);
+        const double dd = std::norm(d);
+        const Complex by = i * pi / run.power_kept;
+        return Pair{by * Vector2cd(cc * c, -dd * d),
+                    by * Vector2cd((cc + dd / 2) * d + c * c * std::conj(d) / 2.0,
+                                   (dd + cc / 2) * c + d * d * std::conj(c) / 2.0)};
+    });
+}
+
+Effect eighth_effect(const FitProblem& problem, const Posterior& at) {
+    return driven_effect(problem, at, [](const ScaledRun&, const Vector2cd& z) {
+        const double eight_theta = 4 * to_wave_state({z[0], z[1]}).two_theta_A;
+        // An angle turns by a rate w as dz/dt = 2 w (-d, c).
+        const Vector2cd turned(-2.0 * z[1], 2.0 * z[0]);
+        return Pair{std::cos(eight_theta) * turned, std::sin(eight_theta) * turned};
+    });
 }
 
 Score score(const FitProblem& problem, const Posterior& at, const Effect& effect) {

@@ -26,8 +26,9 @@ struct Score {
 };
 Score score(const FitProblem& problem, const Posterior& posterior, const Effect& effect);
 
-// The change of the active parameters by a unit of an effect of one column.
-Eigen::VectorXd followed(const FitProblem& problem, const Posterior& posterior,
+// Error of the active parameters by a unit of an effect that the fit does not know of, a column for
+// each of the effect.
+Eigen::MatrixXd followed(const FitProblem& problem, const Posterior& posterior,
                          const Effect& effect);
 
 // A damping that follows the amplitude: log |z| falls by `per_power` times the integral of |z|^2.
@@ -35,6 +36,13 @@ Effect damping_effect(const FitProblem& problem, const Posterior& posterior);
 
 // Pick-offs whose gain follows the amplitude: of C by the power of C, of D by that of D.
 Effect pickoff_effect(const FitProblem& problem, const Posterior& posterior);
+
+// Cubic springs unlike along the axes, of the potential c^4 - d^4 and of the same turned by 22.5
+// degrees of theta: by Hz per |z|^2 between the axes.
+Effect springs_effect(const FitProblem& problem, const Posterior& posterior);
+
+// The eighth harmonic of d theta_A/dt, cosine and sine, rad/s.
+Effect eighth_effect(const FitProblem& problem, const Posterior& posterior);
 
 // Predicted phasors in a window of a run.
 Eigen::Vector2cd expected_phasor(const ScaledRun& run, const Linearised& at, std::size_t window);

@@ -13,10 +13,10 @@ Priors flat_priors(std::span<const ScaledRun> runs, const ParameterLayout& layou
     Priors priors{Eigen::VectorXd::Zero(layout.size()),
                   Eigen::VectorXd::Constant(layout.size(), flat)};
     priors.mean[kappa_at] = 1;
-    for (const int held : {kappa_at, skew_at, phase_at, crosstalk_at, phase_drift_at, gain_drift_at,
-                           cubic_at, free_rotation_at}) {
-        priors.sd[held] = 0;
+    for (const ChannelError& error : channel_errors) {
+        priors.sd[error.parameter] = 0;
     }
+    priors.sd[cubic_at] = priors.sd[free_rotation_at] = 0;
     for (std::size_t run = 0; run < runs.size(); ++run) {
         priors.sd[layout.at(run, drift_at)] = 0.1 / runs[run].duration_s;
     }
@@ -66,12 +66,9 @@ Priors structured_priors(std::span<const ScaledRun> runs, const ParameterLayout&
     priors.sd[split_cos_at] = priors.sd[split_sin_at] = 3;
     priors.sd[damping_cos_at] = priors.sd[damping_sin_at] = 1;
     priors.sd[rotation_at] = 3;
-    priors.sd[kappa_at] = tolerance.kappa;
-    priors.sd[skew_at] = tolerance.skew_rad;
-    priors.sd[phase_at] = tolerance.phase_rad;
-    priors.sd[crosstalk_at] = tolerance.crosstalk;
-    priors.sd[phase_drift_at] = tolerance.phase_drift;
-    priors.sd[gain_drift_at] = tolerance.gain_drift;
+    for (const ChannelError& error : channel_errors) {
+        priors.sd[error.parameter] = tolerance.*error.tolerance;
+    }
     return priors;
 }
 

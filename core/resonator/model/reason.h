@@ -48,8 +48,8 @@ struct Estimate {
     double value = std::numeric_limits<double>::quiet_NaN();
     double sd = std::numeric_limits<double>::quiet_NaN();  // statistical
     Reason reason;
-    // Combined standard uncertainty: sd and the contribution of the channels' tolerances. NaN
-    // without tolerances.
+    // Combined standard uncertainty: sd and the contribution of the tolerances, told or assumed.
+    // NaN without tolerances.
     double u = std::numeric_limits<double>::quiet_NaN();
 
     bool given() const { return reason.code == ReasonCode::none; }

@@ -4,9 +4,11 @@
 #include "core/resonator/fit/run_information.h"
 #include "core/resonator/fit/unseen_directions.h"
 #include "core/resonator/noise/residual_noise.h"
+#include "core/resonator/results/channel_findings.h"
 #include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/raw_parameters.h"
+#include "core/resonator/results/sensitivities.h"
 #include "core/resonator/runs/decay_time.h"
 #include "core/resonator/runs/envelope_decay.h"
 
@@ -14,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -27,6 +30,8 @@ constexpr double unfinished_gain = 0.01;
 // Least size of a given split or anisotropy, standard deviations.
 constexpr double vector_needs = 3;
 constexpr double vector_needs_coloured = 5;
+// Scatter of chi^2 per degree of freedom that noise makes, standard deviations.
+constexpr double residual_scatter = 4;
 
 class Description {
 public:
@@ -62,18 +67,26 @@ public:
                 unseen_directions(problem_, set.fit, set.posterior, std::max(1.0, ratio), job_);
         }
         set.context.order = mode_order(set);
-        set.variances = reported_variances(set.posterior, set.context, beside);
+        set.moved = moved_by(problem_, set.posterior, solved_.tolerance);
+        set.variances = reported_variances(set.posterior, set.context, beside, set.moved);
         fit_.motion = motion_of(solved_);
         add_estimates(set, solved_.runs, fit_);
         fit_.raw = raw_parameters(set, solved_.runs);
         add_envelopes();
+        if (fit_.model == ResonatorModel::structured) {
+            const bool white =
+                fit_.noise.white() && ratio < 1 + residual_scatter * std::sqrt(2 / dof);
+            std::ranges::copy(
+                channel_findings(set, solved_.tolerance, fit_.resonator, fit_.runs, white),
+                std::back_inserter(fit_.warnings));
+        }
         warn();
         return std::move(fit_);
     }
 
 private:
     void set_covariance(double ratio, double dof, FittedSet& set) {
-        const double scatter = 4 * std::sqrt(2 / dof);
+        const double scatter = residual_scatter * std::sqrt(2 / dof);
         if (ratio > 1 + scatter) {
             if (const auto cause =
                     misfit_cause(problem_, set.posterior, solved_.fine, solved_.scale)) {

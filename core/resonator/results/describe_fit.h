@@ -19,6 +19,7 @@ struct SolvedSet {
     Estimate cubic_limit;            // b and its sd where it is held at zero; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
     RunDeviation spread;             // sd of the deviations of the runs from the set
+    ChannelTolerance tolerance;      // told or assumed: the sizes of the errors in u
 };
 
 FittedMotion motion_of(const SolvedSet& set);

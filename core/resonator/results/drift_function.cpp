@@ -123,11 +123,13 @@ void take_fourth(const DriftTerms& terms_of_fit, DriftFunction& found) {
     Eigen::Matrix3d of_terms;
     of_terms << -0.5, 0, 0, 0, 0, -0.25, 0, 0.25, 0;
     const Eigen::Map<const Eigen::Vector3d> value(terms_of_fit.value.data());
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> covariance(
-        terms_of_fit.covariance.data());
+    using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    const Eigen::Map<const RowMajor3> covariance(terms_of_fit.covariance.data());
+    const Eigen::Map<const RowMajor3> tolerances(terms_of_fit.tolerances.data());
     found.order = 4;
     found.coefficients = of_terms * value;
     found.covariance = of_terms * covariance * of_terms.transpose();
+    found.tolerances = of_terms * tolerances * of_terms.transpose();
 }
 
 // Adds the information of the residual angles on all five terms, if they separate them.
@@ -143,8 +145,8 @@ void add_eighth(const Normal& normal, DriftFunction& found) {
     }
     const TermMatrix all = normal.information.inverse();
     const Eigen::Matrix3d three = normal.information.topLeftCorner<3, 3>().inverse();
-    // Excess of the fit's covariance, which includes channels and coloured noise, over that of
-    // these angles alone.
+    // Excess of the fit's covariance, which includes coloured noise, over that of these angles
+    // alone.
     const double wider =
         (found.covariance.diagonal().array() / three.diagonal().array()).maxCoeff();
     const Terms change = all * normal.moment;
@@ -153,6 +155,10 @@ void add_eighth(const Normal& normal, DriftFunction& found) {
     found.order = 8;
     found.coefficients = whole;
     found.covariance = std::max(1.0, wider) * all;
+    // Errors of the channels leave the fourth harmonic as the fit has it.
+    const Eigen::MatrixXd of_fit = found.tolerances;
+    found.tolerances = Eigen::MatrixXd::Zero(drift_terms, drift_terms);
+    found.tolerances.topLeftCorner<3, 3>() = of_fit;
 }
 
 // Point of the places [first, end) of a segment: slope of their residual plus the drift of a linear
@@ -202,6 +208,16 @@ void add_points(std::size_t run, const Segment& segment, const Eigen::Matrix2cd&
 
 }  // namespace
 
+Estimate DriftFunction::coefficient(Eigen::Index k) const {
+    Estimate out;
+    out.value = coefficients[k];
+    out.sd = std::sqrt(covariance(k, k));
+    if (tolerances(k, k) > 0) {
+        out.u = std::sqrt(covariance(k, k) + tolerances(k, k));
+    }
+    return out;
+}
+
 double DriftFunction::rate(double theta) const {
     return coefficients.dot(terms_at(theta).head(coefficients.size()));
 }
@@ -209,6 +225,11 @@ double DriftFunction::rate(double theta) const {
 double DriftFunction::sd_rate(double theta) const {
     const Eigen::VectorXd at = terms_at(theta).head(coefficients.size());
     return std::sqrt(at.dot(covariance * at));
+}
+
+double DriftFunction::u_rate(double theta) const {
+    const Eigen::VectorXd at = terms_at(theta).head(coefficients.size());
+    return std::sqrt(at.dot((covariance + tolerances) * at));
 }
 
 DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit& fit) {

@@ -36,12 +36,18 @@ struct DriftFunction {
     int order = 0;
     // m, c4, s4, c8, s8 up to `order`, rad/s; empty for order 0.
     Eigen::VectorXd coefficients;
-    Eigen::MatrixXd covariance;
+    Eigen::MatrixXd covariance;   // statistical
+    Eigen::MatrixXd tolerances;   // contribution of the channels' tolerances: zero without any
     double chi2_per_freedom = 0;  // of the measured angles about the fitted ones
 
-    // Curve and its standard deviation at an angle. Precondition: order > 0.
+    // A coefficient with sd and u. Precondition: k < coefficients.size().
+    Estimate coefficient(Eigen::Index k) const;
+
+    // Curve, its standard deviation and its u (that deviation without tolerances) at an angle.
+    // Precondition: order > 0.
     double rate(double theta) const;
     double sd_rate(double theta) const;
+    double u_rate(double theta) const;
 };
 
 // `fit`: the structured fit of the runs. The eighth harmonic is present if the angles separate all

@@ -14,6 +14,7 @@ struct FittedSet {
     MapFit fit;
     Posterior posterior;
     QuantityContext context;
+    Eigen::MatrixXd moved;  // by the tolerances (sensitivities.h)
     ReportedVariances variances;
     double scale = 1;        // recording units of a scaled unit
     double split_needs = 3;  // least size of a given split or anisotropy, standard deviations

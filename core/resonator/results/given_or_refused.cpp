@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -59,12 +60,12 @@ private:
     // Whether the value exceeds its uncertainty many times: no anisotropy that keeps the resonator
     // passive imitates such a rotation.
     bool known_against_itself(Index quantity) const {
-        return std::abs(at_.value[quantity]) > clear_value * at_.u(quantity);
+        return std::abs(at_.value[quantity]) > clear_value * at_.width(quantity);
     }
 
     Estimate number(Index quantity, double factor = 1, double origin = 0) const {
-        const double u = at_.known[quantity] > 0 ? at_.u(quantity) * std::abs(factor)
-                                                 : std::numeric_limits<double>::quiet_NaN();
+        const double u = at_.shares.row(quantity).any() ? at_.u(quantity) * std::abs(factor)
+                                                        : std::numeric_limits<double>::quiet_NaN();
         return {origin + factor * at_.value[quantity], at_.sd(quantity) * std::abs(factor), {}, u};
     }
 
@@ -143,7 +144,7 @@ private:
             const bool ratio = parameter == kappa_at;
             return {.reason = {ratio ? ReasonCode::as_given : ReasonCode::held, {}}};
         }
-        if (at_.u(quantity) > narrowed * told) {
+        if (at_.width(quantity) > narrowed * told) {
             return {.reason = {ReasonCode::as_given, {}}};
         }
         return number(quantity, factor);
@@ -174,9 +175,9 @@ private:
         constexpr double far_less = 300;
         double own = std::numeric_limits<double>::infinity();
         for (std::size_t run = 0; run < runs_.size(); ++run) {
-            own = std::min(own, at_.u(of_run(run, direction_decay_of)));
+            own = std::min(own, at_.width(of_run(run, direction_decay_of)));
         }
-        return unseen(damping_of, own_share) && at_.u(decay_of) > far_less * own;
+        return unseen(damping_of, own_share) && at_.width(decay_of) > far_less * own;
     }
 
     void add_resonator() {
@@ -299,6 +300,11 @@ private:
                 const Estimate circular{.reason = {ReasonCode::circular_wave, {}}};
                 // Both amplitudes have a cusp where a travelling wave vanishes.
                 run.a_A.sd = run.a_B.sd = set_.scale * std::hypot(sd.plus, sd.minus) / 2;
+                for (const auto& [number, quantity] :
+                     {std::pair(&run.a_A, a_A_of), {&run.a_B, a_B_of}}) {
+                    number->u =
+                        std::hypot(number->sd, set_.scale * at_.shares.row(at(quantity)).norm());
+                }
                 run.two_theta_A_rad = run.split_sin_hz = circular;
                 run.direction_f_hz = run.direction_tau_s = circular;
             } else {
@@ -351,13 +357,15 @@ private:
         terms.given = seen(out.damping_anisotropy_per_s) && out.angle_rate_rad_s.given();
         const std::array<Index, 3> parameters{rotation_at, damping_cos_at, damping_sin_at};
         const Posterior& p = set_.posterior;
-        const Eigen::MatrixXd covariance = p.covariance_of(0, p.root.rows());
+        const Eigen::MatrixXd statistical = p.root * (p.data + p.nothing) * p.root.transpose();
+        const Eigen::MatrixXd tolerances = set_.moved * set_.moved.transpose();
         for (std::size_t k = 0; k < 3; ++k) {
             terms.value[k] = p.p[parameters[k]];
             const Index row = std::ranges::find(p.active, parameters[k]) - p.active.begin();
             for (std::size_t l = 0; l < 3; ++l) {
                 const Index column = std::ranges::find(p.active, parameters[l]) - p.active.begin();
-                terms.covariance[3 * k + l] = covariance(row, column);
+                terms.covariance[3 * k + l] = statistical(row, column);
+                terms.tolerances[3 * k + l] = tolerances(row, column);
             }
         }
     }

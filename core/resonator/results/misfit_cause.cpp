@@ -2,9 +2,9 @@
 
 #include "core/base/number_text.h"
 #include "core/resonator/fit/score_test.h"
+#include "core/resonator/results/channel_findings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -195,13 +195,6 @@ Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<co
     return best;
 }
 
-struct ChannelError {
-    int parameter;
-    const char* name;  // name in --tolerance
-    double unit;       // of the printed size
-    const char* unit_name;
-};
-
 }  // namespace
 
 std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posterior& posterior,
@@ -219,20 +212,21 @@ std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posteri
             cause = MisfitCause{{kind, std::move(args)}, fall};
         }
     };
-    const std::array<ChannelError, 5> errors{
-        {{skew_at, "skew", 180 / pi, "deg"},
-         {phase_at, "delay", -1e9 / (2 * pi * f_ref_hz[0]), "ns"},
-         {crosstalk_at, "crosstalk", 1, ""},
-         {phase_drift_at, "phase-drift", 1, "rad"},
-         {gain_drift_at, "gain-drift", 1, ""}}};
-    for (const ChannelError& error : errors) {
-        // In the free model the channels are any two projections.
-        if (problem.priors.sd[free_rotation_at] == 0 && problem.priors.sd[error.parameter] == 0) {
+    // In the free model the channels are any two projections.
+    const bool structured = problem.priors.sd[free_rotation_at] == 0;
+    for (const ChannelError& error : channel_errors) {
+        const bool held = problem.priors.sd[error.parameter] == 0 && error.source != kappa_error;
+        if (structured && held) {
             const Score found =
                 score(problem, posterior, channel_effect(posterior, error.parameter));
             consider(found.fall, DiagnosticKind::misfit_channel,
-                     {error.name, number_arg(found.size[0] * error.unit, 2, error.unit_name)});
+                     named_error(error, found.size[0], f_ref_hz[0]));
         }
+    }
+    if (structured) {
+        const Score springs = score(problem, posterior, springs_effect(problem, posterior));
+        consider(springs.fall, DiagnosticKind::misfit_springs,
+                 {number_arg(springs.size.norm(), 2)});
     }
     const Score damping = score(problem, posterior, damping_effect(problem, posterior));
     consider(damping.fall, DiagnosticKind::misfit_damping,

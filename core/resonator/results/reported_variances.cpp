@@ -49,12 +49,17 @@ double ReportedVariances::sd(Eigen::Index quantity) const {
     return std::sqrt(std::max(data[quantity] + nothing[quantity], 0.0));
 }
 
-double ReportedVariances::u(Eigen::Index quantity) const {
+double ReportedVariances::width(Eigen::Index quantity) const {
     return std::sqrt(std::max(total(quantity), 0.0));
 }
 
+double ReportedVariances::u(Eigen::Index quantity) const {
+    return std::hypot(sd(quantity), shares.row(quantity).norm());
+}
+
 ReportedVariances reported_variances(const Posterior& posterior, const QuantityContext& context,
-                                     const std::vector<ProfilePoint>& beside) {
+                                     const std::vector<ProfilePoint>& beside,
+                                     const Eigen::MatrixXd& moved) {
     ReportedVariances out;
     out.value = quantities(posterior.p, context);
     const Eigen::VectorXd period = quantity_periods(context.layout->runs());
@@ -86,6 +91,25 @@ ReportedVariances reported_variances(const Posterior& posterior, const QuantityC
             }
         }
     }
+    out.shares = Eigen::MatrixXd::Zero(count, moved.cols());
+    for (Eigen::Index k = 0; k < moved.cols(); ++k) {
+        if (moved.col(k).isZero(0)) {
+            continue;
+        }
+        for (const double sign : {1.0, -1.0}) {
+            Eigen::VectorXd p = posterior.p;
+            p(posterior.active) += sign * moved.col(k);
+            const Eigen::VectorXd there = quantities(p, context);
+            for (Eigen::Index q = 0; q < count; ++q) {
+                double off = by_shorter_way(there[q] - out.value[q], period[q]);
+                if (!std::isfinite(off)) {
+                    off = out.gradient.row(q).dot(moved.col(k));
+                }
+                out.shares(q, k) += off * off / 2;
+            }
+        }
+    }
+    out.shares = out.shares.cwiseSqrt();
     return out;
 }
 

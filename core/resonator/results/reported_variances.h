@@ -19,9 +19,13 @@ struct ReportedVariances {
     Eigen::VectorXd data;
     Eigen::VectorXd known;
     Eigen::VectorXd nothing;
+    // Change of each quantity by an error of the size of each tolerance, told or assumed: root mean
+    // square of both signs. Columns as channel_errors.
+    Eigen::MatrixXd shares;
 
-    double sd(Eigen::Index quantity) const;  // of `data` and `nothing`
-    double u(Eigen::Index quantity) const;   // of all three
+    double sd(Eigen::Index quantity) const;     // of `data` and `nothing`
+    double width(Eigen::Index quantity) const;  // of all three: deviation of the posterior
+    double u(Eigen::Index quantity) const;      // of `sd` and `shares`
     double total(Eigen::Index quantity) const {
         return data[quantity] + known[quantity] + nothing[quantity];
     }
@@ -31,8 +35,11 @@ struct ReportedVariances {
 Eigen::VectorXcd square_gradient(const Posterior& posterior);
 
 // By central differences. `beside`: parameters as likely as the maximum; `nothing` covers the
-// values of the quantities at them.
+// values of the quantities at them. `moved`: changes of the active parameters by the tolerances
+// (sensitivities.h); the quantities at both of their ends give the shares, because a size or an
+// axis is not linear where an error is as large as the vector.
 ReportedVariances reported_variances(const Posterior& posterior, const QuantityContext& context,
-                                     const std::vector<ProfilePoint>& beside);
+                                     const std::vector<ProfilePoint>& beside,
+                                     const Eigen::MatrixXd& moved);
 
 }  // namespace vybeg

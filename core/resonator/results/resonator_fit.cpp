@@ -180,6 +180,11 @@ private:
     }
 
     SolvedSet solved() const {
+        ChannelTolerance tolerance = options_.tolerance;
+        for (const ChannelError& error : channel_errors) {
+            double& size = tolerance.*error.tolerance;
+            size = size > 0 ? size : options_.assumed.*error.tolerance;
+        }
         return {runs_,
                 fine_,
                 &problem_,
@@ -188,7 +193,8 @@ private:
                 scale_,
                 cubic_limit_,
                 amplitude_or_time_,
-                examination_.spread};
+                examination_.spread,
+                tolerance};
     }
 
     // Whether the set is one at all. A cause common to all runs that leaves only noise is named
@@ -283,11 +289,10 @@ private:
         FitProblem free = problem_;
         free.priors = free_priors(scaled_, problem_.layout);
         Eigen::VectorXd start = main_.p;
-        start[kappa_at] = 1;
-        for (const int held :
-             {skew_at, phase_at, crosstalk_at, phase_drift_at, gain_drift_at, cubic_at}) {
-            start[held] = 0;
+        for (const ChannelError& error : channel_errors) {
+            start[error.parameter] = free.priors.mean[error.parameter];
         }
+        start[cubic_at] = 0;
         MapFit free_fit = fit_near_or_from_nothing(free, start);
         const StructuredVerdict verdict =
             test_structured(problem_, main_, free, free_fit, options_.tolerance, job_);

@@ -13,7 +13,9 @@ namespace vybeg {
 struct FitOptions {
     enum class Model { automatic, structured, free };
     Model model = Model::automatic;
-    ChannelTolerance tolerance{};
+    ChannelTolerance tolerance{};  // priors of the fit
+    // Of errors without a tolerance, which the fit holds at zero: their part of u.
+    ChannelTolerance assumed{.kappa = 0};
 };
 
 // Fits one resonator to all runs together (METHOD section 8): one M, and a start, frequency and

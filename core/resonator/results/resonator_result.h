@@ -2,6 +2,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/resonator/fit/phase_break.h"
+#include "core/resonator/model/channel_tolerance.h"
 #include "core/resonator/model/derived_quantities.h"
 #include "core/resonator/model/fitted_motion.h"
 #include "core/resonator/model/reason.h"
@@ -41,37 +42,6 @@ struct ResonatorEstimate {
     Estimate frequency_per_power;       // Hz per squared recording unit of |z|^2 = a_A^2 + a_B^2
 };
 
-// Change of a parameter per unit of an assumed error of the channels, or of an effect of the
-// amplitude that the model holds at zero; all others unchanged.
-struct ChannelSensitivity {
-    double kappa = 0;
-    double skew_deg = 0;
-    double delay_s = 0;
-    double crosstalk = 0;
-    double phase_drift_rad = 0;
-    double gain_drift = 0;
-    double cubic_hz = 0;       // cubic spring: Hz at the set's largest amplitude
-    double pickoff_share = 0;  // relative increase of both gains at the largest amplitude
-    double damping_share = 0;  // relative increase of 1/tau at the largest amplitude
-
-    friend bool operator==(const ChannelSensitivity&, const ChannelSensitivity&) = default;
-};
-
-// Contributions to the combined standard uncertainty u of a parameter, in its unit, by the
-// tolerance of each channel error and by the sample rate: u^2 is the sum of their squares and of
-// sd^2. Zero: known exactly.
-struct ToleranceShares {
-    double kappa = 0;
-    double skew = 0;
-    double delay = 0;
-    double crosstalk = 0;
-    double phase_drift = 0;
-    double gain_drift = 0;
-    double sample_rate = 0;
-
-    friend bool operator==(const ToleranceShares&, const ToleranceShares&) = default;
-};
-
 // Frequencies of a drifting run refer to its reference instant, the mean time weighted with the
 // power.
 struct RunEstimate {
@@ -104,11 +74,12 @@ struct Identifiable {
     bool kappa = false;
 };
 
-// Rotation and damping anisotropy, the terms of the drift of the angle, with their covariance: r, g
-// cos 4theta_tau, g sin 4theta_tau.
+// Rotation and damping anisotropy, the terms of the drift of the angle, with their covariances: r,
+// g cos 4theta_tau, g sin 4theta_tau.
 struct DriftTerms {
     std::array<double, 3> value{};
-    std::array<double, 9> covariance{};  // row by row
+    std::array<double, 9> covariance{};  // statistical; row by row, like the next
+    std::array<double, 9> tolerances{};  // contribution of the channels' tolerances
     bool given = false;
 };
 
@@ -118,11 +89,14 @@ struct ResonatorFit {
     ModeOrder mode_order{};
     Reason no_modes;              // reason for their absence
     ResonatorEstimate resonator;  // each with reason free_model for the free model
-    // Of the resonator's parameters, in the order of resonator_parameters.h; NaN if one is not
-    // given.
-    std::vector<ChannelSensitivity> sensitivities;
-    std::vector<ToleranceShares> shares;  // in the same order; zeros if one is not given
-    std::vector<RunEstimate> runs;        // in the order of the given runs
+    // By how much each of the resonator's parameters, in the order of resonator_parameters.h, is
+    // wrong per unit of an error of which the fit does not know, in the units of usual_errors; NaN
+    // if the parameter is not given. Springs and the eighth harmonic: in their worst direction.
+    std::vector<BySource> sensitivities;
+    // Contribution of each tolerance to u, in the same order and in the parameter's unit: u^2 is
+    // the sum of their squares and of sd^2. Zeros if the parameter is not given.
+    std::vector<BySource> shares;
+    std::vector<RunEstimate> runs;  // in the order of the given runs
     Identifiable identifiable;
     DriftTerms drift_terms;
     double residual_rms = 0;          // of the windows' phasors per signal, recording units

@@ -15,16 +15,15 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
-// Response of the parameters to a unit of a channel error, others unchanged: -S F_re for a held
-// error, or the regression on a fitted one.
-Eigen::VectorXd follow(const Posterior& p, int error) {
+// Error of the active parameters by a unit of a channel error or of the cubic spring.
+Eigen::VectorXd wrong_by(const FitProblem& problem, const Posterior& p, int error) {
     const auto found = std::ranges::find(p.active, Index{error});
     if (found != p.active.end()) {
-        const Index k = found - p.active.begin();
-        return p.covariance.col(k) / p.covariance(k, k);
+        const double told = problem.priors.sd[error];
+        return -p.covariance.col(found - p.active.begin()) / (told * told);
     }
     const Eigen::VectorXd cross = p.information.col(error)(p.active);
-    return -(p.covariance * cross);
+    return p.covariance * cross;
 }
 
 // Position of a parameter among the quantities, and the factor from one to the other.
@@ -58,85 +57,82 @@ const Place& place_of(const std::array<Place, 12>& places, const ResonatorParame
 
 }  // namespace
 
-std::vector<ToleranceShares> tolerance_shares(const FittedSet& set, const ResonatorEstimate& out,
-                                              double f_ref_hz) {
-    static constexpr std::array channels{kappa_at,     skew_at,        phase_at,
-                                         crosstalk_at, phase_drift_at, gain_drift_at};
-    static constexpr std::array members{
-        &ToleranceShares::kappa,     &ToleranceShares::skew,        &ToleranceShares::delay,
-        &ToleranceShares::crosstalk, &ToleranceShares::phase_drift, &ToleranceShares::gain_drift};
-    const Posterior& posterior = set.posterior;
+Eigen::MatrixXd moved_by(const FitProblem& problem, const Posterior& posterior,
+                         const ChannelTolerance& tolerance) {
+    Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(static_cast<Index>(posterior.active.size()),
+                                                  static_cast<Index>(channel_errors.size()));
+    for (std::size_t k = 0; k < channel_errors.size(); ++k) {
+        const double size = tolerance.*channel_errors[k].tolerance;
+        if (size > 0) {
+            moved.col(static_cast<Index>(k)) =
+                size * wrong_by(problem, posterior, channel_errors[k].parameter);
+        }
+    }
+    return moved;
+}
+
+std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& out,
+                                       double f_ref_hz) {
     const auto places = places_of(set, f_ref_hz);
-    std::vector<ToleranceShares> all;
+    std::vector<BySource> all;
     for (const ResonatorParameter& parameter : resonator_parameters) {
         const Place& place = place_of(places, parameter);
-        ToleranceShares shares;
-        for (std::size_t k = 0; k < channels.size() && (out.*parameter.member).given(); ++k) {
-            const auto found = std::ranges::find(posterior.active, Index{channels[k]});
-            if (found != posterior.active.end()) {
-                const Eigen::VectorXd moved =
-                    posterior.covariance.col(found - posterior.active.begin());
-                shares.*members[k] =
-                    std::abs(place.factor * set.variances.gradient.row(place.quantity).dot(moved)) /
-                    set.problem->priors.sd[channels[k]];
-            }
+        BySource shares{};
+        for (std::size_t k = 0; k < channel_errors.size() && (out.*parameter.member).given(); ++k) {
+            shares[channel_errors[k].source] =
+                std::abs(place.factor) *
+                set.variances.shares(place.quantity, static_cast<Index>(k));
         }
         all.push_back(shares);
     }
     return all;
 }
 
-std::vector<ChannelSensitivity> sensitivities(const FittedSet& set, const ResonatorEstimate& out,
-                                              double f_ref_hz) {
+std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& out,
+                                    double f_ref_hz) {
     const ReportedVariances& at = set.variances;
+    const FitProblem& problem = *set.problem;
     const auto places = places_of(set, f_ref_hz);
-    struct ChannelError {
-        int parameter;
-        double ChannelSensitivity::*member;
-        double unit;
-    };
-    const std::array<ChannelError, 6> errors{
-        {{kappa_at, &ChannelSensitivity::kappa, 1},
-         {skew_at, &ChannelSensitivity::skew_deg, pi / 180},
-         {phase_at, &ChannelSensitivity::delay_s, -2 * pi * f_ref_hz},
-         {crosstalk_at, &ChannelSensitivity::crosstalk, 1},
-         {phase_drift_at, &ChannelSensitivity::phase_drift_rad, 1},
-         {gain_drift_at, &ChannelSensitivity::gain_drift, 1}}};
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     // In units of the largest power of a set.
     double most_power = 0;
-    for (const ScaledRun& run : set.problem->runs) {
+    for (const ScaledRun& run : problem.runs) {
         for (const Eigen::Vector2cd& z : run.z) {
             most_power = std::max(most_power, z.squaredNorm() / run.power_kept);
         }
     }
-    const double most_hz = 1 / most_power;
-    const Eigen::VectorXd by_damping =
-        at.value[decay_of] / most_power *
-        followed(*set.problem, set.posterior, damping_effect(*set.problem, set.posterior));
-    Effect both_pickoffs = pickoff_effect(*set.problem, set.posterior);
+    std::array<Eigen::MatrixXd, error_sources> wrong;
+    for (const ChannelError& error : channel_errors) {
+        wrong[error.source] = wrong_by(problem, set.posterior, error.parameter);
+    }
+    wrong[skew_error] *= pi / 180;
+    wrong[delay_error] *= -2 * pi * f_ref_hz;
+    const auto effect = [&](ErrorSource source, const Effect& of, double unit) {
+        wrong[source] = unit * followed(problem, set.posterior, of);
+    };
+    wrong[cubic_error] = wrong_by(problem, set.posterior, cubic_at) / most_power;
+    effect(damping_error, damping_effect(problem, set.posterior), at.value[decay_of] / most_power);
+    Effect both_pickoffs = pickoff_effect(problem, set.posterior);
     for (Eigen::MatrixXd& run : both_pickoffs) {
         run = run.rowwise().sum().eval();
     }
-    const Eigen::VectorXd by_pickoffs =
-        followed(*set.problem, set.posterior, both_pickoffs) / most_power;
-    std::vector<ChannelSensitivity> all;
+    effect(pickoff_error, both_pickoffs, 1 / most_power);
+    effect(springs_error, springs_effect(problem, set.posterior), 1 / most_power);
+    effect(eighth_error, eighth_effect(problem, set.posterior), 1);
+    std::vector<BySource> all;
     for (const ResonatorParameter& parameter : resonator_parameters) {
         const Place& place = place_of(places, parameter);
-        ChannelSensitivity sensitivity{nan, nan, nan, nan, nan, nan, nan, nan, nan};
-        if ((out.*parameter.member).given()) {
-            for (const ChannelError& error : errors) {
-                sensitivity.*error.member =
-                    place.factor * error.unit *
-                    at.gradient.row(place.quantity).dot(follow(set.posterior, error.parameter));
+        BySource sensitivity{};
+        for (int source = 0; source < error_sources; ++source) {
+            const Eigen::MatrixXd& by = wrong[static_cast<std::size_t>(source)];
+            if (by.cols() == 1) {
+                sensitivity[source] = place.factor * at.gradient.row(place.quantity).dot(by.col(0));
+            } else if (by.cols() > 1) {
+                sensitivity[source] =
+                    std::abs(place.factor) * (at.gradient.row(place.quantity) * by).norm();
             }
-            sensitivity.cubic_hz =
-                place.factor * most_hz *
-                at.gradient.row(place.quantity).dot(follow(set.posterior, cubic_at));
-            sensitivity.pickoff_share =
-                place.factor * at.gradient.row(place.quantity).dot(by_pickoffs);
-            sensitivity.damping_share =
-                place.factor * at.gradient.row(place.quantity).dot(by_damping);
+        }
+        if (!(out.*parameter.member).given()) {
+            sensitivity.fill(std::numeric_limits<double>::quiet_NaN());
         }
         all.push_back(sensitivity);
     }

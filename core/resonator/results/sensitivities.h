@@ -2,20 +2,27 @@
 
 #include "core/resonator/results/fitted_set.h"
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace vybeg {
 
-// Changes of the resonator's parameters by errors of the channels and effects of the amplitude, in
-// the order of resonator_parameters; NaN if a parameter is not given. f_ref_hz: mean of the runs'
-// references.
-std::vector<ChannelSensitivity> sensitivities(const FittedSet& set,
-                                              const ResonatorEstimate& resonator, double f_ref_hz);
+// Errors of the active parameters by channel errors of the size of their tolerances, of which the
+// fit knows no more than its priors: columns as channel_errors. With J e the error in the phasors,
+// S the covariance and F the information, S F_e e where the fit holds the error at zero, and
+// -S_e e/s^2 where it has the prior s.
+Eigen::MatrixXd moved_by(const FitProblem& problem, const Posterior& posterior,
+                         const ChannelTolerance& tolerance);
+
+// By how much the resonator's parameters are wrong per unit of each error, in the order of
+// resonator_parameters; NaN if a parameter is not given. f_ref_hz: mean of the runs' references.
+std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& resonator,
+                                    double f_ref_hz);
 
 // Contributions of the channels' tolerances to the parameters' combined uncertainties, in the same
-// order: |dx/dm| s of the mean m and the deviation s of each tolerance's prior. Zeros if a
-// parameter is not given.
-std::vector<ToleranceShares> tolerance_shares(const FittedSet& set,
-                                              const ResonatorEstimate& resonator, double f_ref_hz);
+// order. Zeros if a parameter is not given.
+std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& resonator,
+                                       double f_ref_hz);
 
 }  // namespace vybeg

@@ -18,12 +18,15 @@ std::vector<ParameterBudget> uncertainty_budget(const ResonatorFit& fit) {
     return budget;
 }
 
-std::vector<BudgetSource> sources_of(std::span<const ParameterBudget> budget) {
-    std::vector<BudgetSource> found;
-    std::ranges::copy_if(budget_sources, std::back_inserter(found), [&](const auto& source) {
-        return std::ranges::any_of(
-            budget, [&](const ParameterBudget& row) { return row.shares.*source.member > 0; });
-    });
+std::vector<ErrorSource> sources_of(std::span<const ParameterBudget> budget) {
+    std::vector<ErrorSource> found;
+    for (int k = 0; k < error_sources; ++k) {
+        const auto source = static_cast<ErrorSource>(k);
+        if (std::ranges::any_of(
+                budget, [&](const ParameterBudget& row) { return row.shares[source] > 0; })) {
+            found.push_back(source);
+        }
+    }
     return found;
 }
 

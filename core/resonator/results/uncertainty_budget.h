@@ -2,27 +2,10 @@
 
 #include "core/resonator/results/resonator_parameters.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
 namespace vybeg {
-
-// A source of uncertainty besides the noise.
-struct BudgetSource {
-    const char* name;  // as on the command line
-    double ToleranceShares::*member;
-};
-
-inline constexpr std::array<BudgetSource, 7> budget_sources{{
-    {"kappa", &ToleranceShares::kappa},
-    {"skew", &ToleranceShares::skew},
-    {"delay", &ToleranceShares::delay},
-    {"crosstalk", &ToleranceShares::crosstalk},
-    {"phase-drift", &ToleranceShares::phase_drift},
-    {"gain-drift", &ToleranceShares::gain_drift},
-    {"rate", &ToleranceShares::sample_rate},
-}};
 
 // Coverage factor of an expanded uncertainty: about 95 % of a normal distribution (GUM 6.2).
 inline constexpr double coverage_factor = 2;
@@ -33,7 +16,7 @@ struct ParameterBudget {
     ResonatorParameter parameter;
     double value = 0;
     double statistical = 0;  // of the noise, type A
-    ToleranceShares shares;  // of the tolerances, type B
+    BySource shares{};       // of the tolerances, type B
     double combined = 0;     // u: root of the sum of all squares
     double expanded = 0;     // coverage_factor u
 };
@@ -42,6 +25,6 @@ struct ParameterBudget {
 std::vector<ParameterBudget> uncertainty_budget(const ResonatorFit& fit);
 
 // The sources that contribute to any of the parameters.
-std::vector<BudgetSource> sources_of(std::span<const ParameterBudget> budget);
+std::vector<ErrorSource> sources_of(std::span<const ParameterBudget> budget);
 
 }  // namespace vybeg

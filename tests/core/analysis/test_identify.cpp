@@ -32,6 +32,15 @@ std::vector<Recording> runs_at(std::initializer_list<double> two_theta_A) {
     return runs;
 }
 
+// Channels without any error: no tolerance is assumed.
+IdentifySettings exact_channels() {
+    IdentifySettings settings;
+    for (const ToleranceParameter& parameter : tolerance_parameters) {
+        settings.tolerance.*parameter.member = 0;
+    }
+    return settings;
+}
+
 std::vector<Recording> two_runs() {
     return runs_at({0.3, 1.4});
 }
@@ -45,9 +54,9 @@ private slots:
     // What a file's digits leave open of the sample rate is open of every frequency.
     void a_clock_of_few_digits_widens_the_frequencies_alone() {
         std::vector<Recording> runs = two_runs();
-        const Result<Identification> exact = identify(runs, {}, {});
+        const Result<Identification> exact = identify(runs, exact_channels(), {});
         runs[1].rate_relative_sd = 1e-5;
-        const Result<Identification> open = identify(runs, {}, {});
+        const Result<Identification> open = identify(runs, exact_channels(), {});
         QVERIFY(exact && open);
         const double wide = 1e-5 * 5300;
 
@@ -68,6 +77,48 @@ private slots:
         QCOMPARE(open->fit.resonator.f_mean_hz.sd, exact->fit.resonator.f_mean_hz.sd);
     }
 
+    // A tolerance that is not told is assumed, unless zero is told; a told clock is one recorder's.
+    void tolerances_are_assumed_where_none_is_told() {
+        const std::vector<Recording> runs = runs_at({0, 0.8, 1.6, 2.4});
+        IdentifySettings settings = exact_channels();
+        const Result<Identification> exact = identify(runs, settings, {});
+        const Result<Identification> silent = identify(runs, {}, {});
+        settings.tolerance.rate_ppm = 10;
+        const Result<Identification> clocked = identify(runs, settings, {});
+        QVERIFY(exact && silent && clocked);
+        const ResonatorEstimate& none = exact->fit.resonator;
+        const ResonatorEstimate& assumed = silent->fit.resonator;
+        QVERIFY(std::isnan(none.split_hz.u));
+        for (const auto member :
+             {&ResonatorEstimate::split_hz, &ResonatorEstimate::theta_w_rad,
+              &ResonatorEstimate::tau_s, &ResonatorEstimate::angle_rate_rad_s}) {
+            VYBEG_MORE((assumed.*member).u, (assumed.*member).sd);
+        }
+        // Over 4 s a phase drift of 1e-4 rad is a frequency of 1e-4/(2 pi 4 s), and the split's
+        // error between none and twice that.
+        const std::size_t split = 1;
+        VYBEG_CLOSE(silent->fit.shares[split][phase_drift_error], 4e-6, 4e-6);
+        VYBEG_MORE(silent->fit.shares[split][phase_drift_error], 4e-7);
+        for (const ModeEstimate& mode : silent->fit.modes) {
+            VYBEG_MORE(mode.f_hz.u, mode.f_hz.sd);
+        }
+        for (const RunEstimate& run : silent->fit.runs) {
+            VYBEG_MORE(run.direction_tau_s.u, run.direction_tau_s.sd);
+            VYBEG_MORE(run.q_envelope.u, run.q_envelope.sd);
+        }
+        VYBEG_MORE(silent->drift.coefficient(0).u, silent->drift.coefficient(0).sd);
+        QCOMPARE(silent->drift.coefficient(0).u > 0, true);
+        QVERIFY(std::isnan(exact->drift.coefficient(0).u));
+
+        VYBEG_CLOSE_RATIO(clocked->fit.resonator.f_mean_hz.u, 1e-5 * 5300, 0.01);
+        VYBEG_CLOSE_RATIO(
+            std::sqrt(std::pow(clocked->fit.resonator.tau_s.u, 2) - std::pow(none.tau_s.sd, 2)),
+            1e-5 * 40, 0.05);
+        VYBEG_CLOSE_RATIO(clocked->runs[0].wave.f_hz.u, 1e-5 * 5300, 0.01);
+        QVERIFY(std::isnan(clocked->fit.runs[0].f_offset_hz.u));
+        QVERIFY(std::isnan(clocked->fit.resonator.q.u));
+    }
+
     // The budget of a recording with calibrated channels and a rate of few digits.
     void the_budget_of_calibrated_channels_holds_the_sample_rate() {
         std::vector<Recording> runs = runs_at({0, 0.8, 1.6, 2.4});
@@ -82,21 +133,21 @@ private slots:
         VYBEG_AT_LEAST(budget.size(), 5);
         for (const ParameterBudget& row : budget) {
             double squares = row.statistical * row.statistical;
-            for (const BudgetSource& source : budget_sources) {
-                squares += std::pow(row.shares.*source.member, 2);
+            for (const double share : row.shares) {
+                squares += share * share;
             }
             VYBEG_CLOSE_RATIO(std::sqrt(squares), row.combined, 1e-6);
         }
-        VYBEG_CLOSE_RATIO(budget.front().shares.sample_rate, 1e-5 * 5300, 0.01);
+        VYBEG_CLOSE_RATIO(budget.front().shares[rate_error], 1e-5 * 5300, 0.01);
     }
 
     // A gain ratio known to a per cent moves the decay of a wave that turns.
     void the_waves_own_numbers_hold_the_tolerances() {
         const std::vector<Recording> runs = two_runs();
-        IdentifySettings settings;
-        const Result<Identification> usual = identify(runs, settings, {});
-        settings.tolerance.kappa = 0;
+        IdentifySettings settings = exact_channels();
         const Result<Identification> exact = identify(runs, settings, {});
+        settings.tolerance.kappa.reset();
+        const Result<Identification> usual = identify(runs, settings, {});
         QVERIFY(usual && exact);
         for (std::size_t k = 0; k < runs.size(); ++k) {
             const WaveMotion& wide = usual->runs[k].wave;

@@ -38,9 +38,12 @@ private slots:
         QFETCH(double, phase_drift_rad);
         const Result<Tolerance> read = read_tolerance(text.toStdString());
         QVERIFY(read);
-        VYBEG_WITHIN(read->skew_deg, skew_deg, 1e-14 * skew_deg);
-        VYBEG_WITHIN(read->delay_s, delay_s, 1e-14 * delay_s);
-        VYBEG_WITHIN(read->phase_drift_rad, phase_drift_rad, 1e-14 * phase_drift_rad);
+        const auto is = [](const std::optional<double>& given, double expected) {
+            return given ? std::abs(*given - expected) <= 1e-14 * expected : expected == 0;
+        };
+        QVERIFY(is(read->skew_deg, skew_deg));
+        QVERIFY(is(read->delay_s, delay_s));
+        QVERIFY(is(read->phase_drift_rad, phase_drift_rad));
         QVERIFY(!read->kappa);
     }
 
@@ -49,21 +52,47 @@ private slots:
             read_tolerance("kappa=1%,crosstalk=100ppm,gain-drift=0.0001");
         QVERIFY(read);
         QCOMPARE(read->kappa.value_or(-1), 0.01);
-        QCOMPARE(read->crosstalk, 1e-4);
-        QCOMPARE(read->gain_drift, 1e-4);
+        QCOMPARE(read->crosstalk.value_or(-1), 1e-4);
+        QCOMPARE(read->gain_drift.value_or(-1), 1e-4);
         QVERIFY(read_tolerance("kappa=0")->kappa == 0.0);  // exact is not "as usual"
+        QVERIFY(read_tolerance("skew=0")->skew_deg == 0.0);
+    }
+
+    void the_clock_is_in_ppm() {
+        for (const char* text : {"rate=2", "rate=2ppm", "rate=2000ppb", "rate=0.0002%"}) {
+            const Result<Tolerance> read = read_tolerance(text);
+            QVERIFY(read);
+            VYBEG_CLOSE_RATIO(read->rate_ppm.value_or(-1), 2, 1e-14);
+        }
+    }
+
+    void what_is_not_told_is_assumed() {
+        const auto used = [](const Tolerance& tolerance, double kappa) {
+            QStringList texts;
+            for (const ToleranceInUse& each : tolerances_in_use(tolerance, kappa)) {
+                texts << QString("%1=%2%3")
+                             .arg(each.parameter.name())
+                             .arg(each.value)
+                             .arg(each.assumed ? "?" : "");
+            }
+            return texts.join(' ');
+        };
+        QCOMPARE(used({}, 1), QString("kappa=0.01? skew=0.1? delay=1e-08? crosstalk=0.0001? "
+                                      "phase-drift=0.0001? gain-drift=0.0001?"));
+        QCOMPARE(used({.skew_deg = 0, .delay_s = 2e-8, .crosstalk = 0, .rate_ppm = 1}, 1.02),
+                 QString("delay=2e-08 phase-drift=0.0001? gain-drift=0.0001? rate=1"));
     }
 
     void kappa_is_exact_where_a_ratio_is_given() {
-        QCOMPARE(default_kappa_tolerance(1), 0.01);
-        QCOMPARE(default_kappa_tolerance(1.01), 0.0);
+        QCOMPARE(assumed_tolerance(kappa_error, 1), 0.01);
+        QCOMPARE(assumed_tolerance(kappa_error, 1.01), 0.0);
     }
 
     void its_text_reads_back() {
         Tolerance tolerance;
         QCOMPARE(tolerance_text(tolerance), std::string("none"));
         QVERIFY(*read_tolerance("none") == tolerance);
-        tolerance = {0.003, 1.0 / 3, 1e-9 / 7, 1e-4, 2e-5, 3e-6};
+        tolerance = {0.003, 1.0 / 3, 1e-9 / 7, 1e-4, 2e-5, 3e-6, 0.5};
         QVERIFY(*read_tolerance(tolerance_text(tolerance)) == tolerance);
         tolerance = {.kappa = 0.0};
         QCOMPARE(tolerance_text(tolerance), std::string("kappa=0"));
@@ -78,7 +107,8 @@ private slots:
         row("", "NAME=X");
         row("skew", "NAME=X");
         row("skew=0.1,", "NAME=X");
-        row("tilt=0.1", "\"tilt\" is none of kappa, skew, delay, crosstalk, phase-drift");
+        row("tilt=0.1",
+            "\"tilt\" is none of kappa, skew, delay, crosstalk, phase-drift, gain-drift, rate");
         row("skew=-0.1", "skew must be a number of zero or more, in deg");
         row("skew=nan", "skew must be");
         row("delay=inf", "delay must be a number of zero or more, in s");

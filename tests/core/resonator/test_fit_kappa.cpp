@@ -169,33 +169,37 @@ private slots:
         const ResonatorFit before = fitted(ideal, told);
         struct Error {
             const char* name;
-            double ChannelSensitivity::*member;
+            ErrorSource source;
             double size;
             std::complex<double> (*of)(std::complex<double> c, std::complex<double> d, double x,
                                        double size);
         };
         const std::vector<Error> errors{
-            {"skew", &ChannelSensitivity::skew_deg, 0.01,
+            {"skew", skew_error, 0.01,
              [](std::complex<double> c, std::complex<double> d, double, double size) {
                  return d + std::sin(size * pi / 180) * c;
              }},
-            {"delay", &ChannelSensitivity::delay_s, 1e-9,
+            {"delay", delay_error, 1e-9,
              [](std::complex<double>, std::complex<double> d, double, double size) {
                  return d * std::polar(1.0, -2 * pi * 5300 * size);
              }},
-            {"phase drift", &ChannelSensitivity::phase_drift_rad, 1e-5,
+            {"crosstalk", crosstalk_error, 1e-5,
+             [](std::complex<double> c, std::complex<double> d, double, double size) {
+                 return d + std::complex(0.0, size) * c;
+             }},
+            {"phase drift", phase_drift_error, 1e-5,
              [](std::complex<double>, std::complex<double> d, double x, double size) {
                  return d * std::polar(1.0, x * size);
              }},
-            {"gain drift", &ChannelSensitivity::gain_drift, 1e-5,
+            {"gain drift", gain_drift_error, 1e-5,
              [](std::complex<double>, std::complex<double> d, double x, double size) {
                  return d * (1 + x * size);
              }},
-            {"pick-offs", &ChannelSensitivity::pickoff_share, 1e-4,
+            {"pick-offs", pickoff_error, 1e-4,
              [](std::complex<double>, std::complex<double> d, double, double size) {
                  return d * (1 + size * std::norm(d));
              }},
-            {"kappa", &ChannelSensitivity::kappa, 1e-4,
+            {"kappa", kappa_error, 1e-4,
              [](std::complex<double>, std::complex<double> d, double, double size) {
                  return d / (1 + size);
              }},
@@ -206,7 +210,7 @@ private slots:
                 const double duration = run.time_s.back() + run.window_s / 2;
                 for (std::size_t k = 0; k < run.d.size(); ++k) {
                     run.d[k] = error.of(run.c[k], run.d[k], run.time_s[k] / duration, error.size);
-                    if (error.member == &ChannelSensitivity::pickoff_share) {
+                    if (error.source == pickoff_error) {
                         run.c[k] *= 1 + error.size * std::norm(run.c[k]);
                     }
                 }
@@ -218,8 +222,7 @@ private slots:
                 if (!one.given() || !other.given()) {
                     continue;
                 }
-                // An error that is there and not assumed changes the result the other way.
-                const double expected = -(before.sensitivities[k].*error.member) * error.size;
+                const double expected = before.sensitivities[k][error.source] * error.size;
                 const double change = other.value - one.value;
                 const double least = 0.02 * one.sd;
                 VYBEG_CLOSE(change, expected, 0.05 * std::abs(expected) + least,
@@ -234,7 +237,7 @@ private slots:
     // turns elliptic waves.
     void sensitivities_foretell_what_an_effect_of_the_amplitude_changes() {
         struct Effect {
-            double ChannelSensitivity::*member;
+            ErrorSource source;
             double size;
             double FreeDecay::*of;
             double unit;  // of the simulator's number
@@ -259,9 +262,8 @@ private slots:
         const FitOptions told{.tolerance = {.kappa = 0}};
         const ResonatorFit before = fitted(runs_of(decay), told);
         for (const Effect& effect :
-             {Effect{&ChannelSensitivity::cubic_hz, 1e-5, &FreeDecay::frequency_per_power_hz,
-                     1 / power},
-              Effect{&ChannelSensitivity::damping_share, 2e-3, &FreeDecay::damping_per_power_per_s,
+             {Effect{cubic_error, 1e-5, &FreeDecay::frequency_per_power_hz, 1 / power},
+              Effect{damping_error, 2e-3, &FreeDecay::damping_per_power_per_s,
                      1 / (power * decay.tau_s)}}) {
             FreeDecay with = decay;
             with.*effect.of = effect.size * effect.unit;
@@ -276,7 +278,7 @@ private slots:
                     parameter.member == &ResonatorEstimate::f_mean_hz) {
                     continue;
                 }
-                const double expected = -(before.sensitivities[k].*effect.member) * effect.size;
+                const double expected = before.sensitivities[k][effect.source] * effect.size;
                 const double least = 0.1 * one.sd;
                 felt = felt || std::abs(expected) > one.sd;
                 VYBEG_CLOSE(other.value - one.value, expected, 0.1 * std::abs(expected) + least,

@@ -67,9 +67,9 @@ private slots:
             bool any_share = false;
             for (const ParameterBudget& row : budget) {
                 double squares = row.statistical * row.statistical;
-                for (const BudgetSource& source : budget_sources) {
-                    squares += std::pow(row.shares.*source.member, 2);
-                    any_share = any_share || row.shares.*source.member > 0;
+                for (const double share : row.shares) {
+                    squares += share * share;
+                    any_share = any_share || share > 0;
                 }
                 const double u = (fit.resonator.*row.parameter.member).u;
                 VYBEG_CLOSE(std::sqrt(squares), u, 1e-6 * u);
@@ -109,10 +109,11 @@ private slots:
         for (const ParameterBudget& row : uncertainty_budget(fit)) {
             // The data narrow skew itself; what they do not say of it moves the others.
             if (row.parameter.member != &ResonatorEstimate::non_orthogonality_rad &&
-                row.shares.skew > 0.05 * row.combined) {
+                row.shares[skew_error] > 0.05 * row.combined) {
                 const double change = std::abs(shift_of(row.parameter, fit, moved));
-                qInfo("%s: share %g, change %g", row.parameter.name, row.shares.skew, change);
-                VYBEG_CLOSE(change, row.shares.skew, 0.01 * row.shares.skew);
+                const double share = row.shares[skew_error];
+                qInfo("%s: share %g, change %g", row.parameter.name, share, change);
+                VYBEG_CLOSE(change, share, 0.01 * share);
                 ++compared;
             }
         }

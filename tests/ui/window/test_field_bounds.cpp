@@ -126,14 +126,15 @@ private slots:
                  {"Offset of D", "offset", 1, 1, "0,%1"},
                  {"Delay of D", "delay", 0, 1e-6},
                  {"Angle zero", "angle-zero"}},
-                6);
+                7);
         for (const auto& [field, name, unit] :
              {std::tuple{"Tolerance of the gain ratio", "kappa", 1.0},
               std::tuple{"Tolerance of the non-orthogonality", "skew", 1.0},
               std::tuple{"Tolerance of the delay", "delay", 1e-9},
               std::tuple{"Tolerance of the crosstalk", "crosstalk", 1.0},
               std::tuple{"Tolerance of the phase drift", "phase-drift", 1.0},
-              std::tuple{"Tolerance of the gain drift", "gain-drift", 1.0}}) {
+              std::tuple{"Tolerance of the gain drift", "gain-drift", 1.0},
+              std::tuple{"Tolerance of the sample rate", "rate", 1.0}}) {
             for (const double number : {-1e-9, 0.0, 1e-12, 0.5, 2.0, 100.0}) {
                 QVERIFY2(takes(fieldOf(fields, field), typed(number / unit, false)) ==
                              coreTakesTolerance(name, number),

@@ -1,0 +1,207 @@
+#include "core/resonator/results/channel_findings.h"
+
+#include "core/base/number_text.h"
+#include "core/numerics/dense_solvers.h"
+#include "core/resonator/fit/score_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace vybeg {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double most_tolerances = 3;
+constexpr double clear_fall = 25;      // of chi^2: five standard deviations
+constexpr double by_chance = 1e-3;     // probability of a quadrature that follows the angle
+constexpr std::size_t least_runs = 4;  // for the line through the quadratures and its scatter
+constexpr double least_spread = 0.1;   // of the angles: sum of squares of an error's shape
+constexpr double passive_share = 0.9;  // of the greatest anisotropy
+constexpr double passive_within = 2;   // combined uncertainties
+
+double f_ref_of(const FittedSet& set) {
+    double sum = 0;
+    for (const double f_hz : set.context.f_ref_hz) {
+        sum += f_hz;
+    }
+    return sum / static_cast<double>(set.context.f_ref_hz.size());
+}
+
+// Upper bound, close where it is small, of the probability that the correlation of n uncorrelated
+// pairs has 1 - r^2 below `rest`.
+double chance_of(double rest, std::size_t n) {
+    const double half = static_cast<double>(n - 2) / 2;
+    const double beta = std::tgamma(half) * std::tgamma(0.5) / std::tgamma(half + 0.5);
+    return std::pow(rest, half) / (half * beta * std::sqrt(std::max(1 - rest, 1e-6)));
+}
+
+// The error held at zero that leaves its assumed tolerance by most if all of them are opened, each
+// with its tolerance: alone each imitates the others.
+std::optional<Diagnostic> held_finding(const FitProblem& problem, const Posterior& posterior,
+                                       const ChannelTolerance& tolerance, double f_ref_hz) {
+    std::vector<ChannelError> held;
+    for (const ChannelError& error : channel_errors) {
+        if (problem.priors.sd[error.parameter] == 0 && tolerance.*error.tolerance > 0) {
+            held.push_back(error);
+        }
+    }
+    if (held.empty()) {
+        return {};
+    }
+    const auto count = static_cast<Eigen::Index>(held.size());
+    Effect effect;
+    for (const Linearised& run : posterior.runs) {
+        Eigen::MatrixXd by(run.by_parameter.rows(), count);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            by.col(k) = tolerance.*held[static_cast<std::size_t>(k)].tolerance *
+                        run.by_parameter.col(held[static_cast<std::size_t>(k)].parameter);
+        }
+        effect.push_back(std::move(by));
+    }
+    // In tolerances; their prior has the precision of one.
+    const Score free = score(problem, posterior, effect);
+    const Eigen::VectorXd size =
+        (Eigen::MatrixXd::Identity(count, count) + free.inverse).ldlt().solve(free.size);
+    Eigen::Index most = 0;
+    if (!(size.cwiseAbs().maxCoeff(&most) > most_tolerances)) {
+        return {};
+    }
+    const ChannelError& error = held[static_cast<std::size_t>(most)];
+    return Diagnostic{DiagnosticKind::misfit_channel,
+                      named_error(error, size[most] * (tolerance.*error.tolerance), f_ref_hz)};
+}
+
+// A ratio a_B/a_A at the start of a recording.
+struct Quadrature {
+    double two_theta = 0;
+    double ratio = 0;
+    double variance = 0;
+};
+
+std::vector<Quadrature> quadratures_of(std::span<const RunEstimate> runs) {
+    std::vector<Quadrature> all;
+    for (const RunEstimate& run : runs) {
+        if (run.two_theta_A_rad.given() && run.a_A.given() && run.a_B.given()) {
+            const double sd = run.a_B.sd / run.a_A.value;
+            all.push_back({run.two_theta_A_rad.value, run.a_B.value / run.a_A.value, sd * sd});
+        }
+    }
+    return all;
+}
+
+struct Followed {
+    double size = 0;
+    double chance = 1;
+};
+
+// The quadratures as a constant and a part that an error of unit size adds by `shape`.
+template <class Shape>
+Followed followed_by(const std::vector<Quadrature>& all, const Shape& shape) {
+    const auto count = static_cast<double>(all.size());
+    double mean_x = 0;
+    double mean_y = 0;
+    double floor = 0;
+    for (const Quadrature& each : all) {
+        mean_x += shape(each.two_theta) / count;
+        mean_y += each.ratio / count;
+        floor += each.variance * (count - 2) / count;
+    }
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    for (const Quadrature& each : all) {
+        const double x = shape(each.two_theta) - mean_x;
+        const double y = each.ratio - mean_y;
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+    }
+    if (!(xx > least_spread) || !(yy > 0)) {
+        return {};
+    }
+    const double explained = xy * xy / xx;
+    const double rest = std::max(yy - explained, floor);
+    return {xy / xx, chance_of(rest / (explained + rest), all.size())};
+}
+
+std::optional<Diagnostic> quadrature_finding(std::span<const RunEstimate> runs,
+                                             const ChannelTolerance& tolerance, double f_ref_hz) {
+    const std::vector<Quadrature> all = quadratures_of(runs);
+    if (all.size() < least_runs) {
+        return {};
+    }
+    // a_A a_B = Im(c conj d) of a linear wave, to first order in the error.
+    const Followed phase =
+        followed_by(all, [](double two_theta) { return -std::sin(2 * two_theta) / 2; });
+    const Followed crosstalk = followed_by(
+        all, [](double two_theta) { return -std::cos(two_theta) * std::cos(two_theta); });
+    const bool is_phase = phase.chance <= crosstalk.chance;
+    const Followed& found = is_phase ? phase : crosstalk;
+    const SharedParameter parameter = is_phase ? phase_at : crosstalk_at;
+    const auto error = std::ranges::find(channel_errors, parameter, &ChannelError::parameter);
+    if (found.chance > by_chance ||
+        std::abs(found.size) <= most_tolerances * (tolerance.*error->tolerance)) {
+        return {};
+    }
+    return Diagnostic{DiagnosticKind::quadrature_by_channel,
+                      named_error(*error, found.size, f_ref_hz)};
+}
+
+}  // namespace
+
+std::vector<MessageArg> named_error(const ChannelError& error, double size, double f_ref_hz) {
+    double unit = 1;
+    const char* name = "";
+    switch (error.source) {
+        case skew_error: unit = 180 / pi, name = "deg"; break;
+        case delay_error: unit = -1e9 / (2 * pi * f_ref_hz), name = "ns"; break;
+        case phase_drift_error: name = "rad"; break;
+        default: break;
+    }
+    return {tolerance_names[error.source], number_arg(size * unit, 2, name)};
+}
+
+std::vector<Diagnostic> channel_findings(const FittedSet& set, const ChannelTolerance& tolerance,
+                                         const ResonatorEstimate& resonator,
+                                         std::span<const RunEstimate> runs, bool white) {
+    std::vector<Diagnostic> found;
+    const FitProblem& problem = *set.problem;
+    const Posterior& posterior = set.posterior;
+    const double f_ref_hz = f_ref_of(set);
+    for (const ChannelError& error : channel_errors) {
+        const double told = problem.priors.sd[error.parameter];
+        const double off = posterior.p[error.parameter] - problem.priors.mean[error.parameter];
+        const auto active = std::ranges::find(posterior.active, Eigen::Index{error.parameter});
+        if (active == posterior.active.end()) {
+            continue;
+        }
+        // Other errors within their tolerances move it, too.
+        const double known =
+            std::hypot(told, set.moved.row(active - posterior.active.begin()).norm());
+        if (std::abs(off) > most_tolerances * known) {
+            Diagnostic left{DiagnosticKind::prior_left, named_error(error, off, f_ref_hz)};
+            left.args.push_back(number_arg(std::abs(off) / told, 2));
+            found.push_back(std::move(left));
+        }
+    }
+    if (white) {
+        if (auto held = held_finding(problem, posterior, tolerance, f_ref_hz)) {
+            found.push_back(*std::move(held));
+        }
+    }
+    if (auto quadrature = quadrature_finding(runs, tolerance, f_ref_hz)) {
+        found.push_back(*std::move(quadrature));
+    }
+    const Estimate& g = resonator.damping_anisotropy_per_s;
+    const double passive = 2 * posterior.p[decay_at];
+    if (g.given() && g.value - passive_within * g.uncertainty() > passive_share * passive) {
+        found.push_back({DiagnosticKind::anisotropy_not_passive,
+                         {number_arg(g.value, 3), number_arg(passive, 3)}});
+    }
+    return found;
+}
+
+}  // namespace vybeg

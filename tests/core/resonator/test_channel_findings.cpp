@@ -1,0 +1,166 @@
+// What a fit says of channel errors that are far from what is known of them.
+#include "core/base/messages.h"
+#include "tests/closeness.h"
+#include "tests/core/resonator/known_resonator.h"
+#include "tests/test_registry.h"
+
+namespace test_channel_findings {
+
+using namespace vybeg;
+using namespace vybeg::test;
+using std::numbers::pi;
+
+namespace {
+
+constexpr std::int64_t window = 3333;
+
+// 10 ns at 5300 Hz, 0.1 degrees, 1e-4.
+const FitOptions assuming{.assumed = {.kappa = 0.01,
+                                      .skew_rad = 0.1 * pi / 180,
+                                      .phase_rad = 3.3e-4,
+                                      .crosstalk = 1e-4,
+                                      .phase_drift = 1e-4,
+                                      .gain_drift = 1e-4}};
+
+FreeDecay resonator() {
+    FreeDecay decay = reference();
+    decay.tau_s = 60;
+    decay.split_hz = 0.02;
+    decay.theta_w = 0.2;
+    decay.damping_anisotropy_per_s = 1e-3;
+    decay.theta_tau = -0.3;
+    return decay;
+}
+
+const Diagnostic* warning_of(const ResonatorFit& fit, DiagnosticKind kind) {
+    const auto found = std::ranges::find(fit.warnings, kind, &Diagnostic::kind);
+    return found == fit.warnings.end() ? nullptr : &*found;
+}
+
+// D with a phase of its own and a share of C in quadrature.
+void spoil(std::vector<PhasorRun>& runs, double phase_rad, double crosstalk) {
+    for (PhasorRun& run : runs) {
+        for (std::size_t k = 0; k < run.d.size(); ++k) {
+            run.d[k] =
+                run.d[k] * std::polar(1.0, phase_rad) + std::complex(0.0, crosstalk) * run.c[k];
+        }
+    }
+}
+
+constexpr std::array kinds{DiagnosticKind::prior_left, DiagnosticKind::quadrature_by_channel,
+                           DiagnosticKind::misfit_channel, DiagnosticKind::anisotropy_not_passive};
+
+}  // namespace
+
+class TestChannelFindings : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Waves of no quadrature and of any, the same at all angles or not.
+    void good_channels_say_nothing() {
+        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+            std::vector<PhasorRun> runs;
+            for (std::size_t k = 0; k < 4 + seed % 3; ++k) {
+                FreeDecay decay = resonator();
+                decay.two_theta_A = 0.3 + static_cast<double>(k) * pi / 4;
+                const double random =
+                    std::sin(100.0 * static_cast<double>(seed) + 37.0 * static_cast<double>(k));
+                decay.a_B = seed % 2 == 0 ? 0.01 * random : 1e-3;
+                decay.kappa = 1.008;
+                runs.push_back(simulated_phasors(decay, window, 100 * seed + k));
+            }
+            const ResonatorFit fit = fitted(runs, assuming);
+            for (const DiagnosticKind kind : kinds) {
+                QVERIFY2(!warns(fit, kind), kind_name(kind).c_str());
+            }
+        }
+    }
+
+    // Row 34: a gain ratio at 3.7 tolerances was taken in silence.
+    void a_gain_ratio_beyond_three_tolerances_is_told() {
+        for (const double kappa : {0.963, 1.028, 1.035}) {
+            FreeDecay decay = resonator();
+            decay.kappa = kappa;
+            const ResonatorFit fit = fitted(set_of(decay, four_angles, window, 3), assuming);
+            const bool far = std::abs(kappa - 1) > 0.03;
+            const Diagnostic* left = warning_of(fit, DiagnosticKind::prior_left);
+            QVERIFY2((left != nullptr || fit.model == ResonatorModel::free) == far,
+                     qPrintable(QString::number(kappa)));
+            if (left != nullptr) {
+                const QString text = QString::fromStdString(english(*left));
+                QVERIFY2(text.contains("kappa of"), qPrintable(text));
+                QVERIFY2(text.contains(far && kappa > 1 ? "3.5 tolerances" : "3.7 tolerances"),
+                         qPrintable(text));
+            }
+        }
+    }
+
+    // A converter that takes D half a sample after C: 15 us, which looks like a rotation.
+    void quadratures_that_follow_the_angle_show_a_delay_data() {
+        QTest::addColumn<double>("delay_s");
+        QTest::addColumn<double>("crosstalk");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("multiplexed") << 15e-6 << 0.0 << "delay, about 1.5e+04 ns";
+        QTest::newRow("unlike corners") << -1e-7 << 0.0 << "delay, about -1e+02 ns";
+        QTest::newRow("crosstalk") << 0.0 << 1e-3 << "crosstalk, about 0.001";
+        QTest::newRow("within the assumed tolerance") << 5e-9 << 1e-4 << "";
+    }
+    void quadratures_that_follow_the_angle_show_a_delay() {
+        QFETCH(double, delay_s);
+        QFETCH(double, crosstalk);
+        QFETCH(QString, named);
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            std::vector<PhasorRun> runs = set_of(resonator(), four_angles, window, seed);
+            spoil(runs, -2 * pi * 5300 * delay_s, crosstalk);
+            FitOptions options = assuming;
+            options.model = FitOptions::Model::structured;
+            const ResonatorFit fit = fitted(runs, options);
+            const Diagnostic* found = warning_of(fit, DiagnosticKind::quadrature_by_channel);
+            const Diagnostic* held = warning_of(fit, DiagnosticKind::misfit_channel);
+            const Diagnostic* told = found != nullptr ? found : held;
+            const QString text = told != nullptr ? QString::fromStdString(english(*told)) : "";
+            QVERIFY2(named.isEmpty() ? text.isEmpty() : text.contains(named), qPrintable(text));
+        }
+    }
+
+    // A residual that is noise by its chi^2 still shows an error of many tolerances.
+    void a_score_names_an_error_that_chi_square_hides() {
+        int named = 0;
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            FreeDecay decay = resonator();
+            decay.split_hz = 0.05;
+            std::vector<PhasorRun> runs = set_of(decay, {5, 33}, window, seed);
+            for (PhasorRun& run : runs) {
+                for (std::size_t k = 0; k < run.d.size(); ++k) {
+                    run.d[k] *= std::polar(1.0, 6e-4 * run.time_s[k] / 28);
+                }
+            }
+            const ResonatorFit fit = fitted(runs, assuming);
+            const Diagnostic* held = warning_of(fit, DiagnosticKind::misfit_channel);
+            named += held != nullptr && held->args[0].text == "phase-drift" ? 1 : 0;
+        }
+        VYBEG_AT_LEAST(named, 3);
+    }
+
+    // The value of a passive resonator is a limit, and near it the model is in doubt.
+    void an_anisotropy_at_its_limit_is_told() {
+        FreeDecay decay = resonator();
+        decay.damping_anisotropy_per_s = 2 / decay.tau_s;
+        const ResonatorFit at = fitted(set_of(decay, four_angles, window, 5), assuming);
+        QVERIFY(at.model == ResonatorModel::free ||
+                warns(at, DiagnosticKind::anisotropy_not_passive));
+        FitOptions structured = assuming;
+        structured.model = FitOptions::Model::structured;
+        QVERIFY(warns(fitted(set_of(decay, four_angles, window, 5), structured),
+                      DiagnosticKind::anisotropy_not_passive));
+        decay.damping_anisotropy_per_s = 1.6 / decay.tau_s;
+        QVERIFY(!warns(fitted(set_of(decay, four_angles, window, 5), structured),
+                       DiagnosticKind::anisotropy_not_passive));
+    }
+};
+
+VYBEG_TEST(TestChannelFindings)
+
+}  // namespace test_channel_findings
+
+#include "test_channel_findings.moc"
