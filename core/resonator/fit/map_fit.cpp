@@ -142,7 +142,7 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
         const Eigen::MatrixXd scaled = inverse.asDiagonal() * normal.matrix * inverse.asDiagonal();
         const Eigen::VectorXd right = inverse.asDiagonal() * normal.right;
         double gain = 0;
-        while (damping <= most_damping) {
+        while (damping <= most_damping && !job.cancelled()) {
             Eigen::MatrixXd damped = scaled;
             damped.diagonal().array() += damping;
             const Eigen::VectorXd move = inverse.asDiagonal() * damped.ldlt().solve(right);

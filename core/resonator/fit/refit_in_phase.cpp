@@ -38,7 +38,8 @@ Turned turned_by(const FitProblem& problem, const MapFit& fit) {
                 continue;
             }
             const double phase = std::arg(expected[window].dot(run.z[window]));
-            turned.mean_square += std::pow(phase * run.z[window].norm() * run.weight[window], 2);
+            turned.mean_square +=
+                std::pow(phase, 2) * run.weighted(window, run.z[window]).squaredNorm();
             run.z[window] *= std::polar(1.0, -phase);
         }
         count += static_cast<double>(run.size());

@@ -14,13 +14,16 @@ namespace vybeg {
 // phase only, are each included if they raise the logarithm of the likelihood by four.
 class NoiseEstimate {
 public:
-    NoiseEstimate(const FitProblem& problem, const Posterior& posterior);
+    // A cancelled job ends it early, with white noise.
+    NoiseEstimate(const FitProblem& problem, const Posterior& posterior, const JobControl& job);
 
     const ResidualNoise& noise() const { return noise_; }
 
     // The data's part of the covariance under this noise, in the basis of the posterior's root:
     // that of the windows' noise as in the posterior, and R' (sum X'VX) R.
     Eigen::MatrixXd covariance(const Posterior& posterior) const;
+
+    const std::vector<ResidualSeries>& series() const { return series_; }
 
 private:
     std::vector<ResidualSeries> series_;

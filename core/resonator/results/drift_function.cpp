@@ -211,11 +211,12 @@ double DriftFunction::sd_rate(double theta) const {
     return std::sqrt(at.dot(covariance * at));
 }
 
-DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit& fit) {
+DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit& fit,
+                             const JobControl& job) {
     DriftFunction found;
     Normal normal;
     const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
-    for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (std::size_t run = 0; run < runs.size() && !job.cancelled(); ++run) {
         for (const Segment& segment : segments_of(runs[run], fit.motion, run)) {
             normal.add(segment);
             add_points(run, segment, m, found.points);

@@ -40,9 +40,9 @@ constexpr std::array<Term, 5> terms{{{kappa_at, "kappa", 1, ""},
                                      {rotation_at, "r", 1, "rad/s"}}};
 
 // Largest factor by which the colour of the free fit's residual widens the variances of its rates.
-double widening(const FitProblem& free_problem, const MapFit& free) {
+double widening(const FitProblem& free_problem, const MapFit& free, const JobControl& job) {
     const Posterior white = posterior(free_problem, free);
-    const Eigen::MatrixXd coloured = NoiseEstimate(free_problem, white).covariance(white);
+    const Eigen::MatrixXd coloured = NoiseEstimate(free_problem, white, job).covariance(white);
     double most = 1;
     for (std::size_t k = 0; k < white.active.size() && white.active[k] < rate_count; ++k) {
         const auto at = static_cast<Eigen::Index>(k);
@@ -144,7 +144,7 @@ StructuredVerdict test_structured(const FitProblem& problem, const MapFit& main,
     const double ratio = std::max(1.0, free.chi2 / degrees_of_freedom(free_problem));
     StructuredVerdict verdict = judge(problem, main, free, ratio, tolerance, job);
     if (!verdict.structured) {
-        const double scale = std::max(ratio, widening(free_problem, free));
+        const double scale = std::max(ratio, widening(free_problem, free, job));
         if (scale > ratio) {
             verdict = judge(problem, main, free, scale, tolerance, job);
         }

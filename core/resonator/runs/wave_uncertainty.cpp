@@ -31,16 +31,17 @@ PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, doub
 
 }  // namespace
 
-WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance) {
-    WaveMotion found = wave_motion(run);
+WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
+                       const JobControl& job) {
+    WaveMotion found = wave_motion(run, job);
     std::array<double, numbers.size()> variance{};
     for (const auto error : {&ChannelTolerance::kappa, &ChannelTolerance::skew_rad,
                              &ChannelTolerance::phase_rad, &ChannelTolerance::crosstalk,
                              &ChannelTolerance::phase_drift, &ChannelTolerance::gain_drift}) {
-        if (tolerance.*error == 0) {
+        if (tolerance.*error == 0 || job.cancelled()) {
             continue;
         }
-        const WaveMotion moved = wave_motion(with_error(run, error, tolerance.*error));
+        const WaveMotion moved = wave_motion(with_error(run, error, tolerance.*error), job);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             const double change = (moved.*numbers[k]).value - (found.*numbers[k]).value;
             variance[k] += std::isfinite(change) ? change * change : 0;

@@ -65,7 +65,7 @@ private slots:
         step_at(runs[1], 6.1, 0.1);
         step_at(runs[3], 20.04, -0.05);
         const ResonatorFit fit = fitted(runs);
-        QCOMPARE(fit.phase_breaks.size(), std::size_t{2});
+        QCOMPARE(fit.breaks.size(), std::size_t{2});
         VYBEG_LESS(fit.chi2_per_dof, 1.2);
         VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4.5, 1e-6);
     }
@@ -87,8 +87,8 @@ private slots:
                                      .arg(split_hz)
                                      .arg(samples)
                                      .arg(fit.chi2_per_dof);
-            VYBEG_EQUAL(fit.phase_breaks.size(), 1, qPrintable(what));
-            QCOMPARE(std::lround(fit.phase_breaks[0].shift_s * run.rate_hz), samples);
+            VYBEG_EQUAL(fit.breaks.size(), 1, qPrintable(what));
+            QCOMPARE(std::lround(fit.breaks[0].shift_s * run.rate_hz), samples);
             VYBEG_LESS(fit.chi2_per_dof, 1.2, qPrintable(what));
             VYBEG_NEAR(fit.resonator.split_hz, split_hz, 4.5, 1e-4);
             VYBEG_NEAR(fit.resonator.f_mean_hz, gyro.f0_hz, 4.5, 1e-4);
@@ -123,7 +123,7 @@ private slots:
                     run.d[k] *= std::polar(1.0, phase);
                 }
             }
-            QVERIFY(fitted(runs).phase_breaks.empty());
+            QVERIFY(fitted(runs).breaks.empty());
         }
     }
 
@@ -143,12 +143,12 @@ private:
                                  .arg(angles.size())
                                  .arg(step_rad)
                                  .arg(fit.chi2_per_dof);
-        VYBEG_EQUAL(fit.phase_breaks.size(), 1, qPrintable(what));
+        VYBEG_EQUAL(fit.breaks.size(), 1, qPrintable(what));
         QVERIFY(warns(fit, DiagnosticKind::fitted_phase_step));
-        const PhaseBreak& found = fit.phase_breaks[0];
+        const FittedBreak& found = fit.breaks[0];
         QCOMPARE(found.run, where);
         VYBEG_WITHIN(found.time_s, at_s, found.reach_s, qPrintable(what));
-        VYBEG_CLOSE(found.step_rad, step_rad, 2e-3, qPrintable(what));
+        VYBEG_CLOSE(found.size[0], step_rad, 2e-3, qPrintable(what));
         VYBEG_LESS(fit.chi2_per_dof, 1.2, qPrintable(what));
         if (angles.size() > 1 && split_hz > 1e-5) {
             VYBEG_NEAR(fit.resonator.split_hz, split_hz, 4.5, 1e-5);
