@@ -9,6 +9,7 @@
 #include "core/resonator/results/describe_fit.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/structured_verdict.h"
+#include "core/resonator/runs/channel_noise.h"
 #include "core/resonator/runs/merge_windows.h"
 #include "core/resonator/runs/needed_windows.h"
 
@@ -47,10 +48,14 @@ double largest_amplitude(std::span<const PhasorRun> runs) {
     return most;
 }
 
-std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale) {
+std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale,
+                                   std::span<const Eigen::Matrix2d> whitenings) {
     std::vector<ScaledRun> scaled;
     for (const PhasorRun& run : runs) {
         scaled.push_back(scaled_run(run, scale));
+        if (!whitenings.empty()) {
+            scaled.back().whitening = whitenings[scaled.size() - 1];
+        }
     }
     return scaled;
 }
@@ -58,12 +63,13 @@ std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale
 // The whole fit of one set, step by step.
 class SetFit {
 public:
-    // `fine`: the runs before merging of windows.
+    // `fine`: the runs before merging of windows; `whitenings` of channel_noise.h, empty: none.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
-           const FitOptions& options, const JobControl& job)
+           std::span<const Eigen::Matrix2d> whitenings, const FitOptions& options,
+           const JobControl& job)
         : runs_(std::move(runs)),
           fine_(fine),
-          scaled_(scaled_runs(runs_, scale)),
+          scaled_(scaled_runs(runs_, scale, whitenings)),
           scale_(scale),
           options_(options),
           job_(job),
@@ -90,6 +96,11 @@ public:
 
     double chi2_per_dof() const { return main_.chi2 / degrees_of_freedom(problem_); }
     bool at_noise() const { return chi2_per_dof() < noise_bound(degrees_of_freedom(problem_)); }
+
+    // Those of the noise beside this solution.
+    std::vector<Eigen::Matrix2d> noise_whitenings() const {
+        return whitenings(motion_of(solved()), fine_);
+    }
 
     double excess() const { return main_.chi2 - degrees_of_freedom(problem_); }
 
@@ -282,14 +293,21 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
 // The set with as many windows of a run as its solution needs.
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double scale,
                                    const FitOptions& options, const JobControl& job) {
-    auto set = std::make_unique<SetFit>(merged(good, enough_windows), good, scale, options, job);
-    const NeededWindows needed = set->solve();
+    const auto fit_of = [&](std::size_t windows, std::span<const Eigen::Matrix2d> by) {
+        return std::make_unique<SetFit>(merged(good, windows), good, scale, by, options, job);
+    };
+    std::unique_ptr<SetFit> set = fit_of(enough_windows, {});
+    NeededWindows needed = set->solve();
+    const std::vector<Eigen::Matrix2d> by = set->noise_whitenings();
+    if (std::ranges::any_of(by, [](const auto& one) { return !one.isIdentity(0); })) {
+        set = fit_of(enough_windows, by);
+        needed = set->solve();
+    }
     // More than this costs minutes and is beyond the band of the recorded windows anyway.
     constexpr double most_windows = 4000;
     const double windows = std::min(std::max(needed.by_motion, needed.by_line), most_windows);
     if (windows > static_cast<double>(enough_windows) && !job.cancelled()) {
-        auto finer = std::make_unique<SetFit>(merged(good, static_cast<std::size_t>(windows) + 1),
-                                              good, scale, options, job);
+        std::unique_ptr<SetFit> finer = fit_of(static_cast<std::size_t>(windows) + 1, by);
         finer->solve();
         // A line may be a disturbance far from the carrier, which longer windows suppress.
         if (needed.by_motion > static_cast<double>(enough_windows) ||
