@@ -30,7 +30,7 @@ using Column = Eigen::Matrix<double, effect_columns, 1>;
 // Least fall of chi^2 for each kind: white noise exceeds it in less than one of a thousand sets of
 // four runs with 150 windows each.
 constexpr double least_fall(BreakKind kind) {
-    constexpr double falls[]{24, 28, 34, 44};
+    constexpr double falls[]{28, 33, 42, 50};
     return falls[static_cast<int>(kind)];
 }
 

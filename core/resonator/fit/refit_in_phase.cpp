@@ -37,7 +37,8 @@ Turned turned_by(const FitProblem& problem, const MapFit& fit) {
             if (expected[window].norm() < least) {
                 continue;
             }
-            const double phase = std::arg(expected[window].dot(run.z[window]));
+            const double phase =
+                std::arg((run.whitening * expected[window]).dot(run.whitening * run.z[window]));
             turned.mean_square +=
                 std::pow(phase, 2) * run.weighted(window, run.z[window]).squaredNorm();
             run.z[window] *= std::polar(1.0, -phase);

@@ -60,21 +60,28 @@ std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale
     return scaled;
 }
 
+// A trial of a break takes neither further starts nor the free model.
+enum class Effort { whole, trial };
+
 // The whole fit of one set, step by step.
 class SetFit {
 public:
     // `fine`: the runs before merging of windows; `whitenings` of channel_noise.h, empty: none.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
            std::span<const Eigen::Matrix2d> whitenings, const FitOptions& options,
-           const JobControl& job)
+           const JobControl& job, Effort effort)
         : runs_(std::move(runs)),
           fine_(fine),
           scaled_(scaled_runs(runs_, scale, whitenings)),
           scale_(scale),
           options_(options),
           job_(job),
+          effort_(effort),
           problem_{scaled_, layout_of(scaled_), {}} {
         problem_.priors = structured_priors(scaled_, problem_.layout, options.tolerance);
+        if (effort == Effort::trial) {
+            problem_.noise_ratio = std::numeric_limits<double>::infinity();
+        }
     }
 
     // Finds the most likely parameters; returns the number of windows of a run that they need.
@@ -108,12 +115,13 @@ public:
     // well.
     std::vector<FittedBreak> unexplained_breaks() const {
         constexpr double least_share = 0.3;  // of the excess of chi^2 above the noise
+        constexpr double least_of_best = 0.5;
         constexpr double close = 16;
         const Posterior at = posterior(problem_, main_);
         std::vector<FittedBreak> likely = likely_breaks(problem_, at);
         double most = at_noise() ? 0 : least_share * excess();
         for (const FittedBreak& each : likely) {
-            most = std::max(most, least_share * each.fall);
+            most = std::max(most, least_of_best * each.fall);
         }
         std::erase_if(likely, [&](const FittedBreak& each) { return !(each.fall > most); });
         if (likely.empty()) {
@@ -223,7 +231,7 @@ private:
 
     void choose_model() {
         using Model = FitOptions::Model;
-        if (options_.model == Model::structured) {
+        if (options_.model == Model::structured || effort_ == Effort::trial) {
             return;
         }
         FitProblem free = problem_;
@@ -271,6 +279,7 @@ private:
     double scale_;
     const FitOptions& options_;
     const JobControl& job_;
+    Effort effort_;
     FitProblem problem_;
     MapFit main_;
     bool phase_left_ = false;  // still waves explain everything except the phase
@@ -292,9 +301,11 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
 
 // The set with as many windows of a run as its solution needs.
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double scale,
-                                   const FitOptions& options, const JobControl& job) {
+                                   const FitOptions& options, const JobControl& job,
+                                   Effort effort = Effort::whole) {
     const auto fit_of = [&](std::size_t windows, std::span<const Eigen::Matrix2d> by) {
-        return std::make_unique<SetFit>(merged(good, windows), good, scale, by, options, job);
+        return std::make_unique<SetFit>(merged(good, windows), good, scale, by, options, job,
+                                        effort);
     };
     std::unique_ptr<SetFit> set = fit_of(enough_windows, {});
     NeededWindows needed = set->solve();
@@ -338,7 +349,7 @@ OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak>
         if (next.runs[found.run].time_s.size() < least_windows || job.cancelled()) {
             return;
         }
-        next.set = solved_set(next.runs, scale, options, job);
+        next.set = solved_set(next.runs, scale, options, job, Effort::trial);
         next.breaks.push_back(found);
         const double cost =
             next.set->excess() + price * parameters * std::max(1.0, next.set->chi2_per_dof());
@@ -358,6 +369,9 @@ OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak>
             consider(found, break_size(found.kind) + 1);
         }
     }
+    if (best.set) {
+        best.set = solved_set(best.runs, scale, options, job);
+    }
     return best;
 }
 
@@ -371,7 +385,9 @@ OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& close
     std::vector<FittedBreak> likely = closed.unexplained_breaks();
     while (!likely.empty() && opened.breaks.size() < most_breaks && !job.cancelled()) {
         OpenedBreaks next = open_break(opened, likely, scale, options, job);
-        if (!next.set) {
+        constexpr double halved = 0.6;
+        const SetFit& before = opened.set ? *opened.set : closed;
+        if (!next.set || (!next.set->at_noise() && next.set->excess() > halved * before.excess())) {
             break;
         }
         opened = std::move(next);
