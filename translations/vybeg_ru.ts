@@ -1326,6 +1326,22 @@
         <translation>%1: фаза обоих каналов делает скачок на %2 рад в %3 с; там потеряны или повторены отсчёты. Подгонка оставляет фазу в этом месте свободной.</translation>
     </message>
     <message>
+        <source>%1: the gain of channel C changes by %2 % and that of D by %3 % at %4 s, as where an amplifier changes its range. The fit leaves both gains open at that place.</source>
+        <translation>%1: усиление канала C меняется на %2 %, а канала D на %3 % в %4 с, как при переключении диапазона усилителя. Подгонка оставляет оба усиления в этом месте свободными.</translation>
+    </message>
+    <message>
+        <source>%1: the wave changes by %2 % of itself at %3 s, as by a knock. The fit leaves the wave open at that place.</source>
+        <translation>%1: волна меняется на %2 % своей величины в %3 с, как от толчка. Подгонка оставляет волну в этом месте свободной.</translation>
+    </message>
+    <message>
+        <source>%1: the signal is disturbed at %2 s; the fit leaves %3 s out.</source>
+        <translation>%1: сигнал возмущён в %2 с; подгонка не учитывает %3 с.</translation>
+    </message>
+    <message>
+        <source>The motion is not that of the model: the residual is no stationary noise, or the two halves of the recordings disagree by more than noise explains. The standard deviations contain the disagreement; fit parts of the recordings to see which one differs.</source>
+        <translation>Движение не соответствует модели: невязка не является стационарным шумом, или две половины записей расходятся сильнее, чем объясняет шум. СКО включают это расхождение; подгоните части записей, чтобы увидеть, какая из них отличается.</translation>
+    </message>
+    <message>
         <source>%1 has no effect: %2.</source>
         <translation>%1 ни на что не влияет: %2.</translation>
     </message>

@@ -82,11 +82,12 @@ ChannelTolerance tolerance_of(const IdentifySettings& settings, double f_hz, Tak
     return tolerance;
 }
 
-WaveMotion motion_of(const PhasorRun& run, const IdentifySettings& settings) {
-    return wave_motion(run, tolerance_of(settings, run.f_ref_hz, Taken::all));
+WaveMotion motion_of(const PhasorRun& run, const IdentifySettings& settings,
+                     const JobControl& job) {
+    return wave_motion(run, tolerance_of(settings, run.f_ref_hz, Taken::all), job);
 }
 
-IdentifiedRun run_of(const Windows& from, const IdentifySettings& settings) {
+IdentifiedRun run_of(const Windows& from, const IdentifySettings& settings, const JobControl& job) {
     const PhasorWindows& windows = from.windows;
     return {windows.run.f_ref_hz,
             windows.plan.length,
@@ -96,7 +97,7 @@ IdentifiedRun run_of(const Windows& from, const IdentifySettings& settings) {
             from.calibration,
             windows.diagnostics,
             run_track(windows.run, track_points),
-            motion_of(windows.run, settings)};
+            motion_of(windows.run, settings, job)};
 }
 
 // The recordings' phasors, several recordings at a time.
@@ -116,15 +117,15 @@ std::vector<Result<Windows>> all_windows(std::span<const Recording> recordings,
     return found;
 }
 
-// What the fit has found of lost samples counts in each recording's own numbers, too.
-void open_phases(std::span<const PhaseBreak> steps, const IdentifySettings& settings,
-                 std::vector<PhasorRun>& phasors, Identification& found) {
-    for (const PhaseBreak& step : steps) {
-        PhasorRun& run = phasors[step.run];
-        run = with_break(run, step);
-        IdentifiedRun& identified = found.runs[step.run];
+// The breaks that the fit has found count in each recording's own numbers, too.
+void take_breaks(std::span<const FittedBreak> breaks, const IdentifySettings& settings,
+                 std::vector<PhasorRun>& phasors, const JobControl& job, Identification& found) {
+    for (const FittedBreak& each : breaks) {
+        PhasorRun& run = phasors[each.run];
+        run = with_break(run, each);
+        IdentifiedRun& identified = found.runs[each.run];
         identified.track = run_track(run, track_points);
-        identified.wave = motion_of(run, settings);
+        identified.wave = motion_of(run, settings, job);
     }
 }
 
@@ -282,7 +283,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
             return error;
         }
         Windows& of_run = *windows[k];
-        found.runs.push_back(run_of(of_run, settings));
+        found.runs.push_back(run_of(of_run, settings, job));
         found.timing.read_s += of_run.windows.read_s;
         found.timing.carrier_s += of_run.carrier_s;
         found.timing.estimate_s += of_run.windows.estimate_s;
@@ -300,18 +301,21 @@ Result<Identification> identify(std::span<const Recording> recordings,
         return named(fit.error(), phasors, recordings);
     }
     found.fit = std::move(*fit);
-    open_phases(found.fit.phase_breaks, settings, phasors, found);
+    take_breaks(found.fit.breaks, settings, phasors, job, found);
     refer_to_recorded(settings.signal.calibration.kappa, found.fit);
     add_envelopes(found);
     add_clock(recordings, found);
     name_runs(recordings, found.fit.warnings);
     if (found.fit.model == ResonatorModel::structured) {
-        found.drift = drift_function(phasors, found.fit);
-        for (std::size_t k = 0; k < phasors.size(); ++k) {
+        found.drift = drift_function(phasors, found.fit, job);
+        for (std::size_t k = 0; k < phasors.size() && !job.cancelled(); ++k) {
             found.balance.push_back(channel_balance(phasors[k], found.fit.motion, k, track_points));
         }
     }
     found.timing.fit_s = job.now() - fitted_from;
+    if (job.cancelled()) {
+        return Error{ErrorCode::interrupted, {}, {}};
+    }
     return found;
 }
 

@@ -291,7 +291,7 @@ PhasorRun collect(const Estimates& estimates, const ConditionedRecording& prepar
         run.sd.push_back(stands_out ? sd * std::sqrt(estimate.noise_power / noise.residual) : sd);
     }
     for (const std::int64_t frame : lost.phase_breaks()) {
-        run.phase_breaks_s.push_back(static_cast<double>(frame) / rate_hz);
+        run.breaks.push_back({static_cast<double>(frame) / rate_hz});
     }
     return run;
 }

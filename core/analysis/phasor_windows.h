@@ -23,7 +23,7 @@ struct PhasorWindows {
 // choice.prepared.f0_hz (window_mean.h). Times count from the start of the recording. Windows with
 // missing or clipped samples and those over a lost sample are left out; the time behind lost
 // samples counts them; where the phase does not tell their number it counts the smallest, and
-// PhasorRun::phase_breaks_s names the place. Left out is also what is no free decay yet: all up to
+// PhasorRun::breaks names the place. Left out is also what is no free decay yet: all up to
 // the strike where a window before it has less than a thousandth of its power, and, behind a
 // band-pass, as much again as the filter reaches, through which a strike still rings. The angle of
 // the first electrode is subtracted.

@@ -68,6 +68,10 @@ enum class DiagnosticKind {
     misfit_springs,               // args: Hz at the largest amplitude. Unlike along the axes.
     misfit_pickoff,               // args: change of the gain of C, of D at the largest amplitude, %
     fitted_phase_step,            // args: recording, step (rad), at time (s). The phase is fitted.
+    fitted_gain_step,             // args: recording, gain of C, of D (%), at time (s). Fitted.
+    fitted_knock,                 // args: recording, per cent of the wave, at time (s). Fitted.
+    event_left_out,               // args: recording, at time (s), seconds left out
+    motion_not_model,             // the halves of the recordings disagree. Deviations hold it.
     fit_not_converged,            // the fit stopped early
     option_without_effect,        // args: option of the command line, why
     column_like_option,           // args: column of a list that is kept, the option it resembles

@@ -388,6 +388,31 @@ MessageRow message_row(DiagnosticKind kind) {
                         "Message",
                         "%1: the phase of both channels steps by %2 rad at %3 s; samples are lost "
                         "or doubled there. The fit leaves the phase open at that place.")};
+        case DiagnosticKind::fitted_gain_step:
+            return {"fitted-gain-step", warning,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: the gain of channel C changes by %2 % and that of D by %3 % at %4 s, "
+                        "as where an amplifier changes its range. The fit leaves both gains open "
+                        "at that place.")};
+        case DiagnosticKind::fitted_knock:
+            return {"fitted-knock", warning,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "%1: the wave changes by %2 % of itself at %3 s, as by a knock. The fit "
+                        "leaves the wave open at that place.")};
+        case DiagnosticKind::event_left_out:
+            return {"event-left-out", warning,
+                    VYBEG_MESSAGE("Message",
+                                  "%1: the signal is disturbed at %2 s; the fit leaves %3 s out.")};
+        case DiagnosticKind::motion_not_model:
+            return {"motion-not-model", serious,
+                    VYBEG_MESSAGE(
+                        "Message",
+                        "The motion is not that of the model: the residual is no stationary noise, "
+                        "or the two halves of the recordings disagree by more than noise explains. "
+                        "The standard deviations contain the disagreement; fit parts of the "
+                        "recordings to see which one differs.")};
         case DiagnosticKind::fit_not_converged:
             return {"fit-not-converged", serious,
                     VYBEG_MESSAGE("Message",

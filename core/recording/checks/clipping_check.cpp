@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -20,8 +21,9 @@ constexpr std::int64_t longest_pattern = 64;
 
 void ClippingCheck::Extreme::add(std::int64_t frame, double value) {
     if (value > level) {
-        next = level;
-        next_count = count;
+        if (count > 0) {
+            add_below({level, count});
+        }
         level = value;
         count = 0;
         neighbours = 0;
@@ -42,12 +44,22 @@ void ClippingCheck::Extreme::add(std::int64_t frame, double value) {
         if (places.size() > most_places) {
             draw_together();
         }
-    } else if (value > next) {
-        next = value;
-        next_count = 1;
-    } else if (value == next) {
-        ++next_count;
+    } else {
+        add_below({value, 1});
     }
+}
+
+void ClippingCheck::Extreme::add_below(const Level& more) {
+    const auto place = std::ranges::lower_bound(below, more.value, std::greater{}, &Level::value);
+    if (place == below.end()) {
+        return;
+    }
+    if (place->value == more.value) {
+        place->count += more.count;
+        return;
+    }
+    std::move_backward(place, below.end() - 1, below.end());
+    *place = more;
 }
 
 // Merges neighbouring places beyond the limit until half of them remain.
@@ -69,27 +81,40 @@ void ClippingCheck::Extreme::draw_together() {
 
 bool ClippingCheck::Extreme::is_rail() const {
     // A sinusoid that just reaches its top level stays (sqrt(2) - 1) = 0.41 times as long on the
-    // next one; noise only equalises them. Continuous samples never repeat the same extreme five
+    // next one; noise only equalises them. Few samples of a fine converter may miss the next level,
+    // but not all of the next ones. Continuous samples never repeat the same extreme five
     // times by chance. A noiseless simulation does, once in each common period of carrier and rate,
     // but never in clusters.
-    return count >= 5 && count > 5 * next_count && 2 * neighbours >= count &&
-           common < longest_pattern;
+    constexpr std::int64_t least_count = 5;
+    constexpr std::int64_t many = 40;  // misses the next level with a probability of 1e-6
+    constexpr double few = 0.2;        // of what a sinusoid has on the next levels
+    double step = std::numeric_limits<double>::infinity();
+    double last = level;
+    double inward = 0;
+    for (const Level& each : below) {
+        if (each.count > 0) {
+            step = std::min(step, last - each.value);
+            last = each.value;
+            inward += static_cast<double>(each.count);
+        }
+    }
+    const auto own = static_cast<double>(count);
+    const double levels = 1 + (level - last) / step;  // NaN: there is no other level
+    const bool missed = count < many && inward > few * own * (std::sqrt(levels) - 1);
+    return count >= least_count && count > 5 * below.front().count && 2 * neighbours >= count &&
+           common < longest_pattern && !missed;
 }
 
 void ClippingCheck::add(std::int64_t first_frame, std::span<const double> x) {
     std::int64_t frame = first_frame;
     for (const double value : x) {
         if (std::isfinite(value)) {
-            if (count_ == 0) {
-                constexpr double lowest = std::numeric_limits<double>::lowest();
-                upper_.level = upper_.next = lower_.level = lower_.next = lowest;
-            }
             ++count_;
             // Most samples lie far inside, where two comparisons are enough.
-            if (value >= upper_.next) {
+            if (value >= upper_.least()) {
                 upper_.add(frame, value);
             }
-            if (-value >= lower_.next) {
+            if (-value >= lower_.least()) {
                 lower_.add(frame, -value);
             }
         }
@@ -98,7 +123,7 @@ void ClippingCheck::add(std::int64_t first_frame, std::span<const double> x) {
 }
 
 bool ClippingCheck::are_inside(double lowest, double highest) const {
-    return count_ > 0 && highest < upper_.next && -lowest < lower_.next;
+    return count_ > 0 && highest < upper_.least() && -lowest < lower_.least();
 }
 
 int ClippingCheck::levels() const {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,8 +22,8 @@ struct FrameRange {
 // Finds the samples of one channel at the rail of the converter, in one pass.
 //
 // Criterion of a rail: the extreme value occurs repeatedly, in clusters, and far more often than
-// the next one inward. A clean sinusoid of a coarse converter also repeats its top level, but then
-// the next level occurs nearly half as often.
+// the levels inward. A clean sinusoid also repeats its top level, but then the next level occurs
+// nearly half as often, and the top m levels together sqrt(m) times.
 class ClippingCheck {
 public:
     // Adds the next samples, in order; first_frame is the frame of x[0]. NaN is ignored.
@@ -48,10 +50,13 @@ public:
 private:
     // Extreme of one side, as a maximum.
     struct Extreme {
-        double level = 0;
-        double next = 0;  // the highest level below
+        struct Level {
+            double value = std::numeric_limits<double>::lowest();
+            std::int64_t count = 0;
+        };
+        double level = std::numeric_limits<double>::lowest();
         std::int64_t count = 0;
-        std::int64_t next_count = 0;
+        std::array<Level, 15> below;  // the highest levels below, falling
         std::int64_t last_frame = 0;
         std::int64_t neighbours = 0;  // occurrences soon after the previous one
         std::int64_t common = 0;      // divisor of all distances between occurrences
@@ -59,8 +64,11 @@ private:
         std::int64_t drawn_together = 0;  // frames between merged places
 
         void add(std::int64_t frame, double value);
+        void add_below(const Level& more);
         void draw_together();
         bool is_rail() const;
+        // Below it a sample changes nothing.
+        double least() const { return below.back().value; }
     };
 
     std::int64_t count_ = 0;  // finite samples

@@ -99,7 +99,8 @@ Lengthened fit_lengthening(FitProblem problem, FirstFit kind, const JobControl& 
     Lengthened out{still_waves(problem)};
     const Priors all = problem.priors;
     const std::size_t windows = longest(problem);
-    for (std::size_t count = first_windows; count < windows; count += count / 2 + 1) {
+    for (std::size_t count = first_windows; count < windows && !job.cancelled();
+         count += count / 2 + 1) {
         problem.priors = all;
         set_damping(problem.priors, problem.damping_share * out.p[decay_at]);
         problem.priors = first_priors(problem.priors, problem.layout, kind);
@@ -140,7 +141,7 @@ void try_alone(FitProblem& problem, const JobControl& job, MapFit& best) {
     };
     std::vector<Alone> alone;
     Eigen::VectorXd own = best.p;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+    for (std::size_t k = 0; k < problem.runs.size() && !job.cancelled(); ++k) {
         FitProblem one = part_of(problem, std::array{k}, problem.runs.subspan(k, 1));
         const MapFit fit = fit_from_nothing(one, job);
         own.segment(problem.layout.at(k, 0), problem.layout.own_size(k)) =
@@ -206,7 +207,7 @@ MapFit fit_modes(FitProblem& problem, const WaveFit& wave, const JobControl& job
         if (confirmed || !above_noise(problem, best)) {
             break;
         }
-        if (const std::optional<Eigen::VectorXd> start = pencil_start(problem, kind)) {
+        if (const std::optional<Eigen::VectorXd> start = pencil_start(problem, kind, job)) {
             const double before = best.cost;
             const double found = try_start(problem, *start, job, best);
             confirmed = std::abs(found - before) < same_cost * before;

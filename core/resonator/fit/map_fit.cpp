@@ -122,7 +122,7 @@ FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which
                    std::span<const ScaledRun> runs) {
     std::vector<std::size_t> breaks;
     for (const ScaledRun& run : runs) {
-        breaks.push_back(run.breaks_s.size());
+        breaks.push_back(run.break_parameters());
     }
     const auto part = [&](const Eigen::VectorXd& of_all) {
         return part_of(problem.layout, of_all, which);
@@ -173,7 +173,7 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
         const Eigen::MatrixXd scaled = inverse.asDiagonal() * normal.matrix * inverse.asDiagonal();
         const Eigen::VectorXd right = inverse.asDiagonal() * normal.right;
         double gain = 0;
-        while (damping <= most_damping) {
+        while (damping <= most_damping && !job.cancelled()) {
             Eigen::MatrixXd damped = scaled;
             damped.diagonal().array() += damping;
             const Eigen::VectorXd move = inverse.asDiagonal() * damped.ldlt().solve(right);

@@ -144,7 +144,8 @@ double chi_square_at(const FitProblem& problem, const Eigen::VectorXd& p) {
 
 }  // namespace
 
-std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind) {
+std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind,
+                                            const JobControl& job) {
     const std::span<const ScaledRun> runs = problem.runs;
     std::optional<Eigen::VectorXd> best;
     double least = std::numeric_limits<double>::infinity();
@@ -167,7 +168,7 @@ std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil ki
     }
     for (std::size_t lag = 1; lag <= std::max<std::size_t>(1, longest / 3); lag *= 4) {
         PencilSums all;
-        for (std::size_t k = 0; k < runs.size(); ++k) {
+        for (std::size_t k = 0; k < runs.size() && !job.cancelled(); ++k) {
             if (kind == Pencil::delayed) {
                 consider(delayed_pencil(runs[k], z[k], lag));
                 continue;

@@ -15,6 +15,7 @@ enum class Pencil { two_channels, delayed };
 // Start values from the best matrix pencil of a kind, for lags from one window to a third of the
 // run. They find resolved pairs; for a nearly still wave they are missing or useless. Held
 // parameters are at their means.
-std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind);
+std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind,
+                                            const JobControl& job);
 
 }  // namespace vybeg

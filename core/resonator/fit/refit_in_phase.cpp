@@ -37,8 +37,10 @@ Turned turned_by(const FitProblem& problem, const MapFit& fit) {
             if (expected[window].norm() < least) {
                 continue;
             }
-            const double phase = std::arg(expected[window].dot(run.z[window]));
-            turned.mean_square += std::pow(phase * run.z[window].norm() * run.weight[window], 2);
+            const double phase =
+                std::arg((run.whitening * expected[window]).dot(run.whitening * run.z[window]));
+            turned.mean_square +=
+                std::pow(phase, 2) * run.weighted(window, run.z[window]).squaredNorm();
             run.z[window] *= std::polar(1.0, -phase);
         }
         count += static_cast<double>(run.size());

@@ -36,8 +36,8 @@ Effect settling_effect(const FitProblem& problem, const Posterior& at, double se
         for (std::size_t window = 0; window < run.size(); ++window) {
             const double phase =
                 -2 * pi * settling_s * std::expm1(-run.time_s[window] / settling_s);
-            put_effect(by, window, static_cast<Index>(k),
-                       run.weight[window] * phase * i * expected_phasor(run, at.runs[k], window));
+            put_effect(by, run, window, static_cast<Index>(k),
+                       phase * i * expected_phasor(run, at.runs[k], window));
         }
         effect.push_back(std::move(by));
     }
@@ -118,7 +118,7 @@ Effect damping_effect(const FitProblem& problem, const Posterior& at) {
             integral +=
                 (run.time_s[window] - last_s) * (before + z.squaredNorm()) / 2 / run.power_kept;
             last_s = run.time_s[window];
-            put_effect(by, window, 0, -integral * run.weight[window] * z);
+            put_effect(by, run, window, 0, -integral * z);
         }
         effect.push_back(std::move(by));
     }
@@ -132,9 +132,8 @@ Effect pickoff_effect(const FitProblem& problem, const Posterior& at) {
         MatrixXd by = MatrixXd::Zero(4 * static_cast<Index>(run.size()), 2);
         for (std::size_t window = 0; window < run.size(); ++window) {
             const Vector2cd z = expected_phasor(run, at.runs[k], window);
-            const double weight = run.weight[window] / run.power_kept;
-            put_effect(by, window, 0, {weight * std::norm(z[0]) * z[0], 0});
-            put_effect(by, window, 1, {0, weight * std::norm(z[1]) * z[1]});
+            put_effect(by, run, window, 0, {std::norm(z[0]) / run.power_kept * z[0], 0});
+            put_effect(by, run, window, 1, {0, std::norm(z[1]) / run.power_kept * z[1]});
         }
         effect.push_back(std::move(by));
     }
@@ -194,10 +193,12 @@ Score score(const FitProblem& problem, const Posterior& at, const Effect& effect
 Vector2cd expected_phasor(const ScaledRun& run, const Linearised& at, std::size_t window) {
     const auto left = at.residual.segment<4>(4 * static_cast<Index>(window));
     return run.z[window] -
-           Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3])) / run.weight[window];
+           run.unweighted(window, {Complex(left[0], left[1]), Complex(left[2], left[3])});
 }
 
-void put_effect(MatrixXd& effect, std::size_t window, Index column, const Vector2cd& weighted) {
+void put_effect(MatrixXd& effect, const ScaledRun& run, std::size_t window, Index column,
+                const Vector2cd& change) {
+    const Vector2cd weighted = run.weighted(window, change);
     effect.block<4, 1>(4 * static_cast<Index>(window), column) << weighted[0].real(),
         weighted[0].imag(), weighted[1].real(), weighted[1].imag();
 }

@@ -47,9 +47,9 @@ Effect eighth_effect(const FitProblem& problem, const Posterior& posterior);
 // Predicted phasors in a window of a run.
 Eigen::Vector2cd expected_phasor(const ScaledRun& run, const Linearised& at, std::size_t window);
 
-// Writes a window's weighted change into a column.
-void put_effect(Eigen::MatrixXd& effect, std::size_t window, Eigen::Index column,
-                const Eigen::Vector2cd& weighted);
+// Writes the change of a window's phasors into a column.
+void put_effect(Eigen::MatrixXd& effect, const ScaledRun& run, std::size_t window,
+                Eigen::Index column, const Eigen::Vector2cd& change);
 
 // The cubic spring b of the parameters.
 Score cubic_score(const FitProblem& problem, const Posterior& posterior);

@@ -48,6 +48,9 @@ public:
 
 private:
     void follow(const Block& block) {
+        if (job_.cancelled()) {
+            return;
+        }
         std::vector<Eigen::Index> places;
         for (const Eigen::Index parameter : block.parameters) {
             const auto found = std::ranges::find(posterior_.active, parameter);
@@ -61,8 +64,8 @@ private:
         const double prior_sd = problem_.priors.sd[block.parameters[0]];
         for (Eigen::Index k = principal.eigenvalues().size() - 1; k >= 0; --k) {
             const double sd = std::sqrt(std::max(principal.eigenvalues()[k], 0.0));
-            if (sd > seen_share * prior_sd ||
-                5 * sd * longest_s_ * block.turn_per_unit < linear_turn) {
+            if (!(sd <= seen_share * prior_sd &&
+                  5 * sd * longest_s_ * block.turn_per_unit >= linear_turn)) {
                 continue;
             }
             Eigen::VectorXd direction = Eigen::VectorXd::Zero(fit_.p.size());
@@ -86,7 +89,7 @@ private:
             const MapFit refit = minimise(problem, p, refit_steps, job_);
             p = refit.p;
             const double rise = (refit.cost - fit_.cost) / scale_;
-            in_a_row = rise > deep ? in_a_row + 1 : 0;
+            in_a_row = rise <= deep ? 0 : in_a_row + 1;
             if (in_a_row == deep_twice) {
                 return;
             }

@@ -5,9 +5,8 @@
 namespace vybeg {
 namespace {
 
-std::vector<Phasors> expected(const FittedMotion& motion, std::size_t index,
+std::vector<Phasors> expected(const FittedMotion& motion, const FittedMotion::Run& run,
                               const Eigen::VectorXd& shared, const std::vector<double>& time_s) {
-    const FittedMotion::Run& run = motion.runs[index];
     ScaledRun frame = run.frame;
     frame.time_s = time_s;
     std::vector<Phasors> phasors;
@@ -25,7 +24,7 @@ SlowRates FittedMotion::rates() const {
 
 std::vector<Phasors> predicted_phasors(const FittedMotion& motion, std::size_t run,
                                        const std::vector<double>& time_s) {
-    return expected(motion, run, motion.shared, time_s);
+    return expected(motion, motion.runs[run], motion.shared, time_s);
 }
 
 std::vector<Phasors> predicted_waves(const FittedMotion& motion, std::size_t run,
@@ -35,7 +34,15 @@ std::vector<Phasors> predicted_waves(const FittedMotion& motion, std::size_t run
         ideal[error] = 0;
     }
     ideal[kappa_at] = 1;
-    return expected(motion, run, ideal, time_s);
+    FittedMotion::Run even = motion.runs[run];
+    Eigen::Index at = own_count;
+    for (const RunBreak& each : even.frame.breaks) {
+        if (each.kind == BreakKind::gain) {
+            even.own.segment<2>(at).setZero();
+        }
+        at += break_size(each.kind);
+    }
+    return expected(motion, even, ideal, time_s);
 }
 
 }  // namespace vybeg

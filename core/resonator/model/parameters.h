@@ -33,7 +33,7 @@ enum SharedParameter : int {
     shared_count
 };
 
-// A run's own parameters; after them the phase (rad) of each break of the run.
+// A run's own parameters; after them those of each break of the run (phasor_model.h).
 enum OwnParameter : int {
     start_at,          // Re c, Im c, Re d, Im d at t = 0, scaled units
     frequency_at = 4,  // Hz from f_ref, at the run's reference instant and power
@@ -44,7 +44,7 @@ enum OwnParameter : int {
 // Start of each run's own parameters, and total number.
 class ParameterLayout {
 public:
-    // `breaks[k]` phase breaks in run k.
+    // `breaks[k]` parameters of breaks in run k.
     explicit ParameterLayout(std::span<const std::size_t> breaks) {
         Eigen::Index next = shared_count;
         for (const std::size_t count : breaks) {

@@ -89,12 +89,51 @@ private:
     int steps_ = 0;
 };
 
+// Sums of the parameters of the breaks before a time.
+class PassedBreaks {
+public:
+    PassedBreaks(const ScaledRun& run, const Eigen::VectorXd& own) : run_(run), own_(own) {}
+
+    // Precondition: times do not fall from call to call. Returns whether the start has changed.
+    bool pass(double time_s) {
+        bool restarts = false;
+        for (; next_ < run_.breaks.size() && time_s > run_.breaks[next_].time_s; ++next_) {
+            const BreakKind kind = run_.breaks[next_].kind;
+            if (kind == BreakKind::phase) {
+                phase_ += own_[at_];
+            } else if (kind == BreakKind::gain) {
+                gain_ += own_.segment<2>(at_);
+            } else if (kind == BreakKind::start) {
+                start_ += Vector2cd(Complex(own_[at_], own_[at_ + 1]),
+                                    Complex(own_[at_ + 2], own_[at_ + 3]));
+                restarts = true;
+            }
+            at_ += break_size(kind);
+        }
+        return restarts;
+    }
+
+    double phase() const { return phase_; }
+    const Eigen::Vector2d& gain() const { return gain_; }  // logarithms
+    const Vector2cd& start() const { return start_; }
+
+private:
+    const ScaledRun& run_;
+    const Eigen::VectorXd& own_;
+    std::size_t next_ = 0;
+    Eigen::Index at_ = own_count;
+    double phase_ = 0;
+    Eigen::Vector2d gain_ = Eigen::Vector2d::Zero();
+    Vector2cd start_ = Vector2cd::Zero();
+};
+
 // Motion z at the windows, without the run's own phase.
 class MotionSteps {
 public:
     MotionSteps(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
                 bool with_cubic)
         : run_(run), dynamics_(rates_of(shared)), cubic_(shared[cubic_at]), steps_(with_cubic) {
+        start_ = start_of(own);
         now_.z = start_of(own);
         now_.by.setZero();
         for (int k = 0; k < 2; ++k) {
@@ -102,6 +141,14 @@ public:
             now_.by(k, start_column + 2 * k + 1) = i;
         }
         begin_ = now_;
+    }
+
+    // Continues as the motion whose start differs by `change`.
+    void restart(const Vector2cd& change) {
+        begin_.z = start_ + change;
+        now_ = begin_;
+        walk_ = {};
+        time_s_ = 0;
     }
 
     // Precondition: windows in order.
@@ -140,6 +187,7 @@ private:
     SlowDynamics dynamics_;
     double cubic_;
     bool steps_;
+    Vector2cd start_;
     Motion begin_;
     Motion now_;
     Walk walk_;
@@ -150,38 +198,38 @@ private:
 
 // Factors from the motion to the channels at a window's time.
 struct Channels {
-    Complex phase;  // e^{i phi}
-    Complex gain;   // e^{i phi} g/kappa of D
-    Complex cross;  // e^{i phi} (sin skew + i crosstalk)/kappa
+    Complex c;      // e^{gain_C + i phi}
+    Complex d;      // e^{gain_D + i phi}/kappa
+    Complex gain;   // that of D times g
+    Complex cross;  // that of D times sin skew + i crosstalk
     double u = 0;
     double x = 0;
 };
 
 Channels channels_at(const ScaledRun& run, const Eigen::VectorXd& shared,
-                     const Eigen::VectorXd& own, double t) {
+                     const Eigen::VectorXd& own, const PassedBreaks& breaks, double t) {
     Channels channels;
     channels.u = t - run.reference_s;
     channels.x = t / run.duration_s;
-    double phi = 2 * pi * channels.u * (own[frequency_at] + own[drift_at] * channels.u / 2);
-    for (std::size_t k = 0; k < run.breaks_s.size(); ++k) {
-        if (t > run.breaks_s[k]) {
-            phi += own[own_count + static_cast<Eigen::Index>(k)];
-        }
+    const double phi =
+        2 * pi * channels.u * (own[frequency_at] + own[drift_at] * channels.u / 2) + breaks.phase();
+    channels.c = channels.d = std::polar(1.0, phi);
+    if (breaks.gain() != Eigen::Vector2d::Zero()) {
+        channels.c *= std::exp(breaks.gain()[0]);
+        channels.d *= std::exp(breaks.gain()[1]);
     }
-    channels.phase = std::polar(1.0, phi);
-    const double kappa = shared[kappa_at];
+    channels.d /= shared[kappa_at];
     const double beside = shared[phase_at] + shared[phase_drift_at] * channels.x;
-    channels.gain = (1 + shared[gain_drift_at] * channels.x) / kappa * channels.phase;
+    channels.gain = (1 + shared[gain_drift_at] * channels.x) * channels.d;
     if (beside != 0) {
         channels.gain *= std::polar(1.0, beside);
     }
-    channels.cross =
-        channels.phase * (Complex(std::sin(shared[skew_at]), shared[crosstalk_at]) / kappa);
+    channels.cross = channels.d * Complex(std::sin(shared[skew_at]), shared[crosstalk_at]);
     return channels;
 }
 
 Vector2cd seen(const Channels& channels, const Vector2cd& z) {
-    return {channels.phase * z[0], channels.gain * z[1] + channels.cross * z[0]};
+    return {channels.c * z[0], channels.gain * z[1] + channels.cross * z[0]};
 }
 
 }  // namespace
@@ -213,22 +261,31 @@ std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::Vecto
     const Eigen::VectorXd shared = shared_of(run, of_set);
     std::vector<Vector2cd> expected;
     expected.reserve(windows);
+    PassedBreaks breaks(run, own);
     if (shared[cubic_at] == 0) {
         const SlowDynamics dynamics(rates_of(shared));
-        const Vector2cd start = start_of(own);
+        Vector2cd start = start_of(own);
         const Eigen::Matrix2cd step = dynamics.propagator(run.step_s);
         Walk walk;
         Vector2cd z = start;
         for (std::size_t k = 0; k < windows; ++k) {
             const double t = run.time_s[k];
+            if (breaks.pass(t)) {
+                start = start_of(own) + breaks.start();
+                walk = {};
+            }
             z = walk.step_to(t, run.step_s) ? Vector2cd(step * z) : dynamics.propagator(t) * start;
-            expected.push_back(seen(channels_at(run, shared, own, t), z));
+            expected.push_back(seen(channels_at(run, shared, own, breaks, t), z));
         }
         return expected;
     }
     MotionSteps motion(run, shared, own, true);
     for (std::size_t k = 0; k < windows; ++k) {
-        expected.push_back(seen(channels_at(run, shared, own, run.time_s[k]), motion.at(k).z));
+        if (breaks.pass(run.time_s[k])) {
+            motion.restart(breaks.start());
+        }
+        expected.push_back(
+            seen(channels_at(run, shared, own, breaks, run.time_s[k]), motion.at(k).z));
     }
     return expected;
 }
@@ -239,17 +296,23 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
     const auto rows = static_cast<Eigen::Index>(4 * windows);
     Linearised out{Eigen::VectorXd(rows), RowMajor::Zero(rows, shared_count + own.size())};
     MotionSteps motion(run, shared, own, with_cubic || shared[cubic_at] != 0);
+    PassedBreaks breaks(run, own);
     const double kappa = shared[kappa_at];
+    const bool alike = run.whitening == Eigen::Matrix2d::Identity();
     for (std::size_t k = 0; k < windows; ++k) {
-        const Channels channels = channels_at(run, shared, own, run.time_s[k]);
+        if (breaks.pass(run.time_s[k])) {
+            motion.restart(breaks.start());
+        }
+        const Channels channels = channels_at(run, shared, own, breaks, run.time_s[k]);
         const Motion at = motion.at(k);
         const double weight = run.weight[k];
         const Vector2cd expected = seen(channels, at.z);
         const auto row = static_cast<Eigen::Index>(4 * k);
-        const Vector2cd left = weight * (run.z[k] - expected);
+        const Vector2cd left = run.weighted(k, run.z[k] - expected);
         out.residual.segment<4>(row) << left[0].real(), left[0].imag(), left[1].real(),
             left[1].imag();
-        const auto put = [&](int column, const Vector2cd& by) {
+        const auto put = [&](int column, const Vector2cd& change) {
+            const Vector2cd by = alike ? change : Vector2cd(run.whitening * change);
             out.by_parameter(row, column) = weight * by[0].real();
             out.by_parameter(row + 1, column) = weight * by[0].imag();
             out.by_parameter(row + 2, column) = weight * by[1].real();
@@ -265,7 +328,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
             put(cubic_at, seen(channels, at.by.col(cubic_column)));
         }
         const Complex d_gain = channels.gain * at.z[1];
-        const Complex d_cross = channels.phase * at.z[0] / kappa;
+        const Complex d_cross = channels.d * at.z[0];
         put(kappa_at, {0, -expected[1] / kappa});
         put(skew_at, {0, std::cos(shared[skew_at]) * d_cross});
         put(crosstalk_at, {0, i * d_cross});
@@ -274,10 +337,22 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         put(gain_drift_at, {0, channels.x / (1 + shared[gain_drift_at] * channels.x) * d_gain});
         put(own_column(frequency_at), 2 * pi * channels.u * i * expected);
         put(own_column(drift_at), pi * channels.u * channels.u * i * expected);
-        for (std::size_t at_break = 0; at_break < run.breaks_s.size(); ++at_break) {
-            if (run.time_s[k] > run.breaks_s[at_break]) {
-                put(own_column(own_count + static_cast<int>(at_break)), i * expected);
+        int column = own_column(own_count);
+        for (const RunBreak& each : run.breaks) {
+            if (run.time_s[k] <= each.time_s) {
+                break;
             }
+            if (each.kind == BreakKind::phase) {
+                put(column, i * expected);
+            } else if (each.kind == BreakKind::gain) {
+                put(column, {expected[0], 0});
+                put(column + 1, {0, expected[1]});
+            } else if (each.kind == BreakKind::start) {
+                for (int part = 0; part < 4; ++part) {
+                    put(column + part, seen(channels, at.by.col(start_column + part)));
+                }
+            }
+            column += break_size(each.kind);
         }
     }
     out.by_parameter.col(decay_at) *= 1 + run.deviation.decay;
@@ -291,7 +366,7 @@ double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eig
     const std::vector<Vector2cd> expected = expected_phasors(run, shared, own, windows);
     double sum = 0;
     for (std::size_t k = 0; k < windows; ++k) {
-        sum += run.weight[k] * run.weight[k] * (run.z[k] - expected[k]).squaredNorm();
+        sum += run.weighted(k, run.z[k] - expected[k]).squaredNorm();
     }
     return sum;
 }

@@ -13,10 +13,13 @@ namespace vybeg {
 // The model of a run's window phasors, in scaled units:
 //
 //     dz/dt = M z + i (2 pi b/3) (2 |z|^2 z + (z.z) conj z),  z(0) = z0
-//     phi = 2 pi (f u + drift u^2/2) + breaks before t,       u = t - reference_s
-//     C = e^{i phi} z_1
-//     D = e^{i phi} (g z_2 + (sin skew + i crosstalk) z_1)/kappa,
+//     phi = 2 pi (f u + drift u^2/2) + phases of breaks,      u = t - reference_s
+//     C = e^{gain_C + i phi} z_1
+//     D = e^{gain_D + i phi} (g z_2 + (sin skew + i crosstalk) z_1)/kappa,
 //     g = (1 + gain_drift x) e^{i (phase + phase_drift x)},    x = t/duration
+//
+// The parameters of breaks before t add up: a phase, gain_C and gain_D, or the change of z0 after a
+// knock. The motion after a knock is a free motion, too, so that it has a start at t = 0.
 //
 // M without imaginary trace (slow_dynamics.h). In u+- = z_1 +- i z_2 the cubic term is a phase
 // rate, (2 pi b/3)(|u+|^2 + 2 |u-|^2 - 3 P) for u+ and likewise for u-; P, the run's power, makes f
@@ -31,7 +34,7 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared);
 
 // Predicted phasors in the first `windows` windows of a run. `own`: the run's own parameters,
-// own_count and one for each break.
+// own_count and those of each break.
 std::vector<Eigen::Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
                                                const Eigen::VectorXd& own, std::size_t windows);
 

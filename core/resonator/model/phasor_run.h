@@ -5,6 +5,25 @@
 
 namespace vybeg {
 
+// What is unknown after an instant relative to that before.
+enum class BreakKind {
+    phase,  // of both channels: samples are lost or doubled
+    gain,   // of each channel: an amplifier changes its range
+    start,  // the wave itself: a knock
+    event,  // nothing: only the windows around the instant are disturbed
+};
+
+// Number of the parameters of a break.
+constexpr int break_size(BreakKind kind) {
+    constexpr int sizes[]{1, 2, 4, 0};
+    return sizes[static_cast<int>(kind)];
+}
+
+struct RunBreak {
+    double time_s = 0;
+    BreakKind kind = BreakKind::phase;
+};
+
 // Data of one recording for the fit of a resonator: its phasors z = (c, d) of METHOD section 1,
 // averaged over windows of one length, relative to one fixed reference frequency:
 //     C(t) = Re(c e^{2 pi i f_ref t}), t in seconds from the start of the recording.
@@ -20,10 +39,8 @@ struct PhasorRun {
     std::vector<double> sd;  // of the real and of the imaginary part of c and of d
     // Correlation of the noise of windows 0, 1, 2, ... windows apart; empty for white noise.
     std::vector<double> noise_correlation{};
-    // Instants at which an unknown number of samples is missing; the phase after each is unknown
-    // relative to that before.
-    std::vector<double> phase_breaks_s{};
-    double rate_hz = 0;  // of the recording's samples; 0: unknown
+    std::vector<RunBreak> breaks{};  // in the order of time
+    double rate_hz = 0;              // of the recording's samples; 0: unknown
 };
 
 }  // namespace vybeg

@@ -61,9 +61,9 @@ ScaledRun scaled_run(const PhasorRun& run, double scale) {
         scaled.power_kept = std::pow(std::sin(half_turn) / half_turn, 2);
     }
     // A break before the first window or after the last one has no effect.
-    for (const double at : run.phase_breaks_s) {
-        if (at > run.time_s.front() && at < run.time_s.back()) {
-            scaled.breaks_s.push_back(at);
+    for (const RunBreak& at : run.breaks) {
+        if (at.time_s > run.time_s.front() && at.time_s < run.time_s.back()) {
+            scaled.breaks.push_back(at);
         }
     }
     return scaled;

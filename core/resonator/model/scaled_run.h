@@ -38,7 +38,7 @@ struct ScaledRun {
     std::vector<Eigen::Vector2cd> z;
     std::vector<double> weight;       // 1/sd of a real part
     std::vector<double> correlation;  // of the noise of windows 0, 1, 2, ... apart; empty: white
-    std::vector<double> breaks_s;     // instants after which the phase is unknown
+    std::vector<RunBreak> breaks;     // between the first and the last window
     double window_s = 0;
     double step_s = 0;       // median distance of neighbours
     double duration_s = 0;   // from t = 0 to the end of the last window
@@ -48,8 +48,25 @@ struct ScaledRun {
     double power = 0;  // power of the run's frequency in recorded channels
     PowerSums power_sums;
     RunDeviation deviation;  // zero unless the runs of the set differ
+    // Makes the noise of C and D equal and independent, in units of the windows' sd.
+    Eigen::Matrix2d whitening = Eigen::Matrix2d::Identity();
 
     std::size_t size() const { return time_s.size(); }
+    // Phasors of a window in deviations of its noise, and back.
+    Eigen::Vector2cd weighted(std::size_t window, const Eigen::Vector2cd& phasor) const {
+        return weight[window] * (whitening * phasor);
+    }
+    Eigen::Vector2cd unweighted(std::size_t window, const Eigen::Vector2cd& phasor) const {
+        return whitening.triangularView<Eigen::Lower>().solve(phasor) / weight[window];
+    }
+    // Number of the parameters of all breaks.
+    std::size_t break_parameters() const {
+        std::size_t count = 0;
+        for (const RunBreak& each : breaks) {
+            count += static_cast<std::size_t>(break_size(each.kind));
+        }
+        return count;
+    }
 };
 
 // Precondition: at least two windows, all sd > 0.

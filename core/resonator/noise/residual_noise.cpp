@@ -33,6 +33,7 @@ constexpr double decade_step = 0.2;
 constexpr std::size_t coarse_step = 3;  // of decade_step, for the coarse grid
 // Distance below the best from which on a point has no weight.
 constexpr double hopeless = 13;
+constexpr double impossible = std::numeric_limits<double>::lowest() / 1e6;  // sums stay finite
 
 // One series of one run, ready for the likelihood.
 struct Block {
@@ -62,7 +63,9 @@ double log_likelihood(const Spectrum& at, double a) {
         quadratic -= cross.dot(inner.solve(cross));
         log_determinant += 2 * inner.matrixLLT().diagonal().array().log().sum();
     }
-    return -(log_determinant + quadratic) / 2;
+    const double likelihood = -(log_determinant + quadratic) / 2;
+    // A covariance that is singular by rounding is no candidate.
+    return std::isfinite(likelihood) ? likelihood : impossible;
 }
 
 // `root`: of the covariance of the run's parameters.
@@ -81,16 +84,6 @@ Block block_of(const ResidualSeries& run, std::size_t series, const MatrixXd& ro
         seen * principal.eigenvectors().rightCols(absorbed) *
         share.tail(absorbed).cwiseSqrt().cwiseInverse().asDiagonal();
     return block;
-}
-
-// The covariance of a part in one run's series, in units of their noise.
-MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
-    const VectorXd scale =
-        shape.of_phase ? VectorXd(run.size / std::sqrt(run.size.squaredNorm() /
-                                                       static_cast<double>(run.size.size())))
-                       : run.noise;
-    return scale.asDiagonal() * shape_covariance(shape, run.time_s, run.window_s) *
-           scale.asDiagonal();
 }
 
 bool same_grid(const ResidualSeries& a, const ResidualSeries& b) {
@@ -134,11 +127,12 @@ bool concerns(const NoiseShape& shape, std::size_t series) {
 
 class Search {
 public:
-    Search(const std::vector<ResidualSeries>& series, const Posterior& posterior,
-           double longest_s) {
+    Search(const std::vector<ResidualSeries>& series, const Posterior& posterior, double longest_s,
+           const JobControl& job)
+        : job_(job) {
         for (const ResidualSeries& run : series) {
             const MatrixXd root = posterior.root_of(run.places);
-            for (std::size_t k = 0; k < 4; ++k) {
+            for (std::size_t k = 0; k < 4 && !job.cancelled(); ++k) {
                 blocks_.push_back(block_of(run, k, root));
             }
         }
@@ -156,7 +150,7 @@ public:
         std::vector<ResidualNoise::Part> given;
         bool left_common = true;
         bool left_phase = true;
-        while (left_common || left_phase) {
+        while ((left_common || left_phase) && !job_.cancelled()) {
             std::optional<Trial> best;
             const double now = likelihood_of(given);
             for (const bool phase : {false, true}) {
@@ -167,7 +161,7 @@ public:
                     }
                 }
             }
-            if (best->top < now + least_rise) {
+            if (!(best->top >= now + least_rise) || job_.cancelled()) {
                 break;
             }
             given.push_back(best->part);
@@ -181,11 +175,12 @@ public:
 
 private:
     struct Trial {
-        double top = -std::numeric_limits<double>::infinity();
+        double top = impossible;
         ResidualNoise::Part part;
         struct Row {
-            double likelihood = -std::numeric_limits<double>::infinity();
+            double likelihood = impossible;
             ResidualNoise::Part part;
+            bool evaluated = false;
         };
         std::vector<Row> table;
     };
@@ -230,7 +225,7 @@ private:
         const NoiseShape& shape = candidate.shape;
         std::vector<Spectrum> all;
         for (const Block& block : blocks_) {
-            if (!concerns(shape, block.series)) {
+            if (!concerns(shape, block.series) || job_.cancelled()) {
                 continue;
             }
             Spectrum at;
@@ -289,26 +284,30 @@ private:
             for (const Spectrum& at : all) {
                 sum += log_likelihood(at, a);
             }
-            row(k, step) = {sum, {shapes[k].shape, a}};
+            row(k, step) = {sum, {shapes[k].shape, a}, true};
             return sum;
         };
         // A coarse grid of variances first, then those around the best with a weight.
         tbb::parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t k) {
+            if (job_.cancelled()) {
+                return;
+            }
             const std::vector<Spectrum> all = spectra(shapes[k], given);
-            double best = -std::numeric_limits<double>::infinity();
+            double best = impossible;
             for (std::size_t step = 0; step < steps; step += coarse_step) {
                 best = std::max(best, evaluate(k, all, step));
             }
-            for (bool more = true; more;) {
+            for (bool more = true; more && !job_.cancelled();) {
                 more = false;
                 for (std::size_t step = 0; step < steps; ++step) {
                     const std::size_t from = step - std::min(step, coarse_step - 1);
                     const std::size_t to = std::min(step + coarse_step, steps);
                     bool near = false;
                     for (std::size_t other = from; other < to; ++other) {
-                        near = near || row(k, other).likelihood >= best - hopeless;
+                        near = near || (row(k, other).evaluated &&
+                                        row(k, other).likelihood >= best - hopeless);
                     }
-                    if (near && std::isinf(row(k, step).likelihood)) {
+                    if (near && !row(k, step).evaluated) {
                         best = std::max(best, evaluate(k, all, step));
                         more = true;
                     }
@@ -337,6 +336,7 @@ private:
         }
     }
 
+    const JobControl& job_;
     std::vector<Block> blocks_;
     std::vector<Candidate> common_;
     std::vector<Candidate> phase_;
@@ -344,14 +344,17 @@ private:
 
 }  // namespace
 
-NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posterior) {
+NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posterior,
+                             const JobControl& job) {
     double longest_s = 0;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+    for (std::size_t k = 0; k < problem.runs.size() && !job.cancelled(); ++k) {
         const std::size_t merge = (problem.runs[k].size() + most_points - 1) / most_points;
         series_.push_back(residual_series(problem, posterior, k, merge));
         longest_s = std::max(longest_s, problem.runs[k].duration_s);
     }
-    noise_ = Search(series_, posterior, longest_s).find();
+    if (!job.cancelled()) {
+        noise_ = Search(series_, posterior, longest_s, job).find();
+    }
 }
 
 MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
@@ -378,8 +381,8 @@ MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
     return posterior.data + posterior.root.transpose() * sum * posterior.root;
 }
 
-double widening(const FitProblem& problem, const Posterior& white) {
-    const Eigen::MatrixXd coloured = NoiseEstimate(problem, white).covariance(white);
+double widening(const FitProblem& problem, const Posterior& white, const JobControl& job) {
+    const Eigen::MatrixXd coloured = NoiseEstimate(problem, white, job).covariance(white);
     double most = 1;
     for (std::size_t k = 0; k < white.active.size() && white.active[k] < rate_count; ++k) {
         const auto at = static_cast<Eigen::Index>(k);

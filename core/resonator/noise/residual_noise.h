@@ -14,7 +14,8 @@ namespace vybeg {
 // phase only, are each included if they raise the logarithm of the likelihood by four.
 class NoiseEstimate {
 public:
-    NoiseEstimate(const FitProblem& problem, const Posterior& posterior);
+    // A cancelled job ends it early, with white noise.
+    NoiseEstimate(const FitProblem& problem, const Posterior& posterior, const JobControl& job);
 
     const ResidualNoise& noise() const { return noise_; }
 
@@ -22,12 +23,14 @@ public:
     // that of the windows' noise as in the posterior, and R' (sum X'VX) R.
     Eigen::MatrixXd covariance(const Posterior& posterior) const;
 
+    const std::vector<ResidualSeries>& series() const { return series_; }
+
 private:
     std::vector<ResidualSeries> series_;
     ResidualNoise noise_;
 };
 
 // Largest factor by which the colour of a fit's residual widens the variances of its rates.
-double widening(const FitProblem& problem, const Posterior& posterior);
+double widening(const FitProblem& problem, const Posterior& posterior, const JobControl& job);
 
 }  // namespace vybeg

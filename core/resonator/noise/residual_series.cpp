@@ -41,6 +41,15 @@ Eigen::MatrixXd merged_correlation(const std::vector<double>& correlation, std::
 
 }  // namespace
 
+Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
+    const Eigen::VectorXd scale =
+        shape.of_phase ? Eigen::VectorXd(run.size / std::sqrt(run.size.squaredNorm() /
+                                                              static_cast<double>(run.size.size())))
+                       : run.noise;
+    return scale.asDiagonal() * shape_covariance(shape, run.time_s, run.window_s) *
+           scale.asDiagonal();
+}
+
 ResidualSeries residual_series(const FitProblem& problem, const Posterior& posterior,
                                std::size_t index, std::size_t merge) {
     const ScaledRun& run = problem.runs[index];
@@ -74,7 +83,8 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
         const Eigen::Index point = k / static_cast<Eigen::Index>(merge);
         const double weight = run.weight[window];
         const auto left = at.residual.segment<4>(4 * k);
-        const Vector2cd y = run.z[window];
+        // Noise of both channels is alike in the frame of the whitened channels.
+        const Vector2cd y = run.whitening * run.z[window];
         const Vector2cd z =
             y - Vector2cd(Complex(left[0], left[1]), Complex(left[2], left[3])) / weight;
         const double size = z.norm();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/resonator/fit/posterior.h"
+#include "core/resonator/noise/noise_shape.h"
 
 #include <Eigen/Core>
 
@@ -28,6 +29,9 @@ struct ResidualSeries {
     std::vector<Eigen::Index> places;
     std::array<Eigen::MatrixXd, 4> by_parameter;  // columns as `places`
 };
+
+// The covariance of a part of the noise in a run's series, in units of their white noise.
+Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run);
 
 // The series of a run, `merge` consecutive windows averaged into one; a remainder at the end is
 // ignored. Averages keep unit white noise and reduce correlated noise.

@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/resonator/fit/run_information.h"
 #include "core/resonator/fit/unseen_directions.h"
+#include "core/resonator/noise/noise_claim.h"
 #include "core/resonator/noise/residual_noise.h"
 #include "core/resonator/results/channel_findings.h"
 #include "core/resonator/results/given_or_refused.h"
@@ -87,17 +88,30 @@ public:
 private:
     void set_covariance(double ratio, double dof, FittedSet& set) {
         const double scatter = residual_scatter * std::sqrt(2 / dof);
+        std::optional<MisfitCause> cause;
         if (ratio > 1 + scatter) {
-            if (const auto cause =
-                    misfit_cause(problem_, set.posterior, solved_.fine, solved_.scale)) {
+            cause = misfit_cause(problem_, set.posterior, solved_.fine, solved_.scale, Causes::all,
+                                 job_);
+            if (cause) {
                 fit_.warnings.push_back(cause->diagnostic);
             }
         }
-        const NoiseEstimate noise(problem_, set.posterior);
+        const NoiseEstimate noise(problem_, set.posterior, job_);
         fit_.noise = noise.noise();
+        const NoiseClaim claim = noise_claim(noise, set.posterior, job_);
+        const Eigen::MatrixXd disagreement = claim.difference * claim.difference.transpose();
         if (!noise.noise().white()) {
             set.posterior.data = noise.covariance(set.posterior);
             set.split_needs = vector_needs_coloured;
+        } else if (ratio > 1 + scatter) {
+            set.posterior.data *= ratio;
+        }
+        if (!claim.holds()) {
+            set.posterior.data += disagreement;
+            if (!cause) {
+                fit_.warnings.push_back({DiagnosticKind::motion_not_model, {}});
+            }
+        } else if (!noise.noise().white()) {
             fit_.warnings.push_back({DiagnosticKind::residual_coloured, {number_arg(ratio, 3)}});
             if (noise.noise().narrowest) {
                 double longest_s = 0;
@@ -107,10 +121,7 @@ private:
                 fit_.warnings.push_back(
                     {DiagnosticKind::noise_too_narrow, {number_arg(0.2 / longest_s, 2)}});
             }
-            return;
-        }
-        if (ratio > 1 + scatter) {
-            set.posterior.data *= ratio;
+        } else if (ratio > 1 + scatter) {
             fit_.warnings.push_back({DiagnosticKind::residual_above_noise, {number_arg(ratio, 3)}});
         } else if (ratio < 1 - 2 * scatter) {
             fit_.warnings.push_back({DiagnosticKind::residual_below_noise, {number_arg(ratio, 3)}});

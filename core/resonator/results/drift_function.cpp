@@ -232,11 +232,12 @@ double DriftFunction::u_rate(double theta) const {
     return std::sqrt(at.dot((covariance + tolerances) * at));
 }
 
-DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit& fit) {
+DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit& fit,
+                             const JobControl& job) {
     DriftFunction found;
     Normal normal;
     const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
-    for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (std::size_t run = 0; run < runs.size() && !job.cancelled(); ++run) {
         if (fit.left_out == run) {
             continue;
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/job_control.h"
 #include "core/resonator/model/phasor_run.h"
 #include "core/resonator/results/resonator_result.h"
 
@@ -53,7 +54,9 @@ struct DriftFunction {
 // `fit`: the structured fit of the runs. The eighth harmonic is present if the angles separate all
 // five terms; its regressors are integrals along the fitted motion, never along the noisy track.
 // Windows whose smaller travelling wave lies within six standard deviations of zero have no angle.
-DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit& fit);
+// A cancelled job ends it early.
+DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit& fit,
+                             const JobControl& job = {});
 
 // The same curve from the slow dynamics dz/dt = M z (METHOD section 8), for a linear wave.
 double drift_of_dynamics(const Eigen::Matrix2cd& m, double theta);

@@ -30,6 +30,7 @@ constexpr double most_by_line = 0.5;
 constexpr double least_fall = 25;
 constexpr double least_cycles = 3;  // least distance of a line from the wave, cycles over a run
 constexpr double lines_per_cycle = 3;
+constexpr double most_lines = 1e5;
 
 Effect channel_effect(const Posterior& at, int error) {
     Effect effect;
@@ -39,9 +40,9 @@ Effect channel_effect(const Posterior& at, int error) {
     return effect;
 }
 
-// A mode at `f_hz` that decays like the wave: both parts of its phasor in each channel and run.
-Effect line_effect(const FitProblem& problem, const Posterior& at, std::span<const double> f_ref_hz,
-                   double f_hz) {
+// A line at `f_hz` that decays: both parts of its phasor in each channel and run.
+Effect line_effect(const FitProblem& problem, std::span<const double> f_ref_hz, double f_hz,
+                   double decay_per_s) {
     Effect effect;
     const std::size_t runs = problem.runs.size();
     for (std::size_t k = 0; k < runs; ++k) {
@@ -51,13 +52,12 @@ Effect line_effect(const FitProblem& problem, const Posterior& at, std::span<con
         for (std::size_t window = 0; window < run.size(); ++window) {
             const double t = run.time_s[window];
             const Complex turn =
-                std::polar(run.weight[window] * std::exp(-std::abs(at.p[decay_at]) * t),
-                           2 * pi * (f_hz - f_ref_hz[k]) * t);
+                std::polar(std::exp(-decay_per_s * t), 2 * pi * (f_hz - f_ref_hz[k]) * t);
             const auto first = 4 * static_cast<Index>(k);
-            put_effect(by, window, first, {turn, 0});
-            put_effect(by, window, first + 1, {i * turn, 0});
-            put_effect(by, window, first + 2, {0, turn});
-            put_effect(by, window, first + 3, {0, i * turn});
+            put_effect(by, run, window, first, {turn, 0});
+            put_effect(by, run, window, first + 1, {i * turn, 0});
+            put_effect(by, run, window, first + 2, {0, turn});
+            put_effect(by, run, window, first + 3, {0, i * turn});
         }
         effect.push_back(std::move(by));
     }
@@ -117,7 +117,7 @@ double line_power(const std::vector<DampedResidual>& runs, double f_hz) {
 // Frequency of a line in the fine windows, among those `spacing_hz` apart that merged windows do
 // not distinguish.
 double unaliased(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
-                 double scale, double f_hz, double spacing_hz) {
+                 double scale, double f_hz, double spacing_hz, const JobControl& job) {
     std::vector<DampedResidual> residuals;
     double band_hz = 0;
     for (std::size_t k = 0; k < fine.size(); ++k) {
@@ -139,7 +139,7 @@ double unaliased(const FitProblem& problem, const Posterior& at, std::span<const
     const auto reach = static_cast<int>(band_hz / spacing_hz) + 1;
     double best_hz = f_hz;
     double most = 0;
-    for (int alias = -reach; alias <= reach; ++alias) {
+    for (int alias = -reach; alias <= reach && !job.cancelled(); ++alias) {
         const double there_hz = f_hz + alias * spacing_hz;
         if (std::abs(there_hz - wave_hz) > band_hz) {
             continue;
@@ -161,7 +161,7 @@ struct Line {
 
 // The strongest line within the windows' band, away from the wave.
 Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<const PhasorRun> fine,
-                    std::span<const double> f_ref_hz, double scale) {
+                    std::span<const double> f_ref_hz, double scale, const JobControl& job) {
     double longest_s = 0;
     double step_s = std::numeric_limits<double>::infinity();
     for (const ScaledRun& run : problem.runs) {
@@ -174,7 +174,10 @@ Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<co
     const std::vector<DampedResidual> residuals = damped_residuals(problem, at, f_ref_hz);
     Line best;
     double most = 0;
-    for (double off = least_cycles / longest_s; off < band_hz; off += step_hz) {
+    const auto steps =
+        static_cast<int>(std::min((band_hz - least_cycles / longest_s) / step_hz, most_lines));
+    for (int step = 0; step < steps && !job.cancelled(); ++step) {
+        const double off = least_cycles / longest_s + step * step_hz;
         for (const double f_hz : {wave_hz - off, wave_hz + off}) {
             const double power = line_power(residuals, f_hz);
             if (power > most) {
@@ -186,19 +189,51 @@ Line strongest_line(const FitProblem& problem, const Posterior& at, std::span<co
     if (most == 0) {
         return best;
     }
-    const Score line = score(problem, at, line_effect(problem, at, f_ref_hz, best.f_hz));
+    const Score line =
+        score(problem, at, line_effect(problem, f_ref_hz, best.f_hz, std::abs(at.p[decay_at])));
     best.fall = line.fall;
-    best.f_hz = unaliased(problem, at, fine, scale, best.f_hz, 1 / step_s);
+    best.f_hz = unaliased(problem, at, fine, scale, best.f_hz, 1 / step_s, job);
     const double turn = pi * (best.f_hz - wave_hz) * problem.runs[0].window_s;
     const double kept = turn == 0 ? 1 : std::abs(std::sin(turn) / turn);
     best.per_cent = 100 * line.size.head(4).norm() / kept / problem.runs[0].z[0].norm();
     return best;
 }
 
+// The line nearer to the wave that leaves only noise, decaying like the wave or steady: noise of a
+// finite width leaves more.
+Line nearest_line(const FitProblem& problem, const Posterior& at, std::span<const double> f_ref_hz,
+                  const JobControl& job) {
+    constexpr double nearest = 0.4;  // cycles over a run
+    constexpr double step = 1.0 / 6;
+    double longest_s = 0;
+    for (const ScaledRun& run : problem.runs) {
+        longest_s = std::max(longest_s, run.duration_s);
+    }
+    const double dof = degrees_of_freedom(problem);
+    const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
+    double needed = at.chi2() - noise_bound(dof) * dof;
+    Line best;
+    for (double cycles = nearest; cycles < least_cycles + 1 && !job.cancelled(); cycles += step) {
+        for (const double off_hz : {cycles / longest_s, -cycles / longest_s}) {
+            for (const double decay_per_s : {std::abs(at.p[decay_at]), 0.0}) {
+                const Score line = score(
+                    problem, at, line_effect(problem, f_ref_hz, wave_hz + off_hz, decay_per_s));
+                if (line.fall > needed) {
+                    needed = line.fall;
+                    best = {wave_hz + off_hz, line.fall,
+                            100 * line.size.head(4).norm() / problem.runs[0].z[0].norm()};
+                }
+            }
+        }
+    }
+    return best;
+}
+
 }  // namespace
 
 std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posterior& posterior,
-                                        std::span<const PhasorRun> fine, double scale) {
+                                        std::span<const PhasorRun> fine, double scale,
+                                        Causes causes, const JobControl& job) {
     std::vector<double> f_ref_hz;
     for (const PhasorRun& run : fine) {
         f_ref_hz.push_back(run.f_ref_hz);
@@ -240,13 +275,18 @@ std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posteri
         consider(settling.fall, DiagnosticKind::misfit_settling,
                  {number_arg(settling.most_hz, 2), number_arg(settling.time_s, 2)});
     }
-    if (cause) {
+    if (cause || causes == Causes::without_lines || job.cancelled()) {
         return cause;
     }
-    const Line line = strongest_line(problem, posterior, fine, f_ref_hz, scale);
+    const Line line = strongest_line(problem, posterior, fine, f_ref_hz, scale, job);
     best = std::max(most_by_line * beyond, least_fall);
     consider(line.fall, DiagnosticKind::misfit_neighbour,
              {number_arg(line.f_hz, 6), number_arg(line.per_cent, 2)});
+    if (!cause) {
+        const Line near = nearest_line(problem, posterior, f_ref_hz, job);
+        consider(near.fall, DiagnosticKind::misfit_neighbour,
+                 {number_arg(near.f_hz, 8), number_arg(near.per_cent, 2)});
+    }
     return cause;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/base/job_control.h"
 #include "core/resonator/fit/posterior.h"
 
 #include <optional>
@@ -11,14 +12,18 @@ namespace vybeg {
 // Cause of a residual above the noise: the one whose small effect on the phasors explains most of
 // the residual, besides the part absorbed by the parameters (a score test). Causes: a damping that
 // follows the amplitude, a frequency that settles, a channel error that is held at zero, springs
-// unlike along the axes, another mode within the windows' band. None if no cause explains the
-// larger part, or if chi^2 is that of noise. `fine`: the runs before merging of windows, which
-// distinguish a mode's frequency from its aliases; `scale`: recording units of a scaled unit.
+// unlike along the axes, another mode within the windows' band or, where it leaves only noise,
+// nearer than three cycles to the wave. None if no cause explains the larger part, or if chi^2 is
+// that of noise. `fine`: the runs before merging of windows, which distinguish a mode's frequency
+// from its aliases; `scale`: recording units of a scaled unit. A cancelled job ends the search
+// early.
 struct MisfitCause {
     Diagnostic diagnostic;
-    double fall = 0;  // of chi^2 if it is fitted
+    double fall = 0;  // of chi^2
 };
+enum class Causes { all, without_lines };
 std::optional<MisfitCause> misfit_cause(const FitProblem& problem, const Posterior& posterior,
-                                        std::span<const PhasorRun> fine, double scale);
+                                        std::span<const PhasorRun> fine, double scale,
+                                        Causes causes, const JobControl& job);
 
 }  // namespace vybeg

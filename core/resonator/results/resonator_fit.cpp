@@ -2,15 +2,17 @@
 
 #include "core/base/number_text.h"
 #include "core/resonator/fit/fit_start.h"
-#include "core/resonator/fit/phase_break.h"
+#include "core/resonator/fit/fitted_break.h"
 #include "core/resonator/fit/refit_in_phase.h"
 #include "core/resonator/fit/score_test.h"
+#include "core/resonator/noise/residual_noise.h"
 #include "core/resonator/results/describe_fit.h"
 #include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/run_parameters.h"
 #include "core/resonator/results/set_examination.h"
 #include "core/resonator/results/structured_verdict.h"
+#include "core/resonator/runs/channel_noise.h"
 #include "core/resonator/runs/merge_windows.h"
 #include "core/resonator/runs/needed_windows.h"
 
@@ -51,28 +53,40 @@ double largest_amplitude(std::span<const PhasorRun> runs) {
     return most;
 }
 
-std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale) {
+std::vector<ScaledRun> scaled_runs(std::span<const PhasorRun> runs, double scale,
+                                   std::span<const Eigen::Matrix2d> whitenings) {
     std::vector<ScaledRun> scaled;
     for (const PhasorRun& run : runs) {
         scaled.push_back(scaled_run(run, scale));
+        if (!whitenings.empty()) {
+            scaled.back().whitening = whitenings[scaled.size() - 1];
+        }
     }
     return scaled;
 }
 
+// A trial of a break takes neither further starts nor the free model.
+enum class Effort { whole, trial };
+
 // The whole fit of one set, step by step.
 class SetFit {
 public:
-    // `fine`: the runs before merging of windows.
+    // `fine`: the runs before merging of windows; `whitenings` of channel_noise.h, empty: none.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine, double scale,
-           const FitOptions& options, const JobControl& job)
+           std::span<const Eigen::Matrix2d> whitenings, const FitOptions& options,
+           const JobControl& job, Effort effort)
         : runs_(std::move(runs)),
           fine_(fine),
-          scaled_(scaled_runs(runs_, scale)),
+          scaled_(scaled_runs(runs_, scale, whitenings)),
           scale_(scale),
           options_(options),
           job_(job),
+          effort_(effort),
           problem_{scaled_, layout_of(scaled_), {}} {
         problem_.priors = structured_priors(scaled_, problem_.layout, options.tolerance);
+        if (effort == Effort::trial) {
+            problem_.noise_ratio = std::numeric_limits<double>::infinity();
+        }
     }
 
     // Finds the most likely parameters; returns the number of windows of a run that they need.
@@ -118,39 +132,52 @@ public:
                chi2_per_dof() < std::max(1.5 * other.chi2_per_dof(), noise_bound(dof));
     }
 
-    double chi2() const { return main_.chi2; }
     double chi2_per_dof() const { return main_.chi2 / degrees_of_freedom(problem_); }
     bool at_noise() const { return chi2_per_dof() < noise_bound(degrees_of_freedom(problem_)); }
 
-    // Step of a run's phase that explains more of the residual than a settling frequency.
-    std::optional<PhaseBreak> unexplained_break() const {
-        if (at_noise()) {
-            return {};
-        }
+    // Those of the noise beside this solution.
+    std::vector<Eigen::Matrix2d> noise_whitenings() const {
+        return whitenings(motion_of(solved()), fine_);
+    }
+
+    double excess() const { return main_.chi2 - degrees_of_freedom(problem_); }
+
+    // Breaks, one of a kind, that may explain the residual; none if something smooth explains it as
+    // well.
+    std::vector<FittedBreak> unexplained_breaks() const {
+        constexpr double least_share = 0.3;  // of the excess of chi^2 above the noise
+        constexpr double least_of_best = 0.5;
+        constexpr double close = 16;
         const Posterior at = posterior(problem_, main_);
-        const std::optional<PhaseBreak> found = phase_break(problem_, at);
-        if (!found) {
+        std::vector<FittedBreak> likely = likely_breaks(problem_, at);
+        double most = at_noise() ? 0 : least_share * excess();
+        for (const FittedBreak& each : likely) {
+            most = std::max(most, least_of_best * each.fall);
+        }
+        std::erase_if(likely, [&](const FittedBreak& each) { return !(each.fall > most); });
+        if (likely.empty()) {
             return {};
         }
+        const double fall = std::ranges::max(likely, {}, &FittedBreak::fall).fall;
         const double settling = settling_score(problem_, at).fall;
         const double dof = degrees_of_freedom(problem_);
         const bool settles =
-            settling > found->fall &&
+            settling > fall &&
             main_.chi2 - settling < std::max(noise_bound(dof) * dof, main_.chi2 / 5);
-        return settles ? std::nullopt : found;
+        const std::optional<MisfitCause> smooth =
+            misfit_cause(problem_, at, fine_, scale_, Causes::without_lines, job_);
+        const bool bends = smooth && smooth->fall > fall - close;
+        return settles || bends ? std::vector<FittedBreak>{} : likely;
     }
 
-    // Step of a run's phase at the break at `time_s`, rad in (-pi, pi]; none if no window lies
-    // after it.
-    std::optional<double> step_at(std::size_t run, double time_s) const {
-        const std::vector<double>& breaks = scaled_[run].breaks_s;
-        const auto found = std::ranges::find(breaks, time_s);
-        if (found == breaks.end()) {
-            return {};
-        }
-        const auto place = found - breaks.begin();
-        return std::remainder(own_of(problem_.layout, main_.p, run)[own_count + place],
-                              2 * std::numbers::pi);
+    // Whether the residual is the noise of the windows, of their colour too.
+    bool is_white() const {
+        return at_noise() &&
+               NoiseEstimate(problem_, posterior(problem_, main_), job_).noise().as_expected();
+    }
+
+    std::array<double, 2> size_of(const FittedBreak& each) const {
+        return fitted_size(problem_, main_.p, each);
     }
 
     FittedMotion motion() const { return motion_of(solved()); }
@@ -174,7 +201,7 @@ private:
     static ParameterLayout layout_of(const std::vector<ScaledRun>& runs) {
         std::vector<std::size_t> breaks;
         for (const ScaledRun& run : runs) {
-            breaks.push_back(run.breaks_s.size());
+            breaks.push_back(run.break_parameters());
         }
         return ParameterLayout(breaks);
     }
@@ -210,8 +237,8 @@ private:
         if (agrees() || model_ == ResonatorModel::free) {
             return;
         }
-        const std::optional<MisfitCause> cause =
-            misfit_cause(problem_, posterior(problem_, main_), fine_, scale_);
+        const std::optional<MisfitCause> cause = misfit_cause(
+            problem_, posterior(problem_, main_), fine_, scale_, Causes::without_lines, job_);
         const double dof = degrees_of_freedom(problem_);
         const double left = cause ? main_.chi2 - cause->fall : main_.chi2;
         // One parameter that explains that much is no chance.
@@ -283,7 +310,7 @@ private:
 
     void choose_model() {
         using Model = FitOptions::Model;
-        if (options_.model == Model::structured) {
+        if (options_.model == Model::structured || effort_ == Effort::trial) {
             return;
         }
         FitProblem free = problem_;
@@ -330,6 +357,7 @@ private:
     double scale_;
     const FitOptions& options_;
     const JobControl& job_;
+    Effort effort_;
     FitProblem problem_;
     MapFit main_;
     bool phase_left_ = false;  // still waves explain everything except the phase
@@ -352,13 +380,24 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
 
 // The set with as many windows of a run as its solution needs.
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double scale,
-                                   const FitOptions& options, const JobControl& job) {
-    auto set = std::make_unique<SetFit>(merged(good, enough_windows), good, scale, options, job);
-    const NeededWindows needed = set->solve();
-    const double windows = std::max(needed.by_motion, needed.by_line);
-    if (windows > static_cast<double>(enough_windows)) {
-        auto finer = std::make_unique<SetFit>(merged(good, static_cast<std::size_t>(windows) + 1),
-                                              good, scale, options, job);
+                                   const FitOptions& options, const JobControl& job,
+                                   Effort effort = Effort::whole) {
+    const auto fit_of = [&](std::size_t windows, std::span<const Eigen::Matrix2d> by) {
+        return std::make_unique<SetFit>(merged(good, windows), good, scale, by, options, job,
+                                        effort);
+    };
+    std::unique_ptr<SetFit> set = fit_of(enough_windows, {});
+    NeededWindows needed = set->solve();
+    const std::vector<Eigen::Matrix2d> by = set->noise_whitenings();
+    if (std::ranges::any_of(by, [](const auto& one) { return !one.isIdentity(0); })) {
+        set = fit_of(enough_windows, by);
+        needed = set->solve();
+    }
+    // More than this costs minutes and is beyond the band of the recorded windows anyway.
+    constexpr double most_windows = 4000;
+    const double windows = std::min(std::max(needed.by_motion, needed.by_line), most_windows);
+    if (windows > static_cast<double>(enough_windows) && !job.cancelled()) {
+        std::unique_ptr<SetFit> finer = fit_of(static_cast<std::size_t>(windows) + 1, by);
         finer->solve();
         // A line may be a disturbance far from the carrier, which longer windows suppress.
         if (needed.by_motion > static_cast<double>(enough_windows) ||
@@ -369,58 +408,96 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, double sc
     return set;
 }
 
-struct OpenedPhases {
+struct OpenedBreaks {
     std::vector<PhasorRun> runs;
-    std::vector<PhaseBreak> breaks;
+    std::vector<FittedBreak> breaks;
     std::unique_ptr<SetFit> set;  // of the runs; null if no break explains the residual
 };
 
-// Opens the phase at a step. Beating modes also determine the number of samples; numbers with the
-// phase of the step are tried.
-void open_phase(OpenedPhases& opened, PhaseBreak step, double scale, const FitOptions& options,
-                const JobControl& job) {
-    constexpr double clear_fall = 9;
-    const PhasorRun before = opened.runs[step.run];
-    std::vector<int> numbers = possible_samples(step, before.f_ref_hz, before.rate_hz);
-    numbers.insert(numbers.begin(), 0);
-    OpenedPhases best;
-    for (const int samples : numbers) {
-        step.shift_s = samples == 0 ? 0 : samples / before.rate_hz;
+// Fits the set with each of the breaks; the fewest parameters that explain as much are kept.
+// Beating modes also determine a number of samples; numbers with the phase of a step are tried.
+OpenedBreaks open_break(const OpenedBreaks& opened, std::span<const FittedBreak> likely,
+                        double scale, const FitOptions& options, const JobControl& job) {
+    constexpr double price = 9;  // chi^2 that a parameter must explain
+    OpenedBreaks best;
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const FittedBreak& found, double parameters) {
         // A set keeps references to its runs.
-        OpenedPhases next{opened.runs, opened.breaks, {}};
-        next.runs[step.run] = with_break(before, step);
-        next.set = solved_set(next.runs, scale, options, job);
-        next.breaks.push_back(step);
-        const double needed = clear_fall * std::max(1.0, next.set->chi2_per_dof());
-        if (!best.set || next.set->chi2() < best.set->chi2() - needed) {
+        OpenedBreaks next{opened.runs, opened.breaks, {}};
+        next.runs[found.run] = with_break(opened.runs[found.run], found);
+        if (next.runs[found.run].time_s.size() < least_windows || job.cancelled()) {
+            return;
+        }
+        next.set = solved_set(next.runs, scale, options, job, Effort::trial);
+        next.breaks.push_back(found);
+        const double cost =
+            next.set->excess() + price * parameters * std::max(1.0, next.set->chi2_per_dof());
+        if (cost < least) {
+            least = cost;
             best = std::move(next);
         }
+    };
+    for (FittedBreak found : likely) {
+        consider(found, break_size(found.kind));
+        if (found.kind != BreakKind::phase) {
+            continue;
+        }
+        const PhasorRun& run = opened.runs[found.run];
+        for (const int samples : possible_samples(found.size[0], run.f_ref_hz, run.rate_hz)) {
+            found.shift_s = samples / run.rate_hz;
+            consider(found, break_size(found.kind) + 1);
+        }
     }
-    opened = std::move(best);
+    if (best.set) {
+        best.set = solved_set(best.runs, scale, options, job);
+    }
+    return best;
 }
 
-// The set with open phases at steps. One step must explain nearly all of the residual, several must
-// leave only noise; a weaker condition would find steps in any wandering phase.
-OpenedPhases with_open_phases(const std::vector<PhasorRun>& good, const SetFit& closed,
-                              double scale, const FitOptions& options, const JobControl& job) {
+// The set with breaks. One break must explain nearly all of the residual, several must leave only
+// noise; a weaker condition would find breaks in any wandering phase.
+OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& closed, double scale,
+                         const FitOptions& options, const JobControl& job) {
     constexpr std::size_t most_breaks = 4;
     constexpr double nearly_none = 0.2;
-    std::optional<PhaseBreak> step = closed.unexplained_break();
-    if (!step) {
+    OpenedBreaks opened{good, {}, {}};
+    std::vector<FittedBreak> likely = closed.unexplained_breaks();
+    while (!likely.empty() && opened.breaks.size() < most_breaks && !job.cancelled()) {
+        OpenedBreaks next = open_break(opened, likely, scale, options, job);
+        constexpr double halved = 0.6;
+        const SetFit& before = opened.set ? *opened.set : closed;
+        if (!next.set || (!next.set->at_noise() && next.set->excess() > halved * before.excess())) {
+            break;
+        }
+        opened = std::move(next);
+        likely = opened.set->unexplained_breaks();
+    }
+    if (!opened.set) {
         return {};
     }
-    OpenedPhases opened{good, {}, {}};
-    while (step) {
-        open_phase(opened, *step, scale, options, job);
-        const bool full = opened.breaks.size() == most_breaks;
-        step = full ? std::nullopt : opened.set->unexplained_break();
-    }
     const bool most = opened.breaks.size() == 1 &&
-                      opened.set->chi2_per_dof() - 1 < nearly_none * (closed.chi2_per_dof() - 1);
-    if (most || opened.set->at_noise()) {
-        return opened;
+                      opened.set->excess() < nearly_none * closed.excess() && !closed.at_noise();
+    return most || opened.set->is_white() ? std::move(opened) : OpenedBreaks{};
+}
+
+// The warning that names a break.
+Diagnostic diagnostic_of(const FittedBreak& found) {
+    const MessageArg recording = recording_arg(found.run);
+    const MessageArg at = number_arg(found.time_s, 4);
+    switch (found.kind) {
+        case BreakKind::phase:
+            return {DiagnosticKind::fitted_phase_step,
+                    {recording, number_arg(found.size[0], 3), at}};
+        case BreakKind::gain:
+            return {DiagnosticKind::fitted_gain_step,
+                    {recording, number_arg(100 * found.size[0], 2),
+                     number_arg(100 * found.size[1], 2), at}};
+        case BreakKind::start:
+            return {DiagnosticKind::fitted_knock,
+                    {recording, number_arg(100 * found.size[0], 2), at}};
+        case BreakKind::event: break;
     }
-    return {};
+    return {DiagnosticKind::event_left_out, {recording, at, number_arg(2 * found.reach_s, 2)}};
 }
 
 // Leaves out the run that does not belong to the set, if the others agree; returns the set with it,
@@ -456,8 +533,8 @@ void add_foreign(const SetFit& whole, std::size_t count, ResonatorFit& fit) {
     for (Diagnostic& warning : fit.warnings) {
         name_recordings(numbers, warning.args);
     }
-    for (PhaseBreak& step : fit.phase_breaks) {
-        step.run += step.run >= out ? 1 : 0;
+    for (FittedBreak& each : fit.breaks) {
+        each.run += each.run >= out ? 1 : 0;
     }
     const std::vector<Diagnostic> findings = findings_of(examination, count);
     fit.warnings.insert(fit.warnings.begin(), findings.begin(), findings.end());
@@ -495,21 +572,19 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     }
     std::unique_ptr<SetFit> set = solved_set(good, scale, options, job);
     const std::unique_ptr<SetFit> whole = without_foreign(good, set, scale, options, job);
-    OpenedPhases opened;
+    OpenedBreaks opened;
     if (set->agrees()) {
-        opened = with_open_phases(good, *set, scale, options, job);
+        opened = with_breaks(good, *set, scale, options, job);
     }
     if (opened.set) {
         set = std::move(opened.set);
     }
     ResonatorFit fit = set->described();
-    for (PhaseBreak& step : opened.breaks) {
-        step.step_rad = set->step_at(step.run, step.time_s).value_or(step.step_rad);
-        fit.warnings.push_back(
-            {DiagnosticKind::fitted_phase_step,
-             {recording_arg(step.run), number_arg(step.step_rad, 3), number_arg(step.time_s, 4)}});
+    for (FittedBreak& each : opened.breaks) {
+        each.size = set->size_of(each);
+        fit.warnings.push_back(diagnostic_of(each));
     }
-    fit.phase_breaks = std::move(opened.breaks);
+    fit.breaks = std::move(opened.breaks);
     if (whole) {
         add_foreign(*whole, runs.size(), fit);
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
-#include "core/resonator/fit/phase_break.h"
+#include "core/resonator/fit/fitted_break.h"
 #include "core/resonator/model/channel_tolerance.h"
 #include "core/resonator/model/derived_quantities.h"
 #include "core/resonator/model/fitted_motion.h"
@@ -106,8 +106,8 @@ struct ResonatorFit {
     ResidualNoise noise;
     RawParameters raw;
     FittedMotion motion;
-    std::vector<PhaseBreak> phase_breaks;  // found by the fit and left open
-    std::optional<std::size_t> left_out;   // the run that does not belong to the set
+    std::vector<FittedBreak> breaks;      // found by the fit, with parameters of their own
+    std::optional<std::size_t> left_out;  // the run that does not belong to the set
     std::vector<Diagnostic> warnings;
 };
 

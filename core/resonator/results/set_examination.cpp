@@ -67,13 +67,13 @@ std::vector<std::size_t> all_but(std::size_t count, std::size_t out) {
 
 // The variance of a run's noise in units of that of its windows, by its own fit: what it misses
 // itself is a matter of its model and noise, not of the set.
-double own_noise(const PartFit& alone) {
+double own_noise(const PartFit& alone, const JobControl& job) {
     const double dof = degrees_of_freedom(alone.problem);
     const double ratio = alone.fit.chi2 / dof;
     if (!(ratio > noise_bound(dof))) {
         return std::max(1.0, std::isfinite(ratio) ? ratio : 1.0);
     }
-    return std::max(ratio, widening(alone.problem, posterior(alone.problem, alone.fit)));
+    return std::max(ratio, widening(alone.problem, posterior(alone.problem, alone.fit), job));
 }
 
 // What a run alone shows of the rates: the logarithm of their volume under the priors over that
@@ -88,18 +88,24 @@ double known_by(const PartFit& alone) {
     return std::isfinite(sum) ? sum : -std::numeric_limits<double>::infinity();
 }
 
-ScaledRun exchanged(ScaledRun run) {
+// The run with other channels: `to` of C and D.
+ScaledRun transformed(ScaledRun run, const Eigen::Matrix2d& to) {
     for (Eigen::Vector2cd& z : run.z) {
-        z.reverseInPlace();
+        z = to * z;
     }
+    const Eigen::Matrix2d colour = to * run.whitening.inverse();
+    const Eigen::Matrix2d covariance = colour * colour.transpose();
+    const Eigen::Matrix2d lower = covariance.llt().matrixL();
+    run.whitening = lower.inverse();
     return run;
 }
 
-ScaledRun with_sign(ScaledRun run) {
-    for (Eigen::Vector2cd& z : run.z) {
-        z[1] = -z[1];
-    }
-    return run;
+ScaledRun exchanged(const ScaledRun& run) {
+    return transformed(run, Eigen::Matrix2d{{0, 1}, {1, 0}});
+}
+
+ScaledRun with_sign(const ScaledRun& run) {
+    return transformed(run, Eigen::Matrix2d{{1, 0}, {0, -1}});
 }
 
 class Examination {
@@ -116,7 +122,7 @@ public:
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
             alone_.push_back(part_fit(problem_, joint_, std::array{k}, job_));
-            noise_[k] = own_noise(alone_.back());
+            noise_[k] = own_noise(alone_.back(), job_);
             known_.push_back(known_by(alone_.back()));
         }
         if (job_.cancelled()) {

@@ -20,6 +20,8 @@ constexpr double kappa_width = 0.01;
 constexpr double skew_width = 0.7 * std::numbers::pi / 180;
 constexpr double damping_width = 0.1;   // of 1/tau
 constexpr double rotation_width = 0.3;  // rad/s
+// Most that a rotation weighs: a fast turn of the table is that of a gyro if all else is small.
+constexpr double most_by_rotation = 9;
 // One of 300 gyros exceeds this, none of 800 mixtures is below it (FIT section 6).
 constexpr double most_penalty = 16;
 // Largest rise of chi^2 over that of the free fit, in units of its chi^2/dof.
@@ -104,9 +106,11 @@ StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const Map
         for (const Term& term : terms) {
             const double value = fit.p[term.parameter];
             const double off = (value - priors.mean[term.parameter]) / priors.sd[term.parameter];
-            verdict.penalty += off * off;
-            if (off * off > most && !residual) {
-                most = off * off;
+            const double weight =
+                term.parameter == rotation_at ? std::min(off * off, most_by_rotation) : off * off;
+            verdict.penalty += weight;
+            if (weight > most && !residual) {
+                most = weight;
                 verdict.reason = words(
                     "%1 = %2", {term.symbol, number_arg(value * term.unit, 3, term.unit_name)});
             }
@@ -131,7 +135,8 @@ StructuredVerdict test_structured(const FitProblem& problem, const MapFit& main,
     const double ratio = std::max(1.0, free.chi2 / degrees_of_freedom(free_problem));
     StructuredVerdict verdict = judge(problem, main, free, ratio, tolerance, job);
     if (!verdict.structured) {
-        const double scale = std::max(ratio, widening(free_problem, posterior(free_problem, free)));
+        const double scale =
+            std::max(ratio, widening(free_problem, posterior(free_problem, free), job));
         if (scale > ratio) {
             verdict = judge(problem, main, free, scale, tolerance, job);
         }

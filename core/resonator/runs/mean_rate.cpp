@@ -134,9 +134,9 @@ std::vector<double> amounts() {
 std::vector<double> widths(const Blocks& blocks) {
     constexpr double narrowest = 0.28;  // of 1/T
     std::vector<double> tried;
-    const double total_s = blocks.length_s * static_cast<double>(blocks.time_s.size());
-    for (double w = narrowest / total_s; w < 2 / blocks.length_s; w *= 2) {
-        tried.push_back(w);
+    const auto count = static_cast<double>(blocks.time_s.size());
+    for (double share = narrowest / count; share < 2; share *= 2) {
+        tried.push_back(share / blocks.length_s);
     }
     return tried;
 }
@@ -149,7 +149,8 @@ struct Evidence {
     double most = 0;  // of the rise
 };
 
-Evidence evidence_of(const Blocks& blocks, const std::vector<double>& tried_widths) {
+Evidence evidence_of(const Blocks& blocks, const std::vector<double>& tried_widths,
+                     const JobControl& job) {
     const Eigen::Index n = blocks.time_s.size();
     const Eigen::MatrixXd absorbed =
         trend_functions(blocks.time_s, blocks.sd.cwiseInverse(), blocks.part, blocks.order);
@@ -159,6 +160,11 @@ Evidence evidence_of(const Blocks& blocks, const std::vector<double>& tried_widt
     const Eigen::VectorXd x = left.transpose() * blocks.value;
     Evidence evidence;
     for (const double w : tried_widths) {
+        if (job.cancelled()) {
+            evidence.rise.resize(tried_widths.size() * amounts().size());
+            evidence.added.resize(evidence.rise.size());
+            return evidence;
+        }
         const Eigen::MatrixXd correlation = lorentz(blocks, 6.283185307179586 * w);
         const double on_line = blocks.line.dot(correlation * blocks.line);
         const Eigen::MatrixXd seen = left.transpose() * correlation * left;
@@ -167,7 +173,8 @@ Evidence evidence_of(const Blocks& blocks, const std::vector<double>& tried_widt
         const Eigen::ArrayXd square = (eigen.eigenvectors().transpose() * x).array().square();
         for (const double a : amounts()) {
             const Eigen::ArrayXd v = 1 + a * size;
-            evidence.rise.push_back(0.5 * (square - v.log() - square / v).sum());
+            const double rise = 0.5 * (square - v.log() - square / v).sum();
+            evidence.rise.push_back(std::isfinite(rise) ? rise : 0);
             evidence.added.push_back(a * on_line);
             evidence.most = std::max(evidence.most, evidence.rise.back());
         }
@@ -227,7 +234,8 @@ std::vector<double> trend_of(const RateSeries& series) {
     return {trend.begin(), trend.end()};
 }
 
-std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation) {
+std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation,
+                                 const JobControl& job) {
     std::vector<Eigen::VectorXd> coefficients;
     std::vector<Evidence> evidence;
     std::vector<double> tried;
@@ -235,7 +243,7 @@ std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double infl
         coefficients.push_back(slope_coefficients(one));
         const Blocks blocks = blocks_of(one, coefficients.back(), inflation);
         tried = tried.empty() ? widths(blocks) : tried;
-        evidence.push_back(evidence_of(blocks, tried));
+        evidence.push_back(evidence_of(blocks, tried, job));
     }
     std::vector<MeanRate> rates;
     for (std::size_t s = 0; s < series.size(); ++s) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/job_control.h"
+
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -37,7 +39,8 @@ std::vector<double> trend_of(const RateSeries& series);
 // its deviation from a straight line counts as noise, its deviation from a parabola if the
 // curvature exceeds eight deviations of white noise. `inflation` multiplies the variances of means
 // over many windows (noise that is correlated from window to window). Precondition: at least eight
-// values each, times rise.
-std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation);
+// values each, times rise. A cancelled job ends the search for coloured noise early.
+std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation,
+                                 const JobControl& job);
 
 }  // namespace vybeg

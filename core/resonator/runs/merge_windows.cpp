@@ -17,7 +17,7 @@ constexpr double most_turn = 0.3;  // rad
 bool touch(const PhasorRun& run, std::size_t k) {
     const auto between = [&](double at) { return at > run.time_s[k] && at < run.time_s[k + 1]; };
     return std::abs((run.time_s[k + 1] - run.time_s[k]) / run.window_s - 1) < 0.01 &&
-           std::ranges::none_of(run.phase_breaks_s, between);
+           std::ranges::none_of(run.breaks, between, &RunBreak::time_s);
 }
 
 double correlation_at(const PhasorRun& run, std::ptrdiff_t lag) {
@@ -71,7 +71,7 @@ PhasorRun merged_by(const PhasorRun& run, std::size_t count) {
     merged.f_ref_hz = run.f_ref_hz;
     merged.window_s = run.window_s * static_cast<double>(count);
     merged.noise_correlation = merged_correlation(run, count);
-    merged.phase_breaks_s = run.phase_breaks_s;
+    merged.breaks = run.breaks;
     // Correlated noise averages less.
     const double noise_left = merged_covariance(run, count, 0) * static_cast<double>(count);
     const double share = 1 / static_cast<double>(count);

@@ -136,8 +136,10 @@ NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorR
         }
         const double mode_at_hz = std::abs(run.own[frequency_at]) + mode_hz;
         const double cycles = per_cycle * run.frame.duration_s;
-        needed.by_motion =
-            std::max({needed.by_motion, std::min(for_turn, most_for_turn), cycles * mode_at_hz});
+        // NaN of a fit that failed asks for no more windows.
+        for (const double windows : {std::min(for_turn, most_for_turn), cycles * mode_at_hz}) {
+            needed.by_motion = windows > needed.by_motion ? windows : needed.by_motion;
+        }
         if (cycles * beyond_hz < most_for_line) {
             needed.by_line = std::max(needed.by_line, cycles * beyond_hz);
         }

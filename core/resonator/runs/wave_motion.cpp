@@ -50,15 +50,23 @@ struct Motion {
     std::vector<std::size_t> angles;
 };
 
-void add(RateSeries& series, double time_s, double value, double sd) {
+void add(RateSeries& series, double time_s, double value, double sd, std::size_t part) {
+    series.part.push_back(part);
     series.time_s.push_back(time_s);
     series.value.push_back(value);
     series.sd.push_back(sd);
 }
 
 std::size_t breaks_before(const PhasorRun& run, double time_s) {
-    const auto behind = std::ranges::upper_bound(run.phase_breaks_s, time_s);
-    return static_cast<std::size_t>(behind - run.phase_breaks_s.begin());
+    const auto behind = std::ranges::upper_bound(run.breaks, time_s, {}, &RunBreak::time_s);
+    return static_cast<std::size_t>(behind - run.breaks.begin());
+}
+
+// Number of the breaks before a time that change amplitude, angle and quadrature, too.
+std::size_t knocks_before(const PhasorRun& run, double time_s) {
+    return static_cast<std::size_t>(std::ranges::count_if(run.breaks, [&](const RunBreak& each) {
+        return each.kind != BreakKind::phase && each.time_s <= time_s;
+    }));
 }
 
 // Whether three windows are adjacent, without a break of the phase.
@@ -216,14 +224,14 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
         }
         const double power = power_of(z, k);
         const double sd = run.sd[k];
-        add(motion.phase, t, phase, sd / std::sqrt(power));
+        add(motion.phase, t, phase, sd / std::sqrt(power), own);
         part = own;
-        motion.phase.part.push_back(part);
+        const std::size_t knocks = knocks_before(run, t);
         const bool inside = i > 0 && i + 1 < windows.size();
         motion.phase.step_variance.push_back(
             inside ? step_variance(run, windows[i - 1], k, windows[i + 1]) : 0);
         add(motion.amplitude, t, std::log(power - 4 * z.noise_gain[k] * sd * sd) / 2,
-            sd / std::sqrt(power));
+            sd / std::sqrt(power), knocks);
         const WaveState state = to_wave_state({z.c[k], z.d[k]});
         if (state.a_A - std::abs(state.a_B) < seen * std::numbers::sqrt2 * sd) {
             continue;
@@ -232,9 +240,9 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
                         ? state.two_theta_A
                         : nearest_branch(state.two_theta_A, two_theta, std::numbers::pi);
         const double across = (state.a_A + state.a_B) * (state.a_A - state.a_B);
-        add(motion.theta, t, two_theta / 2, sd * std::sqrt(power) / (2 * across));
+        add(motion.theta, t, two_theta / 2, sd * std::sqrt(power) / (2 * across), knocks);
         add(motion.quadrature, t, state.a_B / state.a_A,
-            sd * std::sqrt(power) / (state.a_A * state.a_A));
+            sd * std::sqrt(power) / (state.a_A * state.a_A), knocks);
         motion.angles.push_back(k);
     }
     return motion;
@@ -259,7 +267,7 @@ void mark_outliers(const RateSeries& series, const std::vector<std::size_t>& win
     }
 }
 
-Motion motion_without_outliers(const PhasorRun& run) {
+Motion motion_without_outliers(const PhasorRun& run, const JobControl& job) {
     std::vector<std::size_t> windows;
     for (std::size_t k = 0; k < run.time_s.size(); ++k) {
         if (power_of(run, k) > seen * seen * run.sd[k] * run.sd[k]) {
@@ -267,7 +275,7 @@ Motion motion_without_outliers(const PhasorRun& run) {
         }
     }
     constexpr int passes = 4;
-    for (int pass = 0; pass < passes; ++pass) {
+    for (int pass = 0; pass < passes && !job.cancelled(); ++pass) {
         Motion motion = motion_of(run, windows);
         std::vector<bool> out(run.time_s.size(), false);
         mark_outliers(motion.phase, windows, out);
@@ -326,9 +334,9 @@ Estimate given(double value, double sd) {
 
 }  // namespace
 
-WaveMotion wave_motion(const PhasorRun& windows) {
+WaveMotion wave_motion(const PhasorRun& windows, const JobControl& job) {
     const PhasorRun run = clear_windows(windows);
-    const Motion motion = motion_without_outliers(run);
+    const Motion motion = motion_without_outliers(run, job);
     WaveMotion found;
     if (motion.phase.value.size() < least_windows) {
         found.f_hz = found.tau_s = found.theta_rate_rad_s = found.quadrature_rate_per_s =
@@ -342,7 +350,7 @@ WaveMotion wave_motion(const PhasorRun& windows) {
     if (!circular) {
         series.insert(series.end(), {motion.theta, motion.quadrature});
     }
-    const std::vector<MeanRate> rates = mean_rates(series, inflation_of(run));
+    const std::vector<MeanRate> rates = mean_rates(series, inflation_of(run), job);
     found.f_hz = given(run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi);
     found.decay_per_s = given(-rates[1].value, rates[1].sd);
     found.tau_s =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/job_control.h"
 #include "core/resonator/model/phasor_run.h"
 #include "core/resonator/model/reason.h"
 
@@ -29,6 +30,6 @@ struct WaveMotion {
 
 // Reasons: too_few_windows (fewer than eight windows count), circular_wave (angle and quadrature),
 // those of decay_time(). Precondition: the vectors of a run have one length.
-WaveMotion wave_motion(const PhasorRun& run);
+WaveMotion wave_motion(const PhasorRun& run, const JobControl& job = {});
 
 }  // namespace vybeg

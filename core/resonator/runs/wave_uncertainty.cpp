@@ -54,17 +54,18 @@ PhasorRun coarse(const PhasorRun& run) {
 
 }  // namespace
 
-WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance) {
-    WaveMotion found = wave_motion(run);
+WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
+                       const JobControl& job) {
+    WaveMotion found = wave_motion(run, job);
     const PhasorRun few = coarse(run);
-    const WaveMotion before = few.c.size() < run.c.size() ? wave_motion(few) : found;
+    const WaveMotion before = few.c.size() < run.c.size() ? wave_motion(few, job) : found;
     std::array<double, numbers.size()> variance{};
     for (const ChannelError& error : channel_errors) {
         const double size = tolerance.*error.tolerance;
-        if (size == 0) {
+        if (size == 0 || job.cancelled()) {
             continue;
         }
-        const WaveMotion moved = wave_motion(with_error(few, error.tolerance, size));
+        const WaveMotion moved = wave_motion(with_error(few, error.tolerance, size), job);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             const double change = (moved.*numbers[k]).value - (before.*numbers[k]).value;
             variance[k] += std::isfinite(change) ? change * change : 0;

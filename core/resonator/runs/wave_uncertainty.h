@@ -7,6 +7,7 @@ namespace vybeg {
 
 // wave_motion() with `u` for each number: sd combined with the change by one deviation of each
 // channel error, errors independent. Preconditions: as there.
-WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance);
+WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
+                       const JobControl& job = {});
 
 }  // namespace vybeg

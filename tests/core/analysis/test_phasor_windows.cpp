@@ -202,9 +202,9 @@ private slots:
                 settings.f0_hz = decay.f0_hz;
                 const PhasorWindows found =
                     phasors_of(recording_of(samples.c, samples.d, 33333), settings, 512);
-                QCOMPARE(found.run.phase_breaks_s.size(), std::size_t{1});
+                QCOMPARE(found.run.breaks.size(), std::size_t{1});
                 const double at = static_cast<double>(lost_at) / 33333;
-                VYBEG_CLOSE(found.run.phase_breaks_s[0], at, 1e-4);
+                VYBEG_CLOSE(found.run.breaks[0].time_s, at, 1e-4);
                 QCOMPARE(std::ranges::count(found.diagnostics, DiagnosticKind::phase_unknown,
                                             &Diagnostic::kind),
                          1);

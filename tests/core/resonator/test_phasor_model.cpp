@@ -25,13 +25,13 @@ ScaledRun some_run() {
     decay.split_hz = 0.2;
     decay.omega_rad_s = 0.3;
     PhasorRun run = test::simulated_phasors(decay, 100, 1);
-    run.phase_breaks_s = {1.7, 3.3};
+    run.breaks = {{1.1, BreakKind::start}, {1.7}, {2.5, BreakKind::gain}, {3.3}};
     return scaled_run(run, 2);
 }
 
 Eigen::VectorXd some_own() {
-    Eigen::VectorXd own(own_count + 2);
-    own << 0.2, -0.3, 0.4, 0.1, 0.03, 0.004, 0.2, -0.4;
+    Eigen::VectorXd own(own_count + 8);
+    own << 0.2, -0.3, 0.4, 0.1, 0.03, 0.004, 0.1, 0.05, -0.2, 0.07, 0.2, 0.1, -0.15, -0.4;
     return own;
 }
 
@@ -124,7 +124,7 @@ private slots:
 
     void a_prior_of_no_width_holds_its_parameter() {
         const std::vector runs{some_run()};
-        const std::array<std::size_t, 1> breaks{2};
+        const std::array<std::size_t, 1> breaks{8};
         FitProblem problem{runs, ParameterLayout(breaks), {}};
         problem.priors = structured_priors(runs, problem.layout, {.kappa = 0});
         Eigen::VectorXd start(problem.layout.size());
@@ -142,7 +142,7 @@ private slots:
 
     void the_three_parts_of_the_covariance_add_up() {
         const std::vector runs{some_run()};
-        const std::array<std::size_t, 1> breaks{2};
+        const std::array<std::size_t, 1> breaks{8};
         FitProblem problem{runs, ParameterLayout(breaks), {}};
         problem.priors = structured_priors(runs, problem.layout, {.skew_rad = 0.01});
         Eigen::VectorXd start(problem.layout.size());

@@ -280,12 +280,12 @@ private slots:
     void a_phase_that_breaks_costs_the_frequency_no_truth() {
         const FreeDecay decay = wave(1e-4, 25, 0.05);
         PhasorRun silence = silent(decay, 0);
-        silence.phase_breaks_s = {9.3, 17.1};
+        silence.breaks = {{9.3}, {17.1}};
         const WaveMotion truth = wave_motion(silence);
         Pulls pulls;
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {
             PhasorRun run = simulated_phasors(decay, window, seed);
-            run.phase_breaks_s = silence.phase_breaks_s;
+            run.breaks = silence.breaks;
             for (std::size_t k = 0; k < run.time_s.size(); ++k) {
                 const auto turn = std::polar(1.0, run.time_s[k] < 9.3    ? 0.0
                                                   : run.time_s[k] < 17.1 ? 1.0
