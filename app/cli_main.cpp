@@ -27,12 +27,18 @@ using namespace vybeg::cli;
 struct LogOptions {
     bool quiet = false;
     bool json = false;
+    bool verbose = false;
 };
 
 void add_log_options(CLI::App& app, LogOptions& options) {
     app.add_flag("--quiet", options.quiet, "Neither progress nor warnings on standard error");
     app.add_flag("--json-log", options.json,
                  "Standard error as one JSON object per line: errors, warnings, progress");
+}
+
+void add_verbose(CLI::App& app, bool& verbose) {
+    app.add_flag("--verbose", verbose,
+                 "All warnings, and notes, each by itself (default: the three worst)");
 }
 
 void add_input(CLI::App& app, std::string& input) {
@@ -153,6 +159,7 @@ int run(int argc, char** argv) {
     info_command->add_flag("--json", info.json, "As JSON");
     add_open_options(*info_command, info.open);
     add_log_options(*info_command, log_options);
+    add_verbose(*info_command, log_options.verbose);
 
     AnalyzeRequest analyze;
     CLI::App* const analyze_command =
@@ -167,6 +174,7 @@ int run(int argc, char** argv) {
     add_analysis_options(*analyze_command, analyze.settings);
     add_open_options(*analyze_command, analyze.open);
     add_log_options(*analyze_command, log_options);
+    add_verbose(*analyze_command, log_options.verbose);
     analyze_command->add_flag("--timing", analyze.timing,
                               "Last line of standard error: where the time went, JSON, s");
 
@@ -181,6 +189,7 @@ int run(int argc, char** argv) {
                      "Also write the gyro's passport, to compare with later")
         ->type_name("PASSPORT.json");
     add_log_options(*identify_command, log_options);
+    add_verbose(*identify_command, log_options.verbose);
 
     IdentifyRequest comparison;
     CLI::App* const compare_command =
@@ -193,6 +202,7 @@ int run(int argc, char** argv) {
     add_identification(*compare_command, comparison);
     add_compare_options(*compare_command, comparison.compare);
     add_log_options(*compare_command, log_options);
+    add_verbose(*compare_command, log_options.verbose);
 
     BatchRequest batch;
     batch.program = program;
@@ -200,6 +210,7 @@ int run(int argc, char** argv) {
         app.add_subcommand("batch", "The resonators of a measurement list, as a table");
     add_batch_options(*batch_command, batch);
     add_log_options(*batch_command, log_options);
+    add_verbose(*batch_command, log_options.verbose);
 
     SimulateRequest simulation;
     CLI::App* const simulate_command =
@@ -218,7 +229,8 @@ int run(int argc, char** argv) {
         return Log(asks_for_json(words), false).fail_usage(sentence(error, words));
     }
 
-    Log log(log_options.json, log_options.quiet);
+    Log log(log_options.json, log_options.quiet, log_options.verbose);
+    info.verbose = log_options.verbose;
     if (const std::string fault = usage_fault(app); !fault.empty()) {
         return log.fail_usage(fault);
     }

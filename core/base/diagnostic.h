@@ -59,6 +59,7 @@ enum class DiagnosticKind {
     misfit_pickoff,               // args: change of the gain of C, of D at the largest amplitude, %
     fitted_phase_step,            // args: recording, step (rad), at time (s). The phase is fitted.
     fit_not_converged,            // the fit stopped early
+    other_gyro,                   // args: gyro of the passport, gyro of the recordings
     option_without_effect,        // args: option of the command line, why
     column_like_option,           // args: column of a list that is kept, the option it resembles
 };

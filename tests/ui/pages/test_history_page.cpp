@@ -142,8 +142,8 @@ private slots:
         QCOMPARE(page().history()->points.size(), std::size_t(40));
         // 90 is the 31st of G0.
         const HistoryCharts& charts = page().charts();
-        QVERIFY(charts.individuals.out[30] && charts.individuals.range_is_out[30]);
-        VYBEG_CLOSE_RATIO(charts.individuals.centre, 0.01, 1e-3);
+        QVERIFY(charts.control.individuals.out[30] && charts.control.ranges.out[30]);
+        VYBEG_CLOSE_RATIO(charts.control.centre, 0.01, 1e-3);
         const QString verdict = text("historyVerdict");
         QVERIFY2(verdict.contains("G0, 2024-03-31, set 90 (above the limit"), qPrintable(verdict));
         QVERIFY2(verdict.contains("first 20 results"), qPrintable(verdict));
@@ -158,7 +158,7 @@ private slots:
         QVERIFY2(text("historyPoint").contains("set 87"), qPrintable(text("historyPoint")));
         // Of a longer baseline that holds the value, it sets the limits itself.
         the<QSpinBox>("historyBaseline").setValue(40);
-        VYBEG_MORE(page().charts().individuals.mean_range, 2e-5);
+        VYBEG_MORE(page().charts().control.deviations[0], 1e-4);
         QCOMPARE(page().figures().plots.size(), 4);
     }
 
