@@ -198,7 +198,8 @@ int run(int argc, char** argv) {
         ->add_option("PASSPORT", comparison.old_passport, "A passport that identify has written")
         ->type_name("")
         ->required();
-    add_inputs(*compare_command, comparison.inputs)->required();
+    add_inputs(*compare_command, comparison.inputs);
+    add_list(*compare_command, comparison);
     add_identification(*compare_command, comparison);
     add_compare_options(*compare_command, comparison.compare);
     add_log_options(*compare_command, log_options);
@@ -234,8 +235,9 @@ int run(int argc, char** argv) {
     if (const std::string fault = usage_fault(app); !fault.empty()) {
         return log.fail_usage(fault);
     }
-    if (identify_command->parsed() && identification.inputs.empty() &&
-        identification.list.empty()) {
+    const IdentifyRequest& asked = compare_command->parsed() ? comparison : identification;
+    if ((identify_command->parsed() || compare_command->parsed()) && asked.inputs.empty() &&
+        asked.list.empty()) {
         return log.fail_usage("FILE or --list is required.");
     }
     if (simulate_command->parsed()) {

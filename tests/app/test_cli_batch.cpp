@@ -77,6 +77,7 @@ private slots:
                 QCOMPARE(value.isEmpty(), quantity["value"].isNull());
                 QCOMPARE(value.toDouble(), quantity["value"].toDouble());
                 QCOMPARE(field_of(table_, row, "sd_" + name).toDouble(), quantity["sd"].toDouble());
+                QCOMPARE(field_of(table_, row, "u_" + name).toDouble(), quantity["u"].toDouble());
             }
         }
         QCOMPARE(failed, 3);
@@ -184,6 +185,35 @@ private slots:
         QCOMPARE(run({"compare", "passports/G2.json", "a.wav", "b.wav", "-o", "c.json"}).status, 0);
         QCOMPARE(object(file("verdicts/other.json"))["differences"],
                  object(file("c.json"))["differences"]);
+    }
+
+    // Conditions beside the result; a comparison that cannot be believed has no verdict.
+    void a_serious_warning_takes_the_place_of_the_verdict() {
+        QDir(folder_.path()).mkdir("others");
+        QVERIFY(put(path("told.csv"),
+                    "set,file,gyro,bias_v,temperature_c,operator,comment,lot\n"
+                    "T,a.wav,H1,60,20,I. I.,quiet,L7\nT,b.wav,H1,60,21,I. I.,quiet,L7\n"));
+        QCOMPARE(run({"identify", "--list", "told.csv", "--passport", "others/H1.json"}).status, 0);
+        QCOMPARE(run({"batch", "told.csv", "-o", "t.csv", "--passport", "others"}).status, 0);
+        const QByteArray fine = file("t.csv");
+        QCOMPARE(field_of(fine, 0, "verdict"), QByteArray("unchanged"));
+        QCOMPARE(field_of(fine, 0, "message"), QByteArray());
+        QCOMPARE(field_of(fine, 0, "bias_v"), QByteArray("60"));
+        QCOMPARE(field_of(fine, 0, "temperature_c"), QByteArray("\"20;21\""));
+        QCOMPARE(field_of(fine, 0, "exchanged"), QByteArray());
+        QCOMPARE(field_of(fine, 0, "operator"), QByteArray("I. I."));
+        QCOMPARE(field_of(fine, 0, "comment"), QByteArray("quiet"));
+        QCOMPARE(field_of(fine, 0, "lot"), QByteArray("L7"));
+        // The passport's file has the gyro's name, its content another.
+        QByteArray other = file("others/H1.json");
+        QVERIFY(put(path("others/H1.json"), other.replace("\"H1\"", "\"H9\"")));
+        QCOMPARE(run({"batch", "told.csv", "-o", "t.csv", "--passport", "others"}).status, 0);
+        const QByteArray warned = file("t.csv");
+        QCOMPARE(field_of(warned, 0, "status"), QByteArray("ok"));
+        QCOMPARE(field_of(warned, 0, "verdict"), QByteArray());
+        QCOMPARE(field_of(warned, 0, "changed"), QByteArray());
+        QVERIFY2(rows_of(warned)[0].contains("The passport is that of the gyro H9"), warned);
+        QVERIFY2(rows_of(warned)[0].contains(",other-gyro"), warned);
     }
 
     void names_cannot_lead_out_of_the_folder_of_results() {

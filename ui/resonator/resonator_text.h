@@ -31,10 +31,7 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
 // One column: mean and harmonics of the drift function, or the reason for its absence.
 std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units);
 
-// Sentences about the result.
-QStringList warningTexts(const ResonatorOutcome& outcome);
-
-// Findings in the recordings, each with the names of the recordings.
-QStringList findingTexts(const ResonatorOutcome& outcome);
+// Findings in the recordings, each with the names of the recordings, the worst first.
+std::vector<Finding> recordingFindings(const ResonatorOutcome& outcome);
 
 }  // namespace vybeg::ui

@@ -161,11 +161,11 @@ private:
     void judge() {
         for (Difference& each : differences_) {
             each.follows = follows(each);
+            if (is_q(each) && !each.follows) {
+                each.limit = options_.f_limit_ppm * 1e-6 * std::abs(each.then.value);
+            }
         }
-        const auto compared = std::ranges::count_if(differences_, [](const Difference& each) {
-            return each.verdict != Verdict::not_comparable && !each.follows;
-        });
-        const double limit = changed_from(static_cast<std::size_t>(compared));
+        const double limit = changed_from(count_compared(differences_));
         for (const bool what_follows : {false, true}) {
             for (Difference& each : differences_) {
                 if (each.verdict != Verdict::not_comparable && each.follows == what_follows) {
@@ -183,16 +183,21 @@ private:
         const std::string whole = q.name.substr(0, q.name.size() - 1) + name;
         const auto found = std::ranges::find(differences_, whole, &Difference::name);
         return found != differences_.end() && found->verdict != Verdict::not_comparable ? &*found
-                                                                                       : nullptr;
+                                                                                        : nullptr;
     }
     const Difference* frequency_beside(const Difference& q) const {
         const Difference* of_mode = beside(q, "f_hz");
         return of_mode != nullptr ? of_mode : beside(q, "f_mean_hz");
     }
 
+    static bool is_q(const Difference& difference) {
+        return difference.verdict != Verdict::not_comparable &&
+               (difference.name == "q" || difference.name.ends_with(".q"));
+    }
+
     bool follows(const Difference& difference) const {
-        return (difference.name == "q" || difference.name.ends_with(".q")) &&
-               beside(difference, "tau_s") != nullptr && frequency_beside(difference) != nullptr;
+        return is_q(difference) && beside(difference, "tau_s") != nullptr &&
+               frequency_beside(difference) != nullptr;
     }
 
     bool source_changed(const Difference& q) const {
@@ -263,6 +268,12 @@ double changed_from(std::size_t count) {
         (chance_beyond(middle) > each ? low : high) = middle;
     }
     return high;
+}
+
+std::size_t count_compared(const std::vector<Difference>& differences) {
+    return static_cast<std::size_t>(std::ranges::count_if(differences, [](const Difference& each) {
+        return each.verdict != Verdict::not_comparable && !each.follows;
+    }));
 }
 
 std::vector<Difference> compare(const Passport& passport, const ResonatorFit& now,

@@ -93,6 +93,9 @@ std::string incomparable_text(const Difference& difference);
 // rate of three deviations of one number (0.27 %).
 double changed_from(std::size_t count);
 
+// Those that can change by themselves: comparable, and no Q beside its frequency and decay time.
+std::size_t count_compared(const std::vector<Difference>& differences);
+
 // Compares every parameter of a resonator and of its modes with a value on at least one side.
 // Changed: the difference exceeds changed_from(number of compared parameters) combined deviations,
 // both sides independent, and for a frequency also the limit. Q follows from frequency and decay
