@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/finding.h"
 #include "core/resonator/results/parameter_limit.h"
 #include "ui/values/recording_set.h"
 #include "ui/widgets/quantity_table.h"
