@@ -208,12 +208,18 @@ private slots:
         QByteArray other = file("others/H1.json");
         QVERIFY(put(path("others/H1.json"), other.replace("\"H1\"", "\"H9\"")));
         QCOMPARE(run({"batch", "told.csv", "-o", "t.csv", "--passport", "others"}).status, 0);
-        const QByteArray warned = file("t.csv");
+        const QByteArray table = file("t.csv");
+        // field_of() knows no commas in quotes, which the message has.
+        const QByteArray warned =
+            QString::fromUtf8(table)
+                .replace(QRegularExpression("\"The passport[^\"]*\""), "quoted")
+                .toUtf8();
         QCOMPARE(field_of(warned, 0, "status"), QByteArray("ok"));
+        QCOMPARE(field_of(warned, 0, "message"), QByteArray("quoted"));
         QCOMPARE(field_of(warned, 0, "verdict"), QByteArray());
         QCOMPARE(field_of(warned, 0, "changed"), QByteArray());
-        QVERIFY2(rows_of(warned)[0].contains("The passport is that of the gyro H9"), warned);
-        QVERIFY2(rows_of(warned)[0].contains(",other-gyro"), warned);
+        QVERIFY2(table.contains("The passport is that of the gyro H9"), table);
+        QVERIFY2(field_of(warned, 0, "warnings").startsWith("other-gyro"), table);
     }
 
     void names_cannot_lead_out_of_the_folder_of_results() {
